@@ -1,0 +1,202 @@
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/gallery.hpp"
+#include "app/timing.hpp"
+#include "engine/image/file.hpp"
+#include "engine/trace/parallel.hpp"
+#include "engine/trace/tracer.hpp"
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchItem {
+    std::string name;
+    Surface surface;
+};
+
+struct BenchPlan {
+    std::vector<BenchItem> items;
+    std::vector<TraceSettings> settings;  ///< one for each tracer
+    Size size{};
+    int repeats = 5;
+};
+
+/// The gallery's surfaces of the papers, all seen from the default direction.
+std::vector<BenchItem> gallery_suite() {
+    std::vector<BenchItem> items;
+    for (const GalleryItem& item : gallery()) {
+        if (item.group != suite_group) continue;
+        items.push_back({item.name, {item.equation, item.clip, item.w, std::nullopt}});
+    }
+    return items;
+}
+
+std::unexpected<InputError> wrong(std::string reason) {
+    return std::unexpected(InputError{std::move(reason), std::nullopt, {}});
+}
+
+/// {"camera": {direction, distance, fov}, "surfaces": [{name, f, domain}]}; w is 0.5.
+OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) return wrong("--suite " + path + ": the file cannot be read");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    std::vector<BenchItem> items;
+    try {
+        const Json json = Json::parse(text);
+        const Json& view = json.at("camera");
+        const auto direction = view.at("direction").get<std::array<double, 3>>();
+        for (const Json& surface : json.at("surfaces")) {
+            const double domain = surface.at("domain");
+            Camera camera;
+            camera.eye = view.at("distance").get<double>() * domain *
+                         glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
+            camera.fov_rad = glm::radians(view.at("fov").get<double>());
+            items.push_back({surface.at("name"),
+                             {surface.at("f"), Box::cube(domain), 0.5, camera}});
+        }
+    } catch (const nlohmann::json::exception& error) {
+        return wrong("--suite " + path + ": " + error.what());
+    }
+    return items;
+}
+
+OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
+    BenchPlan plan;
+    const auto size = read_size("--size", command.size);
+    if (!size) return std::unexpected(size.error());
+    plan.size = *size;
+    if (command.repeat) {
+        const auto repeats = read_integer("--repeat", *command.repeat, 1, 10'000);
+        if (!repeats) return std::unexpected(repeats.error());
+        plan.repeats = *repeats;
+    }
+    std::string names = command.tracers.value_or(std::string(tracers().front().name));
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        const TraceText text{names.substr(begin, end - begin), command.d_stop.value_or("10"),
+                             std::nullopt, std::nullopt, command.threads};
+        const auto settings = read_trace_settings(text);
+        if (!settings) return std::unexpected(settings.error());
+        plan.settings.push_back(*settings);
+        begin = end + 1;
+    }
+    if (!command.suite) {
+        plan.items = gallery_suite();
+        return plan;
+    }
+    auto items = suite_of_file(*command.suite);
+    if (!items) return std::unexpected(items.error());
+    plan.items = std::move(*items);
+    return plan;
+}
+
+struct BenchCell {
+    FrameTiming timing;
+    double compile_ms = 0.0;
+    double range_per_ray = 0.0, value_per_ray = 0.0;
+    CertificateCounts counts;
+};
+
+OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
+                                const TraceSettings& settings) {
+    const auto formula = compile_formula(item.surface.equation);
+    if (!formula) return std::unexpected(formula.error());
+    Scene scene{formula->kernel, item.surface.clip, {}};
+    scene.uniforms.set(0, item.surface.w);
+    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
+    const Camera camera =
+        item.surface.camera.value_or(default_camera(item.surface.clip, aspect));
+    Framebuffer frame(plan.size.width, plan.size.height);
+    BenchCell cell;
+    cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);
+    cell.compile_ms = formula->compile_ms;
+    const auto rays = static_cast<double>(frame.color.size());
+    cell.range_per_ray = static_cast<double>(cell.timing.counters.range) / rays;
+    cell.value_per_ray = static_cast<double>(cell.timing.counters.value) / rays;
+    cell.counts = count_certificates(frame);
+    return cell;
+}
+
+Json json_of(const BenchCell& cell) {
+    return {{"frame_ms",
+             {{"median", cell.timing.median_ms},
+              {"min", cell.timing.min_ms},
+              {"max", cell.timing.max_ms},
+              {"repeats", cell.timing.repeats}}},
+            {"compile_ms", cell.compile_ms},
+            {"range_per_ray", cell.range_per_ray},
+            {"value_per_ray", cell.value_per_ray},
+            {"certified", cell.counts.certified},
+            {"undecided", cell.counts.undecided},
+            {"miss", cell.counts.miss}};
+}
+
+void print_heading(const BenchPlan& plan) {
+    std::printf("%dx%d, %d repeats, medians; range: boxes evaluated per ray\n%-20s",
+                plan.size.width, plan.size.height, plan.repeats, "surface");
+    for (const TraceSettings& settings : plan.settings) {
+        std::printf(" %14s ms      fps    range compile ms", settings.tracer.c_str());
+    }
+    std::printf("\n");
+}
+
+void print_cell(const BenchCell& cell) {
+    std::printf(" %17.3f %8.1f %8.2f %10.1f", cell.timing.median_ms,
+                1000.0 / cell.timing.median_ms, cell.range_per_ray, cell.compile_ms);
+}
+
+}  // namespace
+
+int run_bench(const BenchCommand& command) {
+    const auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    const bool table = command.json != "-";
+    if (table) print_heading(*plan);
+    Json surfaces = Json::array();
+    std::vector<double> log_sums(plan->settings.size(), 0.0);
+    for (const BenchItem& item : plan->items) {
+        Json row{{"name", item.name}};
+        if (table) std::printf("%-20s", item.name.c_str());
+        for (std::size_t i = 0; i < plan->settings.size(); ++i) {
+            const auto cell = measure(item, *plan, plan->settings[i]);
+            if (!cell) return report(cell.error());
+            if (table) print_cell(*cell);
+            log_sums[i] += std::log(cell->timing.median_ms);
+            row[plan->settings[i].tracer] = json_of(*cell);
+        }
+        if (table) std::printf("\n");
+        std::fflush(stdout);
+        surfaces.push_back(std::move(row));
+    }
+    Json means = Json::object();
+    if (table) std::printf("%-20s", "geometric mean");
+    for (std::size_t i = 0; i < plan->settings.size(); ++i) {
+        const double mean = std::exp(log_sums[i] / static_cast<double>(plan->items.size()));
+        means[plan->settings[i].tracer] = mean;
+        if (table) std::printf(" %17.3f %8.1f %19s", mean, 1000.0 / mean, "");
+    }
+    if (table) std::printf("\n");
+    if (!command.json) return exit_ok;
+    const int threads = plan->settings.front().threads;
+    const std::string text = Json{{"width", plan->size.width},
+                                  {"height", plan->size.height},
+                                  {"threads", threads > 0 ? threads : core_count()},
+                                  {"d_stop", plan->settings.front().stop.value},
+                                  {"geometric_mean_ms", means},
+                                  {"surfaces", surfaces}}
+                                 .dump(2) +
+                             "\n";
+    const auto written = write_text(*command.json, text);
+    return written ? exit_ok : report_run_time(written.error().message);
+}
+
+}  // namespace zeroset

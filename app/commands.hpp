@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/options.hpp"
+#include "engine/image/file.hpp"
+
+// The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
+// what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).
+
+namespace zeroset {
+
+inline constexpr int exit_ok = 0;
+inline constexpr int exit_run_time = 1;
+inline constexpr int exit_wrong_input = 2;
+
+struct RenderCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string size = "1024x1024";
+    std::optional<std::string> output, depth, stats, repeat;
+};
+int run_render(const RenderCommand& command);
+
+struct ExplainCommand {
+    std::string equation;
+    std::optional<std::string> at;
+    bool ir = false, assembly = false, json = false;
+};
+int run_explain(const ExplainCommand& command);
+
+struct BenchCommand {
+    std::optional<std::string> suite, tracers, threads, d_stop, repeat, json;
+    std::string size = "512";
+};
+int run_bench(const BenchCommand& command);
+
+struct GalleryCommand {
+    bool names = false;
+    bool json = false;
+};
+int run_gallery(const GalleryCommand& command);
+
+/// Prints the error and returns its exit code.
+int report(const InputError& error);
+int report_run_time(const std::string& message);
+
+/// To a file, or to standard output for "-".
+std::expected<void, FileError> write_text(const std::string& path, const std::string& text);
+
+}  // namespace zeroset

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/formula.hpp"
+#include "engine/trace/camera.hpp"
+
+namespace zeroset {
+
+/// A surface of resources/gallery with its good view.
+struct GalleryItem {
+    std::string group;
+    std::string name;
+    std::string title;
+    std::string equation;
+    std::string about;   ///< a sentence of explanation
+    std::string source;  ///< where it comes from
+    Box clip;
+    double w = 0.0;
+    std::optional<Camera> camera;  ///< default_camera(clip) when absent
+};
+
+/// The group of the papers' surfaces, which the benchmark times.
+inline constexpr std::string_view suite_group = "Benchmark suite";
+
+/// All items, in the order of the files. The files are compiled into the program.
+const std::vector<GalleryItem>& gallery();
+
+/// The item called `name` (without "@"), or an error that names the nearest one.
+std::expected<GalleryItem, InputError> gallery_item(std::string_view name);
+
+}  // namespace zeroset

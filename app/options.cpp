@@ -1,0 +1,230 @@
+#include "app/options.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <iterator>
+
+#include "app/gallery.hpp"
+#include "app/text.hpp"
+#include "engine/trace/tracer.hpp"
+
+namespace zeroset {
+namespace {
+
+std::unexpected<InputError> wrong(std::string reason) {
+    return std::unexpected(InputError{std::move(reason), std::nullopt, {}});
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(trimmed(text.substr(0, end)));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+OrInputError<glm::dvec3> read_vector(const std::string& option, const std::string& text) {
+    const auto numbers = read_numbers(option, text, 3);
+    if (!numbers) return std::unexpected(numbers.error());
+    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+/// L or x0,x1,y0,y1,z0,z1.
+OrInputError<Box> read_box(const std::string& text) {
+    constexpr double largest = 1e9;
+    const bool cube = !text.contains(',');
+    const auto numbers = read_numbers("--box", text, cube ? 1 : 6);
+    if (!numbers) return std::unexpected(numbers.error());
+    const std::vector<double>& n = *numbers;
+    const Box box = cube ? Box::cube(n[0]) : Box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(box.lo[i] < box.hi[i])) {
+            return wrong(cube ? "--box " + text + ": the half edge must be above 0"
+                              : "--box " + text + ": the lower bound " + short_number(box.lo[i]) +
+                                    " is not below the upper bound " + short_number(box.hi[i]) +
+                                    "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
+        }
+        if (std::max(std::abs(box.lo[i]), std::abs(box.hi[i])) > largest) {
+            return wrong("--box " + text + ": stay between -1e9 and 1e9");
+        }
+    }
+    // The cells of the search must be floats of their own within the box.
+    const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
+    if (box.size() < 1e-4 * reach || box.size() < 1e-30) {
+        return wrong("--box " + text + ": the box is too small for its distance from the origin; " +
+                     "its edge must be at least 1e-4 of it");
+    }
+    return box;
+}
+
+/// The camera of the view options over `base`.
+OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surface& surface) {
+    if (!view.eye && !view.look_at && !view.up && !view.fov) return surface.camera;
+    Camera camera = surface.camera.value_or(default_camera(surface.clip));
+    const auto take = [](const std::optional<std::string>& text, const char* option,
+                         glm::dvec3& value) -> std::optional<InputError> {
+        if (!text) return std::nullopt;
+        const auto vector = read_vector(option, *text);
+        if (!vector) return vector.error();
+        value = *vector;
+        return std::nullopt;
+    };
+    if (auto error = take(view.eye, "--eye", camera.eye)) return std::unexpected(*error);
+    if (auto error = take(view.look_at, "--look-at", camera.look_at)) {
+        return std::unexpected(*error);
+    }
+    if (auto error = take(view.up, "--up", camera.up)) return std::unexpected(*error);
+    if (view.fov) {
+        const auto degrees = read_number("--fov", *view.fov);
+        if (!degrees) return std::unexpected(degrees.error());
+        if (!(*degrees >= 0.01 && *degrees <= 170)) {
+            return wrong("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
+        }
+        camera.fov_rad = glm::radians(*degrees);
+    }
+    if (const char* defect = camera_defect(camera)) return wrong(defect);
+    return camera;
+}
+
+}  // namespace
+
+OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
+                                               std::size_t count) {
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != count) {
+        return wrong(option + " " + text + ": " + std::to_string(count) +
+                     (count == 1 ? " number is" : " numbers separated by commas are") +
+                     " needed, not " + std::to_string(parts.size()));
+    }
+    std::vector<double> values;
+    for (const std::string_view part : parts) {
+        const std::optional<double> value = number_from<double>(part);
+        if (!value || !std::isfinite(*value)) {
+            return wrong(option + " " + text + ": " + quoted(part) + " is not a finite number");
+        }
+        values.push_back(*value);
+    }
+    return values;
+}
+
+OrInputError<double> read_number(const std::string& option, const std::string& text) {
+    const auto numbers = read_numbers(option, text, 1);
+    if (!numbers) return std::unexpected(numbers.error());
+    return numbers->front();
+}
+
+OrInputError<int> read_integer(const std::string& option, const std::string& text, int lowest,
+                               int highest) {
+    const std::optional<int> value = number_from<int>(trimmed(text));
+    if (!value || *value < lowest || *value > highest) {
+        return wrong(option + " " + text + ": type a whole number from " + std::to_string(lowest) +
+                     " to " + std::to_string(highest));
+    }
+    return *value;
+}
+
+OrInputError<Size> read_size(const std::string& option, const std::string& text) {
+    constexpr int largest_side = 16384;
+    constexpr long long most_pixels = 100'000'000;
+    const std::vector<std::string_view> parts = split(text, 'x');
+    const std::optional<int> width = number_from<int>(parts.front());
+    const std::optional<int> height = number_from<int>(parts.back());
+    if (parts.size() > 2 || !width || !height) {
+        return wrong(option + " " + text + ": type WIDTHxHEIGHT, for example 1024x768");
+    }
+    if (*width < 1 || *height < 1 || *width > largest_side || *height > largest_side) {
+        return wrong(option + " " + text + ": each side must be from 1 to " +
+                     std::to_string(largest_side) + " pixels");
+    }
+    if (static_cast<long long>(*width) * *height > most_pixels) {
+        return wrong(option + " " + text + ": more than 100 million pixels");
+    }
+    return Size{*width, *height};
+}
+
+OrInputError<std::string> read_equation(const std::string& equation) {
+    if (equation.starts_with('@')) {
+        auto item = gallery_item(std::string_view(equation).substr(1));
+        if (!item) return std::unexpected(item.error());
+        return item->equation;
+    }
+    if (equation != "-") return std::string(trimmed(equation));
+    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    return std::string(trimmed(text));
+}
+
+OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view) {
+    Surface surface;
+    if (equation.starts_with('@')) {
+        auto item = gallery_item(std::string_view(equation).substr(1));
+        if (!item) return std::unexpected(item.error());
+        surface = {item->equation, item->clip, item->w, item->camera};
+    } else {
+        auto text = read_equation(equation);
+        if (!text) return std::unexpected(text.error());
+        surface.equation = *text;
+    }
+    if (view.box) {
+        auto box = read_box(*view.box);
+        if (!box) return std::unexpected(box.error());
+        surface.clip = *box;
+    }
+    if (view.w) {
+        auto w = read_number("--w", *view.w);
+        if (!w) return std::unexpected(w.error());
+        surface.w = *w;
+    }
+    auto camera = read_camera(view, surface);
+    if (!camera) return std::unexpected(camera.error());
+    surface.camera = *camera;
+    return surface;
+}
+
+OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
+    TraceSettings settings;
+    if (text.tracer) {
+        if (find_tracer(*text.tracer) == nullptr) {
+            std::string names;
+            for (const Tracer& tracer : tracers()) names += " " + std::string(tracer.name);
+            return wrong("--tracer " + *text.tracer + ": there is no such tracer; type one of:" +
+                         names);
+        }
+        settings.tracer = *text.tracer;
+    }
+    if (text.d_stop) {
+        const auto depth = read_integer("--dstop", *text.d_stop, 1, max_d_stop);
+        if (!depth) return std::unexpected(depth.error());
+        settings.stop = {StopRule::DStop, static_cast<double>(*depth)};
+    }
+    for (const auto& [option, typed, rule] :
+         {std::tuple{"--epsilon", &text.epsilon, StopRule::Epsilon},
+          std::tuple{"--delta", &text.delta, StopRule::Delta}}) {
+        if (!*typed) continue;
+        const auto value = read_number(option, **typed);
+        if (!value) return std::unexpected(value.error());
+        if (!(*value > 0)) return wrong(std::string(option) + " " + **typed + ": must be above 0");
+        settings.stop = {rule, *value};
+    }
+    if (text.threads) {
+        const auto threads = read_integer("--threads", *text.threads, 1, 1024);
+        if (!threads) return std::unexpected(threads.error());
+        settings.threads = *threads;
+    }
+    return settings;
+}
+
+}  // namespace zeroset

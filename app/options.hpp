@@ -1,0 +1,62 @@
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/formula.hpp"
+#include "engine/trace/camera.hpp"
+#include "engine/trace/scene.hpp"
+
+// The command line's values: text to numbers, and every way in which the text can be wrong.
+
+namespace zeroset {
+
+/// What the user typed for a view, as text; absent where an option was not given.
+struct ViewText {
+    std::optional<std::string> box, eye, look_at, up, fov, w;
+};
+
+/// What the user typed for tracing.
+struct TraceText {
+    std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
+};
+
+/// A surface and how to look at it.
+struct Surface {
+    std::string equation;
+    Box clip;
+    double w = 0.0;
+    std::optional<Camera> camera;  ///< default_camera(clip, aspect) when absent
+};
+
+struct Size {
+    int width, height;
+};
+
+template <class Value>
+using OrInputError = std::expected<Value, InputError>;
+
+/// EQUATION, @NAME of the gallery, or "-" for the text of standard input; then the view options
+/// over what the gallery says.
+OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view);
+
+/// The equation of EQUATION, @NAME or "-".
+OrInputError<std::string> read_equation(const std::string& equation);
+
+OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
+
+/// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.
+OrInputError<Size> read_size(const std::string& option, const std::string& text);
+
+/// `count` finite numbers separated by commas; `option` names them in the error.
+OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
+                                               std::size_t count);
+OrInputError<double> read_number(const std::string& option, const std::string& text);
+/// A whole number from `lowest` to `highest`.
+OrInputError<int> read_integer(const std::string& option, const std::string& text, int lowest,
+                               int highest);
+
+}  // namespace zeroset

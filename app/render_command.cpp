@@ -1,0 +1,112 @@
+#include <filesystem>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/timing.hpp"
+#include "engine/image/file.hpp"
+#include "engine/trace/parallel.hpp"
+#include "engine/trace/render.hpp"
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the options mean, checked before any work.
+struct RenderJobPlan {
+    Surface surface;
+    TraceSettings settings;
+    Size size{};
+    int repeats = 1;
+    Camera camera;
+};
+
+OrInputError<RenderJobPlan> plan_of(const RenderCommand& command) {
+    RenderJobPlan plan;
+    auto size = read_size("--size", command.size);
+    if (!size) return std::unexpected(size.error());
+    plan.size = *size;
+    auto settings = read_trace_settings(command.trace);
+    if (!settings) return std::unexpected(settings.error());
+    plan.settings = *settings;
+    if (command.repeat) {
+        auto repeats = read_integer("--repeat", *command.repeat, 1, 100'000);
+        if (!repeats) return std::unexpected(repeats.error());
+        plan.repeats = *repeats;
+    }
+    if (!command.output && !command.depth && !command.stats) {
+        return std::unexpected(InputError{
+            "nothing to write: give -o OUT.png, --depth FILE.pfm or --stats -", std::nullopt, {}});
+    }
+    if (command.output && !command.output->ends_with(".png")) {
+        return std::unexpected(InputError{
+            "-o " + *command.output + ": the picture is a PNG; type a name that ends in .png",
+            std::nullopt, {}});
+    }
+    auto surface = read_surface(command.equation, command.view);
+    if (!surface) return std::unexpected(surface.error());
+    plan.surface = *surface;
+    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
+    plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect));
+    return plan;
+}
+
+/// The first of the files that cannot be written, as its error.
+std::optional<std::string> unwritable_file(const RenderCommand& command) {
+    for (const auto* path : {&command.output, &command.depth, &command.stats}) {
+        if (!*path || **path == "-") continue;
+        if (auto writable = check_writable(**path); !writable) return writable.error().message;
+    }
+    return std::nullopt;
+}
+
+Json stats_of(const RenderJobPlan& plan, const Formula& formula, const FrameTiming& timing,
+              const Framebuffer& frame) {
+    const CertificateCounts counts = count_certificates(frame);
+    const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();
+    return {{"width", frame.width},
+            {"height", frame.height},
+            {"threads", threads},
+            {"tracer", plan.settings.tracer},
+            {"compile_ms", formula.compile_ms},
+            {"frame_ms",
+             {{"median", timing.median_ms},
+              {"min", timing.min_ms},
+              {"max", timing.max_ms},
+              {"repeats", timing.repeats}}},
+            {"certified", counts.certified},
+            {"undecided", counts.undecided},
+            {"miss", counts.miss},
+            {"evaluations",
+             {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
+}
+
+}  // namespace
+
+int run_render(const RenderCommand& command) {
+    const auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    const auto formula = compile_formula(plan->surface.equation);
+    if (!formula) return report(formula.error());
+
+    Scene scene{formula->kernel, plan->surface.clip, {}};
+    scene.uniforms.set(0, plan->surface.w);
+    Framebuffer frame(plan->size.width, plan->size.height);
+    const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
+                                           plan->repeats, command.repeat.has_value());
+
+    std::expected<void, FileError> written;
+    if (command.output) written = write_png(*command.output, frame);
+    if (written && command.depth) written = write_pfm(*command.depth, frame);
+    if (written && command.stats) {
+        const std::string text = stats_of(*plan, *formula, timing, frame).dump(2) + "\n";
+        written = write_text(*command.stats, text);
+    }
+    if (!written) return report_run_time(written.error().message);
+    return exit_ok;
+}
+
+}  // namespace zeroset

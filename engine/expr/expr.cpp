@@ -1,0 +1,97 @@
+#include "engine/expr/expr.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cstring>
+
+namespace zeroset {
+
+std::string_view variable_name(int index, std::span<const std::string> parameters) {
+    static constexpr std::array<std::string_view, 4> fixed{"x", "y", "z", "w"};
+    const auto i = static_cast<std::size_t>(index);
+    return i < fixed.size() ? fixed[i] : std::string_view(parameters[i - fixed.size()]);
+}
+
+bool Expr::uses_variable(int variable) const {
+    return std::ranges::any_of(nodes_, [&](const Node& node) {
+        return node.op == Op::Variable && node.number == variable;
+    });
+}
+
+std::string Expr::key() const {
+    std::string key;
+    key.reserve(nodes_.size() * sizeof(Node));
+    const auto append = [&key](const auto& value) {
+        key.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    for (const Node& node : nodes_) {
+        append(node.op);
+        append(node.number);
+        append(node.a);
+        append(node.b);
+        append(node.lo);
+        append(node.hi);
+    }
+    for (const std::string& name : parameters_) key += name + ' ';
+    return key;
+}
+
+std::size_t ExprBuilder::NodeHash::operator()(const Node& node) const {
+    std::size_t hash = static_cast<std::size_t>(node.op);
+    const auto mix = [&hash](std::uint64_t value) {
+        hash = (hash ^ value) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 29U;
+    };
+    mix(static_cast<std::uint32_t>(node.number));
+    mix((static_cast<std::uint64_t>(node.a) << 32U) | node.b);
+    mix(std::bit_cast<std::uint64_t>(node.lo + 0.0));  // -0 and 0 compare equal
+    mix(std::bit_cast<std::uint64_t>(node.hi + 0.0));
+    return hash;
+}
+
+NodeId ExprBuilder::intern(const Node& node) {
+    const auto [entry, is_new] = known_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
+    if (is_new) nodes_.push_back(node);
+    return entry->second;
+}
+
+NodeId ExprBuilder::constant(double lo, double hi) {
+    assert(lo <= hi);
+    return intern({.op = Op::Constant, .lo = lo + 0.0, .hi = hi + 0.0});
+}
+
+NodeId ExprBuilder::variable(int index) { return intern({.op = Op::Variable, .number = index}); }
+
+NodeId ExprBuilder::apply(Op op, NodeId a, NodeId b, int number) {
+    assert(a < nodes_.size() && b < nodes_.size());
+    if (op_info(op).arity == 1) b = 0;
+    return intern({.op = op, .number = number, .a = a, .b = b});
+}
+
+Expr ExprBuilder::finish(NodeId root, std::vector<std::string> parameters) const {
+    std::vector<bool> used(nodes_.size(), false);
+    used[root] = true;
+    for (NodeId id = root + 1; id-- > 0;) {
+        const Node& node = nodes_[id];
+        if (!used[id] || node.op == Op::Constant || node.op == Op::Variable) continue;
+        used[node.a] = true;
+        if (op_info(node.op).arity == 2) used[node.b] = true;
+    }
+    Expr expr;
+    std::vector<NodeId> renumbered(nodes_.size(), 0);
+    for (NodeId id = 0; id <= root; ++id) {
+        if (!used[id]) continue;
+        Node node = nodes_[id];
+        const bool leaf = node.op == Op::Constant || node.op == Op::Variable;
+        node.a = leaf ? 0 : renumbered[node.a];
+        node.b = leaf || op_info(node.op).arity == 1 ? 0 : renumbered[node.b];
+        renumbered[id] = static_cast<NodeId>(expr.nodes_.size());
+        expr.nodes_.push_back(node);
+    }
+    expr.parameters_ = std::move(parameters);
+    return expr;
+}
+
+}  // namespace zeroset

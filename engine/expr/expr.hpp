@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/expr/op.hpp"
+
+namespace zeroset {
+
+using NodeId = std::uint32_t;
+
+/// Variables 0 to 2 are x, y, z; variable 3 is w, 4 and up are the parameters.
+inline constexpr int variable_w = 3;
+
+struct Node {
+    Op op = Op::Constant;
+    std::int32_t number = 0;  ///< the variable, or the exponent of IntPower
+    NodeId a = 0;             ///< operands; always smaller than the node's own id
+    NodeId b = 0;
+    double lo = 0.0;  ///< of a constant: the doubles that enclose it
+    double hi = 0.0;
+
+    bool operator==(const Node&) const = default;
+};
+
+/// An expression as a graph in which equal subexpressions are one node. Nodes stand in
+/// topological order, operands first; the root is the last. Immutable once built; a value.
+class Expr {
+public:
+    Expr() = default;
+
+    [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+    [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+    [[nodiscard]] NodeId root() const { return static_cast<NodeId>(nodes_.size() - 1); }
+    /// Names of variables 4 and up.
+    [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
+    [[nodiscard]] bool uses_variable(int variable) const;
+    /// The formula with every operator written out; parsing it gives the same graph.
+    [[nodiscard]] std::string canonical() const;
+    /// Equal graphs have equal keys.
+    [[nodiscard]] std::string key() const;
+
+private:
+    friend class ExprBuilder;
+    std::vector<Node> nodes_;
+    std::vector<std::string> parameters_;
+};
+
+/// Makes the nodes of one Expr, each only once.
+class ExprBuilder {
+public:
+    NodeId constant(double lo, double hi);
+    NodeId constant(double exact) { return constant(exact, exact); }
+    NodeId variable(int index);
+    NodeId apply(Op op, NodeId a, NodeId b = 0, int number = 0);
+
+    [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+    /// The graph below `root`, without what it does not use.
+    [[nodiscard]] Expr finish(NodeId root, std::vector<std::string> parameters = {}) const;
+
+private:
+    struct NodeHash {
+        std::size_t operator()(const Node& node) const;
+    };
+
+    NodeId intern(const Node& node);
+
+    std::vector<Node> nodes_;
+    std::unordered_map<Node, NodeId, NodeHash> known_;
+};
+
+/// "x", "y", "z", "w" or the parameter's name.
+std::string_view variable_name(int index, std::span<const std::string> parameters);
+
+}  // namespace zeroset

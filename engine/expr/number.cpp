@@ -1,0 +1,57 @@
+#include "engine/expr/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+
+#include "engine/num/rounding.hpp"
+
+namespace zeroset {
+namespace {
+
+// strtod rounds correctly in the current mode (glibc, IEEE 754-2008).
+double parse_upward(const std::string& digits) {
+    const UpwardRounding upward;
+    return std::strtod(digits.c_str(), nullptr);
+}
+
+double parse_downward(const std::string& digits) {
+    const DownwardRounding downward;
+    return std::strtod(digits.c_str(), nullptr);
+}
+
+std::string shortest(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string with_digits(long double value, int digits) {
+    std::array<char, 1100> buffer{};
+    const int length = std::snprintf(buffer.data(), buffer.size(), "%.*Lg", digits, value);
+    return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+}  // namespace
+
+NumberEnclosure enclose_number(std::string_view digits) {
+    const std::string text(digits);
+    return {parse_downward(text), parse_upward(text)};
+}
+
+std::string number_text(const NumberEnclosure& number) {
+    for (const double candidate : {number.hi, number.lo}) {
+        std::string text = shortest(candidate);
+        if (enclose_number(text) == number) return text;
+    }
+    const long double middle =
+        0.5L * (static_cast<long double>(number.lo) + static_cast<long double>(number.hi));
+    for (int digits = 17; digits < 1000; ++digits) {
+        std::string text = with_digits(middle, digits);
+        if (enclose_number(text) == number) return text;
+    }
+    return shortest(number.hi);
+}
+
+}  // namespace zeroset

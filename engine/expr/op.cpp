@@ -1,0 +1,35 @@
+#include "engine/expr/op.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace zeroset {
+namespace {
+
+constexpr std::array table{
+#define ZEROSET_OP(id, method, spelling, arity, notation) \
+    OpInfo{Op::id, #id, spelling, arity, Notation::notation},
+#include "engine/expr/op.def"
+#undef ZEROSET_OP
+};
+
+}  // namespace
+
+std::span<const OpInfo> operators() { return table; }
+
+const OpInfo& op_info(Op op) {
+    const auto index = static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::Negate);
+    assert(index < table.size());
+    return table[index];
+}
+
+std::optional<Op> function_named(std::string_view name) {
+    const auto* const found = std::ranges::find_if(table, [&](const OpInfo& info) {
+        return info.notation == Notation::Call && info.spelling == name;
+    });
+    if (found == table.end()) return std::nullopt;
+    return found->op;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,106 @@
+#include "engine/image/file.hpp"
+
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <stb/stb_image_write.h>
+#include <unistd.h>
+
+namespace zeroset {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::unexpected<FileError> cannot_write(const fs::path& path, const std::string& reason) {
+    return std::unexpected(FileError{"cannot write '" + path.string() + "': " + reason});
+}
+
+/// A name in the same folder that no other process uses.
+fs::path beside(const fs::path& path) {
+    fs::path temporary = path;
+    temporary += "." + std::to_string(::getpid()) + ".part";
+    return temporary;
+}
+
+std::string last_error() { return std::generic_category().message(errno); }
+
+}  // namespace
+
+std::expected<void, FileError> check_writable(const fs::path& path) {
+    if (path.empty()) return cannot_write(path, "the name is empty");
+    if (fs::is_directory(path)) return cannot_write(path, "it is a directory; name a file in it");
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder)) {
+        return cannot_write(path, "the folder '" + folder.string() + "' does not exist");
+    }
+    if (::access(folder.c_str(), W_OK) != 0) return cannot_write(path, last_error());
+    return {};
+}
+
+std::expected<void, FileError> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+    if (auto writable = check_writable(path); !writable) return writable;
+    // A device such as /dev/stdout cannot be replaced by a rename: write into it.
+    const bool replace = !fs::exists(path) || fs::is_regular_file(path);
+    const fs::path target = replace ? beside(path) : path;
+    std::ofstream file(target, std::ios::binary);
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    std::error_code error;
+    if (!file) {
+        const std::string reason = last_error();
+        if (replace) fs::remove(target, error);
+        return cannot_write(path, reason);
+    }
+    if (replace) fs::rename(target, path, error);
+    if (error) {
+        std::error_code ignored;
+        fs::remove(target, ignored);
+        return cannot_write(path, error.message());
+    }
+    return {};
+}
+
+std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer& frame) {
+    std::vector<unsigned char> rgb;
+    rgb.reserve(frame.color.size() * 3);
+    for (const std::uint32_t pixel : frame.color) {
+        for (const unsigned shift : {0U, 8U, 16U}) {
+            rgb.push_back(static_cast<unsigned char>((pixel >> shift) & 0xFFU));
+        }
+    }
+    std::vector<std::byte> bytes;
+    const auto append = [](void* context, void* data, int size) {
+        auto& out = *static_cast<std::vector<std::byte>*>(context);
+        const auto* const begin = static_cast<const std::byte*>(data);
+        out.insert(out.end(), begin, begin + size);
+    };
+    const int stride = frame.width * 3;
+    if (stbi_write_png_to_func(append, &bytes, frame.width, frame.height, 3, rgb.data(), stride) ==
+        0) {
+        return cannot_write(path, "the PNG encoder failed");
+    }
+    return write_file(path, bytes);
+}
+
+std::expected<void, FileError> write_pfm(const fs::path& path, const Framebuffer& frame) {
+    static_assert(std::endian::native == std::endian::little);
+    const std::string header = "Pf\n" + std::to_string(frame.width) + " " +
+                               std::to_string(frame.height) + "\n-1.0\n";
+    std::vector<std::byte> bytes(header.size() + frame.depth.size() * sizeof(float));
+    std::memcpy(bytes.data(), header.data(), header.size());
+    std::byte* out = bytes.data() + header.size();
+    const std::size_t row_bytes = static_cast<std::size_t>(frame.width) * sizeof(float);
+    for (int row = frame.height; row-- > 0;) {
+        std::memcpy(out, frame.depth.data() + frame.index(0, row), row_bytes);
+        out += row_bytes;
+    }
+    return write_file(path, bytes);
+}
+
+}  // namespace zeroset

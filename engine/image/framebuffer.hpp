@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace zeroset {
+
+/// What is known of a pixel's ray.
+enum class Certificate : std::uint8_t {
+    Miss,       ///< proved empty
+    Certified,  ///< one first root: opposite signs proved, everything before it rejected
+    Undecided,  ///< may hold a root where the search stopped; drawn if depth is finite
+};
+
+/// A finished or growing picture. Row 0 is the top. Plain data: one writer at a time per pixel.
+struct Framebuffer {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint32_t> color;        ///< RGBA, 8 bits each, R in the lowest byte
+    std::vector<float> depth;                ///< distance from the eye, world units; +inf: a miss
+    std::vector<Certificate> certificate;
+
+    Framebuffer() = default;
+    Framebuffer(int width_px, int height_px);
+
+    [[nodiscard]] std::size_t index(int col, int row) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(col);
+    }
+};
+
+struct CertificateCounts {
+    std::size_t certified = 0, undecided = 0, miss = 0;
+};
+
+CertificateCounts count_certificates(const Framebuffer& frame);
+
+}  // namespace zeroset

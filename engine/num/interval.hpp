@@ -1,0 +1,186 @@
+#pragma once
+
+#include <limits>
+
+#include "engine/num/scalar.hpp"
+
+// Interval arithmetic, written once for every carrier (float, double, lanes of machine code).
+//
+// An interval [lo, hi] is stored as (-lo, hi). All of this must run in upward rounding: then both
+// members round outward and the result encloses [Lambov08]. Members are never NaN and never -inf;
+// +inf means unbounded. 0 * inf is 0 in the reals meant here (inf stands for any large number);
+// the products below give the whole line instead, which is sound and costs less.
+//
+// Multiplication by choosing factors by sign follows [Lambov08]; where the structure of the
+// formula proves a factor not negative (engine/expr/facts.hpp) it needs 3 to 5 operations of 12.
+
+namespace zeroset {
+
+template <class Real>
+struct Interval {
+    Real neg_lo;
+    Real hi;
+};
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class Real>
+Interval<Real> point(Real a) {
+    return {-a, a};
+}
+
+template <class Real>
+Interval<Real> whole_line(Real kind) {
+    return {like(kind, infinity), like(kind, infinity)};
+}
+
+template <class Real>
+Interval<Real> operator-(const Interval<Real>& a) {
+    return {a.hi, a.neg_lo};
+}
+
+template <class Real>
+Interval<Real> operator+(const Interval<Real>& a, const Interval<Real>& b) {
+    return {a.neg_lo + b.neg_lo, a.hi + b.hi};
+}
+
+template <class Real>
+Interval<Real> operator-(const Interval<Real>& a, const Interval<Real>& b) {
+    return a + (-b);
+}
+
+template <class Real>
+Interval<Real> minimum(const Interval<Real>& a, const Interval<Real>& b) {
+    return {maximum(a.neg_lo, b.neg_lo), minimum(a.hi, b.hi)};
+}
+
+template <class Real>
+Interval<Real> maximum(const Interval<Real>& a, const Interval<Real>& b) {
+    return {minimum(a.neg_lo, b.neg_lo), maximum(a.hi, b.hi)};
+}
+
+template <class Mask, class Real>
+Interval<Real> select(const Mask& condition, const Interval<Real>& if_true,
+                      const Interval<Real>& if_false) {
+    return {select(condition, if_true.neg_lo, if_false.neg_lo),
+            select(condition, if_true.hi, if_false.hi)};
+}
+
+/// The whole line where a member is NaN.
+template <class Real>
+Interval<Real> without_nan(const Interval<Real>& a) {
+    return select(unordered(a.neg_lo, a.hi), whole_line(a.hi), a);
+}
+
+/// The larger of two products, +inf where one is NaN.
+template <class Real>
+Real larger_product(const Real& p, const Real& q) {
+    return select(unordered(p, q), like(p, infinity), maximum(p, q));
+}
+
+template <class Real>
+Interval<Real> operator*(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real b_lo = -b.neg_lo;
+    const Real b_neg_hi = -b.hi;
+    return {larger_product(a.hi * select_negative(a.hi, b_neg_hi, b.neg_lo),
+                           a.neg_lo * select_negative(a.neg_lo, b_lo, b.hi)),
+            larger_product(a.hi * select_negative(a.hi, b_lo, b.hi),
+                           a.neg_lo * select_negative(a.neg_lo, b_neg_hi, b.neg_lo))};
+}
+
+/// a * b for a >= 0.
+template <class Real>
+Interval<Real> multiply_nonnegative_by(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real a_lo = -a.neg_lo;
+    return without_nan(Interval<Real>{b.neg_lo * select_negative(b.neg_lo, a_lo, a.hi),
+                                      b.hi * select_negative(b.hi, a_lo, a.hi)});
+}
+
+/// a * b for a >= 0 and b >= 0; -lo of the result is never above 0 either.
+template <class Real>
+Interval<Real> multiply_nonnegative(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real hi = a.hi * b.hi;
+    return {a.neg_lo * -b.neg_lo, select(unordered(hi, hi), like(hi, infinity), hi)};
+}
+
+/// a * c for the exact number c, finite and not 0.
+template <class Real>
+Interval<Real> scale(const Interval<Real>& a, double c) {
+    if (c < 0) return scale(-a, -c);
+    const Real factor = like(a.hi, c);
+    return {a.neg_lo * factor, a.hi * factor};
+}
+
+/// The square of a >= 0.
+template <class Real>
+Interval<Real> square_nonnegative(const Interval<Real>& a) {
+    return {a.neg_lo * -a.neg_lo, a.hi * a.hi};
+}
+
+/// |a|: max(|lo|, |hi|) is max(-lo, hi), as lo <= hi.
+template <class Real>
+Interval<Real> absolute(const Interval<Real>& a) {
+    return {minimum(minimum(a.neg_lo, a.hi), like(a.hi, 0.0)), maximum(a.neg_lo, a.hi)};
+}
+
+/// a^n for a >= 0 and n >= 1.
+template <class Real>
+Interval<Real> power_nonnegative(const Interval<Real>& a, int n) {
+    if (n == 1) return a;
+    const Interval<Real> half = power_nonnegative(square_nonnegative(a), n / 2);
+    return n % 2 == 0 ? half : multiply_nonnegative(half, a);
+}
+
+/// An upper bound of h^n for odd n >= 3: |h|^n rounded away from zero when h > 0, towards it
+/// otherwise.
+template <class Real>
+Real odd_power_up(const Real& h, int n) {
+    const Real size = magnitude(h);
+    const Interval<Real> even = power_nonnegative(point(size), n - 1);
+    return h * select_negative(h, -even.neg_lo, even.hi);
+}
+
+/// a^n for n >= 1; tight at even n.
+template <class Real>
+Interval<Real> power(const Interval<Real>& a, int n, bool a_nonnegative) {
+    if (n == 1) return a;
+    if (a_nonnegative) return power_nonnegative(a, n);
+    if (n % 2 == 0) return power_nonnegative(absolute(a), n);
+    return {odd_power_up(a.neg_lo, n), odd_power_up(a.hi, n)};
+}
+
+/// Where 0 is in b, ends included.
+template <class Real>
+auto contains_zero(const Interval<Real>& b) {
+    const Real zero = like(b.hi, 0.0);
+    return both(b.neg_lo >= zero, b.hi >= zero);
+}
+
+/// a / b. The whole line where b has zeros on both sides; a half line where b only touches 0.
+template <class Real>
+Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real zero = like(b.hi, 0.0);
+    const auto b_negative = b.neg_lo > zero;  // b.lo < 0: divide -a by -b
+    const Interval<Real> n = select(b_negative, -a, a);
+    const Interval<Real> d = select(b_negative, -b, b);
+    const Real d_lo = maximum(-d.neg_lo, zero);  // +0, never -0
+    const Interval<Real> quotient{n.neg_lo / select_negative(n.neg_lo, d.hi, d_lo),
+                                  n.hi / select_negative(n.hi, d.hi, d_lo)};
+    const auto straddles = both(b.neg_lo > zero, b.hi > zero);
+    return select(straddles, whole_line(zero), without_nan(quotient));
+}
+
+/// sqrt of the part of a that is not negative.
+template <class Real>
+Interval<Real> square_root(const Interval<Real>& a) {
+    const Real zero = like(a.hi, 0.0);
+    const Real lo = maximum(-a.neg_lo, zero);
+    const Real up = square_root(lo);
+    // up is rounded upward: it is exact when its square, rounded upward, is lo again; otherwise
+    // one part in 2^22 (float) or 2^51 (double) below it is below the root.
+    const Real below = up * like(up, -(1.0 - relative_gap(up)));
+    const Real neg_lo = select(up * up == lo, -up, below);
+    return {neg_lo, square_root(maximum(a.hi, zero))};
+}
+
+}  // namespace zeroset

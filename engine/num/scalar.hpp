@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+// The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) asks of its carrier,
+// for float and double. jit/lanes.hpp has the same for vectors of an IR under construction. The
+// two must agree to the bit: each comment names the machine instruction's meaning that they share.
+
+namespace zeroset {
+
+/// `value` as the type of the first argument; `value` must be representable in it.
+inline float like(float /*kind*/, double value) { return static_cast<float>(value); }
+inline double like(double /*kind*/, double value) { return value; }
+
+/// Whether `value` is a number of the first argument's type.
+inline bool representable(double value, float /*kind*/) {
+    return static_cast<double>(static_cast<float>(value)) == value;
+}
+inline bool representable(double /*value*/, double /*kind*/) { return true; }
+
+/// The smallest float that is not below `value`, in any rounding mode.
+inline float float_above(double value) {
+    const auto near = static_cast<float>(value);
+    if (static_cast<double>(near) >= value) return near;
+    return std::nextafter(near, std::numeric_limits<float>::infinity());
+}
+
+/// Two units in the last place of 1: more than the relative distance of two neighbours.
+inline double relative_gap(float /*kind*/) { return 0x1p-22; }
+inline double relative_gap(double /*kind*/) { return 0x1p-51; }
+
+/// The second argument where the two are equal or unordered (x86 MAXPS, MINPS).
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real maximum(Real a, Real b) {
+    return a > b ? a : b;
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real minimum(Real a, Real b) {
+    return a < b ? a : b;
+}
+
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real select(bool condition, Real if_true, Real if_false) {
+    return condition ? if_true : if_false;
+}
+
+/// `if_set` where the sign bit of x is set, -0 and all (x86 BLENDVPS).
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real select_negative(Real x, Real if_set, Real if_clear) {
+    return std::signbit(x) ? if_set : if_clear;
+}
+
+template <class Real>
+    requires std::is_floating_point_v<Real>
+bool unordered(Real a, Real b) {
+    return std::isunordered(a, b);
+}
+
+/// Rounded in the current mode.
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real square_root(Real a) {
+    return std::sqrt(a);
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real magnitude(Real a) {
+    return std::fabs(a);
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real round_down(Real a) {
+    return std::floor(a);
+}
+
+inline bool both(bool a, bool b) { return a && b; }
+inline bool either(bool a, bool b) { return a || b; }
+inline bool no(bool a) { return !a; }
+
+}  // namespace zeroset

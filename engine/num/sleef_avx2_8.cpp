@@ -1,0 +1,10 @@
+#include <immintrin.h>
+#include <sleef.h>
+
+#include "engine/num/rounding.hpp"
+#include "engine/num/sleef_lanes.hpp"
+
+#define LOOKUP sleef_avx2_8
+#define VECTOR __m256
+#define NAME(name, accuracy) Sleef_finz_##name##f8_##accuracy##avx2
+#include "engine/num/sleef_lanes.inc"

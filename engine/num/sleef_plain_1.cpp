@@ -1,0 +1,10 @@
+#include <immintrin.h>
+#include <sleef.h>
+
+#include "engine/num/rounding.hpp"
+#include "engine/num/sleef_lanes.hpp"
+
+#define LOOKUP sleef_plain_1
+#define VECTOR float
+#define NAME(name, accuracy) Sleef_cinz_##name##f1_##accuracy##purec
+#include "engine/num/sleef_lanes.inc"

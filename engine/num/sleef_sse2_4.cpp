@@ -1,0 +1,10 @@
+#include <immintrin.h>
+#include <sleef.h>
+
+#include "engine/num/rounding.hpp"
+#include "engine/num/sleef_lanes.hpp"
+
+#define LOOKUP sleef_sse2_4
+#define VECTOR __m128
+#define NAME(name, accuracy) Sleef_cinz_##name##f4_##accuracy##sse2
+#include "engine/num/sleef_lanes.inc"

@@ -1,0 +1,101 @@
+#include "engine/trace/camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace zeroset {
+
+double Box::size() const {
+    const glm::dvec3 edges = hi - lo;
+    return std::max({edges.x, edges.y, edges.z});
+}
+
+ViewFrame::ViewFrame(const Camera& camera)
+    : eye(camera.eye),
+      forward(glm::normalize(camera.look_at - camera.eye)),
+      look_distance(glm::distance(camera.look_at, camera.eye)),
+      half_height(std::tan(0.5 * camera.fov_rad)) {
+    right = glm::normalize(glm::cross(forward, camera.up));
+    up = glm::cross(right, forward);
+}
+
+glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
+    const double size = pixel_size(height_px);
+    const double u = (col - 0.5 * width_px) * size;
+    const double v = (0.5 * height_px - row) * size;
+    return forward + u * right + v * up;
+}
+
+Camera default_camera(const Box& box, double aspect) {
+    // At 4 half edges the suite's camera shows all of a cube in a square image, with some margin;
+    // the margin is kept for other boxes (by their diagonal) and narrower images.
+    constexpr double cube_distance = 4.0;
+    const double half_edge = 0.5 * box.diagonal() / std::numbers::sqrt3;
+    const double distance = cube_distance * half_edge / std::min(1.0, aspect);
+    Camera camera;
+    camera.look_at = box.centre();
+    camera.eye = camera.look_at + distance * glm::normalize(default_view_direction);
+    camera.fov_rad = glm::radians(default_fov_deg);
+    return camera;
+}
+
+const char* camera_defect(const Camera& camera) {
+    const auto finite = [](const glm::dvec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    if (!finite(camera.eye) || !finite(camera.look_at) || !finite(camera.up)) {
+        return "the camera has a coordinate that is not a finite number";
+    }
+    const glm::dvec3 view = camera.look_at - camera.eye;
+    if (glm::length(view) == 0) return "the eye is at the point looked at; move one of them";
+    const glm::dvec3 side = glm::cross(view, camera.up);
+    if (glm::length(side) <= 1e-9 * glm::length(view) * glm::length(camera.up)) {
+        return "the up direction is zero or along the view; choose another, for example 0,0,1";
+    }
+    if (!(camera.fov_rad > 0 && camera.fov_rad < std::numbers::pi)) {
+        return "the field of view must be above 0 and below 180 degrees";
+    }
+    return nullptr;
+}
+
+Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad) {
+    constexpr double pole_margin = 0.01;
+    const glm::dvec3 axis = glm::normalize(camera.up);
+    const glm::dvec3 offset = camera.eye - camera.look_at;
+    const double distance = glm::length(offset);
+    const double height = std::clamp(glm::dot(offset, axis) / distance, -1.0, 1.0);
+    const double elevation = std::clamp(std::asin(height) + pitch_rad,
+                                        -0.5 * std::numbers::pi + pole_margin,
+                                        0.5 * std::numbers::pi - pole_margin);
+    const ViewFrame frame(camera);
+    const glm::dvec3 level = glm::normalize(glm::cross(frame.right, axis));  // towards the eye
+    const glm::dvec3 outward = std::cos(yaw_rad) * level + std::sin(yaw_rad) * frame.right;
+    Camera turned = camera;
+    turned.eye = camera.look_at +
+                 distance * (std::cos(elevation) * outward + std::sin(elevation) * axis);
+    return turned;
+}
+
+Camera pan(const Camera& camera, double dx, double dy) {
+    const ViewFrame frame(camera);
+    const double height = 2.0 * frame.half_height * frame.look_distance;
+    const glm::dvec3 step = height * (dx * frame.right + dy * frame.up);
+    Camera moved = camera;
+    moved.eye += step;
+    moved.look_at += step;
+    return moved;
+}
+
+Camera zoom(const Camera& camera, double factor, double u, double v) {
+    const ViewFrame frame(camera);
+    const double scale = frame.half_height * frame.look_distance;
+    const glm::dvec3 under_cursor =
+        camera.look_at + scale * (u * frame.right + v * frame.up);
+    Camera moved = camera;
+    moved.eye = under_cursor + factor * (camera.eye - under_cursor);
+    moved.look_at = under_cursor + factor * (camera.look_at - under_cursor);
+    return moved;
+}
+
+}  // namespace zeroset

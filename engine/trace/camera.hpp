@@ -1,0 +1,70 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace zeroset {
+
+/// Axis-aligned clip box in world units; lo < hi in each axis.
+struct Box {
+    glm::dvec3 lo{-2.0};
+    glm::dvec3 hi{2.0};
+
+    /// The cube [-half, half]^3.
+    static Box cube(double half) { return {glm::dvec3(-half), glm::dvec3(half)}; }
+    [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }
+    /// Longest edge: the "domain" that d_stop divides.
+    [[nodiscard]] double size() const;
+    [[nodiscard]] double diagonal() const { return glm::length(hi - lo); }
+};
+
+/// Perspective camera. Image row 0 is at the top, rays go through pixel centres.
+struct Camera {
+    glm::dvec3 eye{0.0};
+    glm::dvec3 look_at{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    double fov_rad = 0.0;  ///< vertical, in (0, pi)
+
+    bool operator==(const Camera&) const = default;
+};
+
+/// The camera as an orthonormal frame of the image plane at distance 1 from the eye:
+/// the ray of (u, v) is eye + t * (forward + u * right + v * up).
+struct ViewFrame {
+    glm::dvec3 eye, right, up, forward;
+    double look_distance = 1.0;  ///< from the eye to the point looked at, along forward
+    double half_height = 1.0;    ///< tan(fov / 2)
+
+    explicit ViewFrame(const Camera& camera);
+
+    /// Width of a pixel on the image plane at distance 1.
+    [[nodiscard]] double pixel_size(int height_px) const { return 2.0 * half_height / height_px; }
+    /// Direction (not normalised, 1 along forward) through the point (col, row) of the image in
+    /// pixels; a pixel's centre is at (i + 0.5, j + 0.5).
+    [[nodiscard]] glm::dvec3 direction(double col, double row, int width_px, int height_px) const;
+};
+
+/// The direction from which the gallery and the benchmarks look, not normalised.
+inline constexpr glm::dvec3 default_view_direction{1.0, -1.6, 0.9};
+inline constexpr double default_fov_deg = 42.0;
+
+/// Looks at the box's centre from `default_view_direction`, far enough to show the whole box in
+/// an image of the given aspect (width / height).
+Camera default_camera(const Box& box, double aspect = 1.0);
+
+/// Why the camera cannot see anything (eye at the point looked at, up along the view, bad angle),
+/// or nullptr when it is usable.
+const char* camera_defect(const Camera& camera);
+
+// Interaction: each returns the changed camera and keeps the other properties.
+
+/// Turns about the point looked at; angles in radians, yaw right-handed about `up`, pitch upwards
+/// and kept off the poles.
+Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad);
+/// Moves eye and point looked at in the image plane; (dx, dy) in heights of the image,
+/// positive to the right and upwards.
+Camera pan(const Camera& camera, double dx, double dy);
+/// Moves the eye towards the point under the cursor by `factor` (< 1 comes nearer) so that what
+/// is under the cursor stays there. (u, v) in half heights of the image from its centre.
+Camera zoom(const Camera& camera, double factor, double u, double v);
+
+}  // namespace zeroset

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <atomic>
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/scene.hpp"
+
+namespace zeroset {
+
+/// Traces and shades one frame into `frame` (its size is the image's size), on `settings.threads`
+/// cores. Returns early, with the frame half done, when `*cancel` becomes true (looked at before
+/// each tile). `settings.tracer` must be the name of a tracer (engine/trace/tracer.hpp).
+Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                      Framebuffer& frame, const std::atomic<bool>* cancel = nullptr);
+
+}  // namespace zeroset

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/expr/kernel.hpp"
+#include "engine/trace/camera.hpp"
+
+namespace zeroset {
+
+/// What is drawn: a formula's code, the clip box and the uniforms' values. A value: copy it as a
+/// snapshot for a job.
+struct Scene {
+    Kernel kernel;
+    Box clip;
+    Uniforms uniforms;
+};
+
+/// When the search along a ray stops [Knoll07, sec. 5.5].
+enum class StopRule : std::uint8_t {
+    DStop,    ///< at cells of the clip box's longest edge times 2^-value
+    Epsilon,  ///< at boxes whose diagonal is below value, world units (eq. 6 and 7)
+    Delta,    ///< where the enclosure of f is narrower than value
+};
+
+struct StopCriterion {
+    StopRule rule = StopRule::DStop;
+    double value = 22.0;
+};
+
+/// The finest d_stop: the cells are then 2^-22 of the domain, about an ulp of float there.
+inline constexpr int max_d_stop = 22;
+
+struct TraceSettings {
+    std::string tracer = "k-bisection";
+    StopCriterion stop;
+    int threads = 0;  ///< 0: all cores
+};
+
+/// Evaluations of each kernel, in points or boxes (not batches).
+struct Counters {
+    std::uint64_t range = 0;
+    std::uint64_t value = 0;
+
+    Counters& operator+=(const Counters& other) {
+        range += other.range;
+        value += other.value;
+        return *this;
+    }
+};
+
+}  // namespace zeroset

@@ -1,0 +1,193 @@
+#include "engine/trace/shade.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/trace/shade.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<float, 16>;
+using V = hn::Vec<D>;
+constexpr D d;
+
+struct V3 {
+    V x, y, z;
+};
+
+HWY_INLINE V3 splat(const glm::dvec3& v) {
+    return {hn::Set(d, static_cast<float>(v.x)), hn::Set(d, static_cast<float>(v.y)),
+            hn::Set(d, static_cast<float>(v.z))};
+}
+
+HWY_INLINE V dot(const V3& a, const V3& b) {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+
+HWY_INLINE V3 scaled(const V3& a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+
+/// a / |a|, or `otherwise` where a is 0, too large or not a number.
+HWY_INLINE V3 normalized(const V3& a, const V3& otherwise) {
+    // Scaled by the largest component first, so that squares neither overflow nor vanish.
+    const V size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+    const auto usable = hn::And(hn::Gt(size, hn::Set(d, 1e-37F)), hn::Lt(size, hn::Set(d, 1e37F)));
+    const V3 b = scaled(a, hn::Div(hn::Set(d, 1.0F), size));
+    const V3 n = scaled(b, hn::Div(hn::Set(d, 1.0F), hn::Sqrt(dot(b, b))));
+    const auto valid = hn::And(usable, hn::Eq(dot(n, n), dot(n, n)));
+    return {hn::IfThenElse(valid, n.x, otherwise.x), hn::IfThenElse(valid, n.y, otherwise.y),
+            hn::IfThenElse(valid, n.z, otherwise.z)};
+}
+
+/// Directions to the lights; they move with the camera.
+struct Lights {
+    glm::dvec3 key, fill;
+
+    explicit Lights(const ViewFrame& view)
+        : key(glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward)),
+          fill(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward)) {}
+};
+
+// Reflectances, linear.
+constexpr float front_color[3] = {0.10F, 0.32F, 0.72F};
+constexpr float back_color[3] = {0.82F, 0.36F, 0.06F};
+
+/// A channel of the picture, 0 to 255, from linear light; gamma 2.
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
+    const hn::RebindToSigned<D> di;
+    const hn::RebindToUnsigned<D> du;
+    const V value = hn::Sqrt(hn::Min(light, hn::Set(d, 1.0F)));
+    const V scaled_value = hn::MulAdd(value, hn::Set(d, 255.0F), hn::Set(d, 0.5F));
+    return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
+}
+
+/// Colours of the first `size` hits, from position and gradient; `size` may be rounded up.
+void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
+                ShadeBuffers& buffers) {
+    const hn::RebindToUnsigned<D> du;
+    const Lights lights(view);
+    const V3 key = splat(lights.key);
+    const V3 fill = splat(lights.fill);
+    const V3 up = splat(view.up);
+    const V3 eye = splat(view.eye);
+    const V3 forward = splat(view.forward);
+    const V zero = hn::Zero(d);
+    const V half = hn::Set(d, 0.5F);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+        const V3 position{hn::LoadU(d, &hits.position[0][i]), hn::LoadU(d, &hits.position[1][i]),
+                          hn::LoadU(d, &hits.position[2][i])};
+        const V3 ray = normalized({hn::Sub(position.x, eye.x), hn::Sub(position.y, eye.y),
+                                   hn::Sub(position.z, eye.z)}, forward);
+        const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
+        const V3 outward = normalized({hn::LoadU(d, &buffers.gradient[0][i]),
+                                       hn::LoadU(d, &buffers.gradient[1][i]),
+                                       hn::LoadU(d, &buffers.gradient[2][i])}, to_viewer);
+        const V facing = dot(outward, to_viewer);
+        const auto front = hn::Ge(facing, zero);
+        const V3 normal = scaled(outward, hn::CopySign(hn::Set(d, 1.0F), facing));
+        const V key_light = hn::Max(dot(normal, key), zero);
+        const V fill_light = hn::Max(dot(normal, fill), zero);
+        const V sky = hn::MulAdd(dot(normal, up), half, half);
+        const V diffuse =
+            hn::MulAdd(key_light, hn::Set(d, 0.85F),
+                       hn::MulAdd(fill_light, hn::Set(d, 0.22F),
+                                  hn::MulAdd(sky, hn::Set(d, 0.10F), hn::Set(d, 0.06F))));
+        const V3 halfway = normalized({hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y),
+                                       hn::Add(key.z, to_viewer.z)}, to_viewer);
+        V gloss = hn::Max(dot(normal, halfway), zero);
+        for (int doubling = 0; doubling < 5; ++doubling) gloss = hn::Mul(gloss, gloss);
+        const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
+        auto color = hn::Set(du, 0xFF000000U);
+        for (int channel = 0; channel < 3; ++channel) {
+            const V albedo = hn::IfThenElse(front, hn::Set(d, front_color[channel]),
+                                            hn::Set(d, back_color[channel]));
+            const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
+            color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
+        }
+        hn::StoreU(color, du, &buffers.color[i]);
+    }
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+namespace {
+
+HWY_EXPORT(shade_hits);
+
+void clear_tile(const Tile& tile, Framebuffer& out) {
+    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+        const std::size_t begin = out.index(tile.col, row);
+        const auto count = static_cast<std::size_t>(tile.cols);
+        std::fill_n(out.color.begin() + static_cast<std::ptrdiff_t>(begin), count,
+                    background_color(row, out.height));
+        std::fill_n(out.depth.begin() + static_cast<std::ptrdiff_t>(begin), count,
+                    std::numeric_limits<float>::infinity());
+        std::fill_n(out.certificate.begin() + static_cast<std::ptrdiff_t>(begin), count,
+                    Certificate::Miss);
+    }
+}
+
+std::size_t padded(std::size_t size) {
+    return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
+}
+
+}  // namespace
+
+ShadeBuffers::ShadeBuffers() {
+    constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
+    f.resize(capacity);
+    for (std::vector<float>& axis : gradient) axis.resize(capacity);
+    color.resize(capacity);
+}
+
+std::uint32_t background_color(int row, int height) {
+    const double t = (row + 0.5) / height;
+    const auto mixed = [t](double top, double bottom) {
+        return static_cast<std::uint32_t>(top + t * (bottom - top));
+    };
+    return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
+}
+
+void shade_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, ShadeBuffers& buffers,
+                Framebuffer& out, Counters& counters) {
+    clear_tile(tile, out);
+    for (const TileHits::Pixel pixel : hits.unsettled) {
+        out.certificate[out.index(tile.col + pixel.col, tile.row + pixel.row)] =
+            Certificate::Undecided;
+    }
+    if (hits.size == 0) return;
+    const std::size_t size = padded(hits.size);
+    for (std::vector<float>& axis : hits.position) {
+        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
+                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
+    }
+    frame.scene.kernel.value({size,
+                              {hits.position[0].data(), hits.position[1].data(),
+                               hits.position[2].data()},
+                              frame.scene.uniforms.middle.data(),
+                              buffers.f.data(),
+                              {buffers.gradient[0].data(), buffers.gradient[1].data(),
+                               buffers.gradient[2].data()}});
+    counters.value += hits.size;
+    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, hits, size, buffers);
+    for (std::size_t i = 0; i < hits.size; ++i) {
+        const std::size_t pixel =
+            out.index(tile.col + hits.pixel[i].col, tile.row + hits.pixel[i].row);
+        out.color[pixel] = buffers.color[i];
+        out.depth[pixel] = hits.depth[i];
+        out.certificate[pixel] = hits.certificate[i];
+    }
+}
+
+}  // namespace zeroset
+
+#endif

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <expected>
+#include <string>
+
+#include "engine/expr/expr.hpp"
+#include "engine/expr/kernel.hpp"
+
+namespace zeroset::jit {
+
+struct CompileOptions {
+    int lanes = 0;  ///< floats a vector: 4, 8 or 16; 0: the widest this machine has
+
+    bool operator==(const CompileOptions&) const = default;
+};
+
+struct CompileError {
+    std::string message;
+};
+
+/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code. LLVM
+/// runs on a thread of its own with a large stack.
+std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
+
+/// The LLVM IR or the assembly that `compile` makes machine code of.
+std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
+std::expected<std::string, CompileError> assembly(const Expr& expr,
+                                                  const CompileOptions& options = {});
+
+/// The widest vectors of this machine, in floats.
+int host_lanes();
+
+}  // namespace zeroset::jit

@@ -1,0 +1,177 @@
+#include "jit/lower.hpp"
+
+#include <cstddef>
+
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+
+#include "engine/expr/algebra.hpp"
+#include "engine/expr/kernel.hpp"
+#include "jit/lanes.hpp"
+
+namespace zeroset::jit {
+namespace {
+
+/// A function `void name(const void* code, const Batch* batch)` with the loop over the batch's
+/// items: `entry` runs once, `body` for each vector of items.
+class BatchFunction {
+public:
+    BatchFunction(llvm::Module& module, const char* name, int lanes, std::size_t size_offset)
+        : builder_(module.getContext()), emitter_{builder_, lanes} {
+        auto* const type = llvm::FunctionType::get(
+            builder_.getVoidTy(), {builder_.getPtrTy(), builder_.getPtrTy()}, false);
+        function_ =
+            llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
+        function_->addFnAttr(llvm::Attribute::StrictFP);
+        function_->addFnAttr(llvm::Attribute::NoUnwind);
+        entry_ = llvm::BasicBlock::Create(module.getContext(), "entry", function_);
+        body_ = llvm::BasicBlock::Create(module.getContext(), "body", function_);
+        builder_.SetInsertPoint(entry_);
+        size_ = builder_.CreateLoad(builder_.getInt64Ty(), member(size_offset), "size");
+        builder_.SetInsertPoint(body_);
+        item_ = builder_.CreatePHI(builder_.getInt64Ty(), 2, "item");
+        builder_.SetInsertPoint(entry_);
+    }
+
+    /// Closes the loop.
+    void finish() {
+        llvm::BasicBlock* const done =
+            llvm::BasicBlock::Create(builder_.getContext(), "done", function_);
+        llvm::Value* const next = builder_.CreateAdd(
+            item_, builder_.getInt64(static_cast<std::uint64_t>(emitter_.lanes)));
+        builder_.CreateCondBr(builder_.CreateICmpULT(next, size_), body_, done);
+        item_->addIncoming(next, builder_.GetInsertBlock());
+        builder_.SetInsertPoint(done);
+        builder_.CreateRetVoid();
+        builder_.SetInsertPoint(entry_);
+        builder_.CreateBr(body_);
+        item_->addIncoming(builder_.getInt64(0), entry_);
+    }
+
+    void go_to_body() { builder_.SetInsertPoint(body_); }
+
+    /// An array pointer of the batch; call before go_to_body.
+    llvm::Value* array(std::size_t offset) {
+        return builder_.CreateLoad(builder_.getPtrTy(), member(offset));
+    }
+    Lanes load(llvm::Value* array) {
+        llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
+        return {&emitter_, builder_.CreateAlignedLoad(emitter_.float_vector(), address,
+                                                      llvm::Align(sizeof(float)))};
+    }
+    /// The same float, `array[index]`, in all lanes.
+    Lanes load_uniform(llvm::Value* array, std::size_t index) {
+        llvm::Value* const address = builder_.CreateConstGEP1_64(builder_.getFloatTy(), array, index);
+        llvm::Value* const one = builder_.CreateLoad(builder_.getFloatTy(), address);
+        return {&emitter_,
+                builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.lanes), one)};
+    }
+    void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
+    /// All ones where the mask holds.
+    void store(llvm::Value* array, const LaneMask& mask) {
+        store_vector(array, builder_.CreateSExt(mask.value, emitter_.vector_of(builder_.getInt32Ty())));
+    }
+
+    Lanes splat(double value) {
+        return {&emitter_, llvm::ConstantFP::get(emitter_.float_vector(), value)};
+    }
+    LaneMask everywhere() {
+        return {&emitter_, llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
+    }
+
+private:
+    llvm::Value* member(std::size_t offset) {
+        return builder_.CreateConstGEP1_64(builder_.getInt8Ty(), function_->getArg(1), offset);
+    }
+    void store_vector(llvm::Value* array, llvm::Value* vector) {
+        llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
+        builder_.CreateAlignedStore(vector, address, llvm::Align(sizeof(float)));
+    }
+
+    llvm::IRBuilder<> builder_;
+    Emitter emitter_;
+    llvm::Function* function_ = nullptr;
+    llvm::BasicBlock* entry_ = nullptr;
+    llvm::BasicBlock* body_ = nullptr;
+    llvm::Value* size_ = nullptr;
+    llvm::PHINode* item_ = nullptr;
+};
+
+void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm::Module& module) {
+    BatchFunction function(module, range_symbol, lanes, offsetof(RangeBatch, size));
+    std::array<llvm::Value*, 3> neg_lo{};
+    std::array<llvm::Value*, 3> hi{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        neg_lo[i] = function.array(offsetof(RangeBatch, neg_lo) + i * sizeof(float*));
+        hi[i] = function.array(offsetof(RangeBatch, hi) + i * sizeof(float*));
+    }
+    llvm::Value* const uniforms = function.array(offsetof(RangeBatch, uniforms));
+    llvm::Value* const f_neg_lo = function.array(offsetof(RangeBatch, f_neg_lo));
+    llvm::Value* const f_hi = function.array(offsetof(RangeBatch, f_hi));
+    llvm::Value* const continuous = function.array(offsetof(RangeBatch, continuous));
+
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Interval<Lanes> {
+        if (fact.constant) {
+            return {function.splat(float_above(fact.constant->neg_lo)),
+                    function.splat(float_above(fact.constant->hi))};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v < 3) return {function.load(neg_lo[v]), function.load(hi[v])};
+        return {function.load_uniform(uniforms, 2 * (v - 3)),
+                function.load_uniform(uniforms, 2 * (v - 3) + 1)};
+    };
+    IntervalAlgebra<Lanes> algebra;
+    Interval<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
+    if (algebra.defined) {
+        const Lanes nowhere = function.splat(-infinity);
+        f = select(*algebra.defined, f, Interval<Lanes>{nowhere, nowhere});
+    }
+    function.store(f_neg_lo, f.neg_lo);
+    function.store(f_hi, f.hi);
+    function.store(continuous, algebra.continuous.value_or(function.everywhere()));
+    function.finish();
+}
+
+void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm::Module& module) {
+    BatchFunction function(module, value_symbol, lanes, offsetof(ValueBatch, size));
+    std::array<llvm::Value*, 3> x{};
+    std::array<llvm::Value*, 3> gradient{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = function.array(offsetof(ValueBatch, x) + i * sizeof(float*));
+        gradient[i] = function.array(offsetof(ValueBatch, gradient) + i * sizeof(float*));
+    }
+    llvm::Value* const uniforms = function.array(offsetof(ValueBatch, uniforms));
+    llvm::Value* const value = function.array(offsetof(ValueBatch, f));
+
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
+        if (fact.constant) {
+            const double middle = 0.5 * (fact.constant->hi - fact.constant->neg_lo);
+            return {function.splat(static_cast<float>(middle)), {}};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
+        Dual<Lanes> variable{function.load(x[v]), {}};
+        variable.slope[v] = function.splat(1.0);
+        return variable;
+    };
+    DualAlgebra<Lanes> algebra;
+    const Dual<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
+    function.store(value, f.value);
+    for (std::size_t i = 0; i < 3; ++i) {
+        function.store(gradient[i], f.slope[i].value_or(function.splat(0.0)));
+    }
+    function.finish();
+}
+
+}  // namespace
+
+std::unique_ptr<llvm::Module> lower(const Expr& expr, int lanes, llvm::LLVMContext& context) {
+    auto module = std::make_unique<llvm::Module>("zeroset", context);
+    const std::vector<Facts> facts = facts_of(expr);
+    lower_range(expr, facts, lanes, *module);
+    lower_value(expr, facts, lanes, *module);
+    return module;
+}
+
+}  // namespace zeroset::jit

@@ -1,0 +1,118 @@
+#include "jit/orc.hpp"
+
+#include <mutex>
+
+#include <llvm/ADT/SmallVector.h>
+#include <llvm/ExecutionEngine/Orc/LLJIT.h>
+#include <llvm/IR/LegacyPassManager.h>
+#include <llvm/IR/Module.h>
+#include <llvm/Support/TargetSelect.h>
+#include <llvm/Support/raw_ostream.h>
+#include <llvm/Support/thread.h>
+#include <llvm/Target/TargetMachine.h>
+
+#include "jit/lower.hpp"
+
+namespace zeroset::jit {
+namespace {
+
+namespace orc = llvm::orc;
+
+CompileError message_of(llvm::Error error) { return {llvm::toString(std::move(error))}; }
+
+/// This machine's processor and features; floating point exactly as written.
+llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        llvm::InitializeNativeTarget();
+        llvm::InitializeNativeTargetAsmPrinter();
+    });
+    auto target = orc::JITTargetMachineBuilder::detectHost();
+    if (!target) return target;
+    target->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;
+    target->setCodeGenOptLevel(llvm::CodeGenOptLevel::Default);
+    return target;
+}
+
+class OrcCode final : public MachineCode {
+public:
+    OrcCode(std::unique_ptr<orc::LLJIT> jit, std::uintptr_t range, std::uintptr_t value)
+        : jit_(std::move(jit)) {
+        range_ = range;
+        value_ = value;
+    }
+
+private:
+    std::unique_ptr<orc::LLJIT> jit_;
+};
+
+/// The module for this machine, or an error of LLVM's.
+llvm::Expected<std::unique_ptr<llvm::Module>> host_module(const Expr& expr, int lanes,
+                                                          llvm::TargetMachine& machine,
+                                                          llvm::LLVMContext& context) {
+    std::unique_ptr<llvm::Module> module = lower(expr, lanes, context);
+    module->setDataLayout(machine.createDataLayout());
+    module->setTargetTriple(machine.getTargetTriple().str());
+    return module;
+}
+
+llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, int lanes) {
+    auto target = host_target();
+    if (!target) return target.takeError();
+    auto jit = orc::LLJITBuilder().setJITTargetMachineBuilder(*target).create();
+    if (!jit) return jit.takeError();
+    auto context = std::make_unique<llvm::LLVMContext>();
+    std::unique_ptr<llvm::Module> module = lower(expr, lanes, *context);
+    module->setDataLayout((*jit)->getDataLayout());
+    if (auto error =
+            (*jit)->addIRModule(orc::ThreadSafeModule(std::move(module), std::move(context)))) {
+        return error;
+    }
+    auto range = (*jit)->lookup(range_symbol);
+    if (!range) return range.takeError();
+    auto value = (*jit)->lookup(value_symbol);
+    if (!value) return value.takeError();
+    return std::make_shared<OrcCode>(std::move(*jit), range->getValue(), value->getValue());
+}
+
+}  // namespace
+
+std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
+                                                                          int lanes) {
+    auto code = link(expr, lanes);
+    if (!code) return std::unexpected(message_of(code.takeError()));
+    return *code;
+}
+
+std::expected<std::string, CompileError> print_ir(const Expr& expr, int lanes) {
+    llvm::LLVMContext context;
+    std::string text;
+    llvm::raw_string_ostream(text) << *lower(expr, lanes, context);
+    return text;
+}
+
+std::expected<std::string, CompileError> print_assembly(const Expr& expr, int lanes) {
+    auto target = host_target();
+    if (!target) return std::unexpected(message_of(target.takeError()));
+    auto machine = target->createTargetMachine();
+    if (!machine) return std::unexpected(message_of(machine.takeError()));
+    llvm::LLVMContext context;
+    auto module = host_module(expr, lanes, **machine, context);
+    if (!module) return std::unexpected(message_of(module.takeError()));
+    llvm::SmallVector<char> text;
+    llvm::raw_svector_ostream stream(text);
+    llvm::legacy::PassManager passes;
+    if ((*machine)->addPassesToEmitFile(passes, stream, nullptr,
+                                        llvm::CodeGenFileType::AssemblyFile)) {
+        return std::unexpected(CompileError{"LLVM cannot print assembly for this machine"});
+    }
+    passes.run(**module);
+    return std::string(text.begin(), text.end());
+}
+
+void run_on_large_stack(void (*work)(void*), void* argument) {
+    constexpr unsigned stack_bytes = 256U << 20U;
+    llvm::thread(std::optional<unsigned>(stack_bytes), work, argument).join();
+}
+
+}  // namespace zeroset::jit

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <string>
+
+#include "engine/expr/expr.hpp"
+#include "jit/compile.hpp"
+
+// Private to jit/: what needs LLVM's execution engine.
+
+namespace zeroset::jit {
+
+/// Linked machine code; freed with the object.
+class MachineCode {
+public:
+    virtual ~MachineCode() = default;
+    /// Address of a function; never 0.
+    [[nodiscard]] std::uintptr_t range() const { return range_; }
+    [[nodiscard]] std::uintptr_t value() const { return value_; }
+
+protected:
+    std::uintptr_t range_ = 0;
+    std::uintptr_t value_ = 0;
+};
+
+std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
+                                                                          int lanes);
+std::expected<std::string, CompileError> print_ir(const Expr& expr, int lanes);
+std::expected<std::string, CompileError> print_assembly(const Expr& expr, int lanes);
+
+/// Runs `work` on a thread with a stack large enough for LLVM on a deep graph.
+void run_on_large_stack(void (*work)(void*), void* argument);
+
+}  // namespace zeroset::jit

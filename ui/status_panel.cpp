@@ -1,0 +1,91 @@
+#include "ui/status_panel.hpp"
+
+#include "ui/bar.hpp"
+#include "ui/fonts.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_state.hpp"
+
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* separator = "  \xC2\xB7  ";
+constexpr const char* keys_hint =
+    "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
+    "\xC2\xB7  Ctrl+Q: quit";
+
+/// Digits in groups of three, 1 234 567.
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) {
+        digits.insert(at - 3, " ");
+    }
+    return digits;
+}
+
+std::string milliseconds(double ms) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ms < 100.0 ? "%.1f ms" : "%.0f ms", ms);
+    return text.data();
+}
+
+void add_text(std::uint32_t color, const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0.0F, 0.0F);
+}
+
+void draw_figures(const PictureStatus& picture, const Palette& colors) {
+    if (picture.width_px > 0) {
+        add_text(colors.quiet, milliseconds(picture.frame_ms) + separator +
+                                   std::to_string(picture.width_px) + " \xC3\x97 " +
+                                   std::to_string(picture.height_px) + separator +
+                                   grouped(picture.counts.certified) + " certified" + separator);
+        const std::size_t undecided = picture.counts.undecided;
+        add_text(undecided > 0 ? colors.warning : colors.quiet, grouped(undecided) + " undecided");
+    }
+    if (picture.tracing) {
+        const char* before = picture.width_px > 0 ? separator : "";
+        add_text(colors.accent, std::string(before) + "tracing\xE2\x80\xA6");
+    }
+}
+
+void draw_keys_hint(const Palette& colors) {
+    const float width = ImGui::CalcTextSize(keys_hint).x;
+    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
+    if (right < ImGui::GetCursorPosX() + em(2.0F)) return;
+    ImGui::SetCursorPosX(right);
+    add_text(colors.quiet, keys_hint);
+}
+
+}  // namespace
+
+float status_bar_height() { return em(1.9F); }
+
+void draw_status_panel(const UiState& state) {
+    const Palette& colors = palette(state.theme);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float height = status_bar_height();
+    ImGui::SetNextWindowPos(ImVec2(0.0F, window.y - height));
+    ImGui::SetNextWindowSize(ImVec2(window.x, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
+        ImGui::PushFont(font(FontRole::Small));
+        ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
+        draw_figures(state.picture, colors);
+        draw_keys_hint(colors);
+        ImGui::PopFont();
+    }
+    end_bar(Edge::Top, colors);
+    ImGui::PopStyleVar();
+}
+
+}  // namespace zeroset::ui

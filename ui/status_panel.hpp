@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/ui_state.hpp"
+
+namespace zeroset::ui {
+
+/// The line along the window's bottom: time, size and certificates of the picture at the left, the
+/// keys at the right where there is room. Edits nothing.
+void draw_status_panel(const UiState& state);
+
+/// Window coordinates.
+float status_bar_height();
+
+}  // namespace zeroset::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace zeroset::ui {
+
+enum class Filter : std::uint8_t { Nearest, Linear };
+
+/// A framebuffer as an OpenGL texture. Lives while the window's OpenGL context is current; the
+/// window's thread.
+class Texture {
+public:
+    Texture();
+    ~Texture();
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+
+    /// Missed pixels become transparent, so that the theme's background shows through them; they
+    /// keep the colour `behind` (as in Palette) so that a stretched picture has no fringe.
+    void upload(const Framebuffer& frame, std::uint32_t behind);
+    void set_filter(Filter filter) const;
+
+    /// OpenGL's name of it.
+    [[nodiscard]] unsigned int name() const { return name_; }
+    /// In pixels; 0 before the first upload.
+    [[nodiscard]] int width() const { return width_; }
+    [[nodiscard]] int height() const { return height_; }
+
+private:
+    unsigned int name_ = 0;
+    int width_ = 0;
+    int height_ = 0;
+    std::vector<std::uint32_t> pixels_;
+};
+
+}  // namespace zeroset::ui

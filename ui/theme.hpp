@@ -1,0 +1,37 @@
+#pragma once
+
+#include "ui/ui_state.hpp"
+
+#include <cstdint>
+
+namespace zeroset::ui {
+
+/// Colours as 0xAABBGGRR (red in the lowest byte, as in Framebuffer::color).
+struct Palette {
+    std::uint32_t sky;     ///< the background behind the picture, at the top
+    std::uint32_t ground;  ///< and at the bottom
+    std::uint32_t bar;     ///< bars along the window's edges
+    std::uint32_t card;    ///< floating panels
+    std::uint32_t popup;
+    std::uint32_t border;
+    std::uint32_t field;
+    std::uint32_t field_hovered;
+    std::uint32_t field_active;
+    std::uint32_t text;
+    std::uint32_t quiet;
+    std::uint32_t accent;
+    std::uint32_t grab;  ///< of sliders; lets their value shine through
+    std::uint32_t selection;
+    std::uint32_t warning;
+    std::uint32_t error;
+};
+
+const Palette& palette(Theme theme);
+
+/// Sets ImGui's style; `scale` is window coordinates per design unit.
+void apply_theme(Theme theme, float scale);
+
+/// `count` times the size of the text font, in window coordinates: the unit of all layout.
+float em(float count);
+
+}  // namespace zeroset::ui

@@ -1,0 +1,125 @@
+#include "ui/viewport.hpp"
+
+#include "engine/trace/camera.hpp"
+#include "ui/equation_panel.hpp"
+#include "ui/status_panel.hpp"
+#include "ui/texture.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_state.hpp"
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_int2.hpp>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace zeroset::ui {
+namespace {
+
+/// A drag over the height of the picture turns by this much.
+constexpr double orbit_rad = std::numbers::pi;
+constexpr double zoom_per_notch = 0.88;
+
+struct Area {
+    ImVec2 lo, hi;  ///< window coordinates
+    [[nodiscard]] float height() const { return hi.y - lo.y; }
+};
+
+Area viewport_area() {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float bottom = std::max(window.y - status_bar_height(), 0.0F);
+    const float top = std::min(equation_bar_height(), bottom);
+    return {ImVec2(0.0F, top), ImVec2(window.x, bottom)};
+}
+
+glm::ivec2 size_px(const Area& area) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    return {static_cast<int>(std::lround((area.hi.x - area.lo.x) * scale.x)),
+            static_cast<int>(std::lround(area.height() * scale.y))};
+}
+
+void draw_picture(const Area& area, const UiState& state, const Texture& picture) {
+    const Palette& colors = palette(state.theme);
+    ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
+    canvas.AddRectFilledMultiColor(area.lo, area.hi, colors.sky, colors.sky, colors.ground,
+                                   colors.ground);
+    if (picture.width() == 0) return;
+    const bool exact =
+        picture.width() == state.viewport_px.x && picture.height() == state.viewport_px.y;
+    picture.set_filter(exact ? Filter::Nearest : Filter::Linear);
+    const auto id = static_cast<std::uintptr_t>(picture.name());
+    // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
+}
+
+PointerMotion pointer_motion(const Area& area) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto height = static_cast<double>(area.height());
+    const glm::dvec2 moved = glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height;
+
+    PointerMotion motion;
+    // The move up to the press is no drag.
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
+        const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
+        (pans ? motion.pan : motion.orbit) = moved;
+    }
+    if (ImGui::IsItemHovered()) motion.wheel = static_cast<double>(io.MouseWheel);
+    motion.cursor = glm::dvec2(io.MousePos.x - 0.5F * (area.lo.x + area.hi.x),
+                               0.5F * (area.lo.y + area.hi.y) - io.MousePos.y) /
+                    height;
+    return motion;
+}
+
+/// By the typed letter, so that the place of R on the keyboard does not matter.
+bool is_reset_typed() {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return false;
+    return std::ranges::any_of(io.InputQueueCharacters,
+                               [](ImWchar typed) { return typed == 'r' || typed == 'R'; });
+}
+
+}  // namespace
+
+Camera steer(const Camera& camera, const PointerMotion& motion) {
+    Camera moved = camera;
+    if (motion.orbit != glm::dvec2(0.0)) {
+        moved = orbit(moved, -orbit_rad * motion.orbit.x, -orbit_rad * motion.orbit.y);
+    }
+    if (motion.pan != glm::dvec2(0.0)) moved = pan(moved, -motion.pan.x, -motion.pan.y);
+    if (motion.wheel != 0.0) {
+        moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), 2.0 * motion.cursor.x,
+                     2.0 * motion.cursor.y);
+    }
+    return camera_defect(moved) == nullptr ? moved : camera;
+}
+
+void draw_viewport(UiState& state, const Texture& picture) {
+    const Area area = viewport_area();
+    state.viewport_px = size_px(area);
+    draw_picture(area, state, picture);
+    if (state.viewport_px.x <= 0 || state.viewport_px.y <= 0) return;
+
+    // A window without looks, behind all others, that takes what the panels do not want.
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoScrollWithMouse |
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::SetNextWindowPos(area.lo);
+    ImGui::SetNextWindowSize(ImVec2(area.hi.x - area.lo.x, area.height()));
+    if (ImGui::Begin("##viewport", nullptr, flags)) {
+        ImGui::InvisibleButton(
+            "##picture", ImGui::GetContentRegionAvail(),
+            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+        state.camera = steer(state.camera, pointer_motion(area));
+        if (is_reset_typed()) state.reset_view = true;
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace zeroset::ui

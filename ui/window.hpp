@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/ui_state.hpp"
+
+#include <expected>
+#include <memory>
+#include <string>
+
+namespace zeroset::ui {
+
+/// A surface with an OpenGL context that the panels are drawn on, frame by frame. All members
+/// are for the thread that made it, except wake(). The backends share GuiContext and differ in
+/// where the pixels go and where the input comes from.
+class Window {
+public:
+    Window() = default;
+    virtual ~Window() = default;
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    /// Sleeps until a frame is worth drawing: input, wake(), the blink of a text cursor.
+    /// False once the window is to close.
+    virtual bool wait() = 0;
+    /// Ends a wait() in progress or the next one. Any thread.
+    virtual void wake() = 0;
+
+    /// Between these two, the panels may be drawn.
+    virtual void begin_frame(Theme theme) = 0;
+    virtual void end_frame() = 0;
+
+    /// UTF-8.
+    virtual void set_title(const std::string& title) = 0;
+};
+
+struct WindowOptions {
+    std::string title = "Zeroset";
+    int width = 1280;  ///< at scale 1, in screen coordinates; less if the screen is smaller
+    int height = 800;
+};
+
+/// A window on the desktop, or one line that says what is missing (a display, OpenGL 3.3).
+/// The environment variable ZEROSET_SCALE (1 to 4) overrides the screen's content scale.
+std::expected<std::unique_ptr<Window>, std::string> make_glfw_window(const WindowOptions& options);
+
+}  // namespace zeroset::ui

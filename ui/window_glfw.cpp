@@ -1,0 +1,259 @@
+#include "ui/gui_context.hpp"
+#include "ui/key_queue.hpp"
+#include "ui/ui_state.hpp"
+#include "ui/window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace zeroset::ui {
+namespace {
+
+/// ImGui lays out with the sizes of the frame before, so that a change takes up to three frames.
+constexpr int frames_to_settle = 3;
+constexpr double cursor_blink_s = 0.5;
+constexpr float max_scale = 4.0F;
+/// At scale 1, in screen coordinates.
+constexpr float min_width = 480.0F;
+constexpr float min_height = 320.0F;
+
+std::optional<float> scale_override() {
+    const char* text = std::getenv("ZEROSET_SCALE");  // NOLINT(concurrency-mt-unsafe): read-only
+    if (text == nullptr) return std::nullopt;
+    char* end = nullptr;
+    const float scale = std::strtof(text, &end);
+    if (end == text || !(scale >= 1.0F) || !(scale <= max_scale)) return std::nullopt;
+    return scale;
+}
+
+/// The library's own words for its newest failure.
+std::string glfw_reason() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return reason == nullptr ? "unknown reason" : reason;
+}
+
+/// glfwInit as a lifetime.
+class GlfwLibrary {
+public:
+    GlfwLibrary() : ready_(glfwInit() == GLFW_TRUE) {}
+    ~GlfwLibrary() {
+        if (ready_) glfwTerminate();
+    }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+    explicit operator bool() const { return ready_; }
+
+private:
+    bool ready_;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+/// The wished size, within the part of the main screen that windows may cover.
+std::pair<int, int> fitting_size(const WindowOptions& options) {
+    const float scale = scale_override().value_or(1.0F);
+    int width = static_cast<int>(static_cast<float>(options.width) * scale);
+    int height = static_cast<int>(static_cast<float>(options.height) * scale);
+    if (GLFWmonitor* screen = glfwGetPrimaryMonitor(); screen != nullptr) {
+        int left = 0;
+        int top = 0;
+        int free_width = 0;
+        int free_height = 0;
+        glfwGetMonitorWorkarea(screen, &left, &top, &free_width, &free_height);
+        if (free_width > 0) width = std::min(width, free_width);
+        if (free_height > 0) height = std::min(height, free_height);
+    }
+    return {width, height};
+}
+
+WindowHandle open_window(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "zeroset");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "zeroset");
+    const auto [width, height] = fitting_size(options);
+    return WindowHandle(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
+}
+
+class GlfwWindow final : public Window {
+public:
+    GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle);
+    ~GlfwWindow() override { ImGui_ImplGlfw_Shutdown(); }
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    bool wait() override;
+    void wake() override;
+    void begin_frame(Theme theme) override;
+    void end_frame() override;
+    void set_title(const std::string& title) override;
+
+private:
+    static GlfwWindow& of(GLFWwindow* handle) {
+        GlfwWindow& window = *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
+        window.changed_ = true;
+        return window;
+    }
+    static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods);
+    static void on_character(GLFWwindow* handle, unsigned int character);
+    void install_callbacks();
+    void feed_keys();
+
+    std::unique_ptr<GlfwLibrary> library_;
+    WindowHandle handle_;
+    std::unique_ptr<GuiContext> gui_;
+    KeyQueue keys_;
+    std::string title_;
+    std::atomic<bool> changed_{true};
+    int frames_due_ = 0;
+};
+
+GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle)
+    : library_(std::move(library)), handle_(std::move(handle)) {
+    glfwMakeContextCurrent(handle_.get());
+    glfwSwapInterval(1);
+    gui_ = std::make_unique<GuiContext>();
+    ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
+    glfwSetWindowUserPointer(handle_.get(), this);
+    install_callbacks();
+    const float scale = scale_override().value_or(1.0F);
+    glfwSetWindowSizeLimits(handle_.get(), static_cast<int>(min_width * scale),
+                            static_cast<int>(min_height * scale), GLFW_DONT_CARE, GLFW_DONT_CARE);
+}
+
+void GlfwWindow::install_callbacks() {
+    GLFWwindow* handle = handle_.get();
+    glfwSetKeyCallback(handle, on_key);
+    glfwSetCharCallback(handle, on_character);
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int mods) {
+        of(window);
+        ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
+        of(window);
+        ImGui_ImplGlfw_ScrollCallback(window, x, y);
+    });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* window, int entered) {
+        of(window);
+        ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+    });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* window, int focused) {
+        of(window);
+        ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+    });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double, double) { of(window); });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) { of(window); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int, int) { of(window); });
+    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
+}
+
+void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
+    // By the key's letter, not its place: Q lies elsewhere on other keyboards.
+    const char* name = glfwGetKeyName(key, scancode);
+    const bool is_q = name == nullptr ? key == GLFW_KEY_Q : std::string(name) == "q";
+    if (is_q && action == GLFW_PRESS && (mods & GLFW_MOD_CONTROL) != 0) {
+        glfwSetWindowShouldClose(handle, GLFW_TRUE);
+    }
+    of(handle).keys_.push({key, scancode, action, mods, 0});
+}
+
+void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
+    of(handle).keys_.push({0, 0, 0, 0, character});
+}
+
+void GlfwWindow::feed_keys() {
+    for (const KeyEvent& event : keys_.take_frame()) {
+        if (event.character != 0) {
+            ImGui_ImplGlfw_CharCallback(handle_.get(), event.character);
+        } else {
+            ImGui_ImplGlfw_KeyCallback(handle_.get(), event.key, event.scancode, event.action,
+                                       event.mods);
+        }
+    }
+    if (!keys_.empty()) frames_due_ = frames_to_settle;
+}
+
+bool GlfwWindow::wait() {
+    if (frames_due_ > 0 || changed_) {
+        glfwPollEvents();
+    } else if (GuiContext::wants_text()) {
+        glfwWaitEventsTimeout(cursor_blink_s);
+    } else {
+        glfwWaitEvents();
+    }
+    if (changed_.exchange(false)) {
+        frames_due_ = frames_to_settle;
+    } else {
+        frames_due_ = std::max(frames_due_, 1);
+    }
+    --frames_due_;
+    return glfwWindowShouldClose(handle_.get()) == GLFW_FALSE;
+}
+
+void GlfwWindow::wake() {
+    changed_ = true;
+    glfwPostEmptyEvent();
+}
+
+void GlfwWindow::begin_frame(Theme theme) {
+    int width_px = 0;
+    int width_points = 0;
+    int ignored = 0;
+    glfwGetFramebufferSize(handle_.get(), &width_px, &ignored);
+    glfwGetWindowSize(handle_.get(), &width_points, &ignored);
+    const bool visible = width_px > 0 && width_points > 0;
+    const float pixels_per_point =
+        visible ? static_cast<float>(width_px) / static_cast<float>(width_points) : 1.0F;
+
+    float screen_scale = 1.0F;
+    glfwGetWindowContentScale(handle_.get(), &screen_scale, nullptr);
+    const float scale = scale_override().value_or(std::clamp(screen_scale, 1.0F, max_scale));
+
+    feed_keys();
+    gui_->begin_frame(theme, scale, pixels_per_point);
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void GlfwWindow::end_frame() {
+    int width_px = 0;
+    int height_px = 0;
+    glfwGetFramebufferSize(handle_.get(), &width_px, &height_px);
+    GuiContext::end_frame(width_px, height_px);
+    glfwSwapBuffers(handle_.get());
+}
+
+void GlfwWindow::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(handle_.get(), title.c_str());
+}
+
+}  // namespace
+
+std::expected<std::unique_ptr<Window>, std::string> make_glfw_window(const WindowOptions& options) {
+    auto library = std::make_unique<GlfwLibrary>();
+    if (!*library) return std::unexpected("no display: " + glfw_reason());
+    WindowHandle handle = open_window(options);
+    if (handle == nullptr) return std::unexpected("no OpenGL 3.3: " + glfw_reason());
+    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle));
+}
+
+}  // namespace zeroset::ui
