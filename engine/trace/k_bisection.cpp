@@ -7,10 +7,10 @@
 // Differs from the paper:
 // - The packet is as wide as the machine's lanes, and a group of packets takes each step together,
 //   so that the kernel works on a batch.
-// - Slices are cells of the dyadic grid of K (multiples of a power of two), whose ends are exact
-//   floats, and the ends' U and V come from one multiply-add each instead of the sum of the
-//   increments: sound under upward rounding, and without the error of up to d_stop additions. The
-//   stack shrinks to a cell's index and size.
+// - Slices are cells of one grid of the clip box, 2^d_stop to its longest edge, whose ends are
+//   floats computed from the index; their U and V come from one multiply-add each instead of the
+//   sum of the increments: sound under upward rounding, and without the error of up to d_stop
+//   additions. The stack shrinks to a cell's index and size.
 // - Boxes are clipped to the part of the ray inside the clip box and in front of the eye.
 // - A slice on which f is not proved continuous is never a hit (the paper's rule for division,
 //   where F is infinite); the ray goes on, and its pixel is no longer certified.
@@ -35,15 +35,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-constexpr int group_size = 32;  ///< packets a batch
 
 /// The boxes of a group of packets, and what the kernel says of them.
 struct Batch {
-    static constexpr std::size_t capacity = group_size * lanes;
+    static constexpr std::size_t capacity = batch_capacity;
+    static constexpr std::size_t hi_offset = 3 * capacity;  ///< from -lo to hi, in floats
     static_assert(capacity % batch_multiple == 0);
 
-    alignas(64) float neg_lo[3][capacity];
-    alignas(64) float hi[3][capacity];
+    alignas(64) float ends[6][capacity];  ///< -lo of x, y, z, then hi of x, y, z
+    alignas(64) float active[capacity];   ///< mask: rays that meet their slice
     alignas(64) float f_neg_lo[capacity];
     alignas(64) float f_hi[capacity];
     alignas(64) std::uint32_t continuous[capacity];
@@ -53,8 +53,8 @@ struct Batch {
         const std::size_t size = (used + batch_multiple - 1) / batch_multiple * batch_multiple;
         counters.range += used;
         const RangeBatch batch{size,
-                               {neg_lo[0], neg_lo[1], neg_lo[2]},
-                               {hi[0], hi[1], hi[2]},
+                               {ends[0], ends[1], ends[2]},
+                               {ends[3], ends[4], ends[5]},
                                scene.uniforms.neg_lo_hi.data(),
                                f_neg_lo,
                                f_hi,
@@ -63,90 +63,77 @@ struct Batch {
     }
 
     [[nodiscard]] Sign sign(std::size_t item) const {
-        if (f_neg_lo[item] < 0) return Sign::Positive;
-        return f_hi[item] < 0 ? Sign::Negative : Sign::Unknown;
+        if ((f_neg_lo[item] < 0) == (f_hi[item] < 0)) return Sign::Unknown;  // or undefined
+        return f_neg_lo[item] < 0 ? Sign::Positive : Sign::Negative;
     }
 };
 
 /// Puts the box of [k_from, k_to] of a packet into slot `slot` of the batch.
 HWY_INLINE void store_box(const Packet& packet, V k_from, V k_to, std::size_t slot, Batch& batch) {
-    const std::size_t at = slot * lanes;
-    const bool mirrored = packet.mirrored;
-    hn::Store(mirrored ? k_to : hn::Neg(k_from), d, batch.neg_lo[packet.axis[0]] + at);
-    hn::Store(mirrored ? hn::Neg(k_from) : k_to, d, batch.hi[packet.axis[0]] + at);
-    for (int i = 0; i < 2; ++i) {
-        const Line& line = packet.line[i];
+    float* const at = batch.ends[0] + slot * lanes;
+    hn::Store(hn::Neg(k_from), d, at + packet.k_from_offset);
+    hn::Store(k_to, d, at + packet.k_to_offset);
+    for (const Line& line : packet.line) {
         const V slope = hn::Load(d, line.slope);
         const V hi = hn::Load(d, line.hi);
         const V neg_lo = hn::Load(d, line.neg_lo);
         const V box_hi = hn::Max(hn::MulAdd(slope, k_from, hi), hn::MulAdd(slope, k_to, hi));
         const V box_neg_lo =
             hn::Max(hn::NegMulAdd(slope, k_from, neg_lo), hn::NegMulAdd(slope, k_to, neg_lo));
-        hn::Store(box_hi, d, batch.hi[packet.axis[i + 1]] + at);
-        hn::Store(box_neg_lo, d, batch.neg_lo[packet.axis[i + 1]] + at);
+        hn::Store(box_neg_lo, d, at + line.neg_lo_offset);
+        hn::Store(box_hi, d, at + line.neg_lo_offset + Batch::hi_offset);
     }
 }
 
-/// Puts the packet's current cell into the batch, stepping over cells that no living ray meets.
+/// Puts the packet's current slice into the batch, stepping over slices that no living ray meets.
 /// False when the packet is finished.
-HWY_INLINE bool store_cell(Packet& packet, std::size_t slot, Batch& batch) {
+HWY_INLINE bool store_slice(Packet& packet, std::size_t slot, Batch& batch) {
     const V k_in = hn::Load(d, packet.k_in);
     const V k_out = hn::Load(d, packet.k_out);
     for (;;) {
         const V start = hn::Set(d, packet.cell_start());
-        if (hn::AllFalse(d, hn::Le(start, k_out))) return false;
         const V from = hn::Max(start, k_in);
         const V to = hn::Min(hn::Set(d, packet.cell_end()), k_out);
-        if (!hn::AllFalse(d, hn::Le(from, to))) {
+        const M active = hn::Le(from, to);
+        if (!hn::AllFalse(d, active)) {
+            hn::Store(hn::VecFromMask(d, active), d, batch.active + slot * lanes);
             store_box(packet, from, to, slot, batch);
             return true;
         }
-        packet.advance();
+        if (hn::AllFalse(d, hn::Le(start, k_out))) return false;
+        packet.go_on(false);
     }
 }
 
-/// Takes the kernel's answer for the packet's current cell and goes to the next one. `delta`: the
+/// Takes the kernel's answer for the packet's current slice and goes to the next one. `delta`: the
 /// width of F at which the search stops before d_stop; 0: never.
 HWY_INLINE void take_answer(Packet& packet, std::size_t slot, const Batch& batch, float delta) {
     const std::size_t at = slot * lanes;
     const V zero = hn::Zero(d);
-    const V one = hn::Set(d, 1.0F);
-    const V from = hn::Max(hn::Set(d, packet.cell_start()), hn::Load(d, packet.k_in));
-    const V to = hn::Min(hn::Set(d, packet.cell_end()), hn::Load(d, packet.k_out));
-    const M active = hn::Le(from, to);
     const V f_neg_lo = hn::Load(d, batch.f_neg_lo + at);
     const V f_hi = hn::Load(d, batch.f_hi + at);
-    const M above = hn::Lt(f_neg_lo, zero);
-    const M below = hn::Lt(f_hi, zero);
-    const M rejected = hn::Or(above, below);  // both: f is undefined in the whole cell
-    const V side = hn::Sub(hn::IfThenElseZero(above, one), hn::IfThenElseZero(below, one));
-    hn::Store(hn::IfThenElse(hn::And(rejected, active), side, hn::Load(d, packet.side)), d,
-              packet.side);
-
-    const M candidate = hn::AndNot(rejected, active);
-    if (hn::AllFalse(d, candidate)) {
-        packet.advance();
-        return;
+    const M rejected = hn::Or(hn::Lt(f_neg_lo, zero), hn::Lt(f_hi, zero));
+    const M candidate = hn::AndNot(rejected, hn::MaskFromVec(hn::Load(d, batch.active + at)));
+    M undecided = candidate;
+    if (packet.size == 1 || delta > 0) {
+        const M narrow = hn::Lt(hn::Add(f_neg_lo, f_hi), hn::Set(d, delta));
+        const M stop = packet.size == 1 ? candidate : hn::And(candidate, narrow);
+        undecided = hn::AndNot(stop, candidate);
+        if (!hn::AllFalse(d, stop)) {
+            const M continuous =
+                hn::RebindMask(d, hn::Ne(hn::Load(du, batch.continuous + at), hn::Zero(du)));
+            packet.stop_at(hn::And(stop, continuous), hn::AndNot(continuous, stop));
+        }
     }
-    const M narrow = hn::Lt(hn::Add(f_neg_lo, f_hi), hn::Set(d, delta));
-    const M stop = packet.size == 1 ? candidate : hn::And(candidate, narrow);
-    if (!hn::AllFalse(d, stop)) {
-        const M continuous =
-            hn::RebindMask(d, hn::Ne(hn::Load(du, batch.continuous + at), hn::Zero(du)));
-        packet.stop_at(hn::And(stop, continuous), hn::AndNot(continuous, stop), from, to);
-    }
-    if (packet.size > 1 && !hn::AllFalse(d, hn::AndNot(stop, candidate))) {
-        packet.descend();
-    } else {
-        packet.advance();
-    }
+    packet.go_on(!hn::AllFalse(d, undecided));
 }
 
 // ---- after the search: certificates ----
 
 /// A stopped ray on its way to a certificate.
 struct Bracket {
-    float from, to;      ///< K; everything before `from` was rejected
+    float before_from;   ///< K; start of a slice that was rejected, up to `from`
+    float from, to;      ///< everything before `from` was rejected
     float inner_from;    ///< the sign change is proved between inner_from and `to`
     Sign before;         ///< of f at `from`
     bool open;           ///< still to be decided
@@ -164,6 +151,7 @@ void certify(const Scene& scene, std::span<Packet* const> packets,
         for (std::size_t p = 0; p < packets.size(); ++p) {
             alignas(64) float a[lanes];
             alignas(64) float b[lanes];
+            alignas(64) float end[lanes];
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 Bracket& bracket = brackets[p * lanes + lane];
                 if (step > 0 && bracket.open) {
@@ -171,14 +159,14 @@ void certify(const Scene& scene, std::span<Packet* const> packets,
                     bracket.to = std::min(bracket.to + packets[p]->unit,
                                           packets[p]->hit_limit[lane]);
                 }
-                a[lane] = step > 0 ? bracket.inner_from : bracket.from;
-                b[lane] = bracket.to;
+                // First the slice before the hit: it was rejected, so its sign is that at the
+                // hit's start. The hit's own slice is known to be continuous.
+                a[lane] = step > 0 ? bracket.inner_from : bracket.before_from;
+                b[lane] = step > 0 ? bracket.to : bracket.from;
+                end[lane] = bracket.to;
             }
-            const V to = hn::Load(d, b);
-            const V from = hn::Load(d, a);
-            // The slice itself needs no second look: it is known to be continuous.
-            store_box(*packets[p], from, step > 0 ? to : from, 2 * p, batch);
-            store_box(*packets[p], to, to, 2 * p + 1, batch);
+            store_box(*packets[p], hn::Load(d, a), hn::Load(d, b), 2 * p, batch);
+            store_box(*packets[p], hn::Load(d, end), hn::Load(d, end), 2 * p + 1, batch);
         }
         batch.evaluate(scene, 2 * packets.size(), counters);
         bool any_open = false;
@@ -186,7 +174,7 @@ void certify(const Scene& scene, std::span<Packet* const> packets,
             Bracket& bracket = brackets[i];
             if (!bracket.open) continue;
             const std::size_t slot = 2 * (i / lanes) * lanes + i % lanes;
-            if (step == 0 && bracket.before == Sign::Unknown) bracket.before = batch.sign(slot);
+            if (step == 0) bracket.before = batch.sign(slot);
             const Sign after = batch.sign(slot + lanes);
             const bool usable = bracket.before != Sign::Unknown &&
                                 (step == 0 || (batch.continuous[slot] != 0 &&
@@ -204,8 +192,8 @@ void open_brackets(const Packet& packet, std::span<Bracket> brackets) {
         const bool hit = (packet.hit >> lane & 1U) != 0;
         const float from = hit ? packet.hit_from[lane] : 0.0F;
         const float to = hit ? packet.hit_to[lane] : 0.0F;
-        const auto side = static_cast<Sign>(static_cast<int>(packet.side[lane]));
-        brackets[lane] = {from, to, from, side, hit, false};
+        const float before = hit ? std::max(from - packet.unit, packet.hit_start[lane]) : 0.0F;
+        brackets[lane] = {before, from, to, from, Sign::Unknown, hit, false};
     }
 }
 
@@ -266,13 +254,16 @@ private:
     Counters& counters_;
     std::array<Packet, group_size + group_size / 2> packets_;
     std::vector<Packet*> idle_, marching_, waiting_;
-    Batch batch_;
+    Batch batch_;              ///< slot i: the current slice of marching_[i]
+    Batch certificate_batch_;  ///< of the waiting packets
 };
 
 bool Group::refill() {
     while (marching_.size() < group_size) {
-        if (!source_.next(*idle_.back())) return false;
-        marching_.push_back(idle_.back());
+        Packet& packet = *idle_.back();
+        if (!source_.next(packet)) return false;
+        if (!store_slice(packet, marching_.size(), batch_)) continue;
+        marching_.push_back(&packet);
         idle_.pop_back();
     }
     return true;
@@ -295,7 +286,7 @@ void Group::retire(Packet& packet) {
 
 void Group::finish_waiting() {
     if (waiting_.empty()) return;
-    finish(frame_.scene, waiting_, batch_, hits_, counters_);
+    finish(frame_.scene, waiting_, certificate_batch_, hits_, counters_);
     idle_.insert(idle_.end(), waiting_.begin(), waiting_.end());
     waiting_.clear();
 }
@@ -304,20 +295,16 @@ void Group::run() {
     const bool by_range = frame_.stop.rule == StopRule::Delta;
     const float delta = by_range ? static_cast<float>(frame_.stop.value) : 0.0F;
     bool more = true;
-    while (more || !marching_.empty()) {
+    for (;;) {
         more = more && refill();
-        // Packets that have a cell to look at move to the front, the others are done.
+        if (marching_.empty()) break;
+        batch_.evaluate(frame_.scene, marching_.size(), counters_);
+        // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;
         for (std::size_t i = 0; i < marching_.size(); ++i) {
-            if (store_cell(*marching_[i], slots, batch_)) {
-                std::swap(marching_[slots++], marching_[i]);
-            }
-        }
-        if (slots > 0) {
-            batch_.evaluate(frame_.scene, slots, counters_);
-            for (std::size_t slot = 0; slot < slots; ++slot) {
-                take_answer(*marching_[slot], slot, batch_, delta);
-            }
+            Packet& packet = *marching_[i];
+            take_answer(packet, i, batch_, delta);
+            if (store_slice(packet, slots, batch_)) std::swap(marching_[slots++], marching_[i]);
         }
         while (marching_.size() > slots) {
             Packet& done = *marching_.back();

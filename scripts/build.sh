@@ -1,0 +1,100 @@
+# shellcheck shell=bash
+# What run.sh and test.sh share: packages and the build. Source it; it needs set -euo pipefail.
+# Everything it prints goes to stderr, so that stdout stays the program's.
+
+root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/..")
+
+say() { printf 'zeroset: %s\n' "$*" >&2; }
+
+die() {
+    say "$*"
+    exit 1
+}
+
+# The packages in the named sections of packages.txt.
+packages_of() {
+    awk -v wanted=" $* " '
+        { sub(/#.*/, ""); sub(/^[ \t]+/, ""); sub(/[ \t\r]+$/, "") }
+        /^\[.*\]$/ { inside = index(wanted, " " substr($0, 2, length($0) - 2) " "); next }
+        inside && $0 != ""' "$root/packages.txt"
+}
+
+# The packages of the named sections that are neither installed nor provided by an installed one.
+# A package of a foreign architecture does not count.
+missing_packages() {
+    # shellcheck disable=SC2016  # the fields are dpkg-query's, not the shell's
+    dpkg-query -W -f='${db:Status-Status}|${Architecture}|${Package}|${Provides}\n' |
+        awk -F'|' -v native="$(dpkg --print-architecture)" '
+            FNR == NR {
+                if ($1 !~ /^(installed|triggers-)/ || ($2 != native && $2 != "all")) next
+                there[$3]
+                gsub(/\([^)]*\)|[ \t]/, "", $4)
+                count = split($4, provided, ",")
+                for (i = 1; i <= count; i++) there[provided[i]]
+                next
+            }
+            !($0 in there)' - <(packages_of "$@")
+}
+
+# Runs a command without input, its output in a log that is shown only when the command fails.
+quietly() {
+    local log=$1
+    shift
+    mkdir -p -- "$(dirname -- "$log")"
+    "$@" >"$log" 2>&1 </dev/null && return
+    cat -- "$log" >&2
+    return 1
+}
+
+# Installs what is missing of the named sections; asks nothing, removes nothing.
+install_packages() {
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        say "not a Debian system: building with what is installed (packages.txt lists what is needed)"
+        return
+    fi
+    local missing as_root=()
+    mapfile -t missing < <(missing_packages "$@")
+    ((${#missing[@]})) || return 0
+    if ((EUID != 0)); then
+        command -v sudo >/dev/null ||
+            die "as root, please run: apt-get install --no-install-recommends ${missing[*]}"
+        as_root=(sudo)
+    fi
+    say "installing ${missing[*]}"
+    local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
+    # A package source that does not answer is no reason to stop: the install tells.
+    quietly "$root/build/apt-update.log" "${apt[@]}" update || true
+    quietly "$root/build/apt-install.log" \
+        "${apt[@]}" install -y --no-install-recommends --no-remove "${missing[@]}" ||
+        die "could not install ${missing[*]}"
+}
+
+# Configures a preset when its directory is new, came from elsewhere or had other presets.
+configure() {
+    local preset=$1 dir=$root/build/$1 fresh=()
+    # --fresh forgets a cache of another source directory, which cmake would refuse.
+    grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt" || fresh=(--fresh)
+    if ((${#fresh[@]} == 0)) && [[ -f $dir/build.ninja ]] &&
+        cmp -s "$root/CMakePresets.json" "$dir/configured_presets.json"; then
+        return
+    fi
+    say "configuring"
+    (cd -- "$root" && quietly "$dir/configure.log" cmake "${fresh[@]}" --preset "$preset") ||
+        die "cmake failed; its output is above and in $dir/configure.log"
+    cp -- "$root/CMakePresets.json" "$dir/configured_presets.json"
+}
+
+# Builds a target of a preset, on all cores; silent when there is nothing to do.
+configure_and_build() {
+    local preset=$1 target=$2 minutes=$3 dir=$root/build/$1
+    configure "$preset"
+    local ninja=(ninja -C "$dir")
+    # First the build files follow the sources. Then the dry run names them by a path that ninja does
+    # not know as its own target: else it would stop at their check, which never counts as done.
+    quietly "$dir/build.log" "${ninja[@]}" --quiet build.ninja ||
+        die "cmake failed; its output is above and in $dir/build.log"
+    [[ $("${ninja[@]}" -f "$dir/build.ninja" -n "$target") == *"no work to do"* ]] && return
+    say "building (first time takes about $minutes minutes)…"
+    quietly "$dir/build.log" "${ninja[@]}" --quiet "$target" ||
+        die "the build failed; its output is above and in $dir/build.log"
+}

@@ -1,0 +1,9 @@
+#!/usr/bin/env bash
+# Builds everything and runs all tests: ./test.sh [ARGS of ctest], e.g. ./test.sh -R interval
+set -euo pipefail
+# shellcheck source=scripts/build.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"
+
+install_packages run test
+configure_and_build test all 6
+exec ctest --test-dir "$root/build/test" --output-on-failure --no-tests=error -j "$(nproc)" "$@"

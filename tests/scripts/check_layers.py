@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Fails on an #include against the arrows between the rooms of the house.
+
+    engine <- jit        engine <- ui        engine, jit, ui <- app        tests -> all
+
+LLVM is for jit/ alone, window libraries (ImGui, GLFW, OpenGL, EGL) for ui/ alone; tests may use
+both. Other rooms see of jit/ its public header only, and that one must not lead to LLVM.
+
+Usage: check_layers.py ROOT. Prints file:line: reason for each violation, then exits 1.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+MAY_INCLUDE = {
+    "engine": {"engine"},
+    "jit": {"engine", "jit"},
+    "ui": {"engine", "ui"},
+    "app": {"engine", "jit", "ui", "app"},
+    "tests": {"engine", "jit", "ui", "app", "tests"},
+}
+PUBLIC_JIT_HEADER = "jit/compile.hpp"
+LIBRARIES = {
+    # name: (headers, rooms that may include them)
+    "LLVM": (re.compile(r"(llvm|llvm-c|clang|clang-c)/"), {"jit", "tests"}),
+    "window": (
+        re.compile(r"(imgui\w*\.h$|imgui/|backends/imgui|implot|GLFW/|GL/|GLES\d?/|EGL/|KHR/|X11/)"),
+        {"ui", "tests"},
+    ),
+}
+SUFFIXES = {".c", ".cc", ".cpp", ".def", ".h", ".hpp", ".inc", ".inl", ".ipp"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def includes_of(path):
+    """(line number, header) of each include directive in a file."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    matches = ((number, INCLUDE.match(line)) for number, line in enumerate(lines, 1))
+    return [(number, match.group(1)) for number, match in matches if match]
+
+
+def resolved(root, source, header):
+    """The header's path from the root, as written when it is no file of the project."""
+    for base in (source.parent, root):
+        candidate = (base / header).resolve()
+        if candidate.is_file() and candidate.is_relative_to(root):
+            return candidate.relative_to(root).as_posix()
+    return header
+
+
+def library_of(header):
+    return next((name for name, (pattern, _) in LIBRARIES.items() if pattern.match(header)), None)
+
+
+def leads_to_llvm(graph, header, seen=None):
+    """Whether a header is LLVM's or reaches one through headers of the project."""
+    seen = set() if seen is None else seen
+    if header in seen:
+        return False
+    seen.add(header)
+    return library_of(header) == "LLVM" or any(
+        leads_to_llvm(graph, target, seen) for _, target in graph.get(header, [])
+    )
+
+
+def objection(graph, source, header):
+    """Why `source` may not include `header`, or None."""
+    room, target = source.split("/")[0], header.split("/")[0]
+    library = library_of(header)
+    if library and room not in LIBRARIES[library][1]:
+        return f"{room}/ may not include {library} headers"
+    if source == PUBLIC_JIT_HEADER and leads_to_llvm(graph, header):
+        return "the public header of jit/ must not lead to LLVM"
+    if target in MAY_INCLUDE and target not in MAY_INCLUDE[room]:
+        return f"{room}/ may not include {target}/"
+    if target == "jit" and room == "app" and header != PUBLIC_JIT_HEADER:
+        return f"app/ may include of jit/ only {PUBLIC_JIT_HEADER}"
+    return None
+
+
+def include_graph(root):
+    """For each source file of the rooms, its includes with their line numbers."""
+    files = [
+        path for room in MAY_INCLUDE for path in sorted((root / room).rglob("*"))
+        if path.suffix in SUFFIXES and path.is_file()
+    ]
+    return {
+        path.relative_to(root).as_posix(): [
+            (number, resolved(root, path, header)) for number, header in includes_of(path)
+        ]
+        for path in files
+    }
+
+
+def violations(root):
+    graph = include_graph(root)
+    if not graph:
+        return [f"{root}: no source files here"]
+    return [
+        f"{source}:{number}: {reason}: {header}"
+        for source, includes in graph.items()
+        for number, header in includes
+        if (reason := objection(graph, source, header))
+    ]
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: check_layers.py ROOT")
+    found = violations(Path(sys.argv[1]).resolve())
+    print("\n".join(found) if found else "the arrows hold")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

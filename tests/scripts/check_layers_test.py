@@ -1,0 +1,89 @@
+#!/usr/bin/env python3
+"""check_layers.py finds one violation of each kind and passes a clean tree."""
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+CHECKER = Path(__file__).with_name("check_layers.py")
+
+CLEAN = {
+    "engine/expr/op.def": "",
+    "engine/expr/expr.hpp": '#include <vector>\n#include "op.def"\n',
+    "engine/trace/scene.hpp": '#include "engine/expr/expr.hpp"\n// #include "ui/window.hpp"\n',
+    "jit/compile.hpp": '#include "engine/expr/expr.hpp"\n#include "jit/lanes.hpp"\n',
+    "jit/lanes.hpp": '#include "jit/compile.hpp"\n',  # a cycle must not trap the checker
+    "jit/lower.hpp": '#include "llvm/IR/IRBuilder.h"\n',
+    "jit/lower.cpp": '#include "jit/lower.hpp"\n#include <llvm/IR/Module.h>\n',
+    "ui/window.hpp": "#pragma once\n",
+    "ui/window_glfw.cpp": '#include <GLFW/glfw3.h>\n#include <imgui.h>\n#include "ui/window.hpp"\n',
+    "app/main.cpp": '#include "jit/compile.hpp"\n#include "ui/window.hpp"\n',
+    "tests/ui/window_test.cpp": '#include <EGL/egl.h>\n#include "jit/lower.hpp"\n',
+}
+
+# source file, the include that is against the arrows, part of the reason
+VIOLATIONS = [
+    ("engine/a.cpp", '"jit/compile.hpp"', "engine/ may not include jit/"),
+    ("engine/a.cpp", '"ui/window.hpp"', "engine/ may not include ui/"),
+    ("engine/a.cpp", '"../ui/window.hpp"', "engine/ may not include ui/"),
+    ("engine/a.cpp", '"app/session.hpp"', "engine/ may not include app/"),
+    ("engine/a.cpp", '"tests/support/a.hpp"', "engine/ may not include tests/"),
+    ("engine/a.hpp", '"llvm/IR/Value.h"', "engine/ may not include LLVM headers"),
+    ("engine/a.cpp", "<imgui.h>", "engine/ may not include window headers"),
+    ("engine/a.cpp", "<GLFW/glfw3.h>", "engine/ may not include window headers"),
+    ("engine/a.cpp", "<GL/gl.h>", "engine/ may not include window headers"),
+    ("engine/a.cpp", "<EGL/egl.h>", "engine/ may not include window headers"),
+    ("jit/a.cpp", '"ui/window.hpp"', "jit/ may not include ui/"),
+    ("jit/a.cpp", '"app/session.hpp"', "jit/ may not include app/"),
+    ("jit/a.cpp", "<GL/osmesa.h>", "jit/ may not include window headers"),
+    ("jit/compile.hpp", "<llvm/IR/Value.h>", "must not lead to LLVM"),
+    ("jit/compile.hpp", '"jit/lower.hpp"', "must not lead to LLVM"),
+    ("ui/a.cpp", '"jit/compile.hpp"', "ui/ may not include jit/"),
+    ("ui/a.cpp", '"app/session.hpp"', "ui/ may not include app/"),
+    ("ui/a.cpp", "<llvm-c/Core.h>", "ui/ may not include LLVM headers"),
+    ("app/a.cpp", '"imgui.h"', "app/ may not include window headers"),
+    ("app/a.cpp", "<imgui_internal.h>", "app/ may not include window headers"),
+    ("app/a.cpp", "<GLFW/glfw3.h>", "app/ may not include window headers"),
+    ("app/a.cpp", '"llvm/IR/Value.h"', "app/ may not include LLVM headers"),
+    ("app/a.cpp", '"jit/lower.hpp"', "only jit/compile.hpp"),
+    ("app/a.cpp", '"tests/support/a.hpp"', "app/ may not include tests/"),
+]
+
+
+def check(tree):
+    with tempfile.TemporaryDirectory() as root:
+        for name, text in tree.items():
+            path = Path(root, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return subprocess.run(
+            [sys.executable, CHECKER, root], capture_output=True, text=True, check=False
+        )
+
+
+class CheckLayers(unittest.TestCase):
+    def test_clean_tree_passes(self):
+        result = check(CLEAN)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_each_violation_is_found_at_its_line(self):
+        for source, header, reason in VIOLATIONS:
+            with self.subTest(source=source, header=header):
+                result = check(CLEAN | {source: f"#pragma once\n\n#  include {header}\n"})
+                self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+                self.assertEqual(len(result.stdout.splitlines()), 1, result.stdout)
+                self.assertIn(f"{source}:3: ", result.stdout)
+                self.assertIn(reason, result.stdout)
+
+    def test_all_violations_are_listed(self):
+        result = check({"engine/a.cpp": "#include <imgui.h>\n", "ui/a.cpp": '#include "jit/x.hpp"\n'})
+        self.assertEqual(len(result.stdout.splitlines()), 2, result.stdout)
+
+    def test_tree_without_sources_fails(self):
+        self.assertEqual(check({"README.md": ""}).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
