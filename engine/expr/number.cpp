@@ -41,10 +41,13 @@ NumberEnclosure enclose_number(std::string_view digits) {
 }
 
 std::string number_text(const NumberEnclosure& number) {
+    std::string best;
     for (const double candidate : {number.hi, number.lo}) {
         std::string text = shortest(candidate);
-        if (enclose_number(text) == number) return text;
+        const bool shorter = best.empty() || text.size() < best.size();
+        if (shorter && enclose_number(text) == number) best = std::move(text);
     }
+    if (!best.empty()) return best;
     const long double middle =
         0.5L * (static_cast<long double>(number.lo) + static_cast<long double>(number.hi));
     for (int digits = 17; digits < 1000; ++digits) {

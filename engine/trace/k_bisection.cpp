@@ -97,7 +97,9 @@ HWY_INLINE bool store_slice(Packet& packet, std::size_t slot, Batch& batch) {
         const M active = hn::Le(from, to);
         if (!hn::AllFalse(d, active)) {
             hn::Store(hn::VecFromMask(d, active), d, batch.active + slot * lanes);
-            store_box(packet, from, to, slot, batch);
+            // Rays that do not meet the slice get some box of it: infinite arguments are slow.
+            store_box(packet, hn::IfThenElse(active, from, start),
+                      hn::IfThenElse(active, to, start), slot, batch);
             return true;
         }
         if (hn::AllFalse(d, hn::Le(start, k_out))) return false;

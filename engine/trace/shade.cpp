@@ -95,8 +95,8 @@ void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
         const V sky = hn::MulAdd(dot(normal, up), half, half);
         const V diffuse =
             hn::MulAdd(key_light, hn::Set(d, 0.85F),
-                       hn::MulAdd(fill_light, hn::Set(d, 0.22F),
-                                  hn::MulAdd(sky, hn::Set(d, 0.10F), hn::Set(d, 0.06F))));
+                       hn::MulAdd(fill_light, hn::Set(d, 0.26F),
+                                  hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
         const V3 halfway = normalized({hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y),
                                        hn::Add(key.z, to_viewer.z)}, to_viewer);
         V gloss = hn::Max(dot(normal, halfway), zero);
