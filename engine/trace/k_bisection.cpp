@@ -43,13 +43,13 @@ struct Batch {
     static_assert(capacity % batch_multiple == 0);
 
     alignas(64) float ends[6][capacity];  ///< -lo of x, y, z, then hi of x, y, z
-    alignas(64) float active[capacity];   ///< mask: rays that meet their slice
     alignas(64) float f_neg_lo[capacity];
     alignas(64) float f_hi[capacity];
     alignas(64) std::uint32_t continuous[capacity];
 
-    void evaluate(const Scene& scene, std::size_t packets, Counters& counters) {
-        const std::size_t used = packets * lanes;
+    /// Evaluates the first `slots` slots.
+    void evaluate(const Scene& scene, std::size_t slots, Counters& counters) {
+        const std::size_t used = slots * lanes;
         const std::size_t size = (used + batch_multiple - 1) / batch_multiple * batch_multiple;
         counters.range += used;
         const RangeBatch batch{size,
@@ -61,177 +61,242 @@ struct Batch {
                                continuous};
         scene.kernel.range(batch);
     }
-
-    [[nodiscard]] Sign sign(std::size_t item) const {
-        if ((f_neg_lo[item] < 0) == (f_hi[item] < 0)) return Sign::Unknown;  // or undefined
-        return f_neg_lo[item] < 0 ? Sign::Positive : Sign::Negative;
-    }
 };
 
-/// Puts the box of [k_from, k_to] of a packet into slot `slot` of the batch.
-HWY_INLINE void store_box(const Packet& packet, V k_from, V k_to, std::size_t slot, Batch& batch) {
+/// Puts the box of [from, to] of a packet into slot `slot` of the batch.
+HWY_INLINE void store_box(const Packet& packet, V from, V to, std::size_t slot, Batch& batch) {
     float* const at = batch.ends[0] + slot * lanes;
-    hn::Store(hn::Neg(k_from), d, at + packet.k_from_offset);
-    hn::Store(k_to, d, at + packet.k_to_offset);
-    for (const Line& line : packet.line) {
+    const Axes& axes = *packet.axes;
+    hn::Store(hn::Neg(from), d, at + axes.from_offset[0]);
+    hn::Store(to, d, at + axes.to_offset[0]);
+    for (int i = 1; i < 3; ++i) {
+        const Line& line = packet.line[i - 1];
         const V slope = hn::Load(d, line.slope);
-        const V hi = hn::Load(d, line.hi);
-        const V neg_lo = hn::Load(d, line.neg_lo);
-        const V box_hi = hn::Max(hn::MulAdd(slope, k_from, hi), hn::MulAdd(slope, k_to, hi));
-        const V box_neg_lo =
-            hn::Max(hn::NegMulAdd(slope, k_from, neg_lo), hn::NegMulAdd(slope, k_to, neg_lo));
-        hn::Store(box_neg_lo, d, at + line.neg_lo_offset);
-        hn::Store(box_hi, d, at + line.neg_lo_offset + Batch::hi_offset);
+        hn::Store(hn::NegMulAdd(slope, from, hn::Load(d, line.neg_lo)), d,
+                  at + axes.from_offset[i]);
+        hn::Store(hn::MulAdd(slope, to, hn::Load(d, line.hi)), d, at + axes.to_offset[i]);
     }
 }
 
-/// Puts the packet's current slice into the batch, stepping over slices that no living ray meets.
-/// False when the packet is finished.
-HWY_INLINE bool store_slice(Packet& packet, std::size_t slot, Batch& batch) {
+/// The ends of the halves of a packet's current slice, clipped to each ray.
+struct Halves {
+    V from, middle, to;
+};
+
+HWY_INLINE Halves halves_of(const Packet& packet) {
     const V k_in = hn::Load(d, packet.k_in);
     const V k_out = hn::Load(d, packet.k_out);
-    for (;;) {
-        const V start = hn::Set(d, packet.cell_start());
-        const V from = hn::Max(start, k_in);
-        const V to = hn::Min(hn::Set(d, packet.cell_end()), k_out);
-        const M active = hn::Le(from, to);
-        if (!hn::AllFalse(d, active)) {
-            hn::Store(hn::VecFromMask(d, active), d, batch.active + slot * lanes);
-            // Rays that do not meet the slice get some box of it: infinite arguments are slow.
-            store_box(packet, hn::IfThenElse(active, from, start),
-                      hn::IfThenElse(active, to, start), slot, batch);
-            return true;
-        }
-        if (hn::AllFalse(d, hn::Le(start, k_out))) return false;
-        packet.go_on(false);
-    }
+    const auto clipped = [&](std::int32_t cell) {
+        return hn::Min(hn::Max(hn::Set(d, packet.grid(cell)), k_in), k_out);
+    };
+    return {clipped(packet.cell), clipped(packet.cell + packet.size / 2),
+            clipped(packet.cell + packet.size)};
 }
 
-/// Takes the kernel's answer for the packet's current slice and goes to the next one. `delta`: the
-/// width of F at which the search stops before d_stop; 0: never.
-HWY_INLINE void take_answer(Packet& packet, std::size_t slot, const Batch& batch, float delta) {
+/// Puts the halves of the packet's current slice into the batch.
+HWY_INLINE void store_halves(const Packet& packet, std::size_t slot, Batch& batch) {
+    const Halves halves = halves_of(packet);
+    store_box(packet, halves.from, halves.middle, 2 * slot, batch);
+    store_box(packet, halves.middle, halves.to, 2 * slot + 1, batch);
+}
+
+/// Living rays on whose box in the slot F does not exclude 0. A ray that does not meet the slice
+/// has the box of its entry or exit there.
+HWY_INLINE M may_hold_root(const Packet& packet, const Batch& batch, std::size_t slot) {
     const std::size_t at = slot * lanes;
     const V zero = hn::Zero(d);
-    const V f_neg_lo = hn::Load(d, batch.f_neg_lo + at);
-    const V f_hi = hn::Load(d, batch.f_hi + at);
-    const M rejected = hn::Or(hn::Lt(f_neg_lo, zero), hn::Lt(f_hi, zero));
-    const M candidate = hn::AndNot(rejected, hn::MaskFromVec(hn::Load(d, batch.active + at)));
-    M undecided = candidate;
-    if (packet.size == 1 || delta > 0) {
-        const M narrow = hn::Lt(hn::Add(f_neg_lo, f_hi), hn::Set(d, delta));
-        const M stop = packet.size == 1 ? candidate : hn::And(candidate, narrow);
-        undecided = hn::AndNot(stop, candidate);
-        if (!hn::AllFalse(d, stop)) {
-            const M continuous =
-                hn::RebindMask(d, hn::Ne(hn::Load(du, batch.continuous + at), hn::Zero(du)));
-            packet.stop_at(hn::And(stop, continuous), hn::AndNot(continuous, stop));
+    const M rejected = hn::Or(hn::Lt(hn::Load(d, batch.f_neg_lo + at), zero),
+                              hn::Lt(hn::Load(d, batch.f_hi + at), zero));
+    return hn::AndNot(rejected, hn::MaskFromVec(hn::Load(d, packet.alive)));
+}
+
+HWY_INLINE M is_continuous(const Batch& batch, std::size_t slot) {
+    const auto bits = hn::Load(du, batch.continuous + slot * lanes);
+    return hn::RebindMask(d, hn::Ne(bits, hn::Zero(du)));
+}
+
+HWY_INLINE M is_narrow(const Batch& batch, std::size_t slot, float delta) {
+    const std::size_t at = slot * lanes;
+    const V width = hn::Add(hn::Load(d, batch.f_neg_lo + at), hn::Load(d, batch.f_hi + at));
+    return hn::Lt(width, hn::Set(d, delta));
+}
+
+/// Rays that may hold a root in the halves of a slice.
+struct Candidates {
+    M left, right;
+};
+
+/// Ends the rays whose search stops in the packet's current slice: at d_stop all that may hold a
+/// root, before only where F is narrower than delta. The others remain candidates.
+Candidates stop_rays(Packet& packet, const Candidates& found, std::size_t slot, const Batch& batch,
+                     float delta) {
+    const bool finest = packet.size == 2;
+    const M left_continuous = is_continuous(batch, slot);
+    const M right_continuous = is_continuous(batch, slot + 1);
+    const auto stopped = [&](M candidates, M continuous, std::size_t at) {
+        if (finest) return candidates;
+        return hn::And(candidates, hn::And(continuous, is_narrow(batch, at, delta)));
+    };
+    const M left_stop = stopped(found.left, left_continuous, slot);
+    const M left_hit = hn::And(left_stop, left_continuous);
+    // A ray may end in the right half only if it has no root to look for in the left one.
+    const M right_stop = hn::AndNot(finest ? left_hit : found.left,
+                                    stopped(found.right, right_continuous, slot + 1));
+    const M right_hit = hn::And(right_stop, right_continuous);
+    const Halves halves = halves_of(packet);
+    packet.stop_at(left_hit, halves.from, halves.middle);
+    packet.stop_at(right_hit, halves.middle, halves.to);
+    packet.unsettled |= Packet::bits_of(hn::Or(hn::AndNot(left_continuous, left_stop),
+                                               hn::AndNot(right_continuous, right_stop)));
+    const M ended = hn::Or(left_hit, right_hit);
+    return {hn::AndNot(ended, found.left), hn::AndNot(ended, found.right)};
+}
+
+/// Takes the kernel's answers for the packet's current slice and goes on; false when the packet is
+/// finished. `delta`: the width of F at which the search stops before d_stop; 0: never.
+HWY_INLINE bool take_answers(Packet& packet, std::size_t slot, const Batch& batch, float delta) {
+    Candidates found{may_hold_root(packet, batch, 2 * slot),
+                     may_hold_root(packet, batch, 2 * slot + 1)};
+    const bool finest = packet.size == 2;
+    if (finest || delta > 0) {
+        if (!hn::AllFalse(d, hn::Or(found.left, found.right))) {
+            found = stop_rays(packet, found, 2 * slot, batch, delta);
+            if (hn::AllFalse(d, hn::MaskFromVec(hn::Load(d, packet.alive)))) return false;
         }
+        if (finest) return packet.pop();
     }
-    packet.go_on(!hn::AllFalse(d, undecided));
+    return packet.go_on(!hn::AllFalse(d, found.left), !hn::AllFalse(d, found.right));
 }
 
 // ---- after the search: certificates ----
 
-/// A stopped ray on its way to a certificate.
-struct Bracket {
-    float before_from;   ///< K; start of a slice that was rejected, up to `from`
-    float from, to;      ///< everything before `from` was rejected
-    float inner_from;    ///< the sign change is proved between inner_from and `to`
-    Sign before;         ///< of f at `from`
-    bool open;           ///< still to be decided
-    bool certified;
+/// The stopped rays of a packet on their way to certificates; other rays are carried along.
+struct Brackets {
+    alignas(vector_bytes) float from[lanes];  ///< K; everything before it was rejected
+    alignas(vector_bytes) float to[lanes];    ///< the sign change is looked for up to here
+    alignas(vector_bytes) float before[lanes];     ///< sign of f at the hit's start; 0: unknown
+    alignas(vector_bytes) float open[lanes];       ///< mask: still to be decided
+    alignas(vector_bytes) float certified[lanes];  ///< mask: the sign changes in [from, to]
 };
 
 /// How many further slices are looked at behind the one where the search stopped.
 constexpr int extra_slices = 3;
 
-/// Certifies the rays of up to group_size / 2 packets that stopped at a root: looks for the
-/// opposite sign at the end of the slice, then slice by slice behind it.
-void certify(const Scene& scene, std::span<Packet* const> packets,
-             std::span<Bracket> brackets, Batch& batch, Counters& counters) {
+/// +1 or -1 where the enclosure in the slot proves a sign, else 0 (undefined f too).
+HWY_INLINE V sign_in(const Batch& batch, std::size_t slot) {
+    const V one = hn::Set(d, 1.0F);
+    const V zero = hn::Zero(d);
+    const V above = hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_neg_lo + slot * lanes), zero), one);
+    const V below = hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_hi + slot * lanes), zero), one);
+    return hn::Sub(above, below);
+}
+
+/// Boxes of the first look: the slice before the hit, which was rejected, so that its sign is that
+/// at the hit's start; and the point at the hit's end. The hit itself is known to be continuous.
+HWY_INLINE void store_first_look(const Packet& packet, Brackets& brackets, std::size_t slot,
+                                 Batch& batch) {
+    const V from = hn::Load(d, packet.hit_from);
+    const V to = hn::Load(d, packet.hit_to);
+    const V k_in = hn::Load(d, packet.k_in);
+    const V before = hn::Max(hn::Sub(from, hn::Set(d, packet.unit)), k_in);
+    hn::Store(from, d, brackets.from);
+    hn::Store(to, d, brackets.to);
+    hn::Store(hn::VecFromMask(d, mask_of(packet.hit)), d, brackets.open);
+    hn::Store(hn::Zero(d), d, brackets.certified);
+    store_box(packet, before, from, slot, batch);
+    store_box(packet, to, to, slot + 1, batch);
+}
+
+/// Boxes of a further look: the slice behind, and the point at its end.
+HWY_INLINE void store_next_look(const Packet& packet, Brackets& brackets, std::size_t slot,
+                                Batch& batch) {
+    const M open = hn::MaskFromVec(hn::Load(d, brackets.open));
+    const V old_to = hn::Load(d, brackets.to);
+    const V next = hn::Min(hn::Add(old_to, hn::Set(d, packet.unit)), hn::Load(d, packet.k_out));
+    const V from = hn::IfThenElse(open, old_to, hn::Load(d, brackets.from));
+    const V to = hn::IfThenElse(open, next, old_to);
+    hn::Store(from, d, brackets.from);
+    hn::Store(to, d, brackets.to);
+    store_box(packet, from, to, slot, batch);
+    store_box(packet, to, to, slot + 1, batch);
+}
+
+/// Certifies open rays whose sign is opposite behind; false when none is left open.
+HWY_INLINE bool take_look(Brackets& brackets, bool first, std::size_t slot, const Batch& batch) {
+    M usable = hn::MaskFromVec(hn::Load(d, brackets.open));
+    if (first) {
+        hn::Store(sign_in(batch, slot), d, brackets.before);
+    } else {
+        const M grown = hn::Lt(hn::Load(d, brackets.from), hn::Load(d, brackets.to));
+        usable = hn::And(usable, hn::And(is_continuous(batch, slot), grown));
+    }
+    const V before = hn::Load(d, brackets.before);
+    usable = hn::And(usable, hn::Ne(before, hn::Zero(d)));
+    const M opposite = hn::Eq(sign_in(batch, slot + 1), hn::Neg(before));
+    const M now = hn::And(usable, opposite);
+    const M certified = hn::Or(hn::MaskFromVec(hn::Load(d, brackets.certified)), now);
+    const M open = hn::AndNot(now, usable);
+    hn::Store(hn::VecFromMask(d, certified), d, brackets.certified);
+    hn::Store(hn::VecFromMask(d, open), d, brackets.open);
+    return !hn::AllFalse(d, open);
+}
+
+/// Certifies the rays of up to group_size packets that stopped at a root: looks for the opposite
+/// sign at the end of the slice, then slice by slice behind it.
+void certify(const Scene& scene, std::span<Packet* const> packets, std::span<Brackets> brackets,
+             Batch& batch, Counters& counters) {
     for (int step = 0; step <= extra_slices; ++step) {
         for (std::size_t p = 0; p < packets.size(); ++p) {
-            alignas(64) float a[lanes];
-            alignas(64) float b[lanes];
-            alignas(64) float end[lanes];
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                Bracket& bracket = brackets[p * lanes + lane];
-                if (step > 0 && bracket.open) {
-                    bracket.inner_from = bracket.to;
-                    bracket.to = std::min(bracket.to + packets[p]->unit,
-                                          packets[p]->hit_limit[lane]);
-                }
-                // First the slice before the hit: it was rejected, so its sign is that at the
-                // hit's start. The hit's own slice is known to be continuous.
-                a[lane] = step > 0 ? bracket.inner_from : bracket.before_from;
-                b[lane] = step > 0 ? bracket.to : bracket.from;
-                end[lane] = bracket.to;
+            if (step == 0) {
+                store_first_look(*packets[p], brackets[p], 2 * p, batch);
+            } else {
+                store_next_look(*packets[p], brackets[p], 2 * p, batch);
             }
-            store_box(*packets[p], hn::Load(d, a), hn::Load(d, b), 2 * p, batch);
-            store_box(*packets[p], hn::Load(d, end), hn::Load(d, end), 2 * p + 1, batch);
         }
         batch.evaluate(scene, 2 * packets.size(), counters);
         bool any_open = false;
-        for (std::size_t i = 0; i < packets.size() * lanes; ++i) {
-            Bracket& bracket = brackets[i];
-            if (!bracket.open) continue;
-            const std::size_t slot = 2 * (i / lanes) * lanes + i % lanes;
-            if (step == 0) bracket.before = batch.sign(slot);
-            const Sign after = batch.sign(slot + lanes);
-            const bool usable = bracket.before != Sign::Unknown &&
-                                (step == 0 || (batch.continuous[slot] != 0 &&
-                                               bracket.to > bracket.inner_from));
-            bracket.certified = usable && after != Sign::Unknown && after != bracket.before;
-            bracket.open = usable && !bracket.certified;
-            any_open = any_open || bracket.open;
+        for (std::size_t p = 0; p < packets.size(); ++p) {
+            any_open |= take_look(brackets[p], step == 0, 2 * p, batch);
         }
         if (!any_open) return;
     }
 }
 
-void open_brackets(const Packet& packet, std::span<Bracket> brackets) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const bool hit = (packet.hit >> lane & 1U) != 0;
-        const float from = hit ? packet.hit_from[lane] : 0.0F;
-        const float to = hit ? packet.hit_to[lane] : 0.0F;
-        const float before = hit ? std::max(from - packet.unit, packet.hit_start[lane]) : 0.0F;
-        brackets[lane] = {before, from, to, from, Sign::Unknown, hit, false};
-    }
-}
-
-/// The hit of one ray, at the middle of where its sign change or its last slice is.
-void push_hit(const Packet& packet, std::size_t lane, const Bracket& bracket, TileHits& hits) {
-    const float from = bracket.certified ? bracket.inner_from : packet.hit_from[lane];
-    const float to = bracket.certified ? bracket.to : packet.hit_to[lane];
-    const float k = 0.5F * from + 0.5F * to;
-    std::array<float, 3> position{};
-    position[static_cast<std::size_t>(packet.axis[0])] = packet.mirrored ? -k : k;
-    for (std::size_t i = 0; i < 2; ++i) {
+/// Hands on the hits of a packet, each at the middle of where its sign changes or its search
+/// stopped.
+void push_hits(const Packet& packet, const Brackets& brackets, TileHits& hits) {
+    const M certified = hn::MaskFromVec(hn::Load(d, brackets.certified));
+    const V from = hn::IfThenElse(certified, hn::Load(d, brackets.from), hn::Load(d, packet.hit_from));
+    const V to = hn::IfThenElse(certified, hn::Load(d, brackets.to), hn::Load(d, packet.hit_to));
+    const V half = hn::Set(d, 0.5F);
+    const V k = hn::MulAdd(half, from, hn::Mul(half, to));
+    alignas(vector_bytes) float position[3][lanes];
+    alignas(vector_bytes) float depth[lanes];
+    const Axes& axes = *packet.axes;
+    hn::Store(axes.mirrored[0] ? hn::Neg(k) : k, d, position[axes.world[0]]);
+    for (int i = 0; i < 2; ++i) {
         const Line& line = packet.line[i];
-        position[static_cast<std::size_t>(packet.axis[i + 1])] =
-            line.slope[lane] * k + 0.5F * (line.hi[lane] - line.neg_lo[lane]);
+        const V middle = hn::Sub(hn::Load(d, line.hi), hn::Load(d, line.neg_lo));
+        const V u = hn::MulAdd(hn::Load(d, line.slope), k, hn::Mul(half, middle));
+        hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d, position[axes.world[i + 1]]);
     }
-    const double depth = (double{k} - packet.k_eye) * double{packet.stretch[lane]};
-    const bool settled = bracket.certified && (packet.unsettled >> lane & 1U) == 0;
-    const auto pixel_col = packet.col + static_cast<int>(lane) % block_cols;
-    const auto pixel_row = packet.row + static_cast<int>(lane) / block_cols;
-    hits.push({static_cast<std::int16_t>(pixel_col), static_cast<std::int16_t>(pixel_row)},
-              position, static_cast<float>(depth),
-              settled ? Certificate::Certified : Certificate::Undecided);
+    const V along = hn::Sub(k, hn::Set(d, static_cast<float>(axes.eye[0])));
+    hn::Store(hn::Mul(along, hn::Load(d, packet.stretch)), d, depth);
+    const unsigned settled = Packet::bits_of(certified) & ~packet.unsettled;
+    for (unsigned bits = packet.hit; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        hits.push(packet.pixel(lane), {position[0][lane], position[1][lane], position[2][lane]},
+                  depth[lane],
+                  (settled >> lane & 1U) != 0 ? Certificate::Certified : Certificate::Undecided);
+    }
 }
 
 /// Certifies finished packets and hands on what they found.
 void finish(const Scene& scene, std::span<Packet* const> packets, Batch& batch, TileHits& hits,
             Counters& counters) {
-    std::array<Bracket, group_size / 2 * lanes> brackets;
-    for (std::size_t p = 0; p < packets.size(); ++p) {
-        open_brackets(*packets[p], std::span(brackets).subspan(p * lanes, lanes));
-    }
+    std::array<Brackets, group_size> brackets;
     certify(scene, packets, brackets, batch, counters);
-    for (std::size_t i = 0; i < packets.size() * lanes; ++i) {
-        const Packet& packet = *packets[i / lanes];
-        if ((packet.hit >> (i % lanes) & 1U) != 0) push_hit(packet, i % lanes, brackets[i], hits);
-    }
+    for (std::size_t p = 0; p < packets.size(); ++p) push_hits(*packets[p], brackets[p], hits);
 }
 
 /// The packets of a tile that march, and those that wait for their certificates.
@@ -254,9 +319,9 @@ private:
     PacketSource source_;
     TileHits& hits_;
     Counters& counters_;
-    std::array<Packet, group_size + group_size / 2> packets_;
+    std::array<Packet, 2 * group_size> packets_;
     std::vector<Packet*> idle_, marching_, waiting_;
-    Batch batch_;              ///< slot i: the current slice of marching_[i]
+    Batch batch_;              ///< slots 2i, 2i + 1: the slice of marching_[i]
     Batch certificate_batch_;  ///< of the waiting packets
 };
 
@@ -264,7 +329,7 @@ bool Group::refill() {
     while (marching_.size() < group_size) {
         Packet& packet = *idle_.back();
         if (!source_.next(packet)) return false;
-        if (!store_slice(packet, marching_.size(), batch_)) continue;
+        store_halves(packet, marching_.size(), batch_);
         marching_.push_back(&packet);
         idle_.pop_back();
     }
@@ -274,16 +339,14 @@ bool Group::refill() {
 /// A packet whose rays have all ended.
 void Group::retire(Packet& packet) {
     for (unsigned bits = packet.unsettled & ~packet.hit; bits != 0; bits &= bits - 1) {
-        const int lane = std::countr_zero(bits);
-        hits_.unsettled.push_back({static_cast<std::int16_t>(packet.col + lane % block_cols),
-                                   static_cast<std::int16_t>(packet.row + lane / block_cols)});
+        hits_.unsettled.push_back(packet.pixel(std::countr_zero(bits)));
     }
     if (packet.hit == 0) {
         idle_.push_back(&packet);
         return;
     }
     waiting_.push_back(&packet);
-    if (waiting_.size() == group_size / 2) finish_waiting();
+    if (waiting_.size() == group_size) finish_waiting();
 }
 
 void Group::finish_waiting() {
@@ -300,19 +363,19 @@ void Group::run() {
     for (;;) {
         more = more && refill();
         if (marching_.empty()) break;
-        batch_.evaluate(frame_.scene, marching_.size(), counters_);
+        batch_.evaluate(frame_.scene, 2 * marching_.size(), counters_);
         // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;
         for (std::size_t i = 0; i < marching_.size(); ++i) {
             Packet& packet = *marching_[i];
-            take_answer(packet, i, batch_, delta);
-            if (store_slice(packet, slots, batch_)) std::swap(marching_[slots++], marching_[i]);
+            if (take_answers(packet, i, batch_, delta)) {
+                store_halves(packet, slots, batch_);
+                marching_[slots++] = &packet;
+            } else {
+                retire(packet);
+            }
         }
-        while (marching_.size() > slots) {
-            Packet& done = *marching_.back();
-            marching_.pop_back();
-            retire(done);
-        }
+        marching_.resize(slots);
     }
     finish_waiting();
 }

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include <hwy/highway.h>
 
@@ -29,6 +31,7 @@ using D64 = hn::Repartition<double, D>;
 using DHalf = hn::Half<D>;
 using V = hn::Vec<D>;
 using V64 = hn::Vec<D64>;
+using VHalf = hn::Vec<DHalf>;
 using M = hn::Mask<D>;
 constexpr D d;
 constexpr DUint du;
@@ -40,79 +43,84 @@ constexpr int block_cols = lanes == 4 ? 2 : 4;
 constexpr int block_rows = static_cast<int>(lanes) / block_cols;
 constexpr unsigned all_lanes = (1U << lanes) - 1U;
 
-constexpr int group_size = 16;  ///< packets a batch
-constexpr std::size_t batch_capacity = group_size * lanes;
+constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
+constexpr std::size_t batch_capacity = 2 * group_size * lanes;
 
-constexpr float no_k = std::numeric_limits<float>::infinity();
-
-enum class Sign : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
-
-/// x_U as a function of K on each ray: between -(neg_lo - slope k) and hi + slope k.
-struct Line {
-    alignas(vector_bytes) float slope[lanes];
-    alignas(vector_bytes) float neg_lo[lanes];
-    alignas(vector_bytes) float hi[lanes];
-    std::size_t neg_lo_offset;  ///< of the coordinate's -lo in a batch, in floats
+/// The axes of a packet, K first: world axes, negated where `mirrored`, so that no coordinate falls
+/// along the packet's rays; and what follows from them for a frame.
+struct Axes {
+    int world[3];
+    bool mirrored[3];
+    /// Where a batch (-lo of x, y, z, then hi of x, y, z) holds -from and to, in floats.
+    std::size_t from_offset[3], to_offset[3];
+    double eye[3];
+    double to_lo[3], to_hi[3];  ///< from the eye to the clip box
+    double error[3];            ///< above the rounding errors of a few operations in double
+    double k_size;              ///< the largest |K| in the clip box
+    float origin, unit;         ///< the grid of slices at d_stop
+    alignas(64) double lane_offset[3][lanes];  ///< directions relative to the block's first pixel
 };
 
-/// Rays that march together along an axis. K is world coordinate axis[0], negated if `mirrored`.
+/// A coordinate as a function of K on each ray: between -(neg_lo - slope k) and hi + slope k.
+struct Line {
+    alignas(vector_bytes) float slope[lanes];  ///< not negative, on the packet's rays
+    alignas(vector_bytes) float neg_lo[lanes];
+    alignas(vector_bytes) float hi[lanes];
+};
+
+/// Rays that march together along K. They look at slices of a binary tree over K: the current one is [cell, cell + size] in units of
+/// the finest slice, and is looked at by halves.
 struct Packet {
-    alignas(vector_bytes) float k_in[lanes];       ///< where the ray enters the clip box; +inf: a dead ray
-    alignas(vector_bytes) float k_out[lanes];      ///< where it leaves; -inf: a dead ray
-    alignas(vector_bytes) float hit_from[lanes];   ///< the slice where the search stopped
+    alignas(vector_bytes) float k_in[lanes];      ///< where the ray enters the clip box
+    alignas(vector_bytes) float k_out[lanes];     ///< where it leaves
+    alignas(vector_bytes) float alive[lanes];     ///< mask: rays that still look for their root
+    alignas(vector_bytes) float hit_from[lanes];  ///< the slice where the search stopped
     alignas(vector_bytes) float hit_to[lanes];
-    alignas(vector_bytes) float hit_start[lanes];  ///< k_in of a stopped ray
-    alignas(vector_bytes) float hit_limit[lanes];  ///< k_out of a stopped ray
-    alignas(vector_bytes) float stretch[lanes];    ///< distance along the ray for 1 along K
-    Line line[2];
-    std::size_t k_from_offset, k_to_offset;  ///< where a batch holds -from and to, in floats
-    double k_eye;
-    int axis[3];  ///< K, U, V
-    bool mirrored;
+    alignas(vector_bytes) float stretch[lanes];   ///< distance along the ray for 1 along K
+    Line line[2];  ///< of U and V
+    const Axes* axes;
     unsigned hit;        ///< bits of the rays that stopped at a root
     unsigned unsettled;  ///< bits of the rays that passed a slice where f is not continuous
     int col, row;        ///< of the block's first pixel in the tile
-    // The current slice goes from grid(cell) to grid(cell + size); size is a power of two, 1 at
-    // d_stop.
     float origin, unit;
-    std::int32_t cell, size, root_size;
-    std::int32_t first_cell;  ///< a slice of d_stop not behind the first ray's entry
+    std::int32_t first;      ///< the grid's index of cell 0
+    std::int32_t cell, size; ///< size is a power of two, at least 2
+    std::uint32_t pending;   ///< sizes of the right halves, on the way up, still to be looked at
 
     /// The floats that divide K: increasing, and equal for equal indices.
     [[nodiscard]] float grid(std::int32_t index) const {
-        return origin + static_cast<float>(index) * unit;
+        return origin + static_cast<float>(first + index) * unit;
     }
-    [[nodiscard]] float cell_start() const { return grid(cell); }
-    [[nodiscard]] float cell_end() const { return grid(cell + size); }
-    /// To a half of the slice (the first that a ray may meet), or to the next slice: the largest
-    /// of the grid that starts where this one ends, as bisection would reach it. Arithmetic
-    /// instead of branches, as none could be foreseen.
-    void go_on(bool descend) {
-        const auto keep = -static_cast<std::int32_t>(descend);
-        const std::int32_t next = cell + size;
+
+    /// To the nearest slice still to be looked at; false when there is none.
+    bool pop() {
+        if (pending == 0) return false;
+        const std::uint32_t lowest = pending & (0U - pending);
+        pending ^= lowest;
+        size = static_cast<std::int32_t>(lowest);
+        cell = (cell & ~(2 * size - 1)) + size;
+        return true;
+    }
+    /// Into the halves that may hold a root, the left one first; false when the packet is done.
+    bool go_on(bool left, bool right) {
+        if (!left && !right) return pop();
         const std::int32_t half = size / 2;
-        const std::int32_t skip = cell + half <= first_cell ? half : 0;
-        // The largest power of two that divides `next` (all of them if it is 0), less one.
-        const std::uint32_t ones = (static_cast<std::uint32_t>(next) - 1U) & ~static_cast<std::uint32_t>(next);
-        const auto widest = static_cast<std::int32_t>(
-            std::min(ones, static_cast<std::uint32_t>(root_size) - 1U) + 1U);
-        cell = ((cell + skip) & keep) | (next & ~keep);
-        size = (half & keep) | (widest & ~keep);
+        cell += left ? 0 : half;
+        pending |= left && right ? static_cast<std::uint32_t>(half) : 0U;
+        size = half;
+        return true;
     }
-    /// Rays of `found` end in the current slice; those of `unclear` go on without a certificate.
-    HWY_INLINE void stop_at(M found, M unclear) {
+    /// Rays of `found` end at [from, to].
+    HWY_INLINE void stop_at(M found, V from, V to) {
         hit |= bits_of(found);
-        unsettled |= bits_of(unclear);
-        const V in = hn::Load(d, k_in);
-        const V out = hn::Load(d, k_out);
-        const V from = hn::Max(hn::Set(d, cell_start()), in);
-        const V to = hn::Min(hn::Set(d, cell_end()), out);
         hn::Store(hn::IfThenElse(found, from, hn::Load(d, hit_from)), d, hit_from);
         hn::Store(hn::IfThenElse(found, to, hn::Load(d, hit_to)), d, hit_to);
-        hn::Store(hn::IfThenElse(found, in, hn::Load(d, hit_start)), d, hit_start);
-        hn::Store(hn::IfThenElse(found, out, hn::Load(d, hit_limit)), d, hit_limit);
-        hn::Store(hn::IfThenElse(found, hn::Set(d, no_k), in), d, k_in);
-        hn::Store(hn::IfThenElse(found, hn::Set(d, -no_k), out), d, k_out);
+        const M others = hn::AndNot(found, hn::MaskFromVec(hn::Load(d, alive)));
+        hn::Store(hn::VecFromMask(d, others), d, alive);
+    }
+    [[nodiscard]] TileHits::Pixel pixel(int lane) const {
+        return {static_cast<std::int16_t>(col + lane % block_cols),
+                static_cast<std::int16_t>(row + lane / block_cols)};
     }
     static unsigned bits_of(M mask) {
         std::uint8_t bytes[8] = {};
@@ -121,13 +129,7 @@ struct Packet {
     }
 };
 
-/// Directions of half a packet and where they enter and leave the clip box, in double.
-struct HalfPacket {
-    V64 direction[3], inverse[3];
-    V64 t_in, t_out;
-};
-
-/// Makes the packets of a tile, block of pixels by block of pixels.
+/// Makes the packets of a tile, block of pixels by block of pixels. Must outlive them.
 class PacketSource {
 public:
     PacketSource(const TraceFrame& frame, const Tile& tile);
@@ -135,23 +137,28 @@ public:
     bool next(Packet& packet);
 
 private:
+    struct HalfPacket;
+    struct HalfLines;
+
     bool next_block();
-    void choose_axis(Packet& packet, const glm::dvec3& direction) const;
-    [[nodiscard]] HalfPacket clipped_half(const glm::dvec3& block_direction,
-                                          std::size_t half) const;
-    void set_up_half(Packet& packet, const HalfPacket& rays, std::size_t half) const;
-    [[nodiscard]] unsigned fitting_lanes(const Packet& packet) const;
-    /// Chooses the grid; false when no ray of the packet meets the clip box.
-    bool set_up_grid(Packet& packet) const;
+    const Axes& axes_for(const glm::dvec3& direction);
+    void make_axes(Axes& axes, int k, const glm::bvec3& negative) const;
+    HalfPacket half_of(const Axes& axes, const glm::dvec3& block, std::size_t half) const;
+    static HalfLines lines_of(const Axes& axes, const HalfPacket& rays);
+    /// Makes the rays of `bits` alive that meet the clip box.
+    static void set_up_lanes(Packet& packet, const HalfLines& low, const HalfLines& high,
+                             unsigned bits);
+    /// Chooses the packet's slices; false when no ray is alive.
+    bool set_up_slices(Packet& packet) const;
     [[nodiscard]] float epsilon_unit(const Packet& packet, float k_min, float k_max) const;
 
     const TraceFrame& frame_;
     Tile tile_;
     glm::dvec3 step_col_, step_row_, corner_;  ///< directions: per pixel, and of the tile's first
-    alignas(vector_bytes) double lane_offset_[3][lanes];
-    float unit_[3];  ///< width of the slices of d_stop along each axis
     int col_ = -block_cols, row_ = 0;
     unsigned pending_ = 0;  ///< rays of the current block not yet in a packet
+    Axes axes_[24];         ///< by dominant axis and signs of the direction
+    std::uint32_t made_ = 0;  ///< bits of the axes that are made
 };
 
 inline PacketSource::PacketSource(const TraceFrame& frame, const Tile& tile)
@@ -161,20 +168,56 @@ inline PacketSource::PacketSource(const TraceFrame& frame, const Tile& tile)
     step_col_ = pixel * view.right;
     step_row_ = -pixel * view.up;
     corner_ = view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const auto col = static_cast<double>(lane % block_cols);
-        const auto row = static_cast<double>(lane / block_cols);
-        const glm::dvec3 offset = col * step_col_ + row * step_row_;
-        for (int i = 0; i < 3; ++i) lane_offset_[i][lane] = offset[i];
-    }
-    const double d_stop = frame.stop.rule == StopRule::DStop ? frame.stop.value : max_d_stop;
-    const Box& clip = frame.scene.clip;
+}
+
+inline void PacketSource::make_axes(Axes& axes, int k, const glm::bvec3& negative) const {
+    constexpr double tiny = 0x1p-45;
+    constexpr double steepest = 4.0;  // slopes of fitting rays
+    const Box& clip = frame_.scene.clip;
     for (int i = 0; i < 3; ++i) {
-        // No finer than two ulp of the largest coordinate.
-        const double largest = std::max(std::abs(clip.lo[i]), std::abs(clip.hi[i]));
-        const double finest = std::ldexp(1.0, std::ilogb(largest) + 2 - 23);
-        unit_[i] = float_above(std::max(finest, clip.size() * std::exp2(-d_stop)));
+        const int world = (k + i) % 3;
+        const bool mirrored = negative[world];
+        const double sign = mirrored ? -1.0 : 1.0;
+        const double lo = mirrored ? -clip.hi[world] : clip.lo[world];
+        const double hi = mirrored ? -clip.lo[world] : clip.hi[world];
+        const std::size_t neg_lo_offset = static_cast<std::size_t>(world) * batch_capacity;
+        const std::size_t hi_offset = neg_lo_offset + 3 * batch_capacity;
+        axes.world[i] = world;
+        axes.mirrored[i] = mirrored;
+        axes.from_offset[i] = mirrored ? hi_offset : neg_lo_offset;
+        axes.to_offset[i] = mirrored ? neg_lo_offset : hi_offset;
+        axes.eye[i] = sign * frame_.view.eye[world];
+        axes.to_lo[i] = lo - axes.eye[i];
+        axes.to_hi[i] = hi - axes.eye[i];
+        if (i == 0) axes.k_size = std::max(std::abs(lo), std::abs(hi));
+        axes.error[i] =
+            tiny * (steepest * (std::abs(axes.eye[0]) + axes.k_size) + std::abs(axes.eye[i]));
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            const auto col = static_cast<double>(lane % block_cols);
+            const auto row = static_cast<double>(lane / block_cols);
+            axes.lane_offset[i][lane] = sign * (col * step_col_[world] + row * step_row_[world]);
+        }
     }
+    const bool by_d_stop = frame_.stop.rule == StopRule::DStop;
+    const double width = clip.size() * std::exp2(-(by_d_stop ? frame_.stop.value : max_d_stop));
+    // No finer than two ulp of the largest coordinate.
+    const double finest = std::ldexp(1.0, std::ilogb(axes.k_size) + 2 - 23);
+    axes.unit = float_above(std::max(finest, width));
+    axes.origin = -float_above(-(axes.to_lo[0] + axes.eye[0]));
+}
+
+inline const Axes& PacketSource::axes_for(const glm::dvec3& direction) {
+    const glm::dvec3 size = glm::abs(direction);
+    const int longest_of_xy = size.x >= size.y ? 0 : 1;
+    const int k = size[longest_of_xy] >= size.z ? longest_of_xy : 2;
+    const glm::bvec3 negative(direction.x < 0, direction.y < 0, direction.z < 0);
+    const int key = 8 * k + (negative.x ? 1 : 0) + (negative.y ? 2 : 0) + (negative.z ? 4 : 0);
+    Axes& axes = axes_[key];
+    if ((made_ >> key & 1U) == 0) {
+        make_axes(axes, k, negative);
+        made_ |= 1U << key;
+    }
+    return axes;
 }
 
 inline bool PacketSource::next_block() {
@@ -195,132 +238,135 @@ inline bool PacketSource::next_block() {
     return true;
 }
 
+/// Half a packet in double: directions, and where the rays enter and leave the clip box.
+struct PacketSource::HalfPacket {
+    V64 direction[3];
+    V64 inverse_k;
+    V64 t_in, t_out;
+
+    [[nodiscard]] HWY_INLINE bool all_miss() const {
+        return hn::AllTrue(d64, hn::Gt(t_in, t_out));
+    }
+    /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
+    /// others, none falling.
+    [[nodiscard]] HWY_INLINE unsigned fitting() const {
+        const V64 steepest = hn::Mul(hn::Set(d64, 4.0), direction[0]);
+        const auto shallow = hn::Le(hn::Max(direction[1], direction[2]), steepest);
+        const auto rising = hn::Ge(hn::Min(direction[1], direction[2]), hn::Zero(d64));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d64, hn::And(shallow, rising), bits);
+        return bits[0];
+    }
+};
+
+HWY_INLINE PacketSource::HalfPacket PacketSource::half_of(const Axes& axes, const glm::dvec3& block,
+                                                          std::size_t half) const {
+    HalfPacket rays{};
+    V64 inverse[3];
+    for (int i = 0; i < 3; ++i) {
+        const int world = axes.world[i];
+        const double first = axes.mirrored[i] ? -block[world] : block[world];
+        rays.direction[i] =
+            hn::Add(hn::Set(d64, first), hn::Load(d64, axes.lane_offset[i] + half));
+        // Negative directions are of rays that do not fit.
+        inverse[i] = hn::Div(hn::Set(d64, 1.0),
+                             hn::Max(rays.direction[i], hn::Set(d64, 1e-300)));
+    }
+    rays.inverse_k = inverse[0];
+    rays.t_in = hn::Mul(hn::Set(d64, axes.to_lo[0]), inverse[0]);
+    rays.t_out = hn::Mul(hn::Set(d64, axes.to_hi[0]), inverse[0]);
+    for (int i = 1; i < 3; ++i) {
+        rays.t_in = hn::Max(rays.t_in, hn::Mul(hn::Set(d64, axes.to_lo[i]), inverse[i]));
+        rays.t_out = hn::Min(rays.t_out, hn::Mul(hn::Set(d64, axes.to_hi[i]), inverse[i]));
+    }
+    rays.t_in = hn::Max(rays.t_in, hn::Zero(d64));
+    return rays;
+}
+
+/// Entries, exits and lines of half a packet: floats that enclose the doubles.
+struct PacketSource::HalfLines {
+    VHalf k_in, k_out, stretch;
+    VHalf slope[2], neg_lo[2], hi[2];
+};
+
+HWY_INLINE PacketSource::HalfLines PacketSource::lines_of(const Axes& axes,
+                                                          const HalfPacket& rays) {
+    const auto demote_up = [](V64 value) { return hn::DemoteTo(d_half, value); };
+    const V64 k_eye = hn::Set(d64, axes.eye[0]);
+    const V64 k_error = hn::Set(d64, axes.error[0]);
+    HalfLines lines{};
+    lines.k_in = hn::Neg(
+        demote_up(hn::Sub(k_error, hn::MulAdd(rays.t_in, rays.direction[0], k_eye))));
+    lines.k_out = demote_up(hn::Add(k_error, hn::MulAdd(rays.t_out, rays.direction[0], k_eye)));
+    V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
+    for (int i = 0; i < 2; ++i) {
+        const V64 slope = hn::Mul(rays.direction[i + 1], rays.inverse_k);
+        lines.slope[i] = demote_up(slope);
+        const V64 slope_error = hn::Abs(hn::Sub(slope, hn::PromoteTo(d64, lines.slope[i])));
+        const V64 base = hn::NegMulAdd(slope, k_eye, hn::Set(d64, axes.eye[i + 1]));
+        const V64 error =
+            hn::MulAdd(slope_error, hn::Set(d64, axes.k_size), hn::Set(d64, axes.error[i + 1]));
+        lines.hi[i] = demote_up(hn::Add(base, error));
+        lines.neg_lo[i] = demote_up(hn::Sub(error, base));
+        length2 = hn::MulAdd(rays.direction[i + 1], rays.direction[i + 1], length2);
+    }
+    lines.stretch = hn::Div(hn::Sqrt(demote_up(length2)), demote_up(rays.direction[0]));
+    return lines;
+}
+
 inline bool PacketSource::next(Packet& packet) {
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
         const glm::dvec3 block =
             corner_ + static_cast<double>(col_) * step_col_ + static_cast<double>(row_) * step_row_;
-        const HalfPacket halves[2] = {clipped_half(block, 0), clipped_half(block, lanes / 2)};
-        const bool all_miss = hn::AllTrue(d64, hn::Gt(halves[0].t_in, halves[0].t_out)) &&
-                              hn::AllTrue(d64, hn::Gt(halves[1].t_in, halves[1].t_out));
-        if (all_miss) {
-            pending_ = 0;
-            continue;
-        }
-        const auto first = static_cast<std::size_t>(std::countr_zero(pending_));
-        choose_axis(packet, block + glm::dvec3(lane_offset_[0][first], lane_offset_[1][first],
-                                               lane_offset_[2][first]));
+        const int first = std::countr_zero(pending_);
+        const Axes& axes = axes_for(block + static_cast<double>(first % block_cols) * step_col_ +
+                                    static_cast<double>(first / block_cols) * step_row_);
+        const HalfPacket low = half_of(axes, block, 0);
+        const HalfPacket high = half_of(axes, block, lanes / 2);
+        const unsigned fitting = low.fitting() | high.fitting() << (lanes / 2);
+        // The first pending ray always fits; rays that do not share its axes make packets of
+        // their own.
+        const unsigned mine = pending_ & (fitting | 1U << first);
+        pending_ &= ~mine;
+        if (low.all_miss() && high.all_miss()) continue;
+        packet.axes = &axes;
         packet.col = col_;
         packet.row = row_;
-        set_up_half(packet, halves[0], 0);
-        set_up_half(packet, halves[1], lanes / 2);
-        // The first pending ray always fits; rays that do not share its axis make packets of
-        // their own.
-        const unsigned mine = pending_ & (fitting_lanes(packet) | 1U << first);
-        pending_ &= ~mine;
-        for (std::size_t lane = 0; mine != all_lanes && lane < lanes; ++lane) {
-            if ((mine >> lane & 1U) != 0) continue;
-            packet.k_in[lane] = no_k;
-            packet.k_out[lane] = -no_k;
-        }
-        if (set_up_grid(packet)) return true;
+        set_up_lanes(packet, lines_of(axes, low), lines_of(axes, high), mine);
+        if (set_up_slices(packet)) return true;
     }
 }
 
-inline void PacketSource::choose_axis(Packet& packet, const glm::dvec3& direction) const {
-    const glm::dvec3 size = glm::abs(direction);
-    const int k = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    packet.axis[0] = k;
-    packet.axis[1] = (k + 1) % 3;
-    packet.axis[2] = (k + 2) % 3;
-    packet.mirrored = direction[k] < 0;
-    packet.k_eye = packet.mirrored ? -frame_.view.eye[k] : frame_.view.eye[k];
+/// The mask of the rays whose bits are set.
+HWY_INLINE M mask_of(unsigned bits) {
+    alignas(vector_bytes) std::uint32_t mask[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane) mask[lane] = 0U - (bits >> lane & 1U);
+    return hn::MaskFromVec(hn::BitCast(d, hn::Load(du, mask)));
+}
+
+HWY_INLINE void PacketSource::set_up_lanes(Packet& packet, const HalfLines& low,
+                                           const HalfLines& high, unsigned bits) {
+    for (int i = 0; i < 2; ++i) {
+        Line& line = packet.line[i];
+        hn::Store(hn::Combine(d, high.slope[i], low.slope[i]), d, line.slope);
+        hn::Store(hn::Combine(d, high.neg_lo[i], low.neg_lo[i]), d, line.neg_lo);
+        hn::Store(hn::Combine(d, high.hi[i], low.hi[i]), d, line.hi);
+    }
+    hn::Store(hn::Combine(d, high.stretch, low.stretch), d, packet.stretch);
+    const V in = hn::Combine(d, high.k_in, low.k_in);
+    const V out = hn::Combine(d, high.k_out, low.k_out);
+    M alive = hn::Le(in, out);
+    if (bits != all_lanes) alive = hn::And(alive, mask_of(bits));
+    // The other rays stand still at one place, so that they have finite boxes.
+    const V anywhere = hn::Set(d, packet.axes->origin);
+    hn::Store(hn::VecFromMask(d, alive), d, packet.alive);
+    hn::Store(hn::IfThenElse(alive, in, anywhere), d, packet.k_in);
+    hn::Store(hn::IfThenElse(alive, out, anywhere), d, packet.k_out);
+    hn::Store(hn::Zero(d), d, packet.hit_from);
+    hn::Store(hn::Zero(d), d, packet.hit_to);
     packet.hit = 0;
     packet.unsettled = 0;
-    // A batch holds -lo of x, y, z, then hi of x, y, z; mirroring swaps the ends of K.
-    const auto k_offset = static_cast<std::size_t>(k) * batch_capacity;
-    packet.k_from_offset = k_offset + (packet.mirrored ? 3 * batch_capacity : 0);
-    packet.k_to_offset = k_offset + (packet.mirrored ? 0 : 3 * batch_capacity);
-    for (int i = 0; i < 2; ++i) {
-        packet.line[i].neg_lo_offset = static_cast<std::size_t>(packet.axis[i + 1]) * batch_capacity;
-    }
-}
-
-HWY_INLINE HalfPacket PacketSource::clipped_half(const glm::dvec3& block_direction,
-                                                 std::size_t half) const {
-    const Box& clip = frame_.scene.clip;
-    const glm::dvec3& eye = frame_.view.eye;
-    HalfPacket rays{};
-    rays.t_in = hn::Zero(d64);
-    rays.t_out = hn::Set(d64, std::numeric_limits<double>::infinity());
-    for (int i = 0; i < 3; ++i) {
-        const V64 direction =
-            hn::Add(hn::Set(d64, block_direction[i]), hn::Load(d64, lane_offset_[i] + half));
-        const V64 nonzero =
-            hn::IfThenElse(hn::Eq(direction, hn::Zero(d64)), hn::Set(d64, 1e-300), direction);
-        rays.direction[i] = direction;
-        rays.inverse[i] = hn::Div(hn::Set(d64, 1.0), nonzero);
-        const V64 a = hn::Mul(hn::Set(d64, clip.lo[i] - eye[i]), rays.inverse[i]);
-        const V64 b = hn::Mul(hn::Set(d64, clip.hi[i] - eye[i]), rays.inverse[i]);
-        rays.t_in = hn::Max(rays.t_in, hn::Min(a, b));
-        rays.t_out = hn::Min(rays.t_out, hn::Max(a, b));
-    }
-    return rays;
-}
-
-/// Entries, exits and lines of half a packet: floats that enclose the doubles.
-HWY_INLINE void PacketSource::set_up_half(Packet& packet, const HalfPacket& rays,
-                                          std::size_t half) const {
-    const Box& clip = frame_.scene.clip;
-    const glm::dvec3& eye = frame_.view.eye;
-    const double tiny = 0x1p-45;  // above the relative error of a few operations in double
-    const int k = packet.axis[0];
-    const V64 sign = hn::Set(d64, packet.mirrored ? -1.0 : 1.0);
-    const V64 k_direction = hn::Mul(sign, rays.direction[k]);
-    const V64 inverse = hn::Mul(sign, rays.inverse[k]);
-    const V64 k_eye = hn::Set(d64, packet.k_eye);
-    const double k_size = std::max(std::abs(clip.lo[k]), std::abs(clip.hi[k]));
-    const V64 k_error = hn::Set(d64, tiny * (k_size + std::abs(packet.k_eye)));
-    const auto demote_up = [](V64 value) { return hn::DemoteTo(d_half, value); };
-    const auto misses = hn::Gt(rays.t_in, rays.t_out);
-    const V64 never = hn::Set(d64, std::numeric_limits<double>::infinity());
-    const V64 k_neg_in = hn::Sub(k_error, hn::MulAdd(rays.t_in, k_direction, k_eye));
-    const V64 k_out = hn::Add(k_error, hn::MulAdd(rays.t_out, k_direction, k_eye));
-    const V64 neg_never = hn::Neg(never);
-    hn::Store(hn::Neg(demote_up(hn::IfThenElse(misses, neg_never, k_neg_in))), d_half,
-              packet.k_in + half);
-    hn::Store(demote_up(hn::IfThenElse(misses, neg_never, k_out)), d_half, packet.k_out + half);
-
-    V64 length2 = hn::Mul(k_direction, k_direction);
-    for (int i = 0; i < 2; ++i) {
-        const int u = packet.axis[i + 1];
-        Line& line = packet.line[i];
-        const V64 slope = hn::Mul(rays.direction[u], inverse);
-        const auto slope_float = demote_up(slope);
-        const V64 slope_error = hn::Abs(hn::Sub(slope, hn::PromoteTo(d64, slope_float)));
-        const V64 base = hn::NegMulAdd(slope, k_eye, hn::Set(d64, eye[u]));
-        const V64 size = hn::MulAdd(hn::Abs(slope), hn::Set(d64, std::abs(packet.k_eye) + k_size),
-                                    hn::Set(d64, std::abs(eye[u])));
-        const V64 error = hn::MulAdd(slope_error, hn::Set(d64, k_size),
-                                     hn::Mul(hn::Set(d64, tiny), size));
-        hn::Store(slope_float, d_half, line.slope + half);
-        hn::Store(demote_up(hn::Add(base, error)), d_half, line.hi + half);
-        hn::Store(demote_up(hn::Sub(error, base)), d_half, line.neg_lo + half);
-        length2 = hn::MulAdd(rays.direction[u], rays.direction[u], length2);
-    }
-    const auto length = hn::Sqrt(demote_up(length2));
-    hn::Store(hn::Mul(length, demote_up(inverse)), d_half, packet.stretch + half);
-}
-
-/// Bits of the rays for which the packet's axis is a good one: forward, and no shorter than a
-/// quarter of the others.
-HWY_INLINE unsigned PacketSource::fitting_lanes(const Packet& packet) const {
-    const V steepest = hn::Set(d, 4.0F);
-    const M forward = hn::Gt(hn::Load(d, packet.stretch), hn::Zero(d));
-    const V slope = hn::Max(hn::Abs(hn::Load(d, packet.line[0].slope)),
-                            hn::Abs(hn::Load(d, packet.line[1].slope)));
-    const M fits = hn::And(forward, hn::Le(slope, steepest));
-    return hn::AllTrue(d, fits) ? all_lanes : Packet::bits_of(fits);
 }
 
 /// The width along K of the slices at which the search stops under the epsilon rule.
@@ -330,27 +376,30 @@ inline float PacketSource::epsilon_unit(const Packet& packet, float k_min, float
         const float extent = packet.k_out[lane] - packet.k_in[lane];
         const float u = packet.line[0].slope[lane];
         const float v = packet.line[1].slope[lane];
-        if (extent > 0) longest = std::max(longest, extent * (1 + u * u + v * v));
+        longest = std::max(longest, extent * (1 + u * u + v * v));
     }
     const double width = double{(k_max - k_min) / longest} * frame_.stop.value;  // eq. 6
-    return std::max(unit_[packet.axis[0]], static_cast<float>(width));
+    return std::max(packet.axes->unit, static_cast<float>(width));
 }
 
-inline bool PacketSource::set_up_grid(Packet& packet) const {
-    const float k_min = hn::GetLane(hn::MinOfLanes(d, hn::Load(d, packet.k_in)));
-    const float k_max = hn::GetLane(hn::MaxOfLanes(d, hn::Load(d, packet.k_out)));
-    if (!(k_min <= k_max)) return false;
+inline bool PacketSource::set_up_slices(Packet& packet) const {
+    const M alive = hn::MaskFromVec(hn::Load(d, packet.alive));
+    if (hn::AllFalse(d, alive)) return false;
+    const V far = hn::Set(d, std::numeric_limits<float>::infinity());
+    const V in = hn::IfThenElse(alive, hn::Load(d, packet.k_in), far);
+    const V out = hn::IfThenElse(alive, hn::Load(d, packet.k_out), hn::Neg(far));
+    const float k_min = hn::GetLane(hn::MinOfLanes(d, in));
+    const float k_max = hn::GetLane(hn::MaxOfLanes(d, out));
     packet.unit = frame_.stop.rule == StopRule::Epsilon ? epsilon_unit(packet, k_min, k_max)
-                                                        : unit_[packet.axis[0]];
-    const int k = packet.axis[0];
-    const Box& clip = frame_.scene.clip;
-    packet.origin = -float_above(packet.mirrored ? clip.hi[k] : -clip.lo[k]);
-    // The search starts with slices of a half to all of the packet's extent.
-    const auto extent = static_cast<std::uint32_t>((k_max - k_min) / packet.unit);
-    packet.root_size = static_cast<std::int32_t>(std::bit_floor(std::max(extent, 1U)));
-    packet.first_cell = static_cast<std::int32_t>(std::floor((k_min - packet.origin) / packet.unit)) - 1;
-    packet.cell = packet.first_cell & ~(packet.root_size - 1);
-    packet.size = packet.root_size;
+                                                        : packet.axes->unit;
+    packet.origin = packet.axes->origin;
+    // Rounded upward, so one less than the slice of k_min is enough to be in front of it.
+    packet.first = static_cast<std::int32_t>((k_min - packet.origin) / packet.unit) - 1;
+    const auto last = static_cast<std::int32_t>((k_max - packet.origin) / packet.unit) + 1;
+    packet.size = static_cast<std::int32_t>(
+        std::bit_ceil(static_cast<std::uint32_t>(std::max(2, last - packet.first))));
+    packet.cell = 0;
+    packet.pending = 0;
     return true;
 }
 

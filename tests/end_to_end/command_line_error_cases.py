@@ -1,0 +1,230 @@
+"""Everything a user can type wrong: the exit code, one clear line, and no file left behind."""
+
+import json
+import os
+import unittest
+
+from zeroset_program import ProgramTest, read_png, run
+
+WRONG = 2
+RUN_TIME = 1
+
+# Options of `render x` that are wrong, and words that the line must have.
+WRONG_OPTIONS = [
+    (["--nope"], ["--nope"]),
+    (["--size", "0x0"], ["--size", "0x0"]),
+    (["--size", "100000x100000"], ["--size", "100000x100000"]),
+    (["--size", "16384x16384"], ["--size"]),
+    (["--size", "5x"], ["--size", "5x"]),
+    (["--size", "axb"], ["--size", "axb"]),
+    (["--size", "-5x5"], ["--size"]),
+    (["--size", "3x4x5"], ["--size", "3x4x5"]),
+    (["--size", "99999999999x2"], ["--size"]),
+    (["--box", "nan"], ["--box", "nan"]),
+    (["--box", "inf"], ["--box", "inf"]),
+    (["--box", "0"], ["--box"]),
+    (["--box", "-1"], ["--box"]),
+    (["--box", "1,2,3"], ["--box", "6", "3"]),
+    (["--box", "2,1,0,1,0,1"], ["--box", "2,1,0,1,0,1"]),
+    (["--box", "0,1,0,1,1,1"], ["--box", "0,1,0,1,1,1"]),
+    (["--box", "0,1,0,nan,0,1"], ["--box", "nan"]),
+    (["--box", "1e300"], ["--box", "1e300"]),
+    (["--box", "1e8,100000001,0,1,0,1"], ["--box"]),
+    (["--eye", "nan,0,0"], ["--eye", "nan"]),
+    (["--eye", "1,2"], ["--eye", "3"]),
+    (["--eye", "0,0,0", "--look-at", "0,0,0"], ["eye"]),
+    (["--look-at", "1,inf,0"], ["--look-at", "inf"]),
+    (["--up", "0,0,0"], ["up"]),
+    (["--up", "1,-1.6,0.9"], ["up"]),
+    (["--up", "a,b,c"], ["--up", "a"]),
+    (["--fov", "0"], ["--fov"]),
+    (["--fov", "180"], ["--fov"]),
+    (["--fov", "nan"], ["--fov", "nan"]),
+    (["--w", "nan"], ["--w", "nan"]),
+    (["--w", "1e999"], ["--w", "1e999"]),
+    (["--w", ""], ["--w"]),
+    (["--tracer", "magic"], ["--tracer", "magic", "k-bisection"]),
+    (["--dstop", "0"], ["--dstop"]),
+    (["--dstop", "99"], ["--dstop", "99"]),
+    (["--dstop", "ten"], ["--dstop", "ten"]),
+    (["--epsilon", "0"], ["--epsilon"]),
+    (["--epsilon", "-1"], ["--epsilon"]),
+    (["--delta", "nan"], ["--delta", "nan"]),
+    (["--dstop", "5", "--epsilon", "0.1"], ["--dstop", "--epsilon"]),
+    (["--threads", "0"], ["--threads"]),
+    (["--threads", "1.5"], ["--threads", "1.5"]),
+    (["--repeat", "0"], ["--repeat"]),
+    (["--repeat", "999999999999"], ["--repeat"]),
+    (["surplus"], ["surplus"]),
+    (["-o", "second.png"], ["output"]),
+]
+
+# Other command lines that are wrong.
+WRONG_COMMANDS = [
+    (["render", "x"], ["-o"]),
+    (["render", "x", "-o"], ["output"]),
+    (["render", "x", "-o", "picture.jpg"], ["picture.jpg", ".png"]),
+    (["render", "x", "-o", ""], [".png"]),
+    (["render", "-o", "picture.png"], ["EQUATION"]),
+    (["render", "@spher", "-o", "picture.png"], ["spher", "@sphere"]),
+    (["render", "@barth_sextik", "-o", "picture.png"], ["barth_sextik", "@barth_sextic"]),
+    (["render", "@", "-o", "picture.png"], ["@"]),
+    (["explain", "@tors"], ["tors", "@torus"]),
+    (["explain", "x", "--at", "1,2"], ["--at", "3"]),
+    (["explain", "x", "--at", "1,2,nan"], ["--at", "nan"]),
+    (["gallery", "surplus"], ["surplus"]),
+    (["bench", "--suite", "no_such.json"], ["no_such.json"]),
+    (["bench", "--tracer", "magic"], ["magic", "k-bisection"]),
+    (["bench", "--size", "0"], ["--size"]),
+    (["bench", "--threads", "-1"], ["--threads"]),
+    (["bench", "--dstop", "23"], ["--dstop"]),
+    (["--nope"], ["--nope"]),
+]
+
+# A formula, and the column (from 1) under which the caret stands.
+WRONG_FORMULAS = [
+    ("x +", 4),
+    ("x + * y", 5),
+    ("x^2 + y^2 )", 11),
+    ("(x + y", 1),
+    ("x y", 3),
+    ("x = y = z", 7),
+    ("foo(x)", 1),
+    ("x + quux", 5),
+    ("sqrt(x, y)", 1),
+    ("atan2(x)", 1),
+    ("x + é", 5),
+    ("x² + y² = 1", 2),
+    ("x $ y", 3),
+]
+
+
+class WrongInputTest(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.old = self.folder / "picture.png"
+        self.old.write_bytes(b"an older file")
+
+    def check_refused(self, result, code, words=()):
+        """One line, nothing else on stdout or in the folder; returns the lines of stderr."""
+        self.assertEqual(result.code, code, str(result))
+        self.assertEqual(result.out, "", str(result))
+        self.assertTrue(result.err.endswith("\n"), str(result))
+        lines = result.err.splitlines()
+        self.assertTrue(lines[0].startswith("error: "), str(result))
+        for word in words:
+            self.assertIn(word, lines[0], str(result))
+        self.assertEqual(self.files(), ["picture.png"], str(result))
+        self.assertEqual(self.old.read_bytes(), b"an older file", str(result))
+        return lines
+
+    def check_one_line(self, arguments, code, words):
+        lines = self.check_refused(run(*arguments, cwd=self.folder), code, words)
+        self.assertEqual(len(lines), 1, lines)
+
+    def test_options(self):
+        for options, words in WRONG_OPTIONS:
+            with self.subTest(options):
+                command = ["render", "x", "-o", "picture.png", *options]
+                self.check_one_line(command, WRONG, words)
+
+    def test_commands(self):
+        for command, words in WRONG_COMMANDS:
+            with self.subTest(command):
+                self.check_one_line(command, WRONG, words)
+
+    def test_formulas_have_a_caret_under_the_place(self):
+        for formula, column in WRONG_FORMULAS:
+            for command in (["render", formula, "-o", "picture.png"], ["explain", formula]):
+                with self.subTest(command):
+                    lines = self.check_refused(run(*command, cwd=self.folder), WRONG)
+                    self.assertEqual(len(lines), 3, lines)
+                    self.assertEqual(lines[1].strip(), formula)
+                    start = lines[1].index(formula)
+                    self.assertEqual(lines[2], " " * (start + column - 1) + "^")
+
+    def test_no_surface(self):
+        for formula in ("", "1", "w^2 - 1", "2 = 3"):
+            with self.subTest(formula):
+                result = run("render", formula, "-o", "picture.png", cwd=self.folder)
+                lines = self.check_refused(result, WRONG)
+                self.assertLessEqual(len(lines), 3, lines)
+
+    def test_wrong_place_in_a_later_line_of_standard_input(self):
+        result = run("render", "-", "-o", "picture.png", stdin="x^2 +\n  y^2 + )\n", cwd=self.folder)
+        lines = self.check_refused(result, WRONG)
+        self.assertEqual(len(lines), 3, lines)
+        self.assertEqual(lines[1].strip(), "y^2 + )")
+        self.assertEqual(lines[2].index("^"), lines[1].index(")"))
+
+    def test_too_long_and_too_deep(self):
+        for formula in ("+".join(["x"] * 200_000), "(" * 50_000 + "x" + ")" * 50_000,
+                        "-" * 100_000 + "x", "(" * 20_000 + "x" + ")" * 20_000,
+                        "sqrt(" * 15_000 + "x"):
+            with self.subTest(formula[:10]):
+                result = run("render", "-", "-o", "picture.png", stdin=formula, cwd=self.folder)
+                lines = self.check_refused(result, WRONG)
+                self.assertLess(max(map(len, lines)), 200)
+
+    def test_json_errors(self):
+        for formula, column in WRONG_FORMULAS:
+            with self.subTest(formula):
+                result = run("explain", formula, "--json", cwd=self.folder)
+                self.assertEqual((result.code, result.err), (WRONG, ""), str(result))
+                answer = json.loads(result.out)
+                self.assertIs(answer["ok"], False)
+                self.assertEqual(answer["column"], column)
+                self.assertGreater(len(answer["error"]), 5)
+                self.assertNotIn("\n", answer["error"])
+
+
+class UnwritableTest(ProgramTest):
+    """What goes wrong at run time."""
+
+    def check_failed(self, result, words):
+        self.assertEqual(result.code, RUN_TIME, str(result))
+        self.assertEqual(result.out, "", str(result))
+        self.assertRegex(result.err, r"\Aerror: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, result.err)
+
+    def test_no_such_folder(self):
+        for option, name in (("-o", "no/out.png"), ("--depth", "no/out.pfm"),
+                             ("--stats", "no/out.json")):
+            with self.subTest(option):
+                result = run("render", "x", "--size", "8", option, name, cwd=self.folder)
+                self.check_failed(result, [name])
+                self.assertEqual(self.files(), [])
+
+    def test_one_unwritable_file_leaves_the_others_unwritten(self):
+        result = run("render", "x", "--size", "8", "-o", "out.png", "--depth", "no/out.pfm",
+                     cwd=self.folder)
+        self.check_failed(result, ["no/out.pfm"])
+        self.assertEqual(self.files(), [])
+
+    def test_a_folder_is_no_file(self):
+        (self.folder / "folder.png").mkdir()
+        result = run("render", "x", "--size", "8", "-o", "folder.png", cwd=self.folder)
+        self.check_failed(result, ["folder.png"])
+        self.assertEqual(self.files(), ["folder.png"])
+        self.assertEqual(list((self.folder / "folder.png").iterdir()), [])
+
+    @unittest.skipIf(os.geteuid() == 0, "permissions do not stop root")
+    def test_no_permission(self):
+        shut = self.folder / "shut"
+        shut.mkdir(mode=0o500)
+        result = run("render", "x", "--size", "8", "-o", "shut/out.png", cwd=self.folder)
+        self.check_failed(result, ["shut/out.png"])
+        self.assertEqual(list(shut.iterdir()), [])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "there is no /dev/full")
+    def test_no_space(self):
+        result = run("render", "x", "--size", "8", "--depth", "/dev/full", cwd=self.folder)
+        self.check_failed(result, ["/dev/full"])
+
+    def test_overwrites_a_file_whole(self):
+        (self.folder / "out.png").write_bytes(b"x" * 1_000_000)
+        self.run_ok("render", "x", "--size", "8x9", "-o", "out.png")
+        image = read_png(self.folder / "out.png")
+        self.assertEqual((image.width, image.height), (8, 9))
+        self.assertEqual(self.files(), ["out.png"])

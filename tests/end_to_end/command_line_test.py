@@ -1,0 +1,244 @@
+"""The command line against its contract: what each subcommand writes, prints and refuses."""
+
+import json
+import math
+
+from command_line_depth_cases import DepthTest
+from command_line_error_cases import UnwritableTest, WrongInputTest
+from rays import Box, Camera, Sphere
+from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
+
+__all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
+
+SPHERE = "x^2 + y^2 + z^2 = 1"
+STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "frame_ms", "certified",
+              "undecided", "miss", "evaluations"}
+
+
+class RenderTest(ProgramTest):
+    def stats(self, *arguments, **how):
+        result = self.run_ok("render", *arguments, "--stats", "-", **how)
+        return json.loads(result.out)
+
+    def test_picture_has_the_size_asked_for(self):
+        for width, height in ((33, 17), (1, 1), (64, 65), (130, 3)):
+            with self.subTest(width=width, height=height):
+                image = self.picture(SPHERE, "--size", f"{width}x{height}")
+                self.assertEqual((image.width, image.height), (width, height))
+
+    def test_default_size(self):
+        image = self.picture(SPHERE, "--dstop", 8)
+        self.assertEqual((image.width, image.height), (1024, 1024))
+        self.assertGreater(len(image.colors()), 100)
+
+    def test_hits_are_drawn_before_the_background(self):
+        """The picture differs from an empty one just where the depth is finite."""
+        arguments = ["--size", "48x40", "--box", "2"]
+        depth = self.depth(SPHERE, *arguments)
+        ball, empty = (self.picture(text, *arguments) for text in (SPHERE, "x = 1000"))
+        for col, row, distance in depth.pixels():
+            self.assertEqual(ball.at(col, row) != empty.at(col, row), distance != math.inf,
+                             (col, row))
+        self.assertGreater(depth.hits(), 100)
+
+    def test_misses_are_infinite_and_rows_come_from_the_bottom(self):
+        depth = self.depth("x^2 + y^2 + (z-1.2)^2 = 0.25", "--size", "32x32")
+        rows = {row for _, row, distance in depth.pixels() if distance != math.inf}
+        self.assertTrue(rows and max(rows) < 16, rows)
+        file_rows = (self.folder / "depth.pfm").read_bytes()[-32 * 32 * 4:]
+        self.assertEqual(file_rows[:32 * 4], b"\x00\x00\x80\x7f" * 32)
+        self.assertEqual(set(self.depth("x = 1000", "--size", "9x7").values), {math.inf})
+
+    def test_stats(self):
+        stats = self.stats(SPHERE, "--size", "50x40", "--threads", 1)
+        self.assertEqual(set(stats), STATS_KEYS)
+        self.assertEqual((stats["width"], stats["height"], stats["threads"]), (50, 40, 1))
+        self.assertEqual(stats["tracer"], "k-bisection")
+        self.assertEqual(stats["certified"] + stats["undecided"] + stats["miss"], 50 * 40)
+        self.assertGreater(stats["certified"], 100)
+        self.assertGreater(stats["compile_ms"], 0)
+        self.assertEqual(set(stats["frame_ms"]), {"median", "min", "max", "repeats"})
+        self.assertEqual(stats["frame_ms"]["repeats"], 1)
+        self.assertEqual(set(stats["evaluations"]), {"range", "value"})
+        self.assertGreater(stats["evaluations"]["range"], stats["certified"])
+        self.assertGreaterEqual(stats["evaluations"]["value"], stats["certified"])
+
+    def test_stats_in_a_file_agree_with_the_depths(self):
+        self.run_ok("render", SPHERE, "--size", "40x30", "--stats", "s.json", "--depth", "d.pfm")
+        stats = json.loads((self.folder / "s.json").read_text(encoding="utf-8"))
+        hits = read_pfm(self.folder / "d.pfm").hits()
+        self.assertLessEqual(stats["certified"], hits)
+        self.assertLessEqual(hits, stats["certified"] + stats["undecided"])
+        self.assertEqual(self.files(), ["d.pfm", "s.json"])
+
+    def test_repeat(self):
+        frame = self.stats(SPHERE, "--size", "32x32", "--repeat", 4)["frame_ms"]
+        self.assertEqual(frame["repeats"], 4)
+        self.assertTrue(0 < frame["min"] <= frame["median"] <= frame["max"], frame)
+
+    def test_same_depths_whatever_the_threads_and_repeats(self):
+        files = []
+        for options in (["--threads", 1], ["--threads", 2], ["--threads", 2, "--repeat", 2], []):
+            self.depth("@tangle", "--size", "150x130", "--dstop", 12, *options)
+            files.append((self.folder / "depth.pfm").read_bytes())
+        self.assertEqual([files[0]] * 4, files)
+
+    def error_of(self, *options):
+        """Hits, and the largest error of depth on clear hits of the unit sphere."""
+        depth = self.depth(SPHERE, "--size", "40x40", *options)
+        box, worst = Box.of(2), 0.0
+        camera = Camera.default(box)
+        for col, row, got in depth.pixels():
+            ray = camera.ray(col, row, 40, 40)
+            roots = Sphere().roots(ray, 0.0, math.inf)
+            if len(roots) == 2 and roots[1] - roots[0] > 0.6:
+                self.assertNotEqual(got, math.inf)
+                worst = max(worst, abs(got - roots[0]))
+        return depth.hits(), worst
+
+    def test_epsilon_and_delta_refine(self):
+        for option, values, last in (("--epsilon", (0.5, 0.05, 0.005), 0.01),
+                                     ("--delta", (0.5, 0.05, 0.005), 0.005)):
+            with self.subTest(option):
+                hits, errors = zip(*(self.error_of(option, value) for value in values))
+                self.assertEqual(sorted(errors, reverse=True), list(errors))
+                self.assertEqual(sorted(hits, reverse=True), list(hits))
+                self.assertLess(errors[-1], last)
+                self.assertGreater(errors[0], 5 * errors[-1])
+
+    def test_tracer_by_name(self):
+        self.assertEqual(self.stats(SPHERE, "--size", 8, "--tracer", "k-bisection")["tracer"],
+                         "k-bisection")
+
+    def test_w(self):
+        hits = [self.depth("x^2 + y^2 + z^2 + w^2 = 1", "--size", 32, "--w", w).hits()
+                for w in (0, -0.6, 0.8, 1.5)]
+        self.assertGreater(hits[0], hits[1])
+        self.assertGreater(hits[1], hits[2])
+        self.assertEqual(hits[3], 0)
+
+    def test_equation_from_the_gallery_and_from_standard_input(self):
+        by_name = self.picture("@sphere", "--size", 40)
+        typed = self.picture("-", "--box", "1.5", "--size", 40, stdin="x^2 + y^2\n + z^2 - 1\n")
+        self.assertEqual(by_name.rgb, typed.rgb)
+
+    def test_equation_that_starts_with_a_minus_sign(self):
+        for text in ("-x^2+y", "-1*x^2+y", "- x^2 + y"):
+            depth = self.depth(text, "--size", 24)
+            self.assertEqual(depth.values, self.depth("y = x^2", "--size", 24).values, text)
+            self.assertGreater(depth.hits(), 50)
+            self.assertIn("read as", self.run_ok("explain", text).out)
+
+
+class GalleryTest(ProgramTest):
+    def items(self):
+        for path in sorted((SOURCE_DIR / "resources" / "gallery").glob("*.json")):
+            yield from json.loads(path.read_text(encoding="utf-8"))["items"]
+
+    def test_lists_all_with_a_sentence_and_a_source(self):
+        text = self.run_ok("gallery").out
+        for item in self.items():
+            for key in ("name", "equation", "about", "source"):
+                self.assertGreater(len(item[key]), 2, item["name"])
+                self.assertIn(item[key], text, item["name"])
+            self.assertRegex(item["about"], r"[.!]$", item["name"])
+        self.assertGreaterEqual(sum(1 for _ in self.items()), 29 + 12)
+
+    def test_names_and_json(self):
+        names = self.run_ok("gallery", "--names").out.split()
+        self.assertEqual(sorted(names), sorted(item["name"] for item in self.items()))
+        listed = json.loads(self.run_ok("gallery", "--json").out)
+        self.assertEqual([item["name"] for item in listed], names)
+
+
+class ExplainTest(ProgramTest):
+    def explain(self, text, *options, **how):
+        return json.loads(self.run_ok("explain", text, "--json", *options, **how).out)
+
+    def test_text(self):
+        text = self.run_ok("explain", "x^2+y^2 = 1", "--at", "1,2,3").out
+        for part in ("x^2 + y^2 - 1 = 0", "nodes", "1, 2, 3, 0", "2, 4, 0"):
+            self.assertIn(part, text)
+
+    def test_json(self):
+        answer = self.explain("x^2*y = z + 3", "--at", "2,-3,0.5")
+        self.assertEqual(set(answer),
+                         {"ok", "canonical", "value", "gradient", "parameters", "nodes"})
+        self.assertIs(answer["ok"], True)
+        self.assertEqual((answer["value"], answer["gradient"]), (-15.5, [-12.0, 4.0, -1.0]))
+        self.assertEqual(answer["parameters"], [])
+        self.assertGreaterEqual(answer["nodes"], 5)
+
+    def test_json_without_a_point_has_no_value(self):
+        answer = self.explain("-", stdin="x + y\n")
+        self.assertEqual((answer["value"], answer["gradient"]), (None, None))
+
+    def test_functions_and_w(self):
+        x, y, z, w = 0.7, -0.4, 1.3, 0.25
+        formula = "sqrt(x)*sin(y) + exp(z)*w - atan2(y, x) + log(z)*cos(x) + max(x, y) - abs(y)/2"
+        expected = (math.sqrt(x) * math.sin(y) + math.exp(z) * w - math.atan2(y, x)
+                    + math.log(z) * math.cos(x) + max(x, y) - abs(y) / 2)
+        answer = self.explain(formula, "--at", f"{x},{y},{z},{w}")
+        self.assertAlmostEqual(answer["value"], expected, delta=1e-13)
+        self.assertAlmostEqual(answer["gradient"][2], math.exp(z) * w + math.cos(x) / z,
+                               delta=1e-13)
+
+    def test_canonical_form_is_a_fixed_point(self):
+        for text in ("-x^2+y", "x = y", "2*x^3 - -y/(z - 1)", "@klein", "min(x, max(y, z))^2"):
+            first = self.explain(text)["canonical"]
+            self.assertEqual(self.explain(first)["canonical"], first)
+
+    def test_code(self):
+        self.assertIn("define", self.run_ok("explain", SPHERE, "--ir").out)
+        assembly = self.run_ok("explain", SPHERE, "--asm").out
+        self.assertIn("ret", assembly)
+        self.assertNotIn("define", assembly)
+
+
+class BenchTest(ProgramTest):
+    def test_table_and_json_of_a_suite(self):
+        suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
+                 "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1", "domain": 2},
+                              {"name": "sheet", "f": "z - w", "domain": 1}]}
+        (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
+        base = ["bench", "--suite", "suite.json", "--size", 24, "--repeat", 2]
+        table = self.run_ok(*base, "--json", "bench.json").out
+        for word in ("ball", "sheet", "k-bisection", "fps"):
+            self.assertIn(word, table)
+        in_file = json.loads((self.folder / "bench.json").read_text(encoding="utf-8"))
+        printed = json.loads(self.run_ok(*base, "--json", "-").out)
+        for answer in (in_file, printed):
+            self.assertEqual((answer["width"], answer["height"]), (24, 24))
+            self.assertEqual([row["name"] for row in answer["surfaces"]], ["ball", "sheet"])
+            for row in answer["surfaces"]:
+                cell = row["k-bisection"]
+                self.assertGreater(cell["frame_ms"]["median"], 0)
+                self.assertGreater(cell["range_per_ray"], 0)
+                self.assertEqual(cell["certified"] + cell["undecided"] + cell["miss"], 24 * 24)
+
+    def test_the_suite_of_the_gallery(self):
+        answer = json.loads(self.run_ok("bench", "--size", 8, "--repeat", 1, "--threads", 1,
+                                        "--dstop", 6, "--json", "-").out)
+        self.assertEqual(len(answer["surfaces"]), 29)
+        self.assertEqual(answer["threads"], 1)
+
+    def test_a_broken_suite(self):
+        for text in ("", "{", "{}", '{"camera": 1}', "[]"):
+            (self.folder / "suite.json").write_text(text, encoding="utf-8")
+            result = run("bench", "--suite", "suite.json", cwd=self.folder)
+            self.assertEqual(result.code, 2, str(result))
+            self.assertRegex(result.err, r"\Aerror: --suite suite.json: [^\n]+\n\Z")
+            self.assertEqual(result.out, "", str(result))
+
+
+class HelpTest(ProgramTest):
+    def test_help_names_every_subcommand(self):
+        text = self.run_ok("--help").out
+        for word in ("render", "gallery", "explain", "bench", "EQUATION"):
+            self.assertIn(word, text)
+        for command in ("render", "gallery", "explain", "bench"):
+            self.assertIn("--help", self.run_ok(command, "--help").out)
+
+
+if __name__ == "__main__":
+    main()

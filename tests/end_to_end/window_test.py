@@ -1,0 +1,272 @@
+"""The real window, driven by keys and mouse on an X display of its own."""
+
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from zeroset_program import environment, main, program, read_xwd, run
+
+PATIENCE_S = 20.0  # for anything that is awaited
+REST_S = 0.4       # a picture at rest does not change for so long
+POLL_S = 0.05
+BALL = "x^2+y^2+z^2=1"
+TORUS = "(1-sqrt(x^2+y^2))^2+z^2=0.1"
+SAME = 0.002       # fraction of pixels that may differ between equal pictures
+
+
+class Display:
+    """An Xvfb on a free display number whose screen is a file that can be read."""
+
+    def __init__(self, width, height):
+        self.folder = tempfile.TemporaryDirectory(prefix="zeroset_display_")
+        read_end, write_end = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24",
+             "-fbdir", self.folder.name, "-nolisten", "tcp", "-noreset"],
+            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as answer:  # ends without a number if the server fails
+            number = answer.readline().strip()
+        if not number:
+            self.close()
+            raise RuntimeError("Xvfb did not start")
+        self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull)
+
+    def screenshot(self, *crop):
+        return read_xwd((Path(self.folder.name) / "Xvfb_screen0").read_bytes(), crop)
+
+    def xdotool(self, *words):
+        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True,
+                              capture_output=True, timeout=PATIENCE_S)
+        return done.stdout.decode()
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait(PATIENCE_S)
+        self.folder.cleanup()
+
+
+class WindowTest(unittest.TestCase):
+    SCALE = 1
+    SCREEN = (800, 600)
+
+    def setUp(self):
+        self.display = Display(*self.SCREEN)
+        self.addCleanup(self.display.close)
+        self.started = None
+
+    def start(self, *arguments):
+        """Starts the program and waits for its window and its first picture."""
+        variables = dict(self.display.environment, ZEROSET_SCALE=str(self.SCALE))
+        self.started = subprocess.Popen([program(), *arguments], env=variables,
+                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.addCleanup(self.end)
+        self.window = self.wait_for(self.find_window, "window")
+        self.display.xdotool("windowfocus", "--sync", self.window)
+        self.point(0.6, 0.6)
+        return self.rest(lambda image: len(image.rows(8).colors()) > 100, "first picture")
+
+    def end(self):
+        if self.started.poll() is None:
+            self.started.kill()
+        self.started.wait(PATIENCE_S)
+        self.started.stdout.close()
+
+    def find_window(self):
+        self.assertIsNone(self.started.poll(), "the program has ended")
+        try:
+            return self.display.xdotool("search", "--onlyvisible", "--name", "Zeroset").split()[-1]
+        except (subprocess.CalledProcessError, IndexError):
+            return None
+
+    def wait_for(self, condition, what):
+        """The first true value of condition()."""
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
+            value = condition()
+            if value:
+                return value
+            time.sleep(POLL_S)
+        return self.fail(f"waited in vain for: {what}")
+
+    # The parts of the window, without the panel at the left and what stands near the edges.
+
+    def picture(self):
+        width, height = self.SCREEN
+        return self.display.screenshot(290 * self.SCALE, 100 * self.SCALE, width,
+                                       height - 40 * self.SCALE)
+
+    def bar(self):
+        """Below the text field, whose cursor blinks: how the formula was read, or the error."""
+        return self.display.screenshot(0, 44 * self.SCALE, self.SCREEN[0], 70 * self.SCALE)
+
+    def rest(self, condition, what):
+        """The first picture that fulfils the condition and has come to rest."""
+        last, since = None, time.monotonic()
+
+        def at_rest():
+            nonlocal last, since
+            image = self.picture()
+            if last is None or image.rgb != last.rgb:
+                last, since = image, time.monotonic()
+            return time.monotonic() - since >= REST_S and condition(image)
+
+        self.wait_for(at_rest, what)
+        return last
+
+    def changed(self, old, what):
+        return self.rest(lambda image: not self.same(image, old), what)
+
+    def same(self, a, b):
+        return a.rows(4).difference(b.rows(4)) <= SAME
+
+    def point(self, across, down):
+        """Moves the pointer to a place in the window, in fractions of its size."""
+        width, height = self.SCREEN
+        self.display.xdotool("mousemove", int(across * width), int(down * height))
+
+    def drag(self, button, across, down):
+        """From the middle of the picture until it has changed; returns it at rest. A slow frame
+        may see many moves as one, so that they go on until one is seen."""
+        self.point(0.6, 0.6)
+        before = self.rest(lambda _: True, "rest")
+        self.display.xdotool("mousedown", button)
+        part = 0.0
+
+        def move_and_look():
+            nonlocal part
+            part = min(part + 0.05, 1.0)
+            self.point(0.6 + part * across, 0.6 + part * down)
+            return not self.same(self.picture(), before)
+
+        self.wait_for(move_and_look, f"a drag with button {button}")
+        self.rest(lambda _: True, "rest")
+        self.display.xdotool("mouseup", button)
+        return self.changed(before, f"a drag with button {button}")
+
+    def field(self):
+        """The text field."""
+        width, _ = self.SCREEN
+        return self.display.screenshot(10 * self.SCALE, 10 * self.SCALE, width // 2,
+                                       40 * self.SCALE)
+
+    def type_equation(self, text):
+        """Into the field, instead of what is there."""
+        self.display.xdotool("key", "Escape")
+        self.rest(lambda _: True, "rest")
+        quiet = self.field()
+        self.display.xdotool("mousemove", self.SCREEN[0] // 4, 27 * self.SCALE, "click", 1,
+                             "key", "ctrl+a")
+        self.wait_for(lambda: self.field().difference(quiet) > 0.02, "the text marked")
+        self.display.xdotool("type", "--delay", 5, text)
+        self.point(0.6, 0.6)
+
+    def red_pixels(self):
+        """Pixels of the error's colour below the field."""
+        bar = self.bar()
+        return sum(r > g + 50 and r > b + 50
+                   for r, g, b in zip(bar.rgb[0::3], bar.rgb[1::3], bar.rgb[2::3]))
+
+    def quit_by_key(self):
+        self.display.xdotool("key", "ctrl+q")
+        self.assertEqual(self.started.wait(5.0), 0)
+        self.assertEqual(self.started.stdout.read(), b"")
+
+    def test_type_drag_zoom_reset_and_quit(self):
+        ball = self.start(BALL)
+        self.assertEqual(self.red_pixels(), 0)
+        self.type_equation(TORUS)
+        torus = self.changed(ball, "the typed surface")
+
+        read_as = self.bar()
+        self.display.xdotool("type", "+*")
+        self.wait_for(lambda: self.red_pixels() > 50, "an error below the field")
+        self.assertGreater(self.bar().difference(read_as), 0.002)
+        kept = self.rest(lambda _: True, "rest")
+        self.assertTrue(self.same(kept, torus), "the last good surface is gone")
+
+        self.type_equation(TORUS)
+        self.wait_for(lambda: self.red_pixels() == 0, "no error any more")
+        self.display.xdotool("key", "Escape")
+        turned = self.drag(1, 0.15, 0.1)
+        moved = self.drag(3, -0.1, 0.1)
+        self.assertFalse(self.same(turned, moved))
+        self.point(0.6, 0.6)
+        self.display.xdotool("click", "--repeat", 3, "--delay", 20, 4)
+        zoomed = self.changed(moved, "a zoom")
+        self.assertGreater(self.surface(zoomed), 1.2 * self.surface(moved))
+
+        self.display.xdotool("key", "r")
+        self.rest(lambda image: self.same(image, torus), "the first view again")
+        self.quit_by_key()
+
+    def surface(self, image):
+        """Fraction of pixels that are no background; that is dark and the same along a row."""
+        drawn = sum(image.at(col, row) != image.at(image.width - 1, row)
+                    for row in range(0, image.height, 4) for col in range(0, image.width, 4))
+        return drawn * 16 / (image.width * image.height)
+
+    def test_letters_in_the_field_are_text(self):
+        """R resets the view and Escape leaves the field, but only where they should."""
+        self.start(TORUS)
+        turned = self.drag(1, 0.2, 0.1)
+        self.type_equation("y^2=x^2")
+        planes = self.changed(turned, "the typed surface")
+        self.display.xdotool("key", "r")
+        self.wait_for(lambda: self.red_pixels() > 50, "an error about the r in the field")
+        self.assertTrue(self.same(self.rest(lambda _: True, "rest"), planes))
+        self.display.xdotool("key", "BackSpace", "Escape", "r")
+        self.changed(planes, "the view reset")
+        self.wait_for(lambda: self.red_pixels() == 0, "the equation without its r")
+        self.quit_by_key()
+
+    def cpu_s(self):
+        fields = Path(f"/proc/{self.started.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def test_sleeps_when_nothing_changes(self):
+        self.start(BALL)
+        self.display.xdotool("key", "Escape")
+        self.rest(lambda _: True, "rest")
+        before, since = self.cpu_s(), time.monotonic()
+        time.sleep(1.0)
+        self.assertLess(self.cpu_s() - before, 0.2 * (time.monotonic() - since))
+        self.started.send_signal(signal.SIGTERM)
+        self.started.wait(5.0)
+
+    def test_starts_with_a_surface_of_the_gallery(self):
+        self.start("@torus")
+        self.quit_by_key()
+
+
+class LargeScaleWindowTest(WindowTest):
+    """The same at twice the size, for screens of high resolution."""
+
+    SCALE = 2
+    SCREEN = (1600, 1200)
+
+
+class NoDisplayTest(unittest.TestCase):
+    def check_one_line(self, result):
+        self.assertEqual(result.code, 1, str(result))
+        self.assertEqual(result.out, "")
+        self.assertRegex(result.err, r"\A[^\n]*zeroset render[^\n]*\n\Z")
+
+    def test_says_what_to_do_instead(self):
+        self.check_one_line(run())
+        self.check_one_line(run("@torus"))
+
+    def test_no_such_display(self):
+        self.check_one_line(run(env=environment(DISPLAY=":9999")))
+
+
+if __name__ == "__main__":
+    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
+    if missing:
+        raise SystemExit("needed and not installed: " + ", ".join(missing))
+    main()

@@ -1,0 +1,117 @@
+#include "engine/expr/expr.hpp"
+#include "engine/expr/parse.hpp"
+#include "tests/support/random_expression.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// The canonical form of a formula, which parses to the same graph.
+
+namespace zeroset {
+namespace {
+
+std::string canonical(const std::string& text) {
+    const auto expr = parse(text);
+    return expr ? expr->canonical() : "refused: " + expr.error().reason;
+}
+
+void expect_round_trip(const Expr& expr) {
+    const std::string text = expr.canonical();
+    const auto again = parse(text);
+    ASSERT_TRUE(again.has_value()) << text << ": " << again.error().reason;
+    EXPECT_EQ(again->key(), expr.key()) << text << " became " << again->canonical();
+}
+
+TEST(Canonical, WritesEveryOperator) {
+    EXPECT_EQ(canonical("x+y"), "x + y");
+    EXPECT_EQ(canonical("x=y"), "x - y");
+    EXPECT_EQ(canonical("x * y"), "x*y");
+    EXPECT_EQ(canonical("x / y"), "x/y");
+    EXPECT_EQ(canonical("- x"), "-x");
+    EXPECT_EQ(canonical("x*x"), "x^2");
+    EXPECT_EQ(canonical("x ^ 3"), "x^3");
+    EXPECT_EQ(canonical("x^-3"), "1/x^3");
+    EXPECT_EQ(canonical("x^0.5"), "sqrt(x)");
+    EXPECT_EQ(canonical("atan2(y,x)"), "atan2(y, x)");
+    EXPECT_EQ(canonical("min(x,y,z)"), "min(min(x, y), z)");
+}
+
+TEST(Canonical, KeepsOnlyNeededParentheses) {
+    EXPECT_EQ(canonical("((x)+(y))*(z)"), "(x + y)*z");
+    EXPECT_EQ(canonical("(x*y)*z"), "x*y*z");
+    EXPECT_EQ(canonical("x*(y*z)"), "x*(y*z)");
+    EXPECT_EQ(canonical("x-(y-z)"), "x - (y - z)");
+    EXPECT_EQ(canonical("(x-y)-z"), "x - y - z");
+    EXPECT_EQ(canonical("x+(y*z)"), "x + y*z");
+    EXPECT_EQ(canonical("(-x)^2"), "(-x)^2");
+    EXPECT_EQ(canonical("-(x^2)"), "-x^2");
+    EXPECT_EQ(canonical("(x^2)^3"), "(x^2)^3");
+    EXPECT_EQ(canonical("(-2)^2*x"), "(-2)^2*x");
+    EXPECT_EQ(canonical("x*(-y)"), "x*-y");
+    EXPECT_EQ(canonical("-(x*y)"), "-(x*y)");
+}
+
+TEST(Canonical, ParsesToTheSameGraph) {
+    for (const char* const text : {"x",
+                                   "0",
+                                   "0.1",
+                                   "-0.1",
+                                   "1e-300",
+                                   "1e300",
+                                   "1e-320",
+                                   "0.1 + 0.2",
+                                   "x - -2",
+                                   "x - (-0.1)",
+                                   "2^3^2",
+                                   "(-x)^2 - -x^2",
+                                   "x^2^3",
+                                   "(x^2)^3",
+                                   "x/(y/z)",
+                                   "x/y/z",
+                                   "x/(y*z)",
+                                   "-(-x)",
+                                   "-(x + y)",
+                                   "sin(3*atan2(y, x))",
+                                   "atan2(y, x) + sin(atan2(y, x))",
+                                   "cos(-(2*atan2(y, x))*3)",
+                                   "x^0.3",
+                                   "x^y",
+                                   "2^x",
+                                   "x^(1/2)",
+                                   "min(x, max(y, -z), w)",
+                                   "123456789012345678901234567890*x",
+                                   "3.141592653589793238462643383279502884*x"}) {
+        const auto expr = parse(text);
+        ASSERT_TRUE(expr.has_value()) << text << ": " << expr.error().reason;
+        expect_round_trip(*expr);
+    }
+}
+
+TEST(Canonical, ParsesToTheSameGraphWhateverTheGraph) {
+    test::RandomNumbers random(21);
+    for (int i = 0; i < 4000 && !testing::Test::HasFailure(); ++i) {
+        expect_round_trip(test::random_expression(random, i % 7));
+    }
+}
+
+TEST(Canonical, OfNothingIsEmpty) { EXPECT_EQ(Expr().canonical(), ""); }
+
+TEST(Key, TellsGraphsApart) {
+    EXPECT_EQ(parse("x*x + y")->key(), parse("x^2 + y")->key());
+    EXPECT_NE(parse("x + y")->key(), parse("y + x")->key());
+    EXPECT_NE(parse("x^2")->key(), parse("x^3")->key());
+    EXPECT_NE(parse("x*0.1")->key(), parse("x*0.10000000000000001")->key());
+    EXPECT_NE(parse("atan2(y, x)")->key(), parse("atan2(x, y)")->key());
+}
+
+TEST(Expr, SharesEqualParts) {
+    EXPECT_EQ(parse("(x + y)*sin(x + y)")->nodes().size(), 5);
+    EXPECT_EQ(parse("x - x")->nodes().size(), 2);
+    EXPECT_EQ(parse("x + y*0 - y*0")->uses_variable(1), true);
+    EXPECT_EQ(parse("x + z")->uses_variable(1), false);
+}
+
+}  // namespace
+}  // namespace zeroset

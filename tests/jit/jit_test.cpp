@@ -1,0 +1,232 @@
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/num/sleef.hpp"
+#include "jit/compile.hpp"
+#include "tests/support/kernel_batch.hpp"
+#include "tests/support/op_names.hpp"
+#include "tests/support/random_expression.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+// Machine code against the interpreter, bit for bit, at every lane count of this machine.
+
+namespace zeroset::test {
+namespace {
+
+std::vector<int> machine_lanes() {
+    std::vector<int> lanes{4, 8, 16};
+    std::erase_if(lanes, [](int n) { return elementary_code(Elementary::Sin, n) == nullptr; });
+    return lanes;
+}
+
+Expr parsed(std::string_view text) {
+    const auto expr = parse(text);
+    if (!expr) {
+        ADD_FAILURE() << text << ": " << expr.error().reason;
+        return operator_on_variables(op_info(Op::Add));
+    }
+    return *expr;
+}
+
+Kernel compiled(const Expr& expr, int lanes) {
+    auto kernel = jit::compile(expr, {.lanes = lanes});
+    if (!kernel) {
+        ADD_FAILURE() << kernel.error().message;
+        return interpret(expr);
+    }
+    return *kernel;
+}
+
+/// Where two answers first differ.
+std::string difference(const std::vector<std::uint32_t>& expected,
+                       const std::vector<std::uint32_t>& found) {
+    const auto [a, b] = std::ranges::mismatch(expected, found);
+    if (a == expected.end()) return "none";
+    char text[80];
+    std::snprintf(text, sizeof text, "item %td: expected %08x, found %08x", a - expected.begin(),
+                  *a, *b);
+    return text;
+}
+
+void expect_same_bits(const Expr& expr, const KernelBatch& batch) {
+    const Bits expected = batch.run(interpret(expr));
+    for (const int lanes : machine_lanes()) {
+        const Bits found = batch.run(compiled(expr, lanes));
+        EXPECT_EQ("none", difference(expected.range, found.range))
+            << "range, " << lanes << " lanes, " << expr.canonical();
+        EXPECT_EQ("none", difference(expected.value, found.value))
+            << "value, " << lanes << " lanes, " << expr.canonical();
+    }
+}
+
+class JitOperator : public ::testing::TestWithParam<OpInfo> {};
+
+TEST_P(JitOperator, HasTheInterpretersBits) {
+    RandomNumbers random(10 + static_cast<std::uint64_t>(GetParam().op));
+    const KernelBatch batch(random, 4096);
+    const bool power = GetParam().notation == Notation::Power;
+    for (const int n : power ? std::vector{2, 3, 4, 5, 6, 7, 8, 9, 16, 17} : std::vector{0}) {
+        expect_same_bits(operator_on_variables(GetParam(), n), batch);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, JitOperator, ::testing::ValuesIn(operators()),
+                         [](const auto& row) { return op_name(row); });
+
+TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
+    RandomNumbers random(11);
+    for (int i = 0; i < 400 && !testing::Test::HasFailure(); ++i) {
+        const KernelBatch batch(random, 128);
+        expect_same_bits(random_expression(random, 1 + i % 6), batch);
+    }
+}
+
+TEST(Jit, HasTheInterpretersBitsOnFormulasWithConstants) {
+    RandomNumbers random(12);
+    const KernelBatch batch(random, 256);
+    for (const char* const text :
+         {"0.7*x + 0.3*y - 0.1", "x*(-0.7) + 2.3e-30", "x/0.3", "0.7^3*x", "x - 16777217",
+          "x*16777217", "x*1e40 + 1e-60*y", "x^0.3 + w", "sqrt(2)*x", "x*sin(2)", "x*sqrt(-1)",
+          "x + 1/0", "0.1", "0*x", "x^1000 - x^-3", "min(x, 0.7, y)", "-(-x) + 0"}) {
+        expect_same_bits(parsed(text), batch);
+    }
+}
+
+TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
+    RandomNumbers random(13);
+    const KernelBatch batch(random, 64);
+    int count = 0;
+    const std::filesystem::path folder(ZEROSET_SOURCE_DIR "/resources/gallery");
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::ifstream file(entry.path());
+        const nlohmann::json gallery = nlohmann::json::parse(file);
+        for (const auto& item : gallery.at("items")) {
+            SCOPED_TRACE(item.at("name"));
+            expect_same_bits(parsed(item.at("equation").get<std::string>()), batch);
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 20);
+}
+
+TEST(Jit, ReadsW) {
+    RandomNumbers random(14);
+    KernelBatch batch(random, 64);
+    const Expr expr = parsed("sin(w)*x + w^2*y - sqrt(w + 5)/z");
+    const Kernel kernel = compiled(expr, 0);
+    EXPECT_TRUE(kernel.uses_w);
+    EXPECT_FALSE(compiled(parsed("x"), 0).uses_w);
+    const Bits before = batch.run(kernel);
+    for (const double w : {-3.0, 0.0, 0.1, 2.5}) {
+        batch.uniforms.set(0, w);
+        const Bits expected = batch.run(interpret(expr));
+        EXPECT_EQ(expected, batch.run(kernel)) << w;
+        EXPECT_NE(before, expected) << w;
+    }
+}
+
+TEST(Jit, AnswersForASmallestBatchOnly) {
+    RandomNumbers random(15);
+    const KernelBatch batch(random, batch_multiple);
+    expect_same_bits(parsed("x^2 + y^2 + z^2 - 1"), batch);
+}
+
+TEST(Jit, SharesTheCodeOfEqualGraphs) {
+    const Kernel first = compiled(parsed("x^2 + y^2 + z^2 - 1.25"), 4);
+    const Kernel second = compiled(parsed("x*x + y*y + z*z = 1.25"), 4);
+    const Kernel other = compiled(parsed("x*x + y*y + z*z = 1.26"), 4);
+    EXPECT_EQ(first.code, second.code);
+    EXPECT_EQ(first.range_function, second.range_function);
+    EXPECT_NE(first.code, other.code);
+}
+
+TEST(Jit, KeepsLaneCountsApart) {
+    const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
+    const std::vector<int> lanes = machine_lanes();
+    for (std::size_t i = 1; i < lanes.size(); ++i) {
+        EXPECT_NE(compiled(expr, lanes[i - 1]).code, compiled(expr, lanes[i]).code);
+    }
+    EXPECT_EQ(compiled(expr, 0).code, compiled(expr, jit::host_lanes()).code);
+    EXPECT_EQ(jit::host_lanes(), lanes.back());
+}
+
+TEST(Jit, RefusesLanesThatNoMachineHas) {
+    const Expr expr = parsed("x");
+    for (const int lanes : {-4, 1, 2, 5, 32}) {
+        const auto kernel = jit::compile(expr, {.lanes = lanes});
+        ASSERT_FALSE(kernel.has_value()) << lanes;
+        EXPECT_NE(kernel.error().message.find(std::to_string(lanes)), std::string::npos)
+            << kernel.error().message;
+        EXPECT_FALSE(jit::ir(expr, {.lanes = lanes}).has_value());
+        EXPECT_FALSE(jit::assembly(expr, {.lanes = lanes}).has_value());
+    }
+}
+
+TEST(Jit, PrintsItsFunctions) {
+    const Expr expr = parsed("x^2 + sin(y)");
+    for (const int lanes : machine_lanes()) {
+        const auto ir = jit::ir(expr, {.lanes = lanes});
+        const auto assembly = jit::assembly(expr, {.lanes = lanes});
+        ASSERT_TRUE(ir.has_value());
+        ASSERT_TRUE(assembly.has_value());
+        for (const char* const name : {"zeroset_range", "zeroset_value"}) {
+            EXPECT_TRUE(ir->contains(name)) << lanes;
+            EXPECT_TRUE(assembly->contains(name)) << lanes;
+        }
+        EXPECT_TRUE(ir->contains("<" + std::to_string(lanes) + " x float>"));
+    }
+}
+
+TEST(Jit, CompilesOnManyThreadsAtOnce) {
+    constexpr int threads = 6;
+    RandomNumbers random(16);
+    const KernelBatch batch(random, 64);
+    std::array<int, threads> differences{};
+    const auto work = [&](int thread) {
+        for (int i = 0; i < 4; ++i) {
+            // Some graphs are made by all threads, some by one.
+            const int number = i % 2 == 0 ? i : 10 * thread + i;
+            const auto expr = parse("x^3 + sin(y*" + std::to_string(number) + ") - z");
+            const auto kernel = jit::compile(*expr);
+            const bool same = kernel && batch.run(*kernel) == batch.run(interpret(*expr));
+            if (!same) ++differences.at(static_cast<std::size_t>(thread));
+        }
+    };
+    std::vector<std::jthread> running;
+    for (int thread = 0; thread < threads; ++thread)
+        running.emplace_back(work, thread);
+    running.clear();
+    EXPECT_EQ(differences, (std::array<int, threads>{}));
+}
+
+TEST(Jit, OutlivesTheCache) {
+    RandomNumbers random(17);
+    const KernelBatch batch(random, 16);
+    const Expr expr = parsed("x*y - z*0.5");
+    const Kernel kernel = compiled(expr, 4);
+    for (int i = 0; i < 70; ++i)
+        compiled(parsed("x + " + std::to_string(i)), 4);
+    EXPECT_EQ(batch.run(interpret(expr)), batch.run(kernel));
+}
+
+TEST(Jit, CompilesADeepFormula) {
+    std::string text = "x";
+    for (int i = 0; i < 900; ++i)
+        text = "(" + text + "+y)";
+    RandomNumbers random(18);
+    const KernelBatch batch(random, 16);
+    expect_same_bits(parsed(text), batch);
+}
+
+}  // namespace
+}  // namespace zeroset::test

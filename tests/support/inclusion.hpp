@@ -1,0 +1,100 @@
+#pragma once
+
+#include "engine/num/interval.hpp"
+#include "engine/num/rounding.hpp"
+#include "tests/support/mpfr_number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+// What the inclusion tests share. Intervals are computed inside `in_tested_mode` only, everything
+// else in round-to-nearest.
+
+namespace zeroset::test {
+
+#if defined(ZEROSET_MUTANT_ROUNDS_TO_NEAREST)
+inline constexpr int tested_mode = FE_TONEAREST;
+#else
+inline constexpr int tested_mode = FE_UPWARD;
+#endif
+
+/// function(arguments...) in the rounding mode under test. The volatile pointer keeps the
+/// compiler from moving the work out of the guard's life.
+template <class Result, class... Arguments>
+Result in_tested_mode(Result (*function)(const Arguments&...), const Arguments&... arguments) {
+    Result (*volatile opaque)(const Arguments&...) = function;
+    const RoundingGuard<tested_mode> guard;
+    return opaque(arguments...);
+}
+
+/// An enclosure with what it claims of the function on the box.
+template <class Real>
+struct Outcome {
+    Interval<Real> value;
+    bool defined = true;
+    bool continuous = true;
+};
+
+template <class Real>
+bool contains(const Interval<Real>& range, const MpfrNumber& value) {
+    if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
+    const bool below = value < -static_cast<double>(range.neg_lo);
+    const bool above = value > static_cast<double>(range.hi);
+    return !below && !above;
+}
+
+inline std::string hex(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%a", value);
+    return text;
+}
+
+template <class Real>
+std::string hex(const Interval<Real>& a) {
+    return "[" + hex(-static_cast<double>(a.neg_lo)) + ", " + hex(static_cast<double>(a.hi)) + "]";
+}
+
+/// Counts what a suite checks and prints the sum at its end.
+class CountingTest : public ::testing::Test {
+protected:
+    static void TearDownTestSuite() {
+        std::printf("checked %llu points\n", static_cast<unsigned long long>(checks_));
+        checks_ = 0;
+    }
+
+    /// Whether the claims of `outcome` hold at one point of the box, where the function is `truth`.
+    /// `whole_turns`: the value counts up to a multiple of 2 pi.
+    template <class Real>
+    static ::testing::AssertionResult holds(const Outcome<Real>& outcome, const Reference& truth,
+                                            bool whole_turns = false) {
+        if (truth.is_unknown()) return ::testing::AssertionSuccess();
+        ++checks_;
+        if (!truth.defined) {
+            if (!outcome.continuous) return ::testing::AssertionSuccess();
+            return ::testing::AssertionFailure() << "undefined there, but claimed continuous";
+        }
+        if (!outcome.defined) {
+            return ::testing::AssertionFailure() << "defined there, but claimed undefined";
+        }
+        if (contains(outcome.value, truth.value)) return ::testing::AssertionSuccess();
+        if (whole_turns) {
+            const MpfrNumber turn = pi() + pi();
+            if (contains(outcome.value, truth.value + turn) ||
+                contains(outcome.value, truth.value - turn)) {
+                return ::testing::AssertionSuccess();
+            }
+        }
+        return ::testing::AssertionFailure()
+               << "not enclosed: " << truth.value.text() << " by " << hex(outcome.value);
+    }
+
+private:
+    static inline std::uint64_t checks_ = 0;
+};
+
+}  // namespace zeroset::test

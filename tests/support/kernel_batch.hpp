@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/expr/kernel.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace zeroset::test {
+
+/// What a kernel answers, as bits. Every NaN is the same, and so is every gradient where f is NaN:
+/// the sign of a NaN decides about the slope of abs, and IEEE 754 leaves it open.
+struct Bits {
+    std::vector<std::uint32_t> range;  ///< -lo, hi, continuous of each box
+    std::vector<std::uint32_t> value;  ///< f, df/dx, df/dy, df/dz of each point
+
+    bool operator==(const Bits&) const = default;
+};
+
+/// Boxes, points and one w, the same for every kernel.
+class KernelBatch {
+public:
+    /// `count` is a multiple of batch_multiple.
+    KernelBatch(RandomNumbers& random, std::size_t count);
+
+    /// All answers, computed in upward rounding.
+    [[nodiscard]] Bits run(const Kernel& kernel) const;
+
+    Uniforms uniforms;
+
+private:
+    void run_range(const Kernel& kernel, std::vector<std::uint32_t>& bits) const;
+    void run_value(const Kernel& kernel, std::vector<std::uint32_t>& bits) const;
+
+    std::size_t count_;
+    std::vector<float> neg_lo_[3];
+    std::vector<float> hi_[3];
+    std::vector<float> x_[3];
+};
+
+}  // namespace zeroset::test
