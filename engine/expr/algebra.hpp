@@ -34,9 +34,12 @@ public:
     Value add(In a, In b) { return a.value + b.value; }
     Value subtract(In a, In b) { return a.value - b.value; }
     Value multiply(In a, In b) {
-        if (a.facts.exact() && a.facts.constant->hi != 0) return scaled(b, a);
-        if (b.facts.exact() && b.facts.constant->hi != 0) return scaled(a, b);
-        return product(a.value, a.facts, b.value, b.facts);
+        if (a.facts.constant) return scaled(b, a);
+        if (b.facts.constant) return scaled(a, b);
+        if (a.facts.nonnegative && b.facts.nonnegative) return multiply_nonnegative(a.value, b.value);
+        if (a.facts.nonnegative) return multiply_nonnegative_by(a.value, b.value);
+        if (b.facts.nonnegative) return multiply_nonnegative_by(b.value, a.value);
+        return a.value * b.value;
     }
     Value divide(In a, In b) {
         restrict_to(continuous, no(contains_zero(b.value)));
@@ -62,20 +65,13 @@ public:
     std::optional<Mask> continuous;  ///< absent: everywhere
 
 private:
-    static Value scaled(In a, In constant) {
-        const double c = constant.facts.constant->hi;
-        if (representable(c, a.value.hi)) return scale(a.value, c);
-        return product(constant.value, constant.facts, a.value, a.facts);
-    }
-    static Value product(const Value& a, const Facts& a_facts, const Value& b,
-                         const Facts& b_facts) {
-        if (a_facts.constant && a_facts.constant->hi < 0) {
-            return -multiply_nonnegative_by(-a, b);
-        }
-        if (a_facts.nonnegative && b_facts.nonnegative) return multiply_nonnegative(a, b);
-        if (a_facts.nonnegative) return multiply_nonnegative_by(a, b);
-        if (b_facts.nonnegative) return multiply_nonnegative_by(b, a);
-        return a * b;
+    static Value scaled(In a, In factor) {
+        const Interval<double>& c = *factor.facts.constant;
+        const bool exact = factor.facts.exact() && representable(c.hi, a.value.hi);
+        if (exact && c.hi != 0) return scale(a.value, c.hi);
+        if (c.neg_lo < 0) return scale(a.value, factor.value, a.facts.nonnegative);
+        if (c.hi < 0) return -scale(a.value, -factor.value, a.facts.nonnegative);
+        return a.value * factor.value;
     }
     static void restrict_to(std::optional<Mask>& all, const Mask& where) {
         all = all ? both(*all, where) : where;

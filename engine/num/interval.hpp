@@ -111,6 +111,15 @@ Interval<Real> scale(const Interval<Real>& a, double c) {
     return {a.neg_lo * factor, a.hi * factor};
 }
 
+/// a * c for the enclosure c > 0 of a finite number.
+template <class Real>
+Interval<Real> scale(const Interval<Real>& a, const Interval<Real>& c, bool a_nonnegative) {
+    const Real c_lo = -c.neg_lo;
+    if (a_nonnegative) return {a.neg_lo * c_lo, a.hi * c.hi};
+    return {a.neg_lo * select_negative(a.neg_lo, c_lo, c.hi),
+            a.hi * select_negative(a.hi, c_lo, c.hi)};
+}
+
 /// The square of a >= 0.
 template <class Real>
 Interval<Real> square_nonnegative(const Interval<Real>& a) {
