@@ -1,17 +1,17 @@
-#include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-
-#include <nlohmann/json.hpp>
-
 #include "app/commands.hpp"
 #include "app/gallery.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/tracer.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
 
 namespace zeroset {
 namespace {
@@ -60,8 +60,8 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
             camera.eye = view.at("distance").get<double>() * domain *
                          glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
             camera.fov_rad = glm::radians(view.at("fov").get<double>());
-            items.push_back({surface.at("name"),
-                             {surface.at("f"), Box::cube(domain), 0.5, camera}});
+            items.push_back(
+                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera}});
         }
     } catch (const nlohmann::json::exception& error) {
         return wrong("--suite " + path + ": " + error.what());
@@ -113,8 +113,7 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     Scene scene{formula->kernel, item.surface.clip, {}};
     scene.uniforms.set(0, item.surface.w);
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    const Camera camera =
-        item.surface.camera.value_or(default_camera(item.surface.clip, aspect));
+    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip, aspect));
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
     cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);
@@ -150,8 +149,8 @@ void print_heading(const BenchPlan& plan) {
 }
 
 void print_cell(const BenchCell& cell) {
-    std::printf(" %17.3f %8.1f %8.2f %10.1f", cell.timing.median_ms,
-                1000.0 / cell.timing.median_ms, cell.range_per_ray, cell.compile_ms);
+    std::printf(" %17.3f %8.1f %8.2f %10.1f", cell.timing.median_ms, 1000.0 / cell.timing.median_ms,
+                cell.range_per_ray, cell.compile_ms);
 }
 
 }  // namespace

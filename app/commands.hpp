@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "app/options.hpp"
 #include "engine/image/file.hpp"
+
+#include <optional>
+#include <string>
 
 // The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
 // what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).

@@ -1,11 +1,11 @@
-#include <iostream>
-
-#include <nlohmann/json.hpp>
-
 #include "app/commands.hpp"
 #include "app/text.hpp"
 #include "engine/expr/interpret.hpp"
 #include "jit/compile.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
 
 namespace zeroset {
 namespace {
@@ -28,7 +28,8 @@ OrInputError<std::optional<ValueAt>> value_of(const Expr& expr, const ExplainCom
     std::ranges::copy(*numbers, result.point.begin());
     const Dual<double> f = value_at(expr, result.point);
     result.value = f.value;
-    for (std::size_t i = 0; i < 3; ++i) result.gradient[i] = f.slope[i].value_or(0.0);
+    for (std::size_t i = 0; i < 3; ++i)
+        result.gradient[i] = f.slope[i].value_or(0.0);
     return result;
 }
 
@@ -67,8 +68,8 @@ void print_text(const Expr& expr, const std::optional<ValueAt>& at) {
 }
 
 int print_code(const Expr& expr, const ExplainCommand& command) {
-    for (const auto& [wanted, make] : {std::pair{command.ir, &jit::ir},
-                                       std::pair{command.assembly, &jit::assembly}}) {
+    for (const auto& [wanted, make] :
+         {std::pair{command.ir, &jit::ir}, std::pair{command.assembly, &jit::assembly}}) {
         if (!wanted) continue;
         const auto text = make(expr, {});
         if (!text) return report_run_time(text.error().message);

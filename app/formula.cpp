@@ -1,10 +1,10 @@
 #include "app/formula.hpp"
 
-#include <chrono>
-
 #include "app/text.hpp"
 #include "engine/expr/parse.hpp"
 #include "jit/compile.hpp"
+
+#include <chrono>
 
 namespace zeroset {
 
@@ -16,12 +16,14 @@ std::expected<Expr, InputError> read_formula(std::string_view text) {
         return std::unexpected(InputError{error.reason + hint, column_of(text, error.offset),
                                           std::string(line_at(text, error.offset))});
     }
-    const bool in_space = expr->uses_variable(0) || expr->uses_variable(1) || expr->uses_variable(2);
+    const bool in_space =
+        expr->uses_variable(0) || expr->uses_variable(1) || expr->uses_variable(2);
     if (!in_space) {
         return std::unexpected(
             InputError{"there is no x, y or z in it, so it is no surface; type an equation such as "
                        "x^2 + y^2 + z^2 = 1",
-                       std::nullopt, {}});
+                       std::nullopt,
+                       {}});
     }
     return std::move(*expr);
 }
@@ -32,8 +34,8 @@ std::expected<Formula, InputError> compile_formula(std::string_view text) {
     if (!expr) return std::unexpected(expr.error());
     auto kernel = jit::compile(*expr);
     if (!kernel) {
-        return std::unexpected(InputError{"the formula cannot be compiled: " +
-                                              kernel.error().message, std::nullopt, {}});
+        return std::unexpected(InputError{
+            "the formula cannot be compiled: " + kernel.error().message, std::nullopt, {}});
     }
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "engine/expr/expr.hpp"
+#include "engine/expr/kernel.hpp"
+
 #include <cstddef>
 #include <expected>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "engine/expr/expr.hpp"
-#include "engine/expr/kernel.hpp"
 
 namespace zeroset {
 

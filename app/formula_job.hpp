@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/formula.hpp"
+
 #include <condition_variable>
 #include <expected>
 #include <functional>
@@ -8,8 +10,6 @@
 #include <optional>
 #include <string>
 #include <thread>
-
-#include "app/formula.hpp"
 
 namespace zeroset {
 

@@ -1,12 +1,12 @@
 #include "app/gallery.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include "app/gallery_files.hpp"
+#include "engine/expr/nearest_word.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "app/gallery_files.hpp"
-#include "engine/expr/nearest_word.hpp"
+#include <algorithm>
+#include <iterator>
 
 namespace zeroset {
 namespace {
@@ -66,10 +66,11 @@ std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {
     if (found != gallery().end()) return *found;
     std::vector<std::string_view> names;
     std::ranges::transform(gallery(), std::back_inserter(names), &GalleryItem::name);
-    return std::unexpected(InputError{
-        "the gallery has no '" + std::string(name) + "'; did you mean @" +
-            std::string(nearest_word(name, names)) + "? (zeroset gallery lists all)",
-        std::nullopt, {}});
+    return std::unexpected(
+        InputError{"the gallery has no '" + std::string(name) + "'; did you mean @" +
+                       std::string(nearest_word(name, names)) + "? (zeroset gallery lists all)",
+                   std::nullopt,
+                   {}});
 }
 
 }  // namespace zeroset

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "app/formula.hpp"
+#include "engine/trace/camera.hpp"
+
 #include <expected>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "app/formula.hpp"
-#include "engine/trace/camera.hpp"
 
 namespace zeroset {
 

@@ -1,9 +1,9 @@
-#include <iostream>
+#include "app/commands.hpp"
+#include "app/gallery.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
-#include "app/gallery.hpp"
+#include <iostream>
 
 namespace zeroset {
 namespace {
@@ -39,7 +39,8 @@ void print_text() {
 
 int run_gallery(const GalleryCommand& command) {
     if (command.names) {
-        for (const GalleryItem& item : gallery()) std::cout << item.name << "\n";
+        for (const GalleryItem& item : gallery())
+            std::cout << item.name << "\n";
     } else if (command.json) {
         print_json();
     } else {

@@ -1,14 +1,14 @@
 // The command line: zeroset [EQUATION | @NAME] opens the window, zeroset SUBCOMMAND needs none.
 
-#include <iostream>
-#include <string>
-#include <vector>
-
-#include <CLI/CLI.hpp>
-
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
 #include "app/gallery.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <string>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -60,14 +60,16 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
 }
 
 int run(int argc, char** argv) {
-    CLI::App app{"Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
-                 "Without a subcommand it opens the window."};
+    CLI::App app{
+        "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
+        "Without a subcommand it opens the window."};
     app.require_subcommand(0, 1);
     std::string equation;
     ViewText view;
     TraceText trace;
-    app.add_option("EQUATION", equation, "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
-                                         "gallery, or - for standard input");
+    app.add_option("EQUATION", equation,
+                   "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+                   "gallery, or - for standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
 
@@ -97,7 +99,8 @@ int run(int argc, char** argv) {
 
     BenchCommand bench;
     CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
-    bench_app->add_option("--suite", bench.suite, "a JSON file of surfaces (default: the gallery's)");
+    bench_app->add_option("--suite", bench.suite,
+                          "a JSON file of surfaces (default: the gallery's)");
     bench_app->add_option("--tracer", bench.tracers, "tracers to compare: A,B,...");
     bench_app->add_option("--dstop", bench.d_stop, "as for render (default 10)");
     bench_app->add_option("--threads", bench.threads, "threads (default: all cores)");
@@ -111,7 +114,8 @@ int run(int argc, char** argv) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
         return report({std::string(error.what()) + " (zeroset --help lists what there is)",
-                       std::nullopt, {}});
+                       std::nullopt,
+                       {}});
     }
     if (*render_app) return run_render(render);
     if (*gallery_app) return run_gallery(gallery_command);

@@ -1,13 +1,13 @@
 #include "app/options.hpp"
 
+#include "app/gallery.hpp"
+#include "app/text.hpp"
+#include "engine/trace/tracer.hpp"
+
 #include <charconv>
 #include <cmath>
 #include <iostream>
 #include <iterator>
-
-#include "app/gallery.hpp"
-#include "app/text.hpp"
-#include "engine/trace/tracer.hpp"
 
 namespace zeroset {
 namespace {
@@ -199,9 +199,10 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
     if (text.tracer) {
         if (find_tracer(*text.tracer) == nullptr) {
             std::string names;
-            for (const Tracer& tracer : tracers()) names += " " + std::string(tracer.name);
-            return wrong("--tracer " + *text.tracer + ": there is no such tracer; type one of:" +
-                         names);
+            for (const Tracer& tracer : tracers())
+                names += " " + std::string(tracer.name);
+            return wrong("--tracer " + *text.tracer +
+                         ": there is no such tracer; type one of:" + names);
         }
         settings.tracer = *text.tracer;
     }

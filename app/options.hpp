@@ -1,14 +1,14 @@
 #pragma once
 
+#include "app/formula.hpp"
+#include "engine/trace/camera.hpp"
+#include "engine/trace/scene.hpp"
+
 #include <expected>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "app/formula.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/scene.hpp"
 
 // The command line's values: text to numbers, and every way in which the text can be wrong.
 

@@ -1,13 +1,13 @@
-#include <filesystem>
-#include <iostream>
-
-#include <nlohmann/json.hpp>
-
 #include "app/commands.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/render.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <iostream>
 
 namespace zeroset {
 namespace {
@@ -43,7 +43,8 @@ OrInputError<RenderJobPlan> plan_of(const RenderCommand& command) {
     if (command.output && !command.output->ends_with(".png")) {
         return std::unexpected(InputError{
             "-o " + *command.output + ": the picture is a PNG; type a name that ends in .png",
-            std::nullopt, {}});
+            std::nullopt,
+            {}});
     }
     auto surface = read_surface(command.equation, command.view);
     if (!surface) return std::unexpected(surface.error());
@@ -79,8 +80,7 @@ Json stats_of(const RenderJobPlan& plan, const Formula& formula, const FrameTimi
             {"certified", counts.certified},
             {"undecided", counts.undecided},
             {"miss", counts.miss},
-            {"evaluations",
-             {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
+            {"evaluations", {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
+#include "app/commands.hpp"
+
 #include <iostream>
 #include <span>
-
-#include "app/commands.hpp"
 
 namespace zeroset {
 

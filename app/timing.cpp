@@ -1,10 +1,10 @@
 #include "app/timing.hpp"
 
+#include "engine/trace/render.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <vector>
-
-#include "engine/trace/render.hpp"
 
 namespace zeroset {
 
@@ -23,8 +23,8 @@ FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSet
     }
     std::ranges::sort(times);
     const std::size_t middle = times.size() / 2;
-    timing.median_ms = times.size() % 2 == 1 ? times[middle]
-                                             : 0.5 * (times[middle - 1] + times[middle]);
+    timing.median_ms =
+        times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
     timing.min_ms = times.front();
     timing.max_ms = times.back();
     return timing;

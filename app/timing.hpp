@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/scene.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/scene.hpp"
 
 namespace zeroset {
 

@@ -1,12 +1,12 @@
 #include "jit/compile.hpp"
 
-#include <optional>
-#include <utility>
-
 #include "engine/expr/interpret.hpp"
 #include "engine/num/sleef.hpp"
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
+
+#include <optional>
+#include <utility>
 
 namespace zeroset::jit {
 namespace {
@@ -78,8 +78,7 @@ std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptio
     return on_large_stack([&] { return print_ir(expr, *lanes); });
 }
 
-std::expected<std::string, CompileError> assembly(const Expr& expr,
-                                                  const CompileOptions& options) {
+std::expected<std::string, CompileError> assembly(const Expr& expr, const CompileOptions& options) {
     const auto lanes = usable_lanes(options);
     if (!lanes) return std::unexpected(lanes.error());
     return on_large_stack([&] { return print_assembly(expr, *lanes); });

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <expected>
-#include <string>
-
 #include "engine/expr/expr.hpp"
 #include "engine/expr/kernel.hpp"
+
+#include <expected>
+#include <string>
 
 namespace zeroset::jit {
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "jit/orc.hpp"
+
 #include <list>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
-
-#include "jit/orc.hpp"
 
 namespace zeroset::jit {
 

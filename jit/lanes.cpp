@@ -1,8 +1,8 @@
 #include "jit/lanes.hpp"
 
-#include <llvm/IR/Intrinsics.h>
-
 #include "engine/num/elementary.hpp"
+
+#include <llvm/IR/Intrinsics.h>
 
 namespace zeroset::jit {
 namespace {
@@ -20,10 +20,9 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
     llvm::Type* const vector = kind.emitter->float_vector();
     const std::vector<llvm::Type*> parameters(arguments.size(), vector);
     auto* const type = llvm::FunctionType::get(vector, parameters, false);
-    const auto address = reinterpret_cast<std::uintptr_t>(
-        elementary_code(function, kind.emitter->lanes));
-    llvm::Value* const code =
-        builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
+    const auto address =
+        reinterpret_cast<std::uintptr_t>(elementary_code(function, kind.emitter->lanes));
+    llvm::Value* const code = builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
     return {kind.emitter, builder.CreateCall(type, code, arguments)};
 }
 
@@ -49,8 +48,12 @@ Lanes operator/(const Lanes& a, const Lanes& b) {
 }
 Lanes operator-(const Lanes& a) { return {a.emitter, a.emitter->builder.CreateFNeg(a.value)}; }
 
-LaneMask operator>(const Lanes& a, const Lanes& b) { return compare(llvm::CmpInst::FCMP_OGT, a, b); }
-LaneMask operator<(const Lanes& a, const Lanes& b) { return compare(llvm::CmpInst::FCMP_OLT, a, b); }
+LaneMask operator>(const Lanes& a, const Lanes& b) {
+    return compare(llvm::CmpInst::FCMP_OGT, a, b);
+}
+LaneMask operator<(const Lanes& a, const Lanes& b) {
+    return compare(llvm::CmpInst::FCMP_OLT, a, b);
+}
 LaneMask operator>=(const Lanes& a, const Lanes& b) {
     return compare(llvm::CmpInst::FCMP_OGE, a, b);
 }
@@ -80,16 +83,15 @@ Lanes maximum(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
 Lanes minimum(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
 
 Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false) {
-    return {if_true.emitter, if_true.emitter->builder.CreateSelect(condition.value, if_true.value,
-                                                                   if_false.value)};
+    return {if_true.emitter,
+            if_true.emitter->builder.CreateSelect(condition.value, if_true.value, if_false.value)};
 }
 
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear) {
     llvm::IRBuilder<>& builder = x.emitter->builder;
     llvm::Type* const integers = x.emitter->vector_of(builder.getInt32Ty());
     llvm::Value* const bits = builder.CreateBitCast(x.value, integers);
-    llvm::Value* const is_set =
-        builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
+    llvm::Value* const is_set = builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
     return {x.emitter, builder.CreateSelect(is_set, if_set.value, if_clear.value)};
 }
 

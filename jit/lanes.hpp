@@ -1,8 +1,8 @@
 #pragma once
 
-#include <llvm/IR/IRBuilder.h>
-
 #include "engine/num/sleef.hpp"
+
+#include <llvm/IR/IRBuilder.h>
 
 // The carrier that builds IR: the same operations as engine/num/scalar.hpp, each on a vector of
 // floats. Private to jit/.

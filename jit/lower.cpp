@@ -1,14 +1,14 @@
 #include "jit/lower.hpp"
 
-#include <cstddef>
+#include "engine/expr/algebra.hpp"
+#include "engine/expr/kernel.hpp"
+#include "jit/lanes.hpp"
 
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
 
-#include "engine/expr/algebra.hpp"
-#include "engine/expr/kernel.hpp"
-#include "jit/lanes.hpp"
+#include <cstddef>
 
 namespace zeroset::jit {
 namespace {
@@ -21,8 +21,7 @@ public:
         : builder_(module.getContext()), emitter_{builder_, lanes} {
         auto* const type = llvm::FunctionType::get(
             builder_.getVoidTy(), {builder_.getPtrTy(), builder_.getPtrTy()}, false);
-        function_ =
-            llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
+        function_ = llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
         function_->addFnAttr(llvm::Attribute::StrictFP);
         function_->addFnAttr(llvm::Attribute::NoUnwind);
         entry_ = llvm::BasicBlock::Create(module.getContext(), "entry", function_);
@@ -62,22 +61,24 @@ public:
     }
     /// The same float, `array[index]`, in all lanes.
     Lanes load_uniform(llvm::Value* array, std::size_t index) {
-        llvm::Value* const address = builder_.CreateConstGEP1_64(builder_.getFloatTy(), array, index);
+        llvm::Value* const address =
+            builder_.CreateConstGEP1_64(builder_.getFloatTy(), array, index);
         llvm::Value* const one = builder_.CreateLoad(builder_.getFloatTy(), address);
-        return {&emitter_,
-                builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.lanes), one)};
+        return {&emitter_, builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.lanes), one)};
     }
     void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
     /// All ones where the mask holds.
     void store(llvm::Value* array, const LaneMask& mask) {
-        store_vector(array, builder_.CreateSExt(mask.value, emitter_.vector_of(builder_.getInt32Ty())));
+        store_vector(array,
+                     builder_.CreateSExt(mask.value, emitter_.vector_of(builder_.getInt32Ty())));
     }
 
     Lanes splat(double value) {
         return {&emitter_, llvm::ConstantFP::get(emitter_.float_vector(), value)};
     }
     LaneMask everywhere() {
-        return {&emitter_, llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
+        return {&emitter_,
+                llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
     }
 
 private:

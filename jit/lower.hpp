@@ -1,8 +1,8 @@
 #pragma once
 
-#include <memory>
-
 #include "engine/expr/expr.hpp"
+
+#include <memory>
 
 namespace llvm {
 class LLVMContext;

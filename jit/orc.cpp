@@ -1,6 +1,6 @@
 #include "jit/orc.hpp"
 
-#include <mutex>
+#include "jit/lower.hpp"
 
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
@@ -11,7 +11,7 @@
 #include <llvm/Support/thread.h>
 #include <llvm/Target/TargetMachine.h>
 
-#include "jit/lower.hpp"
+#include <mutex>
 
 namespace zeroset::jit {
 namespace {

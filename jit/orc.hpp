@@ -1,12 +1,12 @@
 #pragma once
 
+#include "engine/expr/expr.hpp"
+#include "jit/compile.hpp"
+
 #include <cstdint>
 #include <expected>
 #include <memory>
 #include <string>
-
-#include "engine/expr/expr.hpp"
-#include "jit/compile.hpp"
 
 // Private to jit/: what needs LLVM's execution engine.
 

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "engine/expr/facts.hpp"
+#include "engine/num/dual.hpp"
+#include "engine/num/elementary.hpp"
+
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
-
-#include "engine/expr/facts.hpp"
-#include "engine/num/dual.hpp"
-#include "engine/num/elementary.hpp"
 
 // What an operator means: one member a row of op.def, over any carrier. The interpreter and the
 // JIT both evaluate a graph by `evaluate` below, so they perform the same operations.
@@ -20,7 +20,6 @@ struct Operand {
     const Value& value;
     const Facts& facts;
 };
-
 
 /// Natural interval extension. Collects where f is defined and where it is proved continuous.
 template <class Real>
@@ -36,7 +35,8 @@ public:
     Value multiply(In a, In b) {
         if (a.facts.constant) return scaled(b, a);
         if (b.facts.constant) return scaled(a, b);
-        if (a.facts.nonnegative && b.facts.nonnegative) return multiply_nonnegative(a.value, b.value);
+        if (a.facts.nonnegative && b.facts.nonnegative)
+            return multiply_nonnegative(a.value, b.value);
         if (a.facts.nonnegative) return multiply_nonnegative_by(a.value, b.value);
         if (b.facts.nonnegative) return multiply_nonnegative_by(b.value, a.value);
         return a.value * b.value;
@@ -131,8 +131,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
 #define ZEROSET_OP_Internal(id, method, arity) ZEROSET_OP_Call_##arity(id, method)
 #define ZEROSET_OP_Call_1(id, method) ZEROSET_OP_Prefix(id, method, 1)
 #define ZEROSET_OP_Call_2(id, method) ZEROSET_OP_Infix(id, method, 2)
-#define ZEROSET_OP(id, method, spelling, arity, notation) \
-    ZEROSET_OP_##notation(id, method, arity)
+#define ZEROSET_OP(id, method, spelling, arity, notation) ZEROSET_OP_##notation(id, method, arity)
 #include "engine/expr/op.def"
 #undef ZEROSET_OP
 #undef ZEROSET_OP_Prefix

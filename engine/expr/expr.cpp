@@ -34,7 +34,8 @@ std::string Expr::key() const {
         append(node.lo);
         append(node.hi);
     }
-    for (const std::string& name : parameters_) key += name + ' ';
+    for (const std::string& name : parameters_)
+        key += name + ' ';
     return key;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/expr/op.hpp"
+
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -7,8 +9,6 @@
 #include <string_view>
 #include <unordered_map>
 #include <vector>
-
-#include "engine/expr/op.hpp"
 
 namespace zeroset {
 

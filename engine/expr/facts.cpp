@@ -1,9 +1,9 @@
 #include "engine/expr/facts.hpp"
 
-#include <cmath>
-
 #include "engine/expr/algebra.hpp"
 #include "engine/num/rounding.hpp"
+
+#include <cmath>
 
 namespace zeroset {
 namespace {
@@ -37,12 +37,12 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b) {
 std::optional<Interval<double>> folded(const Node& node, const Facts& a, const Facts& b) {
     if (node.op == Op::Sin || node.op == Op::Cos || node.op == Op::Acos || node.op == Op::Exp ||
         node.op == Op::Log || node.op == Op::Atan2 || node.op == Op::Angle) {
-        return std::nullopt;  // the C library's functions have no proved bound: leave it to run time
+        return std::nullopt;  // the C library's functions have no proved bound: leave it to run
+                              // time
     }
     IntervalAlgebra<double> algebra;
-    const Interval<double> value =
-        apply(algebra, node, Operand<Interval<double>>{*a.constant, a},
-              Operand<Interval<double>>{*b.constant, b});
+    const Interval<double> value = apply(algebra, node, Operand<Interval<double>>{*a.constant, a},
+                                         Operand<Interval<double>>{*b.constant, b});
     const bool valid = algebra.defined.value_or(true) && algebra.continuous.value_or(true) &&
                        std::isfinite(value.neg_lo) && std::isfinite(value.hi);
     if (!valid) return std::nullopt;
@@ -53,8 +53,7 @@ Facts facts_of_operator(const Node& node, const Facts& a, const Facts& b) {
     Facts facts;
     facts.uniform = a.uniform && b.uniform;
     if (a.constant && b.constant) facts.constant = folded(node, a, b);
-    facts.nonnegative =
-        facts.constant ? facts.constant->neg_lo <= 0 : nonnegative(node, a, b);
+    facts.nonnegative = facts.constant ? facts.constant->neg_lo <= 0 : nonnegative(node, a, b);
     return facts;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "engine/expr/expr.hpp"
 #include "engine/num/interval.hpp"
+
+#include <optional>
+#include <vector>
 
 namespace zeroset {
 

@@ -1,10 +1,10 @@
 #include "engine/expr/interpret.hpp"
 
-#include <cassert>
-#include <memory>
-
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/facts.hpp"
+
+#include <cassert>
+#include <memory>
 
 namespace zeroset {
 namespace {
@@ -43,7 +43,8 @@ void range_of_box(const Program& code, const RangeBatch& batch, std::size_t i) {
 }
 
 void interpret_range(const void* code, const RangeBatch* batch) {
-    for (std::size_t i = 0; i < batch->size; ++i) range_of_box(program(code), *batch, i);
+    for (std::size_t i = 0; i < batch->size; ++i)
+        range_of_box(program(code), *batch, i);
 }
 
 void interpret_value(const void* code, const ValueBatch* batch) {
@@ -60,7 +61,8 @@ void interpret_value(const void* code, const ValueBatch* batch) {
         const Dual<float> f =
             evaluate(program(code).expr, program(code).facts, algebra, leaf, nothing);
         batch->f[i] = f.value;
-        for (std::size_t k = 0; k < 3; ++k) batch->gradient[k][i] = f.slope[k].value_or(0.0F);
+        for (std::size_t k = 0; k < 3; ++k)
+            batch->gradient[k][i] = f.slope[k].value_or(0.0F);
     }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
-
 #include "engine/expr/expr.hpp"
 #include "engine/expr/kernel.hpp"
 #include "engine/num/dual.hpp"
+
+#include <array>
 
 namespace zeroset {
 

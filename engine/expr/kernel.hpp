@@ -24,13 +24,13 @@ struct Uniforms {
 
 /// `size` boxes in x, y, z; arrays of `size` floats, in structure-of-arrays form.
 struct RangeBatch {
-    std::size_t size;          ///< a multiple of batch_multiple
-    const float* neg_lo[3];    ///< -lo of x, y, z
-    const float* hi[3];        ///< hi of x, y, z
-    const float* uniforms;     ///< Uniforms::neg_lo_hi
-    float* f_neg_lo;           ///< out: -lo of an enclosure of f over the box; -inf: f undefined
-    float* f_hi;               ///< out: hi of it; -inf: f undefined in the whole box
-    std::uint32_t* continuous; ///< out: all ones where f is proved defined and continuous, else 0
+    std::size_t size;           ///< a multiple of batch_multiple
+    const float* neg_lo[3];     ///< -lo of x, y, z
+    const float* hi[3];         ///< hi of x, y, z
+    const float* uniforms;      ///< Uniforms::neg_lo_hi
+    float* f_neg_lo;            ///< out: -lo of an enclosure of f over the box; -inf: f undefined
+    float* f_hi;                ///< out: hi of it; -inf: f undefined in the whole box
+    std::uint32_t* continuous;  ///< out: all ones where f is proved defined and continuous, else 0
 };
 
 /// `size` points.

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "engine/expr/parse.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <expected>
 #include <string_view>
 #include <vector>
-
-#include "engine/expr/parse.hpp"
 
 namespace zeroset {
 

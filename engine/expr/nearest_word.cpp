@@ -20,8 +20,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
             }
             best = std::min({d[(i - 1) * width + j] + 1, d[i * width + j - 1] + 1,
                              d[(i - 1) * width + j - 1] + (a[i - 1] != b[j - 1] ? 1U : 0U)});
-            const bool swapped =
-                i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped) best = std::min(best, d[(i - 2) * width + j - 2] + 1);
         }
     }
@@ -33,9 +32,8 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words) {
     assert(!words.empty());
     typed = typed.substr(0, 64);
-    return *std::ranges::min_element(words, {}, [&](std::string_view word) {
-        return distance(typed, word);
-    });
+    return *std::ranges::min_element(words, {},
+                                     [&](std::string_view word) { return distance(typed, word); });
 }
 
 }  // namespace zeroset

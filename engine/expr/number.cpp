@@ -1,11 +1,11 @@
 #include "engine/expr/number.hpp"
 
+#include "engine/num/rounding.hpp"
+
 #include <array>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-
-#include "engine/num/rounding.hpp"
 
 namespace zeroset {
 namespace {

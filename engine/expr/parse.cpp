@@ -1,14 +1,14 @@
 #include "engine/expr/parse.hpp"
 
-#include <numeric>
-#include <optional>
-#include <utility>
-#include <vector>
-
 #include "engine/expr/lexer.hpp"
 #include "engine/expr/nearest_word.hpp"
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
+
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 // Grammar (^ is right-associative and binds tighter than a sign on its left):
 //   equation = sum [ "=" sum ]
@@ -72,10 +72,11 @@ ParseError Parser::missing_operand() const {
     const Token& here = next();
     const bool at_start = at_ == 0;
     if (here.kind == TokenKind::End && at_start) {
-        return {here.offset, "there is no formula yet", "type one, for example x^2 + y^2 + z^2 = 1"};
+        return {here.offset, "there is no formula yet",
+                "type one, for example x^2 + y^2 + z^2 = 1"};
     }
-    const std::string place = at_start ? "before " + quoted(here.text)
-                                       : "after " + quoted(tokens_[at_ - 1].text);
+    const std::string place =
+        at_start ? "before " + quoted(here.text) : "after " + quoted(tokens_[at_ - 1].text);
     return {here.offset, "a number, a variable or '(' is missing " + place, {}};
 }
 
@@ -125,9 +126,10 @@ Parsed Parser::sum() {
 }
 
 Parsed Parser::product() {
-    return chain("*/", &Parser::signed_power, [](ExprBuilder& builder, char op, NodeId a, NodeId b) {
-        return op == '*' ? make_multiply(builder, a, b) : make_divide(builder, a, b);
-    });
+    return chain("*/", &Parser::signed_power,
+                 [](ExprBuilder& builder, char op, NodeId a, NodeId b) {
+                     return op == '*' ? make_multiply(builder, a, b) : make_divide(builder, a, b);
+                 });
 }
 
 Parsed Parser::signed_power() {
@@ -237,16 +239,14 @@ Parsed Parser::call(const Token& token, Op function) {
     const auto arity = static_cast<std::size_t>(op_info(function).arity);
     const bool foldable = function == Op::Min || function == Op::Max;
     if (values->size() != arity && !(foldable && values->size() > arity)) {
-        return fail(token.offset,
-                    std::string(token.text) + " takes " + std::to_string(arity) +
-                        (foldable ? " or more" : "") +
-                        (arity == 1 ? " argument, not " : " arguments, not ") +
-                        std::to_string(values->size()));
+        return fail(token.offset, std::string(token.text) + " takes " + std::to_string(arity) +
+                                      (foldable ? " or more" : "") +
+                                      (arity == 1 ? " argument, not " : " arguments, not ") +
+                                      std::to_string(values->size()));
     }
     if (arity == 1) return make_call(builder_, function, values->front(), 0);
-    return std::accumulate(
-        values->begin() + 1, values->end(), values->front(),
-        [&](NodeId a, NodeId b) { return make_call(builder_, function, a, b); });
+    return std::accumulate(values->begin() + 1, values->end(), values->front(),
+                           [&](NodeId a, NodeId b) { return make_call(builder_, function, a, b); });
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "engine/expr/expr.hpp"
+
 #include <cstddef>
 #include <expected>
 #include <string>
 #include <string_view>
-
-#include "engine/expr/expr.hpp"
 
 namespace zeroset {
 

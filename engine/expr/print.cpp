@@ -1,10 +1,10 @@
 // Expr::canonical: the formula with every operator written out and no parenthesis that
 // precedence makes needless.
 
-#include <string>
-
 #include "engine/expr/expr.hpp"
 #include "engine/expr/number.hpp"
+
+#include <string>
 
 namespace zeroset {
 namespace {

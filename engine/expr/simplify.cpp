@@ -49,14 +49,13 @@ std::optional<double> exact_value(const ExprBuilder& builder, NodeId id) {
     if (node.op == Op::Constant) {
         return node.lo == node.hi ? std::optional(node.lo) : std::nullopt;
     }
-    const bool arithmetic = node.op == Op::Add || node.op == Op::Subtract || node.op == Op::Multiply;
+    const bool arithmetic =
+        node.op == Op::Add || node.op == Op::Subtract || node.op == Op::Multiply;
     if (!arithmetic) return std::nullopt;
     const std::optional<double> a = exact_value(builder, node.a);
     const std::optional<double> b = exact_value(builder, node.b);
     if (!a || !b || *a != std::floor(*a) || *b != std::floor(*b)) return std::nullopt;
-    const double value = node.op == Op::Add        ? *a + *b
-                         : node.op == Op::Subtract ? *a - *b
-                                                   : *a * *b;
+    const double value = node.op == Op::Add ? *a + *b : node.op == Op::Subtract ? *a - *b : *a * *b;
     if (std::abs(value) > largest_exact_integer) return std::nullopt;
     return value;
 }

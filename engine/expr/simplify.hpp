@@ -1,10 +1,10 @@
 #pragma once
 
+#include "engine/expr/expr.hpp"
+
 #include <expected>
 #include <optional>
 #include <string>
-
-#include "engine/expr/expr.hpp"
 
 namespace zeroset {
 

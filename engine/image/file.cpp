@@ -1,5 +1,8 @@
 #include "engine/image/file.hpp"
 
+#include <stb/stb_image_write.h>
+#include <unistd.h>
+
 #include <bit>
 #include <cerrno>
 #include <cstring>
@@ -7,9 +10,6 @@
 #include <string>
 #include <system_error>
 #include <vector>
-
-#include <stb/stb_image_write.h>
-#include <unistd.h>
 
 namespace zeroset {
 namespace {
@@ -90,8 +90,8 @@ std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer
 
 std::expected<void, FileError> write_pfm(const fs::path& path, const Framebuffer& frame) {
     static_assert(std::endian::native == std::endian::little);
-    const std::string header = "Pf\n" + std::to_string(frame.width) + " " +
-                               std::to_string(frame.height) + "\n-1.0\n";
+    const std::string header =
+        "Pf\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n-1.0\n";
     std::vector<std::byte> bytes(header.size() + frame.depth.size() * sizeof(float));
     std::memcpy(bytes.data(), header.data(), header.size());
     std::byte* out = bytes.data() + header.size();

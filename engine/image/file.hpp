@@ -1,11 +1,11 @@
 #pragma once
 
+#include "engine/image/framebuffer.hpp"
+
 #include <expected>
 #include <filesystem>
 #include <span>
 #include <string>
-
-#include "engine/image/framebuffer.hpp"
 
 namespace zeroset {
 

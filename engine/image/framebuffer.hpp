@@ -17,8 +17,8 @@ enum class Certificate : std::uint8_t {
 struct Framebuffer {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> color;        ///< RGBA, 8 bits each, R in the lowest byte
-    std::vector<float> depth;                ///< distance from the eye, world units; +inf: a miss
+    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R in the lowest byte
+    std::vector<float> depth;          ///< distance from the eye, world units; +inf: a miss
     std::vector<Certificate> certificate;
 
     Framebuffer() = default;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
-#include <optional>
-
 #include "engine/num/scalar.hpp"
 #include "engine/num/sleef.hpp"
+
+#include <array>
+#include <optional>
 
 // Value and gradient by forward differentiation, over any carrier. Not rounded outward.
 
@@ -38,7 +38,8 @@ std::optional<Real> product(const Real& a, const std::optional<Real>& b) {
 template <class Real>
 Dual<Real> chain(const Real& value, const Real& derivative, const Dual<Real>& a) {
     Dual<Real> result{value, {}};
-    for (std::size_t i = 0; i < 3; ++i) result.slope[i] = detail::product(derivative, a.slope[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+        result.slope[i] = detail::product(derivative, a.slope[i]);
     return result;
 }
 
@@ -48,8 +49,8 @@ Dual<Real> chain(const Real& value, const Real& by_a, const Dual<Real>& a, const
                  const Dual<Real>& b) {
     Dual<Real> result{value, {}};
     for (std::size_t i = 0; i < 3; ++i) {
-        result.slope[i] = detail::sum(detail::product(by_a, a.slope[i]),
-                                      detail::product(by_b, b.slope[i]));
+        result.slope[i] =
+            detail::sum(detail::product(by_a, a.slope[i]), detail::product(by_b, b.slope[i]));
     }
     return result;
 }
@@ -66,7 +67,8 @@ Dual<Real> operator-(const Dual<Real>& a) {
 template <class Real>
 Dual<Real> operator+(const Dual<Real>& a, const Dual<Real>& b) {
     Dual<Real> result{a.value + b.value, {}};
-    for (std::size_t i = 0; i < 3; ++i) result.slope[i] = detail::sum(a.slope[i], b.slope[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+        result.slope[i] = detail::sum(a.slope[i], b.slope[i]);
     return result;
 }
 

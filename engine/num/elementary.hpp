@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
-#include <numbers>
-
 #include "engine/num/interval.hpp"
 #include "engine/num/sleef.hpp"
+
+#include <limits>
+#include <numbers>
 
 // Intervals of elementary functions over any carrier, in upward rounding. Library results are
 // taken in round-to-nearest and widened by their error bound.
@@ -69,8 +69,7 @@ Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo,
                     double min_lo, double min_hi) {
     const Real first = elementary(function, -a.neg_lo);
     const Real last = elementary(function, a.hi);
-    const Interval<Real> ends =
-        widened(function, minimum(first, last), maximum(first, last));
+    const Interval<Real> ends = widened(function, minimum(first, last), maximum(first, last));
     const Real one = like(a.hi, 1.0);
     const Real far = like(a.hi, 0x1p20);  // beyond, a period is a few hundred thousand ulp or less
     const auto near = both(a.neg_lo <= far, a.hi <= far);
@@ -98,9 +97,9 @@ auto acos(const Interval<Real>& a) {
     const Real one = like(a.hi, 1.0);
     const Real lo = maximum(-a.neg_lo, -one);
     const Real hi = minimum(a.hi, one);
-    const Interval<Real> value = clamped(
-        widened(Elementary::Acos, elementary(Elementary::Acos, hi), elementary(Elementary::Acos, lo)),
-        0.0, pi_hi);
+    const Interval<Real> value = clamped(widened(Elementary::Acos, elementary(Elementary::Acos, hi),
+                                                 elementary(Elementary::Acos, lo)),
+                                         0.0, pi_hi);
     return PartialRange{value, both(lo <= one, hi >= -one), both(a.neg_lo <= one, a.hi <= one)};
 }
 
@@ -172,8 +171,7 @@ template <class Real>
 auto angle(const Interval<Real>& y, const Interval<Real>& x) {
     const auto cases = angle_cases(y, x);
     const auto cut = cases.across_cut;
-    const Interval<Real> turned =
-        angle_from_corners(select(cut, -y, y), select(cut, -x, x));
+    const Interval<Real> turned = angle_from_corners(select(cut, -y, y), select(cut, -x, x));
     const Real zero = like(x.hi, 0.0);
     const Interval<Real> half_turn{select(cut, like(zero, -pi_lo), zero),
                                    select(cut, like(zero, pi_hi), zero)};

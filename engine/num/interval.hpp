@@ -1,8 +1,8 @@
 #pragma once
 
-#include <limits>
-
 #include "engine/num/scalar.hpp"
+
+#include <limits>
 
 // Interval arithmetic, written once for every carrier (float, double, lanes of machine code).
 //

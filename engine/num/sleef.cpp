@@ -1,10 +1,10 @@
 #include "engine/num/sleef.hpp"
 
-#include <cassert>
-#include <cmath>
-
 #include "engine/num/rounding.hpp"
 #include "engine/num/sleef_lanes.hpp"
+
+#include <cassert>
+#include <cmath>
 
 namespace zeroset {
 namespace {

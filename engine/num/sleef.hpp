@@ -24,9 +24,9 @@ float elementary(Elementary function, float a, float b = 0.0F);
 /// evaluation of formulas, not for enclosures.
 double elementary(Elementary function, double a, double b = 0.0);
 
-/// Address of native code over `lanes` floats: one or two vectors in registers to one vector (1 lane: a
-/// plain float), C calling convention, rounds to nearest and returns in upward rounding. nullptr
-/// when this machine cannot: 8 needs AVX2 and FMA, 16 AVX-512.
+/// Address of native code over `lanes` floats: one or two vectors in registers to one vector (1
+/// lane: a plain float), C calling convention, rounds to nearest and returns in upward rounding.
+/// nullptr when this machine cannot: 8 needs AVX2 and FMA, 16 AVX-512.
 const void* elementary_code(Elementary function, int lanes);
 
 }  // namespace zeroset

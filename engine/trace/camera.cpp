@@ -65,15 +65,15 @@ Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad) {
     const glm::dvec3 offset = camera.eye - camera.look_at;
     const double distance = glm::length(offset);
     const double height = std::clamp(glm::dot(offset, axis) / distance, -1.0, 1.0);
-    const double elevation = std::clamp(std::asin(height) + pitch_rad,
-                                        -0.5 * std::numbers::pi + pole_margin,
-                                        0.5 * std::numbers::pi - pole_margin);
+    const double elevation =
+        std::clamp(std::asin(height) + pitch_rad, -0.5 * std::numbers::pi + pole_margin,
+                   0.5 * std::numbers::pi - pole_margin);
     const ViewFrame frame(camera);
     const glm::dvec3 level = glm::normalize(glm::cross(frame.right, axis));  // towards the eye
     const glm::dvec3 outward = std::cos(yaw_rad) * level + std::sin(yaw_rad) * frame.right;
     Camera turned = camera;
-    turned.eye = camera.look_at +
-                 distance * (std::cos(elevation) * outward + std::sin(elevation) * axis);
+    turned.eye =
+        camera.look_at + distance * (std::cos(elevation) * outward + std::sin(elevation) * axis);
     return turned;
 }
 
@@ -90,8 +90,7 @@ Camera pan(const Camera& camera, double dx, double dy) {
 Camera zoom(const Camera& camera, double factor, double u, double v) {
     const ViewFrame frame(camera);
     const double scale = frame.half_height * frame.look_distance;
-    const glm::dvec3 under_cursor =
-        camera.look_at + scale * (u * frame.right + v * frame.up);
+    const glm::dvec3 under_cursor = camera.look_at + scale * (u * frame.right + v * frame.up);
     Camera moved = camera;
     moved.eye = under_cursor + factor * (camera.eye - under_cursor);
     moved.look_at = under_cursor + factor * (camera.look_at - under_cursor);

@@ -22,6 +22,8 @@
 #define HWY_TARGET_INCLUDE "engine/trace/k_bisection.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/trace/k_packet-inl.hpp"
+
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -30,11 +32,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/trace/k_packet-inl.hpp"
-
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
 
 /// The boxes of a group of packets, and what the kernel says of them.
 struct Batch {
@@ -146,8 +145,8 @@ Candidates stop_rays(Packet& packet, const Candidates& found, std::size_t slot, 
     const Halves halves = halves_of(packet);
     packet.stop_at(left_hit, halves.from, halves.middle);
     packet.stop_at(right_hit, halves.middle, halves.to);
-    packet.unsettled |= Packet::bits_of(hn::Or(hn::AndNot(left_continuous, left_stop),
-                                               hn::AndNot(right_continuous, right_stop)));
+    packet.unsettled |= Packet::bits_of(
+        hn::Or(hn::AndNot(left_continuous, left_stop), hn::AndNot(right_continuous, right_stop)));
     const M ended = hn::Or(left_hit, right_hit);
     return {hn::AndNot(ended, found.left), hn::AndNot(ended, found.right)};
 }
@@ -172,8 +171,8 @@ HWY_INLINE bool take_answers(Packet& packet, std::size_t slot, const Batch& batc
 
 /// The stopped rays of a packet on their way to certificates; other rays are carried along.
 struct Brackets {
-    alignas(vector_bytes) float from[lanes];  ///< K; everything before it was rejected
-    alignas(vector_bytes) float to[lanes];    ///< the sign change is looked for up to here
+    alignas(vector_bytes) float from[lanes];       ///< K; everything before it was rejected
+    alignas(vector_bytes) float to[lanes];         ///< the sign change is looked for up to here
     alignas(vector_bytes) float before[lanes];     ///< sign of f at the hit's start; 0: unknown
     alignas(vector_bytes) float open[lanes];       ///< mask: still to be decided
     alignas(vector_bytes) float certified[lanes];  ///< mask: the sign changes in [from, to]
@@ -186,7 +185,8 @@ constexpr int extra_slices = 3;
 HWY_INLINE V sign_in(const Batch& batch, std::size_t slot) {
     const V one = hn::Set(d, 1.0F);
     const V zero = hn::Zero(d);
-    const V above = hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_neg_lo + slot * lanes), zero), one);
+    const V above =
+        hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_neg_lo + slot * lanes), zero), one);
     const V below = hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_hi + slot * lanes), zero), one);
     return hn::Sub(above, below);
 }
@@ -266,7 +266,8 @@ void certify(const Scene& scene, std::span<Packet* const> packets, std::span<Bra
 /// stopped.
 void push_hits(const Packet& packet, const Brackets& brackets, TileHits& hits) {
     const M certified = hn::MaskFromVec(hn::Load(d, brackets.certified));
-    const V from = hn::IfThenElse(certified, hn::Load(d, brackets.from), hn::Load(d, packet.hit_from));
+    const V from =
+        hn::IfThenElse(certified, hn::Load(d, brackets.from), hn::Load(d, packet.hit_from));
     const V to = hn::IfThenElse(certified, hn::Load(d, brackets.to), hn::Load(d, packet.hit_to));
     const V half = hn::Set(d, 0.5F);
     const V k = hn::MulAdd(half, from, hn::Mul(half, to));
@@ -296,7 +297,8 @@ void finish(const Scene& scene, std::span<Packet* const> packets, Batch& batch, 
             Counters& counters) {
     std::array<Brackets, group_size> brackets;
     certify(scene, packets, brackets, batch, counters);
-    for (std::size_t p = 0; p < packets.size(); ++p) push_hits(*packets[p], brackets[p], hits);
+    for (std::size_t p = 0; p < packets.size(); ++p)
+        push_hits(*packets[p], brackets[p], hits);
 }
 
 /// The packets of a tile that march, and those that wait for their certificates.
@@ -304,7 +306,8 @@ class Group {
 public:
     Group(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters)
         : frame_(frame), source_(frame, tile), hits_(hits), counters_(counters) {
-        for (Packet& packet : packets_) idle_.push_back(&packet);
+        for (Packet& packet : packets_)
+            idle_.push_back(&packet);
     }
 
     void run();

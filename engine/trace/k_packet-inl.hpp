@@ -7,6 +7,11 @@
 #define ZEROSET_K_PACKET_INL
 #endif
 
+#include "engine/num/scalar.hpp"
+#include "engine/trace/tracer.hpp"
+
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -14,11 +19,6 @@
 #include <limits>
 #include <tuple>
 #include <utility>
-
-#include <hwy/highway.h>
-
-#include "engine/num/scalar.hpp"
-#include "engine/trace/tracer.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -68,24 +68,24 @@ struct Line {
     alignas(vector_bytes) float hi[lanes];
 };
 
-/// Rays that march together along K. They look at slices of a binary tree over K: the current one is [cell, cell + size] in units of
-/// the finest slice, and is looked at by halves.
+/// Rays that march together along K. They look at slices of a binary tree over K: the current one
+/// is [cell, cell + size] in units of the finest slice, and is looked at by halves.
 struct Packet {
     alignas(vector_bytes) float k_in[lanes];      ///< where the ray enters the clip box
     alignas(vector_bytes) float k_out[lanes];     ///< where it leaves
     alignas(vector_bytes) float alive[lanes];     ///< mask: rays that still look for their root
     alignas(vector_bytes) float hit_from[lanes];  ///< the slice where the search stopped
     alignas(vector_bytes) float hit_to[lanes];
-    alignas(vector_bytes) float stretch[lanes];   ///< distance along the ray for 1 along K
-    Line line[2];  ///< of U and V
+    alignas(vector_bytes) float stretch[lanes];  ///< distance along the ray for 1 along K
+    Line line[2];                                ///< of U and V
     const Axes* axes;
     unsigned hit;        ///< bits of the rays that stopped at a root
     unsigned unsettled;  ///< bits of the rays that passed a slice where f is not continuous
     int col, row;        ///< of the block's first pixel in the tile
     float origin, unit;
-    std::int32_t first;      ///< the grid's index of cell 0
-    std::int32_t cell, size; ///< size is a power of two, at least 2
-    std::uint32_t pending;   ///< sizes of the right halves, on the way up, still to be looked at
+    std::int32_t first;       ///< the grid's index of cell 0
+    std::int32_t cell, size;  ///< size is a power of two, at least 2
+    std::uint32_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
 
     /// The floats that divide K: increasing, and equal for equal indices.
     [[nodiscard]] float grid(std::int32_t index) const {
@@ -156,8 +156,8 @@ private:
     Tile tile_;
     glm::dvec3 step_col_, step_row_, corner_;  ///< directions: per pixel, and of the tile's first
     int col_ = -block_cols, row_ = 0;
-    unsigned pending_ = 0;  ///< rays of the current block not yet in a packet
-    Axes axes_[24];         ///< by dominant axis and signs of the direction
+    unsigned pending_ = 0;    ///< rays of the current block not yet in a packet
+    Axes axes_[24];           ///< by dominant axis and signs of the direction
     std::uint32_t made_ = 0;  ///< bits of the axes that are made
 };
 
@@ -230,8 +230,8 @@ inline bool PacketSource::next_block() {
     pending_ = all_lanes;
     if (col_ + block_cols > tile_.cols || row_ + block_rows > tile_.rows) {
         for (int lane = 0; lane < static_cast<int>(lanes); ++lane) {
-            const bool inside = col_ + lane % block_cols < tile_.cols &&
-                                row_ + lane / block_cols < tile_.rows;
+            const bool inside =
+                col_ + lane % block_cols < tile_.cols && row_ + lane / block_cols < tile_.rows;
             if (!inside) pending_ &= ~(1U << lane);
         }
     }
@@ -244,9 +244,7 @@ struct PacketSource::HalfPacket {
     V64 inverse_k;
     V64 t_in, t_out;
 
-    [[nodiscard]] HWY_INLINE bool all_miss() const {
-        return hn::AllTrue(d64, hn::Gt(t_in, t_out));
-    }
+    [[nodiscard]] HWY_INLINE bool all_miss() const { return hn::AllTrue(d64, hn::Gt(t_in, t_out)); }
     /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
     /// others, none falling.
     [[nodiscard]] HWY_INLINE unsigned fitting() const {
@@ -266,11 +264,9 @@ HWY_INLINE PacketSource::HalfPacket PacketSource::half_of(const Axes& axes, cons
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         const double first = axes.mirrored[i] ? -block[world] : block[world];
-        rays.direction[i] =
-            hn::Add(hn::Set(d64, first), hn::Load(d64, axes.lane_offset[i] + half));
+        rays.direction[i] = hn::Add(hn::Set(d64, first), hn::Load(d64, axes.lane_offset[i] + half));
         // Negative directions are of rays that do not fit.
-        inverse[i] = hn::Div(hn::Set(d64, 1.0),
-                             hn::Max(rays.direction[i], hn::Set(d64, 1e-300)));
+        inverse[i] = hn::Div(hn::Set(d64, 1.0), hn::Max(rays.direction[i], hn::Set(d64, 1e-300)));
     }
     rays.inverse_k = inverse[0];
     rays.t_in = hn::Mul(hn::Set(d64, axes.to_lo[0]), inverse[0]);
@@ -295,8 +291,8 @@ HWY_INLINE PacketSource::HalfLines PacketSource::lines_of(const Axes& axes,
     const V64 k_eye = hn::Set(d64, axes.eye[0]);
     const V64 k_error = hn::Set(d64, axes.error[0]);
     HalfLines lines{};
-    lines.k_in = hn::Neg(
-        demote_up(hn::Sub(k_error, hn::MulAdd(rays.t_in, rays.direction[0], k_eye))));
+    lines.k_in =
+        hn::Neg(demote_up(hn::Sub(k_error, hn::MulAdd(rays.t_in, rays.direction[0], k_eye))));
     lines.k_out = demote_up(hn::Add(k_error, hn::MulAdd(rays.t_out, rays.direction[0], k_eye)));
     V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
     for (int i = 0; i < 2; ++i) {
@@ -341,7 +337,8 @@ inline bool PacketSource::next(Packet& packet) {
 /// The mask of the rays whose bits are set.
 HWY_INLINE M mask_of(unsigned bits) {
     alignas(vector_bytes) std::uint32_t mask[lanes];
-    for (std::size_t lane = 0; lane < lanes; ++lane) mask[lane] = 0U - (bits >> lane & 1U);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        mask[lane] = 0U - (bits >> lane & 1U);
     return hn::MaskFromVec(hn::BitCast(d, hn::Load(du, mask)));
 }
 
@@ -378,7 +375,8 @@ inline float PacketSource::epsilon_unit(const Packet& packet, float k_min, float
         const float v = packet.line[1].slope[lane];
         longest = std::max(longest, extent * (1 + u * u + v * v));
     }
-    const double width = double{(k_max - k_min) / longest} * frame_.stop.value;  // eq. 6
+    const auto extents = static_cast<double>((k_max - k_min) / longest);
+    const double width = extents * frame_.stop.value;  // eq. 6
     return std::max(packet.axes->unit, static_cast<float>(width));
 }
 

@@ -1,13 +1,13 @@
 #include "engine/trace/render.hpp"
 
-#include <algorithm>
-#include <cassert>
-#include <mutex>
-
 #include "engine/num/rounding.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
 #include "engine/trace/tracer.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <mutex>
 
 namespace zeroset {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <atomic>
-
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/scene.hpp"
+
+#include <atomic>
 
 namespace zeroset {
 

@@ -1,10 +1,10 @@
 #include "engine/trace/render_job.hpp"
 
+#include "engine/trace/render.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
-
-#include "engine/trace/render.hpp"
 
 namespace zeroset {
 namespace {
@@ -69,7 +69,9 @@ void RenderJob::run() {
 
 void RenderJob::draw(const RenderRequest& request, std::uint64_t number) {
     for (const int coarseness : coarseness_of_passes) {
-        const auto pixels = [&](int full) { return std::max(1, (full + coarseness - 1) / coarseness); };
+        const auto pixels = [&](int full) {
+            return std::max(1, (full + coarseness - 1) / coarseness);
+        };
         auto frame = std::make_shared<Framebuffer>(pixels(request.width), pixels(request.height));
         const auto start = std::chrono::steady_clock::now();
         render_frame(request.scene, request.camera, request.settings, *frame, &cancel_);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/scene.hpp"
+
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -9,9 +12,6 @@
 #include <optional>
 #include <thread>
 
-#include "engine/image/framebuffer.hpp"
-#include "engine/trace/scene.hpp"
-
 namespace zeroset {
 
 /// Everything one picture depends on; a snapshot.
@@ -19,7 +19,7 @@ struct RenderRequest {
     Scene scene;
     Camera camera;
     TraceSettings settings;
-    int width = 0;   ///< of the full picture, pixels
+    int width = 0;  ///< of the full picture, pixels
     int height = 0;
 };
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
-
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/camera.hpp"
+
+#include <cstdint>
+#include <string>
 
 namespace zeroset {
 

@@ -30,7 +30,9 @@ HWY_INLINE V dot(const V3& a, const V3& b) {
     return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
-HWY_INLINE V3 scaled(const V3& a, V s) { return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)}; }
+HWY_INLINE V3 scaled(const V3& a, V s) {
+    return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
 
 /// a / |a|, or `otherwise` where a is 0, too large or not a number.
 HWY_INLINE V3 normalized(const V3& a, const V3& otherwise) {
@@ -81,12 +83,14 @@ void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
         const V3 position{hn::LoadU(d, &hits.position[0][i]), hn::LoadU(d, &hits.position[1][i]),
                           hn::LoadU(d, &hits.position[2][i])};
-        const V3 ray = normalized({hn::Sub(position.x, eye.x), hn::Sub(position.y, eye.y),
-                                   hn::Sub(position.z, eye.z)}, forward);
+        const V3 ray = normalized(
+            {hn::Sub(position.x, eye.x), hn::Sub(position.y, eye.y), hn::Sub(position.z, eye.z)},
+            forward);
         const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
-        const V3 outward = normalized({hn::LoadU(d, &buffers.gradient[0][i]),
-                                       hn::LoadU(d, &buffers.gradient[1][i]),
-                                       hn::LoadU(d, &buffers.gradient[2][i])}, to_viewer);
+        const V3 outward = normalized(
+            {hn::LoadU(d, &buffers.gradient[0][i]), hn::LoadU(d, &buffers.gradient[1][i]),
+             hn::LoadU(d, &buffers.gradient[2][i])},
+            to_viewer);
         const V facing = dot(outward, to_viewer);
         const auto front = hn::Ge(facing, zero);
         const V3 normal = scaled(outward, hn::CopySign(hn::Set(d, 1.0F), facing));
@@ -97,10 +101,12 @@ void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
             hn::MulAdd(key_light, hn::Set(d, 0.85F),
                        hn::MulAdd(fill_light, hn::Set(d, 0.26F),
                                   hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
-        const V3 halfway = normalized({hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y),
-                                       hn::Add(key.z, to_viewer.z)}, to_viewer);
+        const V3 halfway = normalized(
+            {hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y), hn::Add(key.z, to_viewer.z)},
+            to_viewer);
         V gloss = hn::Max(dot(normal, halfway), zero);
-        for (int doubling = 0; doubling < 5; ++doubling) gloss = hn::Mul(gloss, gloss);
+        for (int doubling = 0; doubling < 5; ++doubling)
+            gloss = hn::Mul(gloss, gloss);
         const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
         auto color = hn::Set(du, 0xFF000000U);
         for (int channel = 0; channel < 3; ++channel) {
@@ -145,7 +151,8 @@ std::size_t padded(std::size_t size) {
 ShadeBuffers::ShadeBuffers() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
     f.resize(capacity);
-    for (std::vector<float>& axis : gradient) axis.resize(capacity);
+    for (std::vector<float>& axis : gradient)
+        axis.resize(capacity);
     color.resize(capacity);
 }
 
@@ -170,13 +177,12 @@ void shade_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Shade
         std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
                   axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
     }
-    frame.scene.kernel.value({size,
-                              {hits.position[0].data(), hits.position[1].data(),
-                               hits.position[2].data()},
-                              frame.scene.uniforms.middle.data(),
-                              buffers.f.data(),
-                              {buffers.gradient[0].data(), buffers.gradient[1].data(),
-                               buffers.gradient[2].data()}});
+    frame.scene.kernel.value(
+        {size,
+         {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
+         frame.scene.uniforms.middle.data(),
+         buffers.f.data(),
+         {buffers.gradient[0].data(), buffers.gradient[1].data(), buffers.gradient[2].data()}});
     counters.value += hits.size;
     HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, hits, size, buffers);
     for (std::size_t i = 0; i < hits.size; ++i) {

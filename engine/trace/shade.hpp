@@ -1,10 +1,10 @@
 #pragma once
 
+#include "engine/trace/tracer.hpp"
+
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "engine/trace/tracer.hpp"
 
 namespace zeroset {
 

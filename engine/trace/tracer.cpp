@@ -1,16 +1,17 @@
 #include "engine/trace/tracer.hpp"
 
-#include <algorithm>
-
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/k_bisection.hpp"
+
+#include <algorithm>
 
 namespace zeroset {
 
 TileHits::TileHits() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
     static_assert(capacity % batch_multiple == 0);
-    for (std::vector<float>& axis : position) axis.resize(capacity);
+    for (std::vector<float>& axis : position)
+        axis.resize(capacity);
     depth.resize(capacity);
     pixel.resize(capacity);
     certificate.resize(capacity);
@@ -23,7 +24,8 @@ void TileHits::clear() {
 
 void TileHits::push(Pixel at, const std::array<float, 3>& where, float distance,
                     Certificate known) {
-    for (std::size_t i = 0; i < 3; ++i) position[i][size] = where[i];
+    for (std::size_t i = 0; i < 3; ++i)
+        position[i][size] = where[i];
     depth[size] = distance;
     pixel[size] = at;
     certificate[size] = known;

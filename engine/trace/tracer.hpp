@@ -1,13 +1,13 @@
 #pragma once
 
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/scene.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
-
-#include "engine/image/framebuffer.hpp"
-#include "engine/trace/scene.hpp"
 
 namespace zeroset {
 
@@ -24,7 +24,7 @@ struct TraceFrame {
 
 /// A rectangle of the image, at most tile_size wide and high.
 struct Tile {
-    int col, row;    ///< its first pixel
+    int col, row;  ///< its first pixel
     int cols, rows;
 };
 
