@@ -1,0 +1,106 @@
+#include "engine/num/rounding.hpp"
+
+#include "engine/num/scalar.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace zeroset {
+namespace {
+
+/// 1/3 in the current mode.
+float third() {
+    const volatile float one = 1.0F;
+    const volatile float three = 3.0F;
+    return one / three;
+}
+
+template <int Mode>
+float third_in_mode() {
+    const RoundingGuard<Mode> guard;
+    return third();
+}
+
+TEST(RoundingGuard, RoundsInItsMode) {
+    const float nearest = third_in_mode<FE_TONEAREST>();
+    EXPECT_EQ(nearest, third_in_mode<FE_UPWARD>());
+    EXPECT_LT(third_in_mode<FE_DOWNWARD>(), nearest);
+    EXPECT_LT(-1.0F * third_in_mode<FE_UPWARD>(), -1.0F * third_in_mode<FE_DOWNWARD>());
+}
+
+TEST(RoundingGuard, RestoresTheModeBefore) {
+    ASSERT_EQ(std::fegetround(), FE_TONEAREST);
+    {
+        const UpwardRounding upward;
+        EXPECT_EQ(std::fegetround(), FE_UPWARD);
+        {
+            const DownwardRounding downward;
+            EXPECT_EQ(std::fegetround(), FE_DOWNWARD);
+            const NearestRounding nearest;
+            EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+        }
+        EXPECT_EQ(std::fegetround(), FE_UPWARD);
+        {
+            const NearestCall call;
+            EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+        }
+        EXPECT_EQ(std::fegetround(), FE_UPWARD);
+    }
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(RoundingGuard, RestoresTheModeAfterAnException) {
+    try {
+        const UpwardRounding upward;
+        throw 1;
+    } catch (int) {
+        EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+    }
+}
+
+TEST(RoundingGuard, IsOfItsThread) {
+    int in_other = -1;
+    std::jthread other([&] {
+        const UpwardRounding upward;
+        in_other = std::fegetround();
+    });
+    other.join();
+    EXPECT_EQ(in_other, FE_UPWARD);
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+template <int Mode>
+void expect_smallest_float_above() {
+    const RoundingGuard<Mode> guard;
+    EXPECT_EQ(float_above(0.5), 0.5F);
+    EXPECT_EQ(float_above(0.1), 0x1.99999ap-4F);
+    EXPECT_EQ(float_above(-0.1), -0x1.999998p-4F);
+    EXPECT_EQ(float_above(1e-300), std::numeric_limits<float>::denorm_min());
+    EXPECT_EQ(float_above(-1e-300), 0.0F);
+    EXPECT_EQ(float_above(1e300), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(float_above(-1e300), std::numeric_limits<float>::lowest());
+}
+
+TEST(FloatAbove, IsTheSameInEveryMode) {
+    expect_smallest_float_above<FE_TONEAREST>();
+    expect_smallest_float_above<FE_UPWARD>();
+    expect_smallest_float_above<FE_DOWNWARD>();
+}
+
+TEST(SelectNegative, SeesTheSignOfZero) {
+    EXPECT_EQ(select_negative(-0.0F, 1.0F, 2.0F), 1.0F);
+    EXPECT_EQ(select_negative(0.0F, 1.0F, 2.0F), 2.0F);
+}
+
+TEST(Maximum, TakesTheSecondOfUnordered) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(maximum(nan, 1.0F), 1.0F);
+    EXPECT_TRUE(std::isnan(maximum(1.0F, nan)));
+    EXPECT_EQ(minimum(nan, 1.0F), 1.0F);
+    EXPECT_FALSE(std::signbit(maximum(-0.0F, 0.0F)));
+    EXPECT_TRUE(std::signbit(maximum(0.0F, -0.0F)));
+}
+
+}  // namespace
+}  // namespace zeroset
