@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 // Hand-picked cases in which the enclosure is known exactly. That it encloses at all is tested by
 // tests/property.
@@ -121,7 +122,7 @@ TEST_F(IntervalCases, QuotientsByARangeThatTouchesZero) {
 TEST_F(IntervalCases, QuotientsByARangeAroundZeroAreTheLine) {
     expect_range(range(1, 2) / range(-1, 4), -unbounded, unbounded);
     expect_range(range(0, 0) / range(-1, 4), -unbounded, unbounded);
-    expect_range(range(0, 2) / range(0, 4), -unbounded, unbounded);
+    expect_range(range(-1, 2) / range(0, 0), -unbounded, unbounded);
 }
 
 TEST_F(IntervalCases, OverflowKeepsTheLowerEndFinite) {
