@@ -73,8 +73,9 @@ public:
                      builder_.CreateSExt(mask.value, emitter_.vector_of(builder_.getInt32Ty())));
     }
 
-    Lanes splat(double value) {
-        return {&emitter_, llvm::ConstantFP::get(emitter_.float_vector(), value)};
+    Lanes splat(float value) {
+        return {&emitter_,
+                llvm::ConstantFP::get(emitter_.float_vector(), static_cast<double>(value))};
     }
     LaneMask everywhere() {
         return {&emitter_,
@@ -125,7 +126,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
     IntervalAlgebra<Lanes> algebra;
     Interval<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
     if (algebra.defined) {
-        const Lanes nowhere = function.splat(-infinity);
+        const Lanes nowhere = function.splat(static_cast<float>(-infinity));
         f = select(*algebra.defined, f, Interval<Lanes>{nowhere, nowhere});
     }
     function.store(f_neg_lo, f.neg_lo);
@@ -153,14 +154,14 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{function.load(x[v]), {}};
-        variable.slope[v] = function.splat(1.0);
+        variable.slope[v] = function.splat(1.0F);
         return variable;
     };
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
     function.store(value, f.value);
     for (std::size_t i = 0; i < 3; ++i) {
-        function.store(gradient[i], f.slope[i].value_or(function.splat(0.0)));
+        function.store(gradient[i], f.slope[i].value_or(function.splat(0.0F)));
     }
     function.finish();
 }

@@ -26,9 +26,13 @@ struct JumpingRange {
     Mask continuous;  ///< true: proved continuous on the whole box
 };
 
-inline double smallest_normal(float /*kind*/) { return std::numeric_limits<float>::min(); }
+inline double smallest_normal(float /*kind*/) {
+    return static_cast<double>(std::numeric_limits<float>::min());
+}
 inline double smallest_normal(double /*kind*/) { return std::numeric_limits<double>::min(); }
-inline double largest_finite(float /*kind*/) { return std::numeric_limits<float>::max(); }
+inline double largest_finite(float /*kind*/) {
+    return static_cast<double>(std::numeric_limits<float>::max());
+}
 inline double largest_finite(double /*kind*/) { return std::numeric_limits<double>::max(); }
 
 /// Bound of |true - result| for a library result, denormals included.

@@ -3,7 +3,7 @@
 #include "engine/num/rounding.hpp"
 #include "engine/num/sleef_lanes.hpp"
 
-#include <cassert>
+#include <bit>
 #include <cmath>
 
 namespace zeroset {
@@ -30,8 +30,8 @@ double elementary_bound_ulp(Elementary function) { return row(function).bound_ul
 float elementary(Elementary function, float a, float b) {
     const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
     const void* const code = elementary_code(function, 1);
-    if (row(function).arity == 1) return reinterpret_cast<float (*)(float)>(code)(a);
-    return reinterpret_cast<float (*)(float, float)>(code)(a, b);
+    if (row(function).arity == 1) return std::bit_cast<float (*)(float)>(code)(a);
+    return std::bit_cast<float (*)(float, float)>(code)(a, b);
 }
 
 double elementary(Elementary function, double a, double b) {

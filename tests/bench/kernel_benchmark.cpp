@@ -1,1 +1,150 @@
-int main(){}
+#include "app/gallery.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/num/rounding.hpp"
+#include "jit/compile.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a kernel costs, for each surface of the benchmark suite: ns for 8 boxes, ns for 8 points,
+// and the time from graph to machine code.
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t items = 1024;  // fits the nearest cache with all arrays
+constexpr double items_of_8 = items / 8.0;
+
+/// Boxes of a 64th of the clip box, and points in them, spread over all of it.
+struct Samples {
+    std::array<std::vector<float>, 3> neg_lo;
+    std::array<std::vector<float>, 3> hi;
+    std::array<std::vector<float>, 3> x;
+    Uniforms uniforms;
+
+    explicit Samples(const GalleryItem& item) {
+        uniforms.set(0, item.w);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<glm::length_t>(axis);
+            const double size =
+                static_cast<double>(item.clip.hi[k]) - static_cast<double>(item.clip.lo[k]);
+            for (std::size_t i = 0; i < items; ++i) {
+                // Low-discrepancy: multiples of three irrational numbers.
+                constexpr std::array irrational{0.8191725134, 0.6710436067, 0.5497004779};
+                double part = static_cast<double>(i) * irrational.at(axis);
+                part -= static_cast<double>(static_cast<std::size_t>(part));
+                const double lo = static_cast<double>(item.clip.lo[k]) + part * size;
+                neg_lo.at(axis).push_back(static_cast<float>(-lo));
+                hi.at(axis).push_back(static_cast<float>(lo + size / 64));
+                x.at(axis).push_back(static_cast<float>(lo));
+            }
+        }
+    }
+};
+
+Kernel kernel_of(const GalleryItem& item, benchmark::State& state) {
+    const auto expr = parse(item.equation);
+    if (!expr) {
+        state.SkipWithError(expr.error().reason.c_str());
+        return {};
+    }
+    auto kernel = jit::compile(*expr);
+    if (!kernel) {
+        state.SkipWithError(kernel.error().message.c_str());
+        return {};
+    }
+    return *kernel;
+}
+
+void report_per_8(benchmark::State& state) {
+    state.counters["per_8"] =
+        benchmark::Counter(static_cast<double>(state.iterations()) * items_of_8,
+                           benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+void time_range(benchmark::State& state, const GalleryItem& item) {
+    const Kernel kernel = kernel_of(item, state);
+    if (!kernel) return;
+    const Samples in(item);
+    std::vector<float> f_neg_lo(items);
+    std::vector<float> f_hi(items);
+    std::vector<std::uint32_t> continuous(items);
+    const RangeBatch batch{items,
+                           {in.neg_lo[0].data(), in.neg_lo[1].data(), in.neg_lo[2].data()},
+                           {in.hi[0].data(), in.hi[1].data(), in.hi[2].data()},
+                           in.uniforms.neg_lo_hi.data(),
+                           f_neg_lo.data(),
+                           f_hi.data(),
+                           continuous.data()};
+    const UpwardRounding upward;
+    for (auto _ : state) {
+        kernel.range(batch);
+        benchmark::ClobberMemory();
+    }
+    report_per_8(state);
+}
+
+void time_value(benchmark::State& state, const GalleryItem& item) {
+    const Kernel kernel = kernel_of(item, state);
+    if (!kernel) return;
+    const Samples in(item);
+    std::array<std::vector<float>, 4> out;
+    for (auto& values : out)
+        values.resize(items);
+    const ValueBatch batch{items,
+                           {in.x[0].data(), in.x[1].data(), in.x[2].data()},
+                           in.uniforms.middle.data(),
+                           out[0].data(),
+                           {out[1].data(), out[2].data(), out[3].data()}};
+    const UpwardRounding upward;
+    for (auto _ : state) {
+        kernel.value(batch);
+        benchmark::ClobberMemory();
+    }
+    report_per_8(state);
+}
+
+/// Each time another graph, so that none comes from the cache.
+void time_compile(benchmark::State& state, const GalleryItem& item) {
+    static int number = 0;
+    for (auto _ : state) {
+        state.PauseTiming();
+        const auto expr = parse("(" + item.equation.substr(0, item.equation.find('=')) + ") + " +
+                                std::to_string(++number));
+        state.ResumeTiming();
+        if (!expr || !jit::compile(*expr)) {
+            state.SkipWithError("does not compile");
+            return;
+        }
+    }
+}
+
+void register_benchmarks() {
+    for (const GalleryItem& item : gallery()) {
+        if (item.group != suite_group) continue;
+        const auto add = [&item](const char* what, auto function) {
+            return benchmark::RegisterBenchmark(
+                (item.name + "/" + what).c_str(),
+                [function, &item](benchmark::State& state) { function(state, item); });
+        };
+        add("range", time_range);
+        add("value", time_value);
+        // Compiling has a thread of its own, which CPU time would miss.
+        add("compile", time_compile)->Unit(benchmark::kMillisecond)->UseRealTime();
+    }
+}
+
+}  // namespace
+}  // namespace zeroset
+
+int main(int argc, char** argv) {
+    zeroset::register_benchmarks();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+}

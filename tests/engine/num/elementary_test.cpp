@@ -75,14 +75,15 @@ public:
 
     void add(float a, float b) {
         const float result = elementary(function_.id, a, b);
-        const double close = elementary(function_.id, double{a}, double{b});
+        const double close =
+            elementary(function_.id, static_cast<double>(a), static_cast<double>(b));
         if (std::isnan(close) || std::isinf(close)) return check_special(a, b, result, close);
         ++count_;
         const double size = std::abs(close);
-        const double error = std::abs(close - double{result});
-        if (size < double{smallest}) {
-            EXPECT_LE(error, double{smallest}) << place(a, b);
-        } else if (size <= double{largest}) {
+        const double error = std::abs(close - static_cast<double>(result));
+        if (size < static_cast<double>(smallest)) {
+            EXPECT_LE(error, static_cast<double>(smallest)) << place(a, b);
+        } else if (size <= static_cast<double>(largest)) {
             // The double is off by less than 2^-28 of a float's ulp: it decides what is worth a
             // look in full precision.
             const bool look = error / ulp(close) > 0.999 * ulps_ || count_ % 64 == 0;
@@ -94,8 +95,8 @@ public:
 
     void report() const {
         std::printf("%-6s %8llu operands  worst %.4f ulp at (%a, %a)  bound %.1f\n", function_.name,
-                    static_cast<unsigned long long>(count_), ulps_, double{a_}, double{b_},
-                    elementary_bound_ulp(function_.id));
+                    static_cast<unsigned long long>(count_), ulps_, static_cast<double>(a_),
+                    static_cast<double>(b_), elementary_bound_ulp(function_.id));
         EXPECT_GT(count_, 100'000);
         EXPECT_GT(ulps_, 0.5);
         EXPECT_LT(ulps_, elementary_bound_ulp(function_.id));
@@ -104,7 +105,8 @@ public:
 private:
     [[nodiscard]] std::string place(float a, float b) const {
         char text[80];
-        std::snprintf(text, sizeof text, "%s(%a, %a)", function_.name, double{a}, double{b});
+        std::snprintf(text, sizeof text, "%s(%a, %a)", function_.name, static_cast<double>(a),
+                      static_cast<double>(b));
         return text;
     }
 
@@ -113,15 +115,16 @@ private:
         if (std::isnan(close)) {
             EXPECT_TRUE(std::isnan(result)) << place(a, b);
         } else {
-            EXPECT_EQ(double{result}, close) << place(a, b);
+            EXPECT_EQ(static_cast<double>(result), close) << place(a, b);
         }
     }
 
     void add_exactly(float a, float b, float result) {
-        const Reference truth =
-            reference(function_.op, 0, MpfrNumber(double{a}), MpfrNumber(double{b}));
+        const Reference truth = reference(function_.op, 0, MpfrNumber(static_cast<double>(a)),
+                                          MpfrNumber(static_cast<double>(b)));
         if (!truth.defined || truth.is_unknown()) return;  // infinite operands, atan2(0, 0)
-        const double error = std::abs((truth.value - MpfrNumber(double{result})).nearest());
+        const double error =
+            std::abs((truth.value - MpfrNumber(static_cast<double>(result))).nearest());
         const double ulps = error / ulp(truth.value.nearest());
         if (!(ulps > ulps_)) return;
         ulps_ = ulps;

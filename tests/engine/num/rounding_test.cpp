@@ -12,11 +12,13 @@
 namespace zeroset {
 namespace {
 
-/// -1/3 in the current mode; the nearest float is the one below.
+/// -1/3 in the current mode; the nearest float is the one below. The volatile numbers keep the
+/// division between the calls around it.
 float third() {
     const volatile float one = -1.0F;
     const volatile float three = 3.0F;
-    return one / three;
+    const volatile float quotient = one / three;
+    return quotient;
 }
 
 template <int Mode>

@@ -1,0 +1,91 @@
+#include "app/formula_job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+
+// Compilation in the background: the newest text wins, and nothing waits or is lost at the end.
+
+namespace zeroset::test {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(60);
+
+/// Takes results as the window does: when woken.
+class Receiver {
+public:
+    /// The result for `text`, or nothing if it does not come.
+    std::optional<FormulaResult> result_for(const std::string& text) {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            std::optional<FormulaResult> result = job.take();
+            if (result && result->text == text) return result;
+            woken_.wait_until(lock, end, [this] { return calls_ != seen_; });
+            if (calls_ == seen_) return std::nullopt;
+            seen_ = calls_;
+        }
+    }
+
+private:
+    void wake() {
+        const std::scoped_lock lock(mutex_);
+        ++calls_;
+        woken_.notify_one();
+    }
+
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    int calls_ = 0, seen_ = 0;
+
+public:
+    FormulaJob job{[this] { wake(); }};  // ends before what it wakes
+};
+
+TEST(FormulaJob, CompilesAText) {
+    Receiver receiver;
+    EXPECT_FALSE(receiver.job.take());
+    receiver.job.submit("x^2 + y");
+    const auto result = receiver.result_for("x^2 + y");
+    ASSERT_TRUE(result);
+    ASSERT_TRUE(result->formula);
+    EXPECT_TRUE((*result->formula)->kernel);
+    EXPECT_FALSE(receiver.job.take()) << "a result is taken once";
+}
+
+TEST(FormulaJob, ReportsAnErrorWithItsText) {
+    Receiver receiver;
+    receiver.job.submit("x + )");
+    const auto result = receiver.result_for("x + )");
+    ASSERT_TRUE(result);
+    ASSERT_FALSE(result->formula);
+    EXPECT_EQ(result->formula.error().column, 5U);
+}
+
+TEST(FormulaJob, TheNewestTextWins) {
+    Receiver receiver;
+    std::string text = "x";
+    for (int i = 0; i < 100; ++i) {
+        text += "+y";
+        receiver.job.submit(text);
+    }
+    const auto result = receiver.result_for(text);
+    ASSERT_TRUE(result);
+    EXPECT_TRUE(result->formula);
+    EXPECT_FALSE(receiver.job.take()) << "nothing comes after the newest";
+}
+
+TEST(FormulaJob, EndsWhileItWorks) {
+    for (int i = 0; i < 5; ++i) {
+        FormulaJob job([] {});
+        job.submit("sin(x)*cos(y) + exp(z)*" + std::to_string(i));
+        job.submit("x^2 + y^2 + z^2 = " + std::to_string(i));
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test

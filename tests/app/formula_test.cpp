@@ -1,0 +1,83 @@
+#include "app/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+// Text to machine code, and how a person is told what is wrong with the text.
+
+namespace zeroset::test {
+namespace {
+
+TEST(CompileFormula, MakesCodeThatRuns) {
+    const auto formula = compile_formula("x^2 + y^2 = z + w");
+    ASSERT_TRUE(formula) << formula.error().reason;
+    EXPECT_TRUE(formula->kernel);
+    EXPECT_TRUE(formula->kernel.uses_w);
+    EXPECT_EQ(formula->text, "x^2 + y^2 = z + w");
+    EXPECT_GT(formula->compile_ms, 0.0);
+
+    Uniforms uniforms;
+    uniforms.set(0, 4.0);
+    float x[batch_multiple];
+    float y[batch_multiple];
+    float z[batch_multiple];
+    float f[batch_multiple];
+    float slope[3][batch_multiple];
+    for (std::size_t i = 0; i < batch_multiple; ++i) {
+        x[i] = static_cast<float>(i);
+        y[i] = 2.0F;
+        z[i] = -1.0F;
+    }
+    formula->kernel.value(
+        {batch_multiple, {x, y, z}, uniforms.middle.data(), f, {slope[0], slope[1], slope[2]}});
+    for (std::size_t i = 0; i < batch_multiple; ++i) {
+        EXPECT_EQ(f[i], x[i] * x[i] + 1.0F);
+        EXPECT_EQ(slope[0][i], 2.0F * x[i]);
+        EXPECT_EQ(slope[1][i], 4.0F);
+        EXPECT_EQ(slope[2][i], -1.0F);
+    }
+}
+
+TEST(CompileFormula, KnowsWhetherWMatters) {
+    EXPECT_FALSE(compile_formula("x + y").value().kernel.uses_w);
+    EXPECT_TRUE(compile_formula("x*w").value().kernel.uses_w);
+}
+
+TEST(CompileFormula, RefusesWhatIsNoSurface) {
+    for (const char* text : {"", "  ", "1 = 2", "w^2 = 1", "sqrt(2)"}) {
+        const auto formula = compile_formula(text);
+        ASSERT_FALSE(formula) << text;
+        EXPECT_FALSE(formula.error().reason.empty());
+    }
+}
+
+TEST(ReadFormula, SaysWhere) {
+    const auto expr = read_formula("x +\n  y ) + z");
+    ASSERT_FALSE(expr);
+    EXPECT_EQ(expr.error().column, 5U);
+    EXPECT_EQ(expr.error().line, "  y ) + z");
+    EXPECT_EQ(expr.error().reason.find('\n'), std::string::npos);
+}
+
+TEST(Describe, IsOneLineWithoutAPlace) {
+    EXPECT_EQ(describe({"no such file", std::nullopt, {}}), "error: no such file\n");
+}
+
+TEST(Describe, PutsACaretUnderThePlace) {
+    EXPECT_EQ(describe({"bad", 3, "x + y"}), "error: bad\n  x + y\n    ^\n");
+    EXPECT_EQ(describe({"bad", 6, "x + y"}), "error: bad\n  x + y\n       ^\n");
+}
+
+TEST(Describe, CountsCharactersNotBytes) {
+    EXPECT_EQ(describe({"bad", 3, "\u00e9\u2212)"}), "error: bad\n  \u00e9\u2212)\n    ^\n");
+}
+
+TEST(Describe, ShortensALongLine) {
+    const std::string text = describe({"bad", 5000, std::string(10'000, 'x')});
+    EXPECT_LT(text.size(), 300U);
+    EXPECT_NE(text.find("^\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace zeroset::test
