@@ -147,10 +147,7 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
     llvm::Value* const value = function.array(offsetof(ValueBatch, f));
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
-        if (fact.constant) {
-            const double middle = 0.5 * (fact.constant->hi - fact.constant->neg_lo);
-            return {function.splat(static_cast<float>(middle)), {}};
-        }
+        if (fact.constant) return {function.splat(fact.middle_float), {}};
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{function.load(x[v]), {}};

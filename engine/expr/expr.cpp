@@ -72,24 +72,29 @@ NodeId ExprBuilder::apply(Op op, NodeId a, NodeId b, int number) {
 }
 
 Expr ExprBuilder::finish(NodeId root, std::vector<std::string> parameters) const {
-    std::vector<bool> used(nodes_.size(), false);
-    used[root] = true;
-    for (NodeId id = root + 1; id-- > 0;) {
-        const Node& node = nodes_[id];
-        if (!used[id] || node.op == Op::Constant || node.op == Op::Variable) continue;
-        used[node.a] = true;
-        if (op_info(node.op).arity == 2) used[node.b] = true;
-    }
+    // Numbered in the order in which the formula is read, left operands first, so that equal
+    // graphs have equal keys however they were built.
+    constexpr NodeId unplaced = ~NodeId{0};
     Expr expr;
-    std::vector<NodeId> renumbered(nodes_.size(), 0);
-    for (NodeId id = 0; id <= root; ++id) {
-        if (!used[id]) continue;
+    std::vector<NodeId> number(nodes_.size(), unplaced);
+    std::vector<NodeId> stack{root};
+    while (!stack.empty()) {
+        const NodeId id = stack.back();
         Node node = nodes_[id];
         const bool leaf = node.op == Op::Constant || node.op == Op::Variable;
-        node.a = leaf ? 0 : renumbered[node.a];
-        node.b = leaf || op_info(node.op).arity == 1 ? 0 : renumbered[node.b];
-        renumbered[id] = static_cast<NodeId>(expr.nodes_.size());
-        expr.nodes_.push_back(node);
+        const bool binary = !leaf && op_info(node.op).arity == 2;
+        if (!leaf && number[node.a] == unplaced) {
+            stack.push_back(node.a);
+        } else if (binary && number[node.b] == unplaced) {
+            stack.push_back(node.b);
+        } else {
+            stack.pop_back();
+            if (number[id] != unplaced) continue;
+            node.a = leaf ? 0 : number[node.a];
+            node.b = binary ? number[node.b] : 0;
+            number[id] = static_cast<NodeId>(expr.nodes_.size());
+            expr.nodes_.push_back(node);
+        }
     }
     expr.parameters_ = std::move(parameters);
     return expr;

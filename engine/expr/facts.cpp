@@ -57,6 +57,13 @@ Facts facts_of_operator(const Node& node, const Facts& a, const Facts& b) {
     return facts;
 }
 
+void set_middle(Facts& facts) {
+    if (!facts.constant) return;
+    const NearestRounding nearest;
+    facts.middle = 0.5 * (facts.constant->hi - facts.constant->neg_lo);
+    facts.middle_float = static_cast<float>(facts.middle);
+}
+
 }  // namespace
 
 std::vector<Facts> facts_of(const Expr& expr) {
@@ -65,13 +72,16 @@ std::vector<Facts> facts_of(const Expr& expr) {
     facts.reserve(expr.nodes().size());
     for (const Node& node : expr.nodes()) {
         if (node.op == Op::Constant) {
-            facts.push_back({node.lo >= 0, true, Interval<double>{-node.lo, node.hi}});
+            facts.push_back({.nonnegative = node.lo >= 0,
+                             .uniform = true,
+                             .constant = Interval<double>{-node.lo, node.hi}});
         } else if (node.op == Op::Variable) {
-            facts.push_back({false, node.number >= variable_w, std::nullopt});
+            facts.push_back({.uniform = node.number >= variable_w, .constant = std::nullopt});
         } else {
             const NodeId b = op_info(node.op).arity == 2 ? node.b : node.a;
             facts.push_back(facts_of_operator(node, facts[node.a], facts[b]));
         }
+        set_middle(facts.back());
     }
     return facts;
 }

@@ -13,6 +13,8 @@ struct Facts {
     bool nonnegative = false;  ///< also in the computed enclosure: -lo is never above 0
     bool uniform = false;      ///< depends on w and parameters only
     std::optional<Interval<double>> constant;  ///< enclosure of a subexpression without variables
+    double middle = 0.0;                       ///< of the constant's enclosure, to nearest
+    float middle_float = 0.0F;
 
     /// Whether the node is the same known double everywhere.
     [[nodiscard]] bool exact() const { return constant && -constant->neg_lo == constant->hi; }

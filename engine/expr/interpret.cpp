@@ -18,12 +18,6 @@ const Program& program(const void* code) { return *static_cast<const Program*>(c
 
 constexpr auto nothing = [] {};
 
-/// The value of a constant subexpression in point evaluation.
-template <class Real>
-Real constant_value(const Interval<double>& c) {
-    return static_cast<Real>(0.5 * (c.hi - c.neg_lo));
-}
-
 void range_of_box(const Program& code, const RangeBatch& batch, std::size_t i) {
     IntervalAlgebra<float> algebra;
     const auto leaf = [&](const Node& node, const Facts& facts) -> Interval<float> {
@@ -51,7 +45,7 @@ void interpret_value(const void* code, const ValueBatch* batch) {
     for (std::size_t i = 0; i < batch->size; ++i) {
         DualAlgebra<float> algebra;
         const auto leaf = [&](const Node& node, const Facts& facts) -> Dual<float> {
-            if (facts.constant) return {constant_value<float>(*facts.constant), {}};
+            if (facts.constant) return {facts.middle_float, {}};
             const auto v = static_cast<std::size_t>(node.number);
             if (v >= 3) return {batch->uniforms[v - 3], {}};
             Dual<float> variable{batch->x[v][i], {}};
@@ -87,7 +81,7 @@ Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at) {
     const std::vector<Facts> facts = facts_of(expr);
     DualAlgebra<double> algebra;
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<double> {
-        if (fact.constant) return {constant_value<double>(*fact.constant), {}};
+        if (fact.constant) return {fact.middle, {}};
         const auto v = static_cast<std::size_t>(node.number);
         Dual<double> variable{v < at.size() ? at[v] : 1.0, {}};
         if (v < 3) variable.slope[v] = 1.0;

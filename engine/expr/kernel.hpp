@@ -24,7 +24,7 @@ struct Uniforms {
 
 /// `size` boxes in x, y, z; arrays of `size` floats, in structure-of-arrays form.
 struct RangeBatch {
-    std::size_t size;           ///< a multiple of batch_multiple
+    std::size_t size;           ///< a multiple of batch_multiple, not 0
     const float* neg_lo[3];     ///< -lo of x, y, z
     const float* hi[3];         ///< hi of x, y, z
     const float* uniforms;      ///< Uniforms::neg_lo_hi
@@ -35,7 +35,7 @@ struct RangeBatch {
 
 /// `size` points.
 struct ValueBatch {
-    std::size_t size;       ///< a multiple of batch_multiple
+    std::size_t size;       ///< a multiple of batch_multiple, not 0
     const float* x[3];      ///< x, y, z
     const float* uniforms;  ///< Uniforms::middle
     float* f;               ///< out: f, not rounded outward

@@ -7,16 +7,31 @@ namespace zeroset {
 namespace {
 
 constexpr double largest_exact_integer = 0x1p53;
+constexpr double largest_exponent = 0x1p24;  // a float, as derivatives need it
 
 bool is_constant(const ExprBuilder& builder, NodeId id, double value) {
     const Node& node = builder.node(id);
     return node.op == Op::Constant && node.lo == value && node.hi == value;
 }
 
+/// Sums, products and powers of integers are exact up to this size.
+std::optional<double> exact_integer(double value) {
+    if (!(std::abs(value) <= largest_exact_integer)) return std::nullopt;
+    return value;
+}
+
+/// a / b for integers where it is a multiple of 1/2.
+std::optional<double> exact_quotient(double a, double b) {
+    const double quotient = a / b;
+    if (std::fmod(2 * a, b) != 0) return std::nullopt;
+    return exact_integer(quotient);
+}
+
 /// n if the node is an exact integer of int range.
 std::optional<int> integer_value(const ExprBuilder& builder, NodeId id) {
     const std::optional<double> value = exact_value(builder, id);
-    if (!value || std::abs(*value) > 1e9 || *value != std::floor(*value)) return std::nullopt;
+    if (!value || std::abs(*value) > largest_exponent || *value != std::floor(*value))
+        return std::nullopt;
     return static_cast<int>(*value);
 }
 
@@ -44,20 +59,24 @@ NodeId without_cut(ExprBuilder& builder, NodeId id) {
 
 }  // namespace
 
-std::optional<double> exact_value(const ExprBuilder& builder, NodeId id) {
+std::optional<double> exact_value(const ExprBuilder& builder, NodeId id, int depth) {
     const Node& node = builder.node(id);
     if (node.op == Op::Constant) {
         return node.lo == node.hi ? std::optional(node.lo) : std::nullopt;
     }
-    const bool arithmetic =
-        node.op == Op::Add || node.op == Op::Subtract || node.op == Op::Multiply;
-    if (!arithmetic) return std::nullopt;
-    const std::optional<double> a = exact_value(builder, node.a);
-    const std::optional<double> b = exact_value(builder, node.b);
-    if (!a || !b || *a != std::floor(*a) || *b != std::floor(*b)) return std::nullopt;
-    const double value = node.op == Op::Add ? *a + *b : node.op == Op::Subtract ? *a - *b : *a * *b;
-    if (std::abs(value) > largest_exact_integer) return std::nullopt;
-    return value;
+    const bool leaf = node.op == Op::Variable;
+    if (leaf || depth == 0 || op_info(node.op).notation == Notation::Call) return std::nullopt;
+    const std::optional<double> a = exact_value(builder, node.a, depth - 1);
+    if (!a || *a != std::floor(*a)) return std::nullopt;
+    if (node.op == Op::IntPower) return exact_integer(std::pow(*a, node.number));
+    if (node.op == Op::Negate) return exact_integer(-*a);
+    const std::optional<double> b = exact_value(builder, node.b, depth - 1);
+    if (!b || *b != std::floor(*b)) return std::nullopt;
+    if (node.op == Op::Add) return exact_integer(*a + *b);
+    if (node.op == Op::Subtract) return exact_integer(*a - *b);
+    if (node.op == Op::Multiply) return exact_integer(*a * *b);
+    if (node.op == Op::Divide && *b != 0) return exact_quotient(*a, *b);
+    return std::nullopt;
 }
 
 NodeId make_negate(ExprBuilder& builder, NodeId a) {
@@ -90,7 +109,7 @@ NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b) {
     if (const std::optional<int> n = integer_value(builder, b)) {
         return make_int_power(builder, a, *n);
     }
-    if (is_constant(builder, b, 0.5)) return builder.apply(Op::Sqrt, a);
+    if (exact_value(builder, b) == 0.5) return builder.apply(Op::Sqrt, a);
     return builder.apply(Op::Exp, make_multiply(builder, b, builder.apply(Op::Log, a)));
 }
 

@@ -22,7 +22,8 @@ NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b);
 /// A function of op.def. sin and cos of integer multiples of atan2 lose the cut of atan2.
 NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b);
 
-/// The exact value of a subexpression of + - * over exact constants, if it is a double.
-std::optional<double> exact_value(const ExprBuilder& builder, NodeId id);
+/// The exact value of a subexpression of + - * / and powers over integers, if it is an integer or
+/// half of one; looked for `depth` operators deep.
+std::optional<double> exact_value(const ExprBuilder& builder, NodeId id, int depth = 64);
 
 }  // namespace zeroset

@@ -57,7 +57,8 @@ Interval<Real> clamped(const Interval<Real>& a, double lo, double hi) {
 /// Whether (conservatively) some phase + 2 pi k lies in a. `phase_lo <= phase <= phase_hi`.
 template <class Real>
 auto meets_phase(const Interval<Real>& a, double phase_lo, double phase_hi) {
-    const Real turns = like(a.hi, static_cast<double>(static_cast<float>(0.5 / std::numbers::pi)));
+    constexpr double turns_per_radian = 0x1.45f306p-3;  // the float nearest to 1 / (2 pi)
+    const Real turns = like(a.hi, turns_per_radian);
     const Real slack = like(a.hi, 0x1p-21);  // above the error of turns and of both products
     const Real above = a.hi + like(a.hi, -phase_lo);
     const Real below = a.neg_lo + like(a.hi, phase_hi);

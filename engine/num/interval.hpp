@@ -175,8 +175,9 @@ Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     const Real d_lo = maximum(-d.neg_lo, zero);  // +0, never -0
     const Interval<Real> quotient{n.neg_lo / select_negative(n.neg_lo, d.hi, d_lo),
                                   n.hi / select_negative(n.hi, d.hi, d_lo)};
-    const auto straddles = both(b.neg_lo > zero, b.hi > zero);
-    return select(straddles, whole_line(zero), without_nan(quotient));
+    // Zeros on both sides, or nothing but 0.
+    const auto unbounded = either(both(b.neg_lo > zero, b.hi > zero), d.hi <= zero);
+    return select(unbounded, whole_line(zero), without_nan(quotient));
 }
 
 /// sqrt of the part of a that is not negative.

@@ -7,6 +7,9 @@
 // Differs from the paper:
 // - The packet is as wide as the machine's lanes, and a group of packets takes each step together,
 //   so that the kernel works on a batch.
+// - The top of the bisection, down to 1/16 of the clip box, is looked at for patches of 16x16
+// pixels:
+//   what is rejected for a patch, with boxes around all its rays, no packet of it looks at.
 // - A step looks at both halves of a slice. The boxes are the same, but for those behind a root.
 // - Slices are cells of one grid of the clip box, 2^d_stop to its longest edge, whose ends are
 //   floats computed from the index; their U and V come from one multiply-add each instead of the
@@ -29,6 +32,7 @@
 #include "engine/trace/k_certificate-inl.hpp"
 #include "engine/trace/k_packet-inl.hpp"
 #include "engine/trace/k_packet_source-inl.hpp"
+#include "engine/trace/k_patch-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -130,7 +134,11 @@ HWY_INLINE bool take_answers(Packet& packet, std::size_t slot, const Batch& batc
 class Group {
 public:
     Group(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters)
-        : frame_(frame), source_(frame, tile), hits_(hits), counters_(counters) {
+        : frame_(frame),
+          source_(frame, tile),
+          patches_(frame, tile, source_, batch_, counters),
+          hits_(hits),
+          counters_(counters) {
         for (Packet& packet : packets_)
             idle_.push_back(&packet);
     }
@@ -144,19 +152,22 @@ private:
     void finish_waiting();
 
     const TraceFrame& frame_;
+    Batch batch_{};            ///< slots 2i, 2i + 1: the slice of marching_[i]
+    Batch certificate_batch_;  ///< of the waiting packets
     PacketSource source_;
+    PatchSlices patches_;
     TileHits& hits_;
     Counters& counters_;
     std::array<Packet, 2 * group_size> packets_;
     std::vector<Packet*> idle_, marching_, waiting_;
-    Batch batch_;              ///< slots 2i, 2i + 1: the slice of marching_[i]
-    Batch certificate_batch_;  ///< of the waiting packets
 };
 
 bool Group::refill() {
     while (marching_.size() < group_size) {
         Packet& packet = *idle_.back();
         if (!source_.next(packet)) return false;
+        packet.slices &= patches_.of(packet);
+        if (!packet.pop()) continue;
         store_halves(packet, marching_.size(), batch_);
         marching_.push_back(&packet);
         idle_.pop_back();

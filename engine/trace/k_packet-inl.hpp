@@ -11,6 +11,7 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,7 +38,8 @@ constexpr int block_cols = lanes == 4 ? 2 : 4;
 constexpr int block_rows = static_cast<int>(lanes) / block_cols;
 constexpr unsigned all_lanes = (1U << lanes) - 1U;
 
-constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
+constexpr int max_top_depth = 4;  ///< the top slices are at most 2^-4 of the clip box wide
+constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
 constexpr std::size_t batch_capacity = 2 * group_size * lanes;
 
 /// The mask of the rays whose bits are set.
@@ -59,7 +61,10 @@ struct Axes {
     double to_lo[3], to_hi[3];  ///< from the eye to the clip box
     double error[3];            ///< above the rounding errors of a few operations in double
     double k_size;              ///< the largest |K| in the clip box
-    float origin, unit;         ///< the grid of slices at d_stop
+    float origin;               ///< where the grid of slices starts; not behind the clip box
+    float unit;                 ///< width of the slices at d_stop
+    std::int32_t slice_cells;   ///< of d_stop to a top slice: a power of two, at least 2
+    int slice_count;            ///< top slices that cover the clip box, at most 32
     alignas(64) double lane_offset[3][lanes];  ///< directions relative to the block's first pixel
 };
 
@@ -70,8 +75,9 @@ struct Line {
     alignas(vector_bytes) float hi[lanes];
 };
 
-/// Rays that march together along K. They look at slices of a binary tree over K: the current one
-/// is [cell, cell + size] in units of the finest slice, and is looked at by halves.
+/// Rays that march together along K. They look at slices of a row of binary trees over K, the top
+/// slices: the current one is [cell, cell + size] in units of the finest slice, and is looked at by
+/// halves.
 struct Packet {
     alignas(vector_bytes) float k_in[lanes];      ///< where the ray enters the clip box
     alignas(vector_bytes) float k_out[lanes];     ///< where it leaves
@@ -85,22 +91,29 @@ struct Packet {
     unsigned unsettled;  ///< bits of the rays that passed a slice where f is not continuous
     int col, row;        ///< of the block's first pixel in the tile
     float origin, unit;
-    std::int32_t first;       ///< the grid's index of cell 0
+    std::int32_t slice_cells;
     std::int32_t cell, size;  ///< size is a power of two, at least 2
     std::uint32_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
+    std::uint32_t slices;     ///< bits of the top slices still to be looked at
 
     /// The floats that divide K: increasing, and equal for equal indices.
     [[nodiscard]] float grid(std::int32_t index) const {
-        return origin + static_cast<float>(first + index) * unit;
+        return origin + static_cast<float>(index) * unit;
     }
 
     /// To the nearest slice still to be looked at; false when there is none.
     bool pop() {
-        if (pending == 0) return false;
-        const std::uint32_t lowest = pending & (0U - pending);
-        pending ^= lowest;
-        size = static_cast<std::int32_t>(lowest);
-        cell = (cell & ~(2 * size - 1)) + size;
+        if (pending != 0) {
+            const std::uint32_t lowest = pending & (0U - pending);
+            pending ^= lowest;
+            size = static_cast<std::int32_t>(lowest);
+            cell = (cell & ~(2 * size - 1)) + size;
+            return true;
+        }
+        if (slices == 0) return false;
+        size = slice_cells;
+        cell = std::countr_zero(slices) * slice_cells;
+        slices &= slices - 1;
         return true;
     }
     /// Into the halves that may hold a root, the left one first; false when the packet is done.

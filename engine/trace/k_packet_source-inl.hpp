@@ -24,15 +24,22 @@ namespace zeroset::HWY_NAMESPACE {
 class PacketSource {
 public:
     PacketSource(const TraceFrame& frame, const Tile& tile);
-    /// Sets up the next packet; false when there is none left.
+    /// Sets up the next packet, with the top slices that its rays meet; false when there is none
+    /// left.
     bool next(Packet& packet);
+    /// The axes for a ray; they live as long as the source.
+    const Axes& axes_for(const glm::dvec3& direction);
+    /// The direction of the ray of a pixel of the tile.
+    [[nodiscard]] glm::dvec3 direction(int col, int row) const {
+        return corner_ + static_cast<double>(col) * step_col_ +
+               static_cast<double>(row) * step_row_;
+    }
 
 private:
     struct HalfPacket;
     struct HalfLines;
 
     bool next_block();
-    const Axes& axes_for(const glm::dvec3& direction);
     void make_axes(Axes& axes, int k, const glm::bvec3& negative) const;
     HalfPacket half_of(const Axes& axes, const glm::dvec3& block, std::size_t half) const;
     static HalfLines lines_of(const Axes& axes, const HalfPacket& rays);
@@ -41,7 +48,7 @@ private:
                              unsigned bits);
     /// Chooses the packet's slices; false when no ray is alive.
     bool set_up_slices(Packet& packet) const;
-    [[nodiscard]] float epsilon_unit(const Packet& packet, float k_min, float k_max) const;
+    [[nodiscard]] int epsilon_depth(const Packet& packet, float k_min, float k_max) const;
 
     const TraceFrame& frame_;
     Tile tile_;
@@ -89,12 +96,18 @@ inline void PacketSource::make_axes(Axes& axes, int k, const glm::bvec3& negativ
             axes.lane_offset[i][lane] = sign * (col * step_col_[world] + row * step_row_[world]);
         }
     }
-    const bool by_d_stop = frame_.stop.rule == StopRule::DStop;
-    const double width = clip.size() * std::exp2(-(by_d_stop ? frame_.stop.value : max_d_stop));
     // No finer than two ulp of the largest coordinate.
     const double finest = std::ldexp(1.0, std::ilogb(axes.k_size) + 2 - 23);
-    axes.unit = float_above(std::max(finest, width));
+    const bool by_d_stop = frame_.stop.rule == StopRule::DStop;
+    const int wanted = by_d_stop ? static_cast<int>(frame_.stop.value) : max_d_stop;
+    const int depth = std::max(1, std::min(wanted, std::ilogb(clip.size() / finest)));
+    const int top_depth = std::min(max_top_depth, depth - 1);
+    axes.unit = float_above(std::ldexp(clip.size(), -depth));
     axes.origin = -float_above(-(axes.to_lo[0] + axes.eye[0]));
+    axes.slice_cells = 1 << (depth - top_depth);
+    const float slice = axes.unit * static_cast<float>(axes.slice_cells);
+    const float extent = float_above(axes.to_hi[0] + axes.eye[0]) - axes.origin;
+    axes.slice_count = static_cast<int>(std::floor(extent / slice)) + 1;
 }
 
 inline const Axes& PacketSource::axes_for(const glm::dvec3& direction) {
@@ -204,11 +217,10 @@ HWY_INLINE PacketSource::HalfLines PacketSource::lines_of(const Axes& axes,
 inline bool PacketSource::next(Packet& packet) {
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
-        const glm::dvec3 block =
-            corner_ + static_cast<double>(col_) * step_col_ + static_cast<double>(row_) * step_row_;
+        const glm::dvec3 block = direction(col_, row_);
         const int first = std::countr_zero(pending_);
-        const Axes& axes = axes_for(block + static_cast<double>(first % block_cols) * step_col_ +
-                                    static_cast<double>(first / block_cols) * step_row_);
+        const Axes& axes =
+            axes_for(direction(col_ + first % block_cols, row_ + first / block_cols));
         const HalfPacket low = half_of(axes, block, 0);
         const HalfPacket high = half_of(axes, block, lanes / 2);
         const unsigned fitting = low.fitting() | high.fitting() << (lanes / 2);
@@ -249,8 +261,8 @@ HWY_INLINE void PacketSource::set_up_lanes(Packet& packet, const HalfLines& low,
     packet.unsettled = 0;
 }
 
-/// The width along K of the slices at which the search stops under the epsilon rule.
-inline float PacketSource::epsilon_unit(const Packet& packet, float k_min, float k_max) const {
+/// How often a top slice is halved under the epsilon rule.
+inline int PacketSource::epsilon_depth(const Packet& packet, float k_min, float k_max) const {
     float longest = std::numeric_limits<float>::min();  // the packet's Delta [Knoll07, eq. 7]
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const float extent = packet.k_out[lane] - packet.k_in[lane];
@@ -258,9 +270,12 @@ inline float PacketSource::epsilon_unit(const Packet& packet, float k_min, float
         const float v = packet.line[1].slope[lane];
         longest = std::max(longest, extent * (1 + u * u + v * v));
     }
-    const auto extents = static_cast<double>((k_max - k_min) / longest);
-    const double width = extents * frame_.stop.value;  // eq. 6
-    return std::max(packet.axes->unit, static_cast<float>(width));
+    const auto packet_share = static_cast<double>((k_max - k_min) / longest);
+    const double width = packet_share * frame_.stop.value;  // eq. 6
+    const Axes& axes = *packet.axes;
+    const auto slice = static_cast<double>(axes.unit * static_cast<float>(axes.slice_cells));
+    const int finest = std::countr_zero(static_cast<std::uint32_t>(axes.slice_cells));
+    return std::clamp(static_cast<int>(std::ceil(std::log2(slice / width))), 1, finest);
 }
 
 inline bool PacketSource::set_up_slices(Packet& packet) const {
@@ -271,15 +286,24 @@ inline bool PacketSource::set_up_slices(Packet& packet) const {
     const V out = hn::IfThenElse(alive, hn::Load(d, packet.k_out), hn::Neg(far));
     const float k_min = hn::GetLane(hn::MinOfLanes(d, in));
     const float k_max = hn::GetLane(hn::MaxOfLanes(d, out));
-    packet.unit = frame_.stop.rule == StopRule::Epsilon ? epsilon_unit(packet, k_min, k_max)
-                                                        : packet.axes->unit;
-    packet.origin = packet.axes->origin;
-    // Rounded upward, so one less than the slice of k_min is enough to be in front of it.
-    packet.first = static_cast<std::int32_t>((k_min - packet.origin) / packet.unit) - 1;
-    const auto last = static_cast<std::int32_t>((k_max - packet.origin) / packet.unit) + 1;
-    packet.size = static_cast<std::int32_t>(
-        std::bit_ceil(static_cast<std::uint32_t>(std::max(2, last - packet.first))));
-    packet.cell = 0;
+    const Axes& axes = *packet.axes;
+    packet.origin = axes.origin;
+    packet.unit = axes.unit;
+    packet.slice_cells = axes.slice_cells;
+    const float slice = axes.unit * static_cast<float>(axes.slice_cells);
+    if (frame_.stop.rule == StopRule::Epsilon) {
+        packet.slice_cells = 1 << epsilon_depth(packet, k_min, k_max);
+        packet.unit = slice / static_cast<float>(packet.slice_cells);
+    }
+    int first = static_cast<int>((k_min - axes.origin) / slice);
+    int last = std::min(axes.slice_count - 1, static_cast<int>((k_max - axes.origin) / slice));
+    while (first > 0 && packet.grid(first * packet.slice_cells) > k_min)
+        --first;
+    while (last < axes.slice_count - 1 && packet.grid((last + 1) * packet.slice_cells) < k_max) {
+        ++last;
+    }
+    const std::uint32_t up_to_last = last >= 31 ? ~0U : (2U << last) - 1U;
+    packet.slices = up_to_last & (~0U << first);
     packet.pending = 0;
     return true;
 }

@@ -39,7 +39,8 @@ SCENES = [
     ("plane, eye in the box", Plane((1, 2, -0.5), 0.9), CUBE,
      Camera((-0.5, -0.5, 1), (1, 1, 0)), 17, 17),
     ("plane, box off centre", Plane((1, 0.25, 2), 3.5), OFF_CENTRE, None, 41, 23),
-    ("plane behind the eye", Plane((1, 0, 0), -1.0), CUBE, Camera((0, 0, 0), (1, 0.2, 0.1)), 16, 16),
+    ("plane behind the eye", Plane((1, 0, 0), -1.0), CUBE,
+     Camera((0, 0, 0), (1, 0.2, 0.1)), 16, 16),
 ]
 
 
@@ -73,8 +74,7 @@ class DepthTest(ProgramTest):
     def check(self, scene, d_stop):
         name, surface, box, camera, width, height = scene
         shown = camera or Camera.default(box, width / height)
-        options = camera.options() if camera else []
-        depth = self.depth(surface.equation, "--box", box.option(), *options,
+        depth = self.depth(surface.equation, "--box", box.option(), *shown.options(),
                            "--size", f"{width}x{height}", "--dstop", d_stop)
         self.assertEqual((depth.width, depth.height), (width, height))
         largest = max(map(abs, box.lo + box.hi))

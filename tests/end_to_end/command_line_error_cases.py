@@ -151,7 +151,8 @@ class WrongInputTest(ProgramTest):
                 self.assertLessEqual(len(lines), 3, lines)
 
     def test_wrong_place_in_a_later_line_of_standard_input(self):
-        result = run("render", "-", "-o", "picture.png", stdin="x^2 +\n  y^2 + )\n", cwd=self.folder)
+        result = run("render", "-", "-o", "picture.png", stdin="x^2 +\n  y^2 + )\n",
+                     cwd=self.folder)
         lines = self.check_refused(result, WRONG)
         self.assertEqual(len(lines), 3, lines)
         self.assertEqual(lines[1].strip(), "y^2 + )")

@@ -39,7 +39,7 @@ class RenderTest(ProgramTest):
         for col, row, distance in depth.pixels():
             self.assertEqual(ball.at(col, row) != empty.at(col, row), distance != math.inf,
                              (col, row))
-        self.assertGreater(depth.hits(), 100)
+        self.assertGreater(depth.hits(), 50)
 
     def test_misses_are_infinite_and_rows_come_from_the_bottom(self):
         depth = self.depth("x^2 + y^2 + (z-1.2)^2 = 0.25", "--size", "32x32")
@@ -55,7 +55,7 @@ class RenderTest(ProgramTest):
         self.assertEqual((stats["width"], stats["height"], stats["threads"]), (50, 40, 1))
         self.assertEqual(stats["tracer"], "k-bisection")
         self.assertEqual(stats["certified"] + stats["undecided"] + stats["miss"], 50 * 40)
-        self.assertGreater(stats["certified"], 100)
+        self.assertGreater(stats["certified"], 50)
         self.assertGreater(stats["compile_ms"], 0)
         self.assertEqual(set(stats["frame_ms"]), {"median", "min", "max", "repeats"})
         self.assertEqual(stats["frame_ms"]["repeats"], 1)
@@ -85,9 +85,8 @@ class RenderTest(ProgramTest):
 
     def error_of(self, *options):
         """Hits, and the largest error of depth on clear hits of the unit sphere."""
-        depth = self.depth(SPHERE, "--size", "40x40", *options)
-        box, worst = Box.of(2), 0.0
-        camera = Camera.default(box)
+        camera, worst = Camera.default(Box.of(2)), 0.0
+        depth = self.depth(SPHERE, "--size", "40x40", *camera.options(), *options)
         for col, row, got in depth.pixels():
             ray = camera.ray(col, row, 40, 40)
             roots = Sphere().roots(ray, 0.0, math.inf)

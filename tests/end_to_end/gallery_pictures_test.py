@@ -160,7 +160,8 @@ class GalleryPicturesTest(ProgramTest):
     def check_depths(self, item):
         """At some pixels: no sign change is passed by, and hits are mostly at sign changes."""
         box, camera, f = Box.of(item["box"]), camera_of(item), function_of(item)
-        depth = self.depth("@" + item["name"], "--size", SIZE, "--dstop", FINE_D_STOP)
+        depth = self.depth("@" + item["name"], *camera.options(), "--size", SIZE,
+                           "--dstop", FINE_D_STOP)
         near = 8.0 * box.edge() * 2.0 ** -FINE_D_STOP
         early = near * (100.0 if item["name"] in GAINED_BY else 10.0)
         drawn = agreed = 0
@@ -189,7 +190,8 @@ class TrapTest(ProgramTest):
     def points(self, item):
         """Where the pixels of the item's picture are in space."""
         camera = camera_of(item)
-        depth = self.depth("@" + item["name"], "--size", SIZE, "--dstop", FINE_D_STOP)
+        depth = self.depth("@" + item["name"], *camera.options(), "--size", SIZE,
+                           "--dstop", FINE_D_STOP)
         points = [camera.ray(col, row, SIZE, SIZE).at(t)
                   for col, row, t in depth.pixels() if t != math.inf]
         self.assertGreater(len(points), 500)

@@ -84,7 +84,7 @@ class Camera:
 
     @classmethod
     def default(cls, box, aspect=1.0):
-        """Where the program looks from when it is not told."""
+        """From the default direction, at a distance that suits most boxes."""
         half = 0.5 * math.sqrt(sum(e * e for e in sub(box.hi, box.lo))) / math.sqrt(3.0)
         distance = 4.0 * half / min(1.0, aspect)
         return cls(add(box.centre(), scale(distance, unit(DEFAULT_DIRECTION))), box.centre())

@@ -185,9 +185,9 @@ TEST(Elementary, LeavesTheCallersRoundingMode) {
 }
 
 constexpr std::size_t widest = 16;
-using Caller = void (*)(const void* code, int arity, const float* a, const float* b, float* out);
+using Caller = void (*)(void* code, int arity, const float* a, const float* b, float* out);
 
-void call_4(const void* code, int arity, const float* a, const float* b, float* out) {
+void call_4(void* code, int arity, const float* a, const float* b, float* out) {
     const __m128 x = _mm_loadu_ps(a);
     const __m128 result =
         arity == 1 ? reinterpret_cast<__m128 (*)(__m128)>(code)(x)
@@ -195,8 +195,8 @@ void call_4(const void* code, int arity, const float* a, const float* b, float* 
     _mm_storeu_ps(out, result);
 }
 
-__attribute__((target("avx2"))) void call_8(const void* code, int arity, const float* a,
-                                            const float* b, float* out) {
+__attribute__((target("avx2"))) void call_8(void* code, int arity, const float* a, const float* b,
+                                            float* out) {
     const __m256 x = _mm256_loadu_ps(a);
     const __m256 result =
         arity == 1 ? reinterpret_cast<__m256 (*)(__m256)>(code)(x)
@@ -204,7 +204,7 @@ __attribute__((target("avx2"))) void call_8(const void* code, int arity, const f
     _mm256_storeu_ps(out, result);
 }
 
-__attribute__((target("avx512f"))) void call_16(const void* code, int arity, const float* a,
+__attribute__((target("avx512f"))) void call_16(void* code, int arity, const float* a,
                                                 const float* b, float* out) {
     const __m512 x = _mm512_loadu_ps(a);
     const __m512 result =
@@ -214,7 +214,8 @@ __attribute__((target("avx512f"))) void call_16(const void* code, int arity, con
 }
 
 void compare_with_one_lane(const Function& function, std::size_t lanes, Caller call) {
-    const void* const code = elementary_code(function.id, static_cast<int>(lanes));
+    // A pointer to a function has no const to keep.
+    auto* const code = const_cast<void*>(elementary_code(function.id, static_cast<int>(lanes)));
     if (code == nullptr) return;
     RandomNumbers random(32);
     for (int i = 0; i < 40'000; ++i) {

@@ -1,0 +1,163 @@
+// Which top slices may hold a root for any ray of a patch of pixels, so that the packets of the
+// patch need not look at the others one by one.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_K_PATCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_K_PATCH_INL
+#undef ZEROSET_K_PATCH_INL
+#else
+#define ZEROSET_K_PATCH_INL
+#endif
+
+#include "engine/trace/k_batch-inl.hpp"
+#include "engine/trace/k_packet_source-inl.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+constexpr int patch_size = 8;  ///< pixels; a multiple of every block's size
+constexpr int patches_a_row = tile_size / patch_size;
+constexpr int patch_slices = 1 << max_top_depth;  ///< slices looked at; any others may hold a root
+static_assert(patch_size % block_cols == 0 && patch_size % block_rows == 0);
+static_assert(patch_slices % lanes == 0 || lanes > patch_slices);
+
+/// A line that bounds a coordinate of all rays of a patch: at k, rounded upward.
+struct Edge {
+    float slope, base;
+};
+
+/// The top slices of the patches of a tile.
+class PatchSlices {
+public:
+    PatchSlices(const TraceFrame& frame, const Tile& tile, PacketSource& source, Batch& batch,
+                Counters& counters);
+
+    /// Bits of the top slices of the packet's patch that may hold a root for a ray of it.
+    [[nodiscard]] std::uint32_t of(const Packet& packet) const {
+        const int index = packet.row / patch_size * patches_a_row + packet.col / patch_size;
+        const Patch& patch = patches_[static_cast<std::size_t>(index)];
+        return patch.axes == packet.axes ? patch.slices : ~0U;
+    }
+
+private:
+    struct Patch {
+        const Axes* axes = nullptr;  ///< nullptr: its rays do not share axes
+        std::uint32_t slices = ~0U;
+        /// Of U and V: -lo from the least slope, hi from the greatest.
+        Edge neg_lo[2], hi[2];
+    };
+
+    static Patch patch_of(const Tile& tile, PacketSource& source, int col, int row);
+    static void store_slices(const Patch& patch, std::size_t at, Batch& batch);
+    static std::uint32_t slices_with_roots(std::size_t at, const Batch& batch);
+
+    std::array<Patch, static_cast<std::size_t>(patches_a_row) * patches_a_row> patches_;
+};
+
+/// The line through the eye with a slope of U over K; `sign` -1 for -U.
+inline Edge edge_of(const Axes& axes, int axis, double slope, double sign) {
+    const float near = float_above(sign * slope);
+    const double error = std::abs(static_cast<double>(near) - sign * slope) * axes.k_size;
+    const double base = sign * (axes.eye[axis] - axes.eye[0] * slope);
+    return {near, float_above(base + error + axes.error[axis])};
+}
+
+/// The slopes of U over K are extreme at the corners: they are quotients of affine functions.
+inline PatchSlices::Patch PatchSlices::patch_of(const Tile& tile, PacketSource& source, int col,
+                                                int row) {
+    Patch patch;
+    const int last_col = std::min(col + patch_size, tile.cols) - 1;
+    const int last_row = std::min(row + patch_size, tile.rows) - 1;
+    const Axes& axes = source.axes_for(source.direction(col, row));
+    double least[2] = {4.0, 4.0};
+    double greatest[2] = {0.0, 0.0};
+    for (const auto& [c, r] : {std::pair{col, row}, std::pair{last_col, row},
+                               std::pair{col, last_row}, std::pair{last_col, last_row}}) {
+        const glm::dvec3 direction = source.direction(c, r);
+        if (&source.axes_for(direction) != &axes) return patch;
+        const double k = std::abs(direction[axes.world[0]]);
+        for (int i = 0; i < 2; ++i) {
+            const double slope = std::abs(direction[axes.world[i + 1]]) / k;
+            least[i] = std::min(least[i], slope);
+            greatest[i] = std::max(greatest[i], slope);
+        }
+    }
+    patch.axes = &axes;
+    for (int i = 0; i < 2; ++i) {
+        patch.neg_lo[i] = edge_of(axes, i + 1, least[i], -1.0);
+        patch.hi[i] = edge_of(axes, i + 1, greatest[i], 1.0);
+    }
+    return patch;
+}
+
+/// The boxes of a patch's first slices, clipped, one a lane, from item `at` of the batch on.
+HWY_INLINE void PatchSlices::store_slices(const Patch& patch, std::size_t at, Batch& batch) {
+    const Axes& axes = *patch.axes;
+    float* const ends = batch.ends[0] + at;
+    const V unit = hn::Set(d, axes.unit);
+    const V origin = hn::Set(d, axes.origin);
+    for (std::size_t s = 0; s < patch_slices; s += lanes) {
+        const V index = hn::Mul(hn::Iota(d, static_cast<float>(s)),
+                                hn::Set(d, static_cast<float>(axes.slice_cells)));
+        const V next = hn::Add(index, hn::Set(d, static_cast<float>(axes.slice_cells)));
+        const V from = hn::Add(origin, hn::Mul(index, unit));
+        const V to = hn::Add(origin, hn::Mul(next, unit));
+        hn::StoreU(hn::Neg(from), d, ends + axes.from_offset[0] + s);
+        hn::StoreU(to, d, ends + axes.to_offset[0] + s);
+        for (int i = 0; i < 2; ++i) {
+            const Edge& neg_lo = patch.neg_lo[i];
+            const Edge& hi = patch.hi[i];
+            const double clip_lo = axes.to_lo[i + 1] + axes.eye[i + 1] - axes.error[i + 1];
+            const double clip_hi = axes.to_hi[i + 1] + axes.eye[i + 1] + axes.error[i + 1];
+            const V u_neg_lo = hn::MulAdd(hn::Set(d, neg_lo.slope), from, hn::Set(d, neg_lo.base));
+            const V u_hi = hn::MulAdd(hn::Set(d, hi.slope), to, hn::Set(d, hi.base));
+            hn::StoreU(hn::Min(u_neg_lo, hn::Set(d, float_above(-clip_lo))), d,
+                       ends + axes.from_offset[i + 1] + s);
+            hn::StoreU(hn::Min(u_hi, hn::Set(d, float_above(clip_hi))), d,
+                       ends + axes.to_offset[i + 1] + s);
+        }
+    }
+}
+
+/// Bits of the slices from item `at` on where the box is not empty and F does not exclude 0.
+inline std::uint32_t PatchSlices::slices_with_roots(std::size_t at, const Batch& batch) {
+    std::uint32_t bits = ~0U << (patch_slices - 1) << 1;
+    for (std::size_t s = 0; s < patch_slices; ++s) {
+        bool empty = false;
+        for (int i = 0; i < 3; ++i) {
+            empty = empty || batch.ends[i][at + s] + batch.ends[i + 3][at + s] < 0;
+        }
+        const bool rejected = batch.f_neg_lo[at + s] < 0 || batch.f_hi[at + s] < 0;
+        if (!empty && !rejected) bits |= 1U << s;
+    }
+    return bits;
+}
+
+inline PatchSlices::PatchSlices(const TraceFrame& frame, const Tile& tile, PacketSource& source,
+                                Batch& batch, Counters& counters) {
+    constexpr std::size_t at_once = batch_capacity / patch_slices;
+    for (std::size_t first = 0; first < patches_.size(); first += at_once) {
+        for (std::size_t i = first; i < first + at_once; ++i) {
+            const int col = static_cast<int>(i) % patches_a_row * patch_size;
+            const int row = static_cast<int>(i) / patches_a_row * patch_size;
+            if (col >= tile.cols || row >= tile.rows) continue;
+            patches_[i] = patch_of(tile, source, col, row);
+            if (patches_[i].axes == nullptr) continue;
+            store_slices(patches_[i], (i - first) * patch_slices, batch);
+        }
+        batch.evaluate(frame.scene, batch_capacity / lanes, counters);
+        for (std::size_t i = first; i < first + at_once; ++i) {
+            if (patches_[i].axes == nullptr) continue;
+            patches_[i].slices = slices_with_roots((i - first) * patch_slices, batch);
+        }
+    }
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

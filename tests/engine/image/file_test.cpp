@@ -1,0 +1,164 @@
+#include "engine/image/file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+
+// Files are whole or not there, and their bytes are what the formats say.
+
+namespace zeroset::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileTest : public ::testing::Test {
+protected:
+    FileTest() {
+        std::string name = (fs::temp_directory_path() / "zeroset_file_test_XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) ADD_FAILURE() << name;
+        folder_ = name;
+    }
+    ~FileTest() override {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+
+    [[nodiscard]] static std::string content(const fs::path& path) {
+        std::ifstream file(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    [[nodiscard]] long files() const {
+        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    }
+    static std::span<const std::byte> bytes_of(const std::string& text) {
+        return std::as_bytes(std::span(text));
+    }
+    static void expect_refused(const std::expected<void, FileError>& result, const fs::path& path) {
+        ASSERT_FALSE(result);
+        EXPECT_NE(result.error().message.find(path.string()), std::string::npos)
+            << result.error().message;
+        EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(FileTest, WritesAllBytes) {
+    const std::string text("a\0b\nc\xff", 6);
+    ASSERT_TRUE(write_file(folder_ / "out", bytes_of(text)));
+    EXPECT_EQ(content(folder_ / "out"), text);
+    ASSERT_TRUE(write_file(folder_ / "out", {}));
+    EXPECT_EQ(content(folder_ / "out"), "");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(FileTest, ReplacesALongerFile) {
+    ASSERT_TRUE(write_file(folder_ / "out", bytes_of(std::string(100'000, 'x'))));
+    ASSERT_TRUE(write_file(folder_ / "out", bytes_of("short")));
+    EXPECT_EQ(content(folder_ / "out"), "short");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST_F(FileTest, RefusesAFolderThatIsNotThere) {
+    const fs::path path = folder_ / "none" / "out";
+    expect_refused(check_writable(path), path);
+    expect_refused(write_file(path, bytes_of("x")), path);
+    EXPECT_EQ(files(), 0);
+}
+
+TEST_F(FileTest, RefusesAFolderAsFile) {
+    expect_refused(check_writable(folder_), folder_);
+    expect_refused(write_file(folder_, bytes_of("x")), folder_);
+    EXPECT_FALSE(check_writable(""));
+    EXPECT_EQ(files(), 0);
+}
+
+TEST_F(FileTest, LeavesNothingBehindWithoutPermission) {
+    if (::geteuid() == 0) GTEST_SKIP() << "permissions do not stop root";
+    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    expect_refused(write_file(folder_ / "out", bytes_of("x")), folder_ / "out");
+    EXPECT_EQ(files(), 0);
+    fs::permissions(folder_, fs::perms::owner_all);
+}
+
+TEST_F(FileTest, ReportsADeviceWithoutSpace) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+    expect_refused(write_file("/dev/full", bytes_of("x")), "/dev/full");
+}
+
+/// 3 x 2 pixels, all different.
+Framebuffer small_frame() {
+    Framebuffer frame(3, 2);
+    for (std::size_t i = 0; i < 6; ++i) {
+        frame.color[i] = 0xFF000000U | static_cast<std::uint32_t>(0x030201U * (i + 1));
+        frame.depth[i] = static_cast<float>(i) + 0.5F;
+    }
+    frame.depth[2] = std::numeric_limits<float>::infinity();
+    return frame;
+}
+
+TEST_F(FileTest, PfmHasItsRowsFromTheBottom) {
+    ASSERT_TRUE(write_pfm(folder_ / "depth.pfm", small_frame()));
+    const std::string text = content(folder_ / "depth.pfm");
+    const std::string header = "Pf\n3 2\n-1.0\n";
+    ASSERT_EQ(text.size(), header.size() + 24);
+    EXPECT_TRUE(text.starts_with(header));
+    std::array<float, 6> depth{};
+    std::memcpy(depth.data(), text.data() + header.size(), sizeof depth);
+    const float inf = std::numeric_limits<float>::infinity();
+    EXPECT_EQ(depth, (std::array{3.5F, 4.5F, 5.5F, 0.5F, 1.5F, inf}));
+}
+
+std::uint32_t big_endian(const std::string& text, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        value = value << 8U | static_cast<unsigned char>(text[at + i]);
+    }
+    return value;
+}
+
+TEST_F(FileTest, PngHasItsSizeAndThreeChannels) {
+    ASSERT_TRUE(write_png(folder_ / "picture.png", small_frame()));
+    const std::string text = content(folder_ / "picture.png");
+    EXPECT_TRUE(text.starts_with("\x89PNG\r\n\x1a\n"));
+    ASSERT_GT(text.size(), 45U);
+    EXPECT_EQ(text.substr(12, 4), "IHDR");
+    EXPECT_EQ(big_endian(text, 16), 3U);
+    EXPECT_EQ(big_endian(text, 20), 2U);
+    EXPECT_EQ(text.substr(24, 5), std::string("\x08\x02\0\0\0", 5));  // 8 bits, RGB
+    EXPECT_EQ(text.substr(text.size() - 8, 4), "IEND");
+    EXPECT_EQ(files(), 1);
+}
+
+TEST(Framebuffer, StartsAsMisses) {
+    const Framebuffer frame(5, 4);
+    EXPECT_EQ(frame.color.size(), 20U);
+    EXPECT_EQ(frame.index(2, 3), 17U);
+    const CertificateCounts counts = count_certificates(frame);
+    EXPECT_EQ(counts.miss, 20U);
+    EXPECT_EQ(counts.certified + counts.undecided, 0U);
+    for (const float depth : frame.depth) {
+        EXPECT_EQ(depth, std::numeric_limits<float>::infinity());
+    }
+}
+
+TEST(CountCertificates, CountsEachKind) {
+    Framebuffer frame(3, 2);
+    frame.certificate = {Certificate::Miss,      Certificate::Certified, Certificate::Undecided,
+                         Certificate::Certified, Certificate::Certified, Certificate::Undecided};
+    const CertificateCounts counts = count_certificates(frame);
+    EXPECT_EQ(counts.miss, 1U);
+    EXPECT_EQ(counts.certified, 3U);
+    EXPECT_EQ(counts.undecided, 2U);
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,330 @@
+#include "engine/trace/tracer.hpp"
+
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/trace/render.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What each tracer says of surfaces of known form: certificates, depths and misses, ray by ray.
+
+namespace zeroset::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// A tracer may look for the opposite sign a few cells behind the one where it stopped.
+constexpr double bracket_cells = 4.0;
+
+Scene scene_of(const std::string& text, const Box& clip) {
+    const auto expr = parse(text);
+    if (!expr) {
+        ADD_FAILURE() << text << ": " << expr.error().reason;
+        return {};
+    }
+    Scene scene{interpret(*expr), clip, {}};
+    scene.uniforms.set(0, 0.0);
+    return scene;
+}
+
+TraceSettings settings_at(const std::string& tracer, double d_stop) {
+    TraceSettings settings;
+    settings.tracer = tracer;
+    settings.stop.value = d_stop;
+    settings.threads = 2;
+    return settings;
+}
+
+struct Ray {
+    glm::dvec3 eye, direction;        ///< of length 1
+    double t_in = 0.0, t_out = -1.0;  ///< the part in the clip box and in front of the eye
+
+    Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame)
+        : eye(camera.eye),
+          direction(glm::normalize(
+              ViewFrame(camera).direction(col + 0.5, row + 0.5, frame.width, frame.height))) {
+        t_out = infinity;
+        for (int i = 0; i < 3; ++i) {
+            const double a = (clip.lo[i] - eye[i]) / direction[i];
+            const double b = (clip.hi[i] - eye[i]) / direction[i];
+            t_in = std::max(t_in, std::min(a, b));
+            t_out = std::min(t_out, std::max(a, b));
+        }
+    }
+    [[nodiscard]] glm::dvec3 at(double t) const { return eye + t * direction; }
+    /// Distance along the ray for 1 along its dominant axis.
+    [[nodiscard]] double stretch() const {
+        const glm::dvec3 size = glm::abs(direction);
+        return 1.0 / std::max({size.x, size.y, size.z});
+    }
+};
+
+/// The first root at or behind `from`, or infinity.
+using FirstRoot = std::function<double(const Ray& ray, double from)>;
+
+struct Analytic {
+    std::string name, text;
+    FirstRoot first_root;
+    Camera camera;
+    Box clip;
+};
+
+double first_of(std::vector<double> roots, double from) {
+    std::ranges::sort(roots);
+    const auto found = std::ranges::lower_bound(roots, from);
+    return found == roots.end() ? infinity : *found;
+}
+
+/// Roots of a t^2 + 2 b t + c.
+std::vector<double> quadratic(double a, double b, double c) {
+    const double discriminant = b * b - a * c;
+    if (discriminant < 0) return {};
+    const double far = -b - std::copysign(std::sqrt(discriminant), b);
+    return {far / a, c / far};
+}
+
+std::vector<double> sphere_roots(const Ray& ray, double radius) {
+    return quadratic(1.0, glm::dot(ray.eye, ray.direction),
+                     glm::dot(ray.eye, ray.eye) - radius * radius);
+}
+
+double plane_root(const Ray& ray, const glm::dvec3& normal, double offset) {
+    return (offset - glm::dot(normal, ray.eye)) / glm::dot(normal, ray.direction);
+}
+
+double torus_distance(const glm::dvec3& p, double ring, double tube) {
+    return std::abs(std::hypot(std::hypot(p.x, p.y) - ring, p.z) - tube);
+}
+
+/// The distance to the torus is a step that skips no root.
+double torus_root(const Ray& ray, double from) {
+    for (double t = from; t < ray.t_out + 1.0;) {
+        const double step = torus_distance(ray.at(t), 1.0, 0.5);
+        t += step;
+        if (step < 1e-13) return t;
+    }
+    return infinity;
+}
+
+std::vector<Analytic> analytic_scenes() {
+    const Box cube = Box::cube(2);
+    const Camera usual = default_camera(cube);
+    const Camera inside{{0.1, -0.2, 0.15}, {1, 0.5, 0.25}, {0, 0, 1}, 1.5};
+    const FirstRoot sphere = [](const Ray& ray, double from) {
+        return first_of(sphere_roots(ray, 1.0), from);
+    };
+    const FirstRoot shells = [](const Ray& ray, double from) {
+        return std::min(first_of(sphere_roots(ray, 1.5), from),
+                        first_of(sphere_roots(ray, 1.4999), from));
+    };
+    const FirstRoot plane = [](const Ray& ray, double from) {
+        return first_of({plane_root(ray, {0.3, -0.5, 1.0}, 0.2)}, from);
+    };
+    const FirstRoot pair = [](const Ray& ray, double from) {
+        return first_of({plane_root(ray, {0, 1, 0}, 0.5), plane_root(ray, {0, 1, 0}, 0.5001)},
+                        from);
+    };
+    return {
+        {"sphere", "x^2 + y^2 + z^2 = 1", sphere, usual, cube},
+        {"sphere from inside", "x^2 + y^2 + z^2 = 1", sphere, inside, cube},
+        {"sphere cut by the box",
+         "x^2 + y^2 + z^2 = 1",
+         sphere,
+         usual,
+         {{-0.7, -2, -0.8}, {2, 0.3, 2}}},
+        {"two close spheres", "(x^2+y^2+z^2-1.5^2)*(x^2+y^2+z^2-1.4999^2)", shells, usual, cube},
+        {"plane", "0.3*x - 0.5*y + z = 0.2", plane, usual, cube},
+        {"plane from nearby", "0.3*x - 0.5*y + z = 0.2", plane, inside, cube},
+        {"two close planes", "(y-0.5)*(y-0.5001)", pair, usual, cube},
+        {"torus", "(x^2+y^2+z^2+0.75)^2 = 4*(x^2+y^2)", torus_root, usual, cube},
+        {"torus from its hole", "(1-sqrt(x^2+y^2))^2 + z^2 = 0.25", torus_root, inside, cube}};
+}
+
+/// What a pixel says against what is there. `cell` is the width of the finest slice.
+void check_pixel(const Analytic& scene, const Ray& ray, Certificate certificate, double depth,
+                 double cell) {
+    const double rounding = 3e-6;
+    const double margin = bracket_cells * cell * ray.stretch() + rounding;
+    const bool in_box = ray.t_in < ray.t_out;
+    const double early =
+        in_box ? scene.first_root(ray, std::max(ray.t_in - margin, 0.0)) : infinity;
+    const double first = in_box ? scene.first_root(ray, ray.t_in) : infinity;
+    const bool hit = first < ray.t_out - margin && early == first && first > ray.t_in + margin;
+    const bool miss = early > ray.t_out + margin;
+    if (hit) {
+        EXPECT_NE(certificate, Certificate::Miss) << "root at " << first;
+        EXPECT_LE(depth, first + margin) << "behind the first root";
+    }
+    if (certificate == Certificate::Certified) {
+        EXPECT_FALSE(miss) << "certified at " << depth << " where there is nothing";
+        EXPECT_LE(std::abs(depth - first), margin) << "root at " << first << ", shown at " << depth;
+    }
+    EXPECT_TRUE(certificate != Certificate::Miss || depth == infinity) << depth;
+}
+
+void check_scene(const Analytic& analytic, const std::string& tracer, double d_stop) {
+    Framebuffer frame(41, 31);
+    const Scene scene = scene_of(analytic.text, analytic.clip);
+    render_frame(scene, analytic.camera, settings_at(tracer, d_stop), frame);
+    const double cell = analytic.clip.size() * std::exp2(-d_stop);
+    for (int row = 0; row < frame.height; ++row) {
+        for (int col = 0; col < frame.width; ++col) {
+            SCOPED_TRACE(analytic.name + ", pixel " + std::to_string(col) + "," +
+                         std::to_string(row) + ", d_stop " + std::to_string(d_stop));
+            const std::size_t i = frame.index(col, row);
+            check_pixel(analytic, Ray(analytic.camera, analytic.clip, col, row, frame),
+                        frame.certificate[i], static_cast<double>(frame.depth[i]), cell);
+        }
+    }
+}
+
+class TracerTest : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(TracerTest, AgreesWithClosedForms) {
+    for (const Analytic& scene : analytic_scenes()) {
+        for (const double d_stop : {8.0, 12.0, 19.0})
+            check_scene(scene, GetParam(), d_stop);
+    }
+}
+
+TEST_P(TracerTest, CertifiesMostOfASimpleSurface) {
+    Framebuffer frame(64, 64);
+    const Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
+    render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 16), frame);
+    const CertificateCounts counts = count_certificates(frame);
+    EXPECT_GT(counts.certified, 150U);
+    EXPECT_LT(counts.undecided, counts.certified / 20);
+}
+
+std::vector<bool> hits_at(const Scene& scene, const std::string& tracer, double d_stop) {
+    Framebuffer frame(50, 50);
+    render_frame(scene, default_camera(scene.clip), settings_at(tracer, d_stop), frame);
+    std::vector<bool> hits;
+    for (const float depth : frame.depth)
+        hits.push_back(std::isfinite(static_cast<double>(depth)));
+    return hits;
+}
+
+TEST_P(TracerTest, ACoarserSearchShowsAllThatAFinerOneShows) {
+    for (const char* text :
+         {"x^2 + y^2 + z^2 = 1", "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
+          "x^2*y^2 + y^2*z^2 + x^2*z^2 + x*y*z"}) {
+        const Scene scene = scene_of(text, Box::cube(2));
+        std::vector<bool> finer = hits_at(scene, GetParam(), 18);
+        for (const double d_stop : {15.0, 12.0, 9.0, 6.0}) {
+            const std::vector<bool> hits = hits_at(scene, GetParam(), d_stop);
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                EXPECT_TRUE(hits[i] || !finer[i]) << text << ", d_stop " << d_stop << ": " << i;
+            }
+            EXPECT_GE(std::ranges::count(hits, true), std::ranges::count(finer, true));
+            finer = hits;
+        }
+    }
+}
+
+TEST_P(TracerTest, DrawsATangentPlaneWithoutACertificate) {
+    Framebuffer frame(40, 40);
+    const Scene scene = scene_of("(x - y + z)^2", Box::cube(2));
+    render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 12), frame);
+    const CertificateCounts counts = count_certificates(frame);
+    EXPECT_EQ(counts.certified, 0U);
+    EXPECT_GT(counts.undecided, 100U);
+}
+
+TEST_P(TracerTest, DrawsNoWallAtAPole) {
+    const Scene scene = scene_of("1/(x - y^2) - z", Box::cube(2));
+    const Camera camera{{3, -5, 2}, {0, 0, 0}, {0, 0, 1}, 0.8};
+    Framebuffer frame(80, 80);
+    render_frame(scene, camera, settings_at(GetParam(), 14), frame);
+    int hits = 0;
+    for (int row = 0; row < frame.height; ++row) {
+        for (int col = 0; col < frame.width; ++col) {
+            const auto t = static_cast<double>(frame.depth[frame.index(col, row)]);
+            if (!std::isfinite(t)) continue;
+            ++hits;
+            const glm::dvec3 p = Ray(camera, scene.clip, col, row, frame).at(t);
+            EXPECT_GT(std::abs(p.x - p.y * p.y), 0.49) << col << "," << row;  // |z| <= 2
+        }
+    }
+    EXPECT_GT(hits, 500);
+}
+
+TEST_P(TracerTest, NeverCertifiesAPoleAlone) {
+    Framebuffer frame(40, 40);
+    const Scene scene = scene_of("1/(x + 0.1*y + 0.01*z)", Box::cube(2));
+    render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 14), frame);
+    EXPECT_EQ(count_certificates(frame).certified, 0U);
+    EXPECT_TRUE(std::ranges::none_of(
+        frame.depth, [](float t) { return std::isfinite(static_cast<double>(t)); }));
+}
+
+TEST_P(TracerTest, DrawsTheSameOnAnyThreads) {
+    const Scene scene = scene_of("x^4 + y^4 + z^4 - x^2 - y^2 - z^2 + 0.5", Box::cube(1.5));
+    Framebuffer frames[2] = {Framebuffer(150, 130), Framebuffer(150, 130)};
+    Counters counters[2];
+    for (int i = 0; i < 2; ++i) {
+        TraceSettings settings = settings_at(GetParam(), 10);
+        settings.threads = i + 1;
+        counters[i] = render_frame(scene, default_camera(scene.clip), settings, frames[i]);
+    }
+    EXPECT_EQ(frames[0].depth, frames[1].depth);
+    EXPECT_EQ(frames[0].color, frames[1].color);
+    EXPECT_EQ(frames[0].certificate, frames[1].certificate);
+    EXPECT_EQ(counters[0].range, counters[1].range);
+    EXPECT_GT(counters[0].range, 0U);
+    EXPECT_GE(counters[0].value, count_certificates(frames[0]).certified);
+}
+
+TEST_P(TracerTest, DrawsImagesOfAnySize) {
+    const Scene scene = scene_of("x - y + z = 0.1", Box::cube(2));
+    const Camera camera = default_camera(scene.clip);
+    for (const auto& [width, height] : {std::pair{1, 1}, {3, 70}, {65, 2}, {64, 64}, {129, 63}}) {
+        Framebuffer frame(width, height);
+        std::ranges::fill(frame.color, 0U);
+        render_frame(scene, camera, settings_at(GetParam(), 8), frame);
+        EXPECT_EQ(std::ranges::count(frame.color, 0U), 0) << width << "x" << height;
+        EXPECT_EQ(frame.certificate[frame.index(width / 2, height / 2)], Certificate::Certified);
+    }
+}
+
+TEST_P(TracerTest, StopsWhenCancelled) {
+    const Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
+    Framebuffer frame(200, 200);
+    const std::atomic<bool> cancel{true};
+    const Counters counters = render_frame(scene, default_camera(scene.clip),
+                                           settings_at(GetParam(), 22), frame, &cancel);
+    EXPECT_EQ(counters.range, 0U);
+    EXPECT_EQ(count_certificates(frame).miss, frame.color.size());
+}
+
+std::vector<std::string> tracer_names() {
+    std::vector<std::string> names;
+    for (const Tracer& tracer : tracers())
+        names.emplace_back(tracer.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTracers, TracerTest, ::testing::ValuesIn(tracer_names()),
+                         [](const auto& tracer) {
+                             std::string name = tracer.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+TEST(FindTracer, KnowsItsNames) {
+    for (const std::string& name : tracer_names())
+        EXPECT_NE(find_tracer(name), nullptr);
+    EXPECT_EQ(find_tracer("magic"), nullptr);
+    EXPECT_NE(find_tracer(TraceSettings().tracer), nullptr);
+}
+
+}  // namespace
+}  // namespace zeroset::test
