@@ -35,9 +35,17 @@ std::vector<BenchItem> gallery_suite() {
     std::vector<BenchItem> items;
     for (const GalleryItem& item : gallery()) {
         if (item.group != suite_group) continue;
-        items.push_back({item.name, {item.equation, item.clip, item.w, std::nullopt}});
+        items.push_back(
+            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x)}});
     }
     return items;
+}
+
+/// The library's message without its own heading "[json.exception...] ".
+std::string plain_message(const std::exception& error) {
+    const std::string_view text = error.what();
+    const std::size_t end = text.find("] ");
+    return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
 }
 
 std::unexpected<InputError> wrong(std::string reason) {
@@ -64,7 +72,10 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
                 {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera}});
         }
     } catch (const nlohmann::json::exception& error) {
-        return wrong("--suite " + path + ": " + error.what());
+        return wrong("--suite " + path +
+                     ": it must be {\"camera\": {\"direction\", \"distance\", \"fov\"}, "
+                     "\"surfaces\": [{\"name\", \"f\", \"domain\"}]}; " +
+                     plain_message(error));
     }
     return items;
 }
@@ -112,8 +123,7 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     if (!formula) return std::unexpected(formula.error());
     Scene scene{formula->kernel, item.surface.clip, {}};
     scene.uniforms.set(0, item.surface.w);
-    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip, aspect));
+    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
     cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);
@@ -158,6 +168,11 @@ void print_cell(const BenchCell& cell) {
 int run_bench(const BenchCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
+    if (command.json && command.json != "-") {
+        if (auto writable = check_writable(*command.json); !writable) {
+            return report_run_time(writable.error().message);
+        }
+    }
     const bool table = command.json != "-";
     if (table) print_heading(*plan);
     Json surfaces = Json::array();

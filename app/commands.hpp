@@ -43,6 +43,18 @@ struct GalleryCommand {
 };
 int run_gallery(const GalleryCommand& command);
 
+/// Draws the window, with its picture finished, into a file; needs no display.
+struct UiShotCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string size = "1280x800";
+    std::string scale = "1";
+    std::string theme = "dark";
+    std::string output;
+};
+int run_ui_shot(const UiShotCommand& command);
+
 /// Prints the error and returns its exit code.
 int report(const InputError& error);
 int report_run_time(const std::string& message);

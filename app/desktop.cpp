@@ -1,9 +1,10 @@
 #include "app/desktop.hpp"
 
+#include "app/commands.hpp"
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/gallery.hpp"
-#include "engine/image/framebuffer.hpp"
+#include "app/options.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
@@ -14,7 +15,7 @@
 
 #include <glm/ext/vector_int2.hpp>
 
-#include <cstdint>
+#include <expected>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -22,98 +23,49 @@
 #include <utility>
 
 namespace zeroset {
-namespace {
-
-/// All that the picture depends on and that the window can change.
-struct Wanted {
-    std::shared_ptr<const Formula> formula;
-    Box clip;
-    Camera camera;
-    double w = 0.0;
-    StopCriterion stop;
-    glm::ivec2 size_px{0};
-};
-
-bool same_picture(const Wanted& a, const Wanted& b) {
+bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
     return a.formula == b.formula && a.clip.lo == b.clip.lo && a.clip.hi == b.clip.hi &&
            a.camera == b.camera && (a.w == b.w || !a.formula->kernel.uses_w) &&
            a.stop.rule == b.stop.rule && a.stop.value == b.stop.value && a.size_px == b.size_px;
 }
 
-/// A surface that was picked and how it is first looked at.
-struct Opening {
-    std::string equation;
-    Box clip;
-    double w = 0.0;
-    std::optional<Camera> camera;
-};
-
-/// The window's content over time. Everything here belongs to the window's thread; the jobs'
-/// threads only wake it.
-class Desktop {
-public:
-    Desktop(std::unique_ptr<ui::Window> window, const DesktopOptions& options);
-    int run();
-
-private:
-    void take_formula();
-    void show(std::shared_ptr<const Formula> formula);
-    void take_frame();
-    void upload_frame();
-    void follow_edits();
-    void reset_view();
-    void submit_picture();
-
-    std::unique_ptr<ui::Window> window_;  // outlives the jobs that wake it and the texture
-    ui::Texture texture_;
-    ui::UiState state_;
-    TraceSettings settings_;
-
-    std::string submitted_text_;
-    std::optional<Opening> opening_;  ///< waits for its formula
-    std::optional<Camera> home_;      ///< what Reset view goes back to, if it is not the default
-    std::shared_ptr<const Formula> shown_;  ///< the last good one
-    std::optional<Wanted> submitted_;
-    std::uint64_t request_ = 0;
-    std::shared_ptr<const Framebuffer> frame_;
-    ui::Theme uploaded_theme_ = ui::Theme::Dark;
-
-    FormulaJob formulas_;
-    RenderJob pictures_;
-};
-
-Desktop::Desktop(std::unique_ptr<ui::Window> window, const DesktopOptions& options)
-    : window_(std::move(window)),
+Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
+    : window_(window),
       settings_(options.settings),
-      opening_(Opening{options.equation, options.clip, options.w, options.camera}),
-      formulas_([this] { window_->wake(); }),
-      pictures_([this] { window_->wake(); }) {
-    state_.equation = options.equation;
-    state_.clip = options.clip;
-    state_.w = options.w;
+      opening_(options.surface),
+      home_(options.surface.camera),
+      formulas_([this] { window_.wake(); }),
+      pictures_([this] { window_.wake(); }) {
+    state_.equation = options.surface.equation;
+    state_.clip = options.surface.clip;
+    state_.w = options.surface.w;
     state_.stop = options.settings.stop;
+    state_.theme = options.theme;
+    state_.focus_equation = options.takes_keyboard;
     state_.reset_view = true;
-    home_ = options.camera;
     for (const GalleryItem& item : gallery()) {
         state_.gallery.push_back({item.title, item.equation, item.about});
     }
 }
 
-int Desktop::run() {
-    while (window_->wait()) {
-        take_formula();
-        take_frame();
-        window_->begin_frame(state_.theme);
-        ui::draw_screen(state_, texture_);
-        window_->end_frame();
-        follow_edits();
-    }
-    return 0;
+void Desktop::draw_frame() {
+    take_formula();
+    take_frame();
+    window_.begin_frame(state_.theme);
+    ui::draw_screen(state_, texture_);
+    window_.end_frame();
+    follow_edits();
+}
+
+bool Desktop::settled() const {
+    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing);
+    return answered_text_ == state_.equation && drawn && !state_.reset_view;
 }
 
 void Desktop::take_formula() {
     std::optional<FormulaResult> result = formulas_.take();
     if (!result) return;
+    answered_text_ = result->text;
     if (result->formula) {
         show(std::move(*result->formula));
     } else if (result->text == state_.equation) {
@@ -136,7 +88,7 @@ void Desktop::show(std::shared_ptr<const Formula> formula) {
     state_.error_column.reset();
     state_.reading = shown_->expr.canonical() + " = 0";
     state_.uses_w = shown_->kernel.uses_w;
-    window_->set_title("Zeroset - " + shown_->text);
+    window_.set_title("Zeroset - " + shown_->text);
 }
 
 void Desktop::take_frame() {
@@ -164,9 +116,9 @@ void Desktop::follow_edits() {
         const GalleryItem& item = gallery()[*state_.surface];
         state_.surface.reset();
         state_.equation = item.equation;
-        opening_ = Opening{item.equation, item.clip, item.w, item.camera};
+        opening_ = Surface{item.equation, item.clip, item.w, item.camera};
         submitted_text_.clear();  // the same equation again still resets its view
-        window_->wake();
+        window_.wake();
     }
     if (state_.equation != submitted_text_) {
         submitted_text_ = state_.equation;
@@ -201,19 +153,37 @@ void Desktop::submit_picture() {
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
     submitted_ = std::move(wanted);
-    window_->wake();
+    window_.wake();
 }
 
-}  // namespace
+OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
+                                                  const TraceText& trace) {
+    const std::string first = "@" + gallery().front().name;
+    auto surface = read_surface(equation.empty() ? first : equation, view);
+    if (!surface) return std::unexpected(surface.error());
+    auto settings = read_trace_settings(trace);
+    if (!settings) return std::unexpected(settings.error());
+    const bool stop_given = trace.d_stop || trace.epsilon || trace.delta;
+    constexpr double interactive_d_stop = 14.0;
+    if (!stop_given) settings->stop.value = interactive_d_stop;
+    DesktopOptions options;
+    options.surface = std::move(*surface);
+    options.settings = std::move(*settings);
+    return options;
+}
 
 int run_desktop(const DesktopOptions& options) {
     auto window = ui::make_glfw_window({});
     if (!window) {
         std::cerr << "zeroset: " << window.error()
                   << "; `zeroset render \"EQUATION\" -o out.png` works without a display\n";
-        return 1;
+        return exit_run_time;
     }
-    return Desktop(std::move(*window), options).run();
+    Desktop desktop(**window, options);
+    while ((*window)->wait()) {
+        desktop.draw_frame();
+    }
+    return exit_ok;
 }
 
 }  // namespace zeroset

@@ -33,10 +33,15 @@ OrInputError<std::optional<ValueAt>> value_of(const Expr& expr, const ExplainCom
     return result;
 }
 
+/// One line; bytes that are no UTF-8 become replacement characters.
+void print(const Json& json) {
+    std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
 int fail(const InputError& error, bool as_json) {
     if (!as_json) return report(error);
     const Json column = error.column ? Json(*error.column) : Json(nullptr);
-    std::cout << Json{{"ok", false}, {"error", error.reason}, {"column", column}}.dump() << "\n";
+    print(Json{{"ok", false}, {"error", error.reason}, {"column", column}});
     return exit_wrong_input;
 }
 
@@ -48,7 +53,7 @@ void print_json(const Expr& expr, const std::optional<ValueAt>& at) {
                     {"gradient", at ? Json(at->gradient) : Json(nullptr)},
                     {"parameters", parameters},
                     {"nodes", expr.nodes().size()}};
-    std::cout << json.dump() << "\n";
+    print(json);
 }
 
 void print_text(const Expr& expr, const std::optional<ValueAt>& at) {
@@ -81,6 +86,10 @@ int print_code(const Expr& expr, const ExplainCommand& command) {
 }  // namespace
 
 int run_explain(const ExplainCommand& command) {
+    if (command.json && (command.ir || command.assembly)) {
+        return report(
+            {"--json excludes --ir and --asm; ask for them one after the other", std::nullopt, {}});
+    }
     const auto text = read_equation(command.equation);
     if (!text) return fail(text.error(), command.json);
     const auto expr = read_formula(*text);

@@ -39,7 +39,11 @@ GalleryItem item_of(const json& item, const std::string& group) {
     result.source = item.at("source");
     result.clip = box_of(item.at("box"));
     result.w = item.value("w", 0.0);
-    if (item.contains("camera")) result.camera = camera_of(item.at("camera"));
+    if (item.contains("camera")) {
+        result.camera = camera_of(item.at("camera"));
+    } else if (item.at("box").is_number()) {
+        result.camera = suite_camera(item.at("box").get<double>());
+    }
     return result;
 }
 
@@ -66,11 +70,12 @@ std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {
     if (found != gallery().end()) return *found;
     std::vector<std::string_view> names;
     std::ranges::transform(gallery(), std::back_inserter(names), &GalleryItem::name);
-    return std::unexpected(
-        InputError{"the gallery has no '" + std::string(name) + "'; did you mean @" +
-                       std::string(nearest_word(name, names)) + "? (zeroset gallery lists all)",
-                   std::nullopt,
-                   {}});
+    const std::optional<std::string_view> meant = meant_word(name, names);
+    const std::string hint = meant ? "; did you mean @" + std::string(*meant) + "?" : "";
+    return std::unexpected(InputError{
+        "the gallery has no '@" + std::string(name) + "'" + hint + " (zeroset gallery lists all)",
+        std::nullopt,
+        {}});
 }
 
 }  // namespace zeroset

@@ -2,10 +2,11 @@
 
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
-#include "app/gallery.hpp"
+#include "app/text.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -13,26 +14,53 @@
 namespace zeroset {
 namespace {
 
+/// An option with a value, from which spaces at both ends are dropped.
+template <class Value>
+CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
+                       const std::string& about) {
+    const std::function<std::string(std::string)> trim = [](const std::string& text) {
+        return std::string(trimmed(text));
+    };
+    return app.add_option(names, value, about)->transform(trim);
+}
+
 void add_view_options(CLI::App& app, ViewText& view) {
-    app.add_option("--box", view.box, "clip box: L for [-L,L]^3, or x0,x1,y0,y1,z0,z1 (default 2)");
-    app.add_option("--eye", view.eye, "where the eye is: x,y,z");
-    app.add_option("--look-at", view.look_at, "the point looked at: x,y,z");
-    app.add_option("--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
-    app.add_option("--fov", view.fov, "vertical field of view in degrees (default 42)");
-    app.add_option("--w", view.w, "value of the variable w (default 0)");
+    add_value(app, "--box", view.box, "clip box: L for [-L,L]^3, or x0,x1,y0,y1,z0,z1 (default 2)");
+    add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
+    add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
+    add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
+    add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
+    add_value(app, "--w", view.w, "value of the variable w (default 0)");
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
-    app.add_option("--tracer", trace.tracer, "how roots are found: k-bisection");
-    auto* const d_stop = app.add_option(
-        "--dstop", trace.d_stop, "stop at cells of the clip box's edge times 2^-N (default 22)");
-    auto* const epsilon = app.add_option("--epsilon", trace.epsilon,
-                                         "stop at boxes with a diagonal below E, world units");
+    add_value(app, "--tracer", trace.tracer, "how roots are found: k-bisection");
+    auto* const d_stop = add_value(app, "--dstop", trace.d_stop,
+                                   "stop at cells of the clip box's edge times 2^-N (default 22)");
+    auto* const epsilon = add_value(app, "--epsilon", trace.epsilon,
+                                    "stop at boxes with a diagonal below E, world units");
     auto* const delta =
-        app.add_option("--delta", trace.delta, "stop where the enclosure of f is narrower than D");
+        add_value(app, "--delta", trace.delta, "stop where the enclosure of f is narrower than D");
     d_stop->excludes(epsilon)->excludes(delta);
     epsilon->excludes(delta);
-    app.add_option("--threads", trace.threads, "threads (default: all cores)");
+    add_value(app, "--threads", trace.threads, "threads (default: all cores)");
+}
+
+CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
+    CLI::App* const shot_app = app.add_subcommand("ui-shot", "draw the window into a file");
+    shot_app->footer(
+        "Needs no display. An error in the equation is drawn as the window shows it: the exit code "
+        "is 0.");
+    add_value(*shot_app, "EQUATION", shot.equation,
+              "the formula, @NAME, or - (default: the gallery's first)");
+    add_value(*shot_app, "-o,--output", shot.output, "the picture: a PNG file");
+    add_value(*shot_app, "--size", shot.size,
+              "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
+    add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
+    add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_view_options(*shot_app, shot.view);
+    add_trace_options(*shot_app, shot.trace);
+    return shot_app;
 }
 
 /// "-x^2+y" is an equation: the parser of the command line takes words with a leading space for
@@ -48,41 +76,40 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
 }
 
 int open_window(const std::string& equation, const ViewText& view, const TraceText& trace) {
-    const std::string first = "@" + gallery().front().name;
-    const auto surface = read_surface(equation.empty() ? first : equation, view);
-    if (!surface) return report(surface.error());
-    auto settings = read_trace_settings(trace);
-    if (!settings) return report(settings.error());
-    const bool stop_given = trace.d_stop || trace.epsilon || trace.delta;
-    constexpr double interactive_d_stop = 14.0;
-    if (!stop_given) settings->stop.value = interactive_d_stop;
-    return run_desktop({surface->equation, surface->clip, surface->w, surface->camera, *settings});
+    const auto options = read_desktop_options(equation, view, trace);
+    if (!options) return report(options.error());
+    const auto formula = read_formula(options->surface.equation);
+    return formula ? run_desktop(*options) : report(formula.error());
 }
 
 int run(int argc, char** argv) {
     CLI::App app{
         "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
-        "Without a subcommand it opens the window."};
+        "Without a subcommand it opens the window.",
+        "zeroset"};
     app.require_subcommand(0, 1);
     std::string equation;
     ViewText view;
     TraceText trace;
-    app.add_option("EQUATION", equation,
-                   "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
-                   "gallery, or - for standard input");
+    add_value(app, "EQUATION", equation,
+              "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+              "gallery, or - for standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
 
     RenderCommand render;
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
-    render_app->add_option("EQUATION", render.equation, "the formula, @NAME, or -")->required();
-    render_app->add_option("-o,--output", render.output, "the picture: a PNG file");
-    render_app->add_option("--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
+    add_value(*render_app, "EQUATION", render.equation, "the formula, @NAME, or -")->required();
+    add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
+    add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
     add_view_options(*render_app, render.view);
     add_trace_options(*render_app, render.trace);
-    render_app->add_option("--depth", render.depth, "distances along the rays: a PFM file");
-    render_app->add_option("--stats", render.stats, "times and counts: a JSON file, or -");
-    render_app->add_option("--repeat", render.repeat, "draw N frames after a warm-up, for timing");
+    add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
+    add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
+    add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
+
+    UiShotCommand shot;
+    CLI::App* const shot_app = add_ui_shot(app, shot);
 
     GalleryCommand gallery_command;
     CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
@@ -91,22 +118,22 @@ int run(int argc, char** argv) {
 
     ExplainCommand explain;
     CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
-    explain_app->add_option("EQUATION", explain.equation, "the formula, @NAME, or -")->required();
-    explain_app->add_option("--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
+    add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
+    add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
     explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
     explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
     explain_app->add_flag("--json", explain.json, "as JSON");
 
     BenchCommand bench;
     CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
-    bench_app->add_option("--suite", bench.suite,
-                          "a JSON file of surfaces (default: the gallery's)");
-    bench_app->add_option("--tracer", bench.tracers, "tracers to compare: A,B,...");
-    bench_app->add_option("--dstop", bench.d_stop, "as for render (default 10)");
-    bench_app->add_option("--threads", bench.threads, "threads (default: all cores)");
-    bench_app->add_option("--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
-    bench_app->add_option("--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
-    bench_app->add_option("--json", bench.json, "also as a JSON file; - for JSON alone");
+    add_value(*bench_app, "--suite", bench.suite,
+              "a JSON file of surfaces (default: the gallery's)");
+    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
+    add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
+    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
+    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
 
     try {
         app.parse(protected_arguments(argc, argv));
@@ -118,6 +145,7 @@ int run(int argc, char** argv) {
                        {}});
     }
     if (*render_app) return run_render(render);
+    if (*shot_app) return run_ui_shot(shot);
     if (*gallery_app) return run_gallery(gallery_command);
     if (*explain_app) return run_explain(explain);
     if (*bench_app) return run_bench(bench);

@@ -30,7 +30,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 template <class Number>
 std::optional<Number> number_from(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
@@ -182,6 +182,7 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
         auto box = read_box(*view.box);
         if (!box) return std::unexpected(box.error());
         surface.clip = *box;
+        surface.camera.reset();  // the gallery's view is of its own box
     }
     if (view.w) {
         auto w = read_number("--w", *view.w);

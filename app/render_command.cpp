@@ -46,6 +46,12 @@ OrInputError<RenderJobPlan> plan_of(const RenderCommand& command) {
             std::nullopt,
             {}});
     }
+    if (command.depth == "-") {
+        return std::unexpected(
+            InputError{"--depth -: the depths need a file; type a name, for example depth.pfm",
+                       std::nullopt,
+                       {}});
+    }
     auto surface = read_surface(command.equation, command.view);
     if (!surface) return std::unexpected(surface.error());
     plan.surface = *surface;

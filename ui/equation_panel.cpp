@@ -21,6 +21,7 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* hint = "type an equation, for example  x^2 + y^2 + z^2 = 1";
+constexpr const char* short_hint = "type an equation";
 
 float font_height(FontRole role) { return font(role)->FontSize * ImGui::GetIO().FontGlobalScale; }
 
@@ -87,7 +88,9 @@ void draw_field(UiState& state, float width) {
         ImGui::SetKeyboardFocusHere();
         state.focus_equation = false;
     }
-    ImGui::InputTextWithHint("##equation", hint, &state.equation);
+    const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
+    const bool fits = ImGui::CalcTextSize(hint).x <= room;
+    ImGui::InputTextWithHint("##equation", fits ? hint : short_hint, &state.equation);
     if (!state.error.empty() && state.error_column && !state.equation.empty()) {
         draw_error_mark(field, state.equation, std::max<std::size_t>(*state.error_column, 1),
                         colors.error);

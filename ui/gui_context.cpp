@@ -1,6 +1,7 @@
 #include "ui/gui_context.hpp"
 
 #include "ui/fonts.hpp"
+#include "ui/gl.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
@@ -10,7 +11,7 @@
 
 namespace zeroset::ui {
 
-GuiContext::GuiContext() {
+GuiContext::GuiContext(GlLoader loader) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -18,11 +19,11 @@ GuiContext::GuiContext() {
     io.LogFilename = nullptr;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = true;
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ready_ = load_gl(loader) && ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
 GuiContext::~GuiContext() {
-    ImGui_ImplOpenGL3_Shutdown();
+    if (ready_) ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
 }
 
@@ -44,9 +45,9 @@ void GuiContext::begin_frame(Theme theme, float content_scale, float pixels_per_
 
 void GuiContext::end_frame(int width_px, int height_px) {
     ImGui::Render();
-    glViewport(0, 0, width_px, height_px);
-    glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
+    gl().viewport(0, 0, width_px, height_px);
+    gl().clear_color(0.0F, 0.0F, 0.0F, 1.0F);
+    gl().clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 

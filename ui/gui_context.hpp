@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/gl.hpp"
 #include "ui/ui_state.hpp"
 
 namespace zeroset::ui {
@@ -8,10 +9,14 @@ namespace zeroset::ui {
 /// must be current during its whole life. One at a time; the window's thread.
 class GuiContext {
 public:
-    GuiContext();
+    /// `loader` is for the current context.
+    explicit GuiContext(GlLoader loader);
     ~GuiContext();
     GuiContext(const GuiContext&) = delete;
     GuiContext& operator=(const GuiContext&) = delete;
+
+    /// False where OpenGL's functions cannot be loaded: it is of no use then.
+    [[nodiscard]] bool ready() const { return ready_; }
 
     /// Call first in a frame; rebuilds fonts and style when something changed.
     ///   content_scale     framebuffer pixels per design unit
@@ -31,6 +36,7 @@ private:
         bool operator==(const Look&) const = default;
     };
     Look look_;
+    bool ready_ = false;
 };
 
 }  // namespace zeroset::ui

@@ -8,6 +8,7 @@
 #include <imgui/imgui.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -68,7 +69,7 @@ void draw_keys_hint(const Palette& colors) {
 
 }  // namespace
 
-float status_bar_height() { return em(1.9F); }
+float status_bar_height() { return std::ceil(em(1.9F)); }
 
 void draw_status_panel(const UiState& state) {
     const Palette& colors = palette(state.theme);

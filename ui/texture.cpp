@@ -1,6 +1,7 @@
 #include "ui/texture.hpp"
 
 #include "engine/image/framebuffer.hpp"
+#include "ui/gl.hpp"
 
 #include <GL/gl.h>
 
@@ -11,14 +12,14 @@
 namespace zeroset::ui {
 
 Texture::Texture() {
-    glGenTextures(1, &name_);
-    glBindTexture(GL_TEXTURE_2D, name_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl().gen_textures(1, &name_);
+    gl().bind_texture(GL_TEXTURE_2D, name_);
+    gl().tex_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl().tex_parameter(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     set_filter(Filter::Linear);
 }
 
-Texture::~Texture() { glDeleteTextures(1, &name_); }
+Texture::~Texture() { gl().delete_textures(1, &name_); }
 
 void Texture::upload(const Framebuffer& frame, std::uint32_t behind) {
     constexpr std::uint32_t opaque = 0xFF000000U;
@@ -27,24 +28,24 @@ void Texture::upload(const Framebuffer& frame, std::uint32_t behind) {
         const bool drawn = std::isfinite(frame.depth[i]);
         pixels_[i] = drawn ? frame.color[i] | opaque : behind & ~opaque;
     }
-    glBindTexture(GL_TEXTURE_2D, name_);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl().bind_texture(GL_TEXTURE_2D, name_);
+    gl().pixel_store(GL_UNPACK_ALIGNMENT, 4);
     if (frame.width == width_ && frame.height == height_) {
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
-                        pixels_.data());
+        gl().tex_sub_image(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
+                           pixels_.data());
         return;
     }
     width_ = frame.width;
     height_ = frame.height;
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 pixels_.data());
+    gl().tex_image(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                   pixels_.data());
 }
 
 void Texture::set_filter(Filter filter) const {
     const GLint value = filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
-    glBindTexture(GL_TEXTURE_2D, name_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value);
+    gl().bind_texture(GL_TEXTURE_2D, name_);
+    gl().tex_parameter(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, value);
+    gl().tex_parameter(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value);
 }
 
 }  // namespace zeroset::ui

@@ -46,7 +46,7 @@ constexpr Palette light{
     .field_hovered = rgba(0xE5EAF1FF),
     .field_active = rgba(0xDAE4F3FF),
     .text = rgba(0x1C2430FF),
-    .quiet = rgba(0x5C6779FF),
+    .quiet = rgba(0x465164FF),
     .accent = rgba(0x2B6BD6FF),
     .grab = rgba(0x2B6BD690),
     .selection = rgba(0x9CC3FAC0),

@@ -8,6 +8,12 @@
 
 namespace zeroset::ui {
 
+/// The smallest window that the panels fit into, at scale 1.
+inline constexpr int min_width = 480;
+inline constexpr int min_height = 320;
+/// ImGui lays out with the sizes of the frame before, so that a change takes up to three frames.
+inline constexpr int frames_to_settle = 3;
+
 /// A surface with an OpenGL context that the panels are drawn on, frame by frame. All members
 /// are for the thread that made it, except wake(). The backends share GuiContext and differ in
 /// where the pixels go and where the input comes from.

@@ -19,13 +19,8 @@
 namespace zeroset::ui {
 namespace {
 
-/// ImGui lays out with the sizes of the frame before, so that a change takes up to three frames.
-constexpr int frames_to_settle = 3;
 constexpr double cursor_blink_s = 0.5;
 constexpr float max_scale = 4.0F;
-/// At scale 1, in screen coordinates.
-constexpr float min_width = 480.0F;
-constexpr float min_height = 320.0F;
 
 std::optional<float> scale_override() {
     const char* text = std::getenv("ZEROSET_SCALE");  // NOLINT(concurrency-mt-unsafe): read-only
@@ -94,7 +89,8 @@ WindowHandle open_window(const WindowOptions& options) {
 
 class GlfwWindow final : public Window {
 public:
-    GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle);
+    GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
+               std::unique_ptr<GuiContext> gui);
     ~GlfwWindow() override { ImGui_ImplGlfw_Shutdown(); }
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
@@ -125,17 +121,19 @@ private:
     int frames_due_ = 0;
 };
 
-GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle)
-    : library_(std::move(library)), handle_(std::move(handle)) {
-    glfwMakeContextCurrent(handle_.get());
+GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
+                       std::unique_ptr<GuiContext> gui)
+    : library_(std::move(library)), handle_(std::move(handle)), gui_(std::move(gui)) {
     glfwSwapInterval(1);
-    gui_ = std::make_unique<GuiContext>();
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     glfwSetWindowUserPointer(handle_.get(), this);
     install_callbacks();
     const float scale = scale_override().value_or(1.0F);
-    glfwSetWindowSizeLimits(handle_.get(), static_cast<int>(min_width * scale),
-                            static_cast<int>(min_height * scale), GLFW_DONT_CARE, GLFW_DONT_CARE);
+    const auto scaled = [scale](int length) {
+        return static_cast<int>(static_cast<float>(length) * scale);
+    };
+    glfwSetWindowSizeLimits(handle_.get(), scaled(min_width), scaled(min_height), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
 }
 
 void GlfwWindow::install_callbacks() {
@@ -253,7 +251,10 @@ std::expected<std::unique_ptr<Window>, std::string> make_glfw_window(const Windo
     if (!*library) return std::unexpected("no display: " + glfw_reason());
     WindowHandle handle = open_window(options);
     if (handle == nullptr) return std::unexpected("no OpenGL 3.3: " + glfw_reason());
-    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle));
+    glfwMakeContextCurrent(handle.get());
+    auto gui = std::make_unique<GuiContext>(glfwGetProcAddress);
+    if (!gui->ready()) return std::unexpected("no OpenGL 3.3: libGL.so.1 cannot be used");
+    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle), std::move(gui));
 }
 
 }  // namespace zeroset::ui

@@ -69,8 +69,15 @@ private:
         const Interval<double>& c = *factor.facts.constant;
         const bool exact = factor.facts.exact() && representable(c.hi, a.value.hi);
         if (exact && c.hi != 0) return scale(a.value, c.hi);
-        if (c.neg_lo < 0) return scale(a.value, factor.value, a.facts.nonnegative);
-        if (c.hi < 0) return -scale(a.value, -factor.value, a.facts.nonnegative);
+        // A factor whose enclosure is finite and not 0 in this type makes no NaN.
+        const double largest = largest_finite(a.value.hi);
+        const double smallest = smallest_normal(a.value.hi);
+        if (-c.neg_lo >= smallest && c.hi <= largest) {
+            return scale(a.value, factor.value, a.facts.nonnegative);
+        }
+        if (-c.hi >= smallest && c.neg_lo <= largest) {
+            return -scale(a.value, -factor.value, a.facts.nonnegative);
+        }
         return a.value * factor.value;
     }
     static void restrict_to(std::optional<Mask>& all, const Mask& where) {

@@ -7,6 +7,11 @@
 namespace zeroset {
 namespace {
 
+bool alike(char a, char b) {
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return small(a) == small(b);
+}
+
 /// Optimal string alignment distance.
 std::size_t distance(std::string_view a, std::string_view b) {
     const std::size_t width = b.size() + 1;
@@ -19,7 +24,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
                 continue;
             }
             best = std::min({d[(i - 1) * width + j] + 1, d[i * width + j - 1] + 1,
-                             d[(i - 1) * width + j - 1] + (a[i - 1] != b[j - 1] ? 1U : 0U)});
+                             d[(i - 1) * width + j - 1] + (alike(a[i - 1], b[j - 1]) ? 0U : 1U)});
             const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
             if (swapped) best = std::min(best, d[(i - 2) * width + j - 2] + 1);
         }
@@ -34,6 +39,14 @@ std::string_view nearest_word(std::string_view typed, std::span<const std::strin
     typed = typed.substr(0, 64);
     return *std::ranges::min_element(words, {},
                                      [&](std::string_view word) { return distance(typed, word); });
+}
+
+std::optional<std::string_view> meant_word(std::string_view typed,
+                                           std::span<const std::string_view> words) {
+    typed = typed.substr(0, 64);
+    const std::string_view nearest = nearest_word(typed, words);
+    if (2 * distance(typed, nearest) > typed.size()) return std::nullopt;
+    return nearest;
 }
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -7,6 +8,11 @@ namespace zeroset {
 
 /// The word with the fewest insertions, deletions, replacements and swaps of neighbours away
 /// from `typed`; the first of equals. `words` must not be empty.
+/// Capital and small letters are alike.
 std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words);
+
+/// The nearest word if it is near enough to have been meant: at most half of `typed` is wrong.
+std::optional<std::string_view> meant_word(std::string_view typed,
+                                           std::span<const std::string_view> words);
 
 }  // namespace zeroset

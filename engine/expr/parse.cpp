@@ -211,8 +211,16 @@ Parsed Parser::name(const Token& token) {
     for (const OpInfo& info : operators()) {
         if (info.notation == Notation::Call) words.push_back(info.spelling);
     }
-    return fail(token.offset, quoted(token.text) + " is not known",
-                "did you mean " + std::string(nearest_word(token.text, words)) + "?");
+    const std::optional<std::string_view> meant = meant_word(token.text, words);
+    std::string hint;
+    if (meant) {
+        hint = "did you mean " + std::string(*meant) + "?";
+    } else {
+        hint = "known are:";
+        for (const std::string_view word : words)
+            hint += " " + std::string(word);
+    }
+    return fail(token.offset, quoted(token.text) + " is not known", std::move(hint));
 }
 
 std::expected<std::vector<NodeId>, ParseError> Parser::arguments() {

@@ -28,14 +28,30 @@ glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height
 }
 
 Camera default_camera(const Box& box, double aspect) {
-    // At 4 half edges the suite's camera shows all of a cube in a square image, with some margin;
-    // the margin is kept for other boxes (by their diagonal) and narrower images.
-    constexpr double cube_distance = 4.0;
-    const double half_edge = 0.5 * box.diagonal() / std::numbers::sqrt3;
-    const double distance = cube_distance * half_edge / std::min(1.0, aspect);
+    constexpr double margin = 1.04;
     Camera camera;
     camera.look_at = box.centre();
+    camera.eye = camera.look_at + glm::normalize(default_view_direction);
+    camera.fov_rad = glm::radians(default_fov_deg);
+    const ViewFrame frame(camera);
+    const glm::dvec3 half = 0.5 * (box.hi - box.lo);
+    double distance = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                              (corner & 4) != 0 ? 1 : -1);
+        const glm::dvec3 offset = half * sign;
+        const double across = std::max(std::abs(glm::dot(offset, frame.right)) / aspect,
+                                       std::abs(glm::dot(offset, frame.up)));
+        const double needed = margin * across / frame.half_height - glm::dot(offset, frame.forward);
+        distance = std::max(distance, needed);
+    }
     camera.eye = camera.look_at + distance * glm::normalize(default_view_direction);
+    return camera;
+}
+
+Camera suite_camera(double half_edge) {
+    Camera camera;
+    camera.eye = 4.0 * half_edge * glm::normalize(default_view_direction);
     camera.fov_rad = glm::radians(default_fov_deg);
     return camera;
 }

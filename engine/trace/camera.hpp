@@ -51,6 +51,10 @@ inline constexpr double default_fov_deg = 42.0;
 /// an image of the given aspect (width / height).
 Camera default_camera(const Box& box, double aspect = 1.0);
 
+/// The benchmarks' camera for the cube [-half_edge, half_edge]^3: looks at the origin from
+/// `default_view_direction` at 4 half edges, from where the surfaces fill the image.
+Camera suite_camera(double half_edge);
+
 /// Why the camera cannot see anything (eye at the point looked at, up along the view, bad angle),
 /// or nullptr when it is usable.
 const char* camera_defect(const Camera& camera);

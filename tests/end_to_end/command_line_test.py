@@ -117,8 +117,9 @@ class RenderTest(ProgramTest):
         self.assertEqual(hits[3], 0)
 
     def test_equation_from_the_gallery_and_from_standard_input(self):
-        by_name = self.picture("@sphere", "--size", 40)
-        typed = self.picture("-", "--box", "1.5", "--size", 40, stdin="x^2 + y^2\n + z^2 - 1\n")
+        box = ("--box", "1.5", "--size", 40)  # the gallery's; a box of one's own resets the view
+        by_name = self.picture("@sphere", *box)
+        typed = self.picture("-", *box, stdin="x^2 + y^2\n + z^2 - 1\n")
         self.assertEqual(by_name.rgb, typed.rgb)
 
     def test_equation_that_starts_with_a_minus_sign(self):

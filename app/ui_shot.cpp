@@ -1,0 +1,99 @@
+#include "app/commands.hpp"
+#include "app/desktop.hpp"
+#include "app/formula.hpp"
+#include "app/options.hpp"
+#include "engine/image/file.hpp"
+#include "engine/image/framebuffer.hpp"
+#include "ui/offscreen_window.hpp"
+#include "ui/ui_state.hpp"
+#include "ui/window.hpp"
+
+#include <expected>
+#include <optional>
+#include <string>
+
+namespace zeroset {
+namespace {
+
+/// What the options mean, checked before any work.
+struct UiShotPlan {
+    DesktopOptions desktop;
+    ui::OffscreenOptions window;
+};
+
+std::unexpected<InputError> wrong(const std::string& reason) {
+    return std::unexpected(InputError{reason, std::nullopt, {}});
+}
+
+OrInputError<ui::Theme> read_theme(const std::string& text) {
+    if (text == "dark") return ui::Theme::Dark;
+    if (text == "light") return ui::Theme::Light;
+    return wrong("--theme " + text + ": type dark or light");
+}
+
+OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
+    constexpr int largest_scale = 4;
+    constexpr int largest_side = 16384;
+    const auto size = read_size("--size", command.size);
+    if (!size) return std::unexpected(size.error());
+    const auto scale = read_integer("--scale", command.scale, 1, largest_scale);
+    if (!scale) return std::unexpected(scale.error());
+    if (size->width < ui::min_width || size->height < ui::min_height) {
+        return wrong("--size " + command.size + ": the window is at least " +
+                     std::to_string(ui::min_width) + "x" + std::to_string(ui::min_height));
+    }
+    if (size->width > largest_side / *scale || size->height > largest_side / *scale) {
+        return wrong("--size " + command.size + ": at --scale " + command.scale +
+                     " each side must be at most " + std::to_string(largest_side / *scale));
+    }
+    return ui::OffscreenOptions{size->width, size->height, static_cast<float>(*scale)};
+}
+
+OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
+    if (command.output.empty()) return wrong("nothing to write: give -o UI.png");
+    if (!command.output.ends_with(".png")) {
+        return wrong("-o " + command.output +
+                     ": the picture is a PNG; type a name that ends in .png");
+    }
+    const auto window = read_window(command);
+    if (!window) return std::unexpected(window.error());
+    const auto theme = read_theme(command.theme);
+    if (!theme) return std::unexpected(theme.error());
+    auto desktop = read_desktop_options(command.equation, command.view, command.trace);
+    if (!desktop) return std::unexpected(desktop.error());
+    desktop->theme = *theme;
+    desktop->takes_keyboard = false;  // nothing selected, no text cursor
+    return UiShotPlan{*desktop, *window};
+}
+
+/// The window's pixels when nothing in it changes any more.
+Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options) {
+    Desktop desktop(window, options);
+    while (!desktop.settled()) {
+        window.wait();
+        desktop.draw_frame();
+    }
+    for (int frame = 0; frame < ui::frames_to_settle; ++frame) {
+        desktop.draw_frame();
+    }
+    return window.pixels();
+}
+
+}  // namespace
+
+int run_ui_shot(const UiShotCommand& command) {
+    const auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    if (const auto writable = check_writable(command.output); !writable) {
+        return report_run_time(writable.error().message);
+    }
+    const auto window = ui::make_offscreen_window(plan->window);
+    if (!window) {
+        return report_run_time(window.error() +
+                               "; `zeroset render \"EQUATION\" -o out.png` needs no OpenGL");
+    }
+    const auto written = write_png(command.output, draw_settled(**window, plan->desktop));
+    return written ? exit_ok : report_run_time(written.error().message);
+}
+
+}  // namespace zeroset

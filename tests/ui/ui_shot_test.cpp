@@ -1,0 +1,93 @@
+// zeroset ui-shot: the same window, without a display, as a file.
+
+#include "app/commands.hpp"
+#include "ui/offscreen_window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace zeroset {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Width or height from a PNG's header.
+int png_side(const std::string& png, std::size_t offset) {
+    int side = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        side = 256 * side + static_cast<unsigned char>(png.at(offset + i));
+    }
+    return side;
+}
+
+class UiShot : public testing::Test {
+protected:
+    void SetUp() override {
+        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+        folder_ = fs::path(testing::TempDir()) / ("zeroset_ui_shot_" + test);
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        command_.equation = "x^2 + y^2 + z^2 = 1";
+        command_.size = "480x320";
+        command_.output = (folder_ / "ui.png").string();
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    [[nodiscard]] std::string written() const {
+        std::ifstream file(command_.output, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    static bool can_draw() { return ui::make_offscreen_window({480, 320, 1.0F}).has_value(); }
+
+    fs::path folder_;
+    UiShotCommand command_;
+};
+
+TEST_F(UiShot, WritesThePictureOfTheSizeTimesTheScale) {
+    if (!can_draw()) GTEST_SKIP() << "neither EGL nor OSMesa makes a context here";
+    command_.scale = "2";
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    const std::string png = written();
+    EXPECT_EQ(png_side(png, 16), 960);
+    EXPECT_EQ(png_side(png, 20), 640);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "only the picture is left";
+}
+
+TEST_F(UiShot, ShowsAnErrorOfTheEquation) {
+    if (!can_draw()) GTEST_SKIP() << "neither EGL nor OSMesa makes a context here";
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    const std::string good = written();
+    command_.equation = "x^2 +";
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    EXPECT_NE(written(), good);
+}
+
+TEST_F(UiShot, RefusesWrongInput) {
+    const auto refused = [this](std::string UiShotCommand::* option, const char* text) {
+        UiShotCommand wrong = command_;
+        wrong.*option = text;
+        return run_ui_shot(wrong) == exit_wrong_input;
+    };
+    EXPECT_TRUE(refused(&UiShotCommand::size, "100x100"));
+    EXPECT_TRUE(refused(&UiShotCommand::size, "wide"));
+    EXPECT_TRUE(refused(&UiShotCommand::scale, "0"));
+    EXPECT_TRUE(refused(&UiShotCommand::theme, "red"));
+    EXPECT_TRUE(refused(&UiShotCommand::output, "ui.jpg"));
+    EXPECT_TRUE(refused(&UiShotCommand::output, ""));
+    EXPECT_TRUE(refused(&UiShotCommand::equation, "@no_such_surface"));
+    EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(UiShot, SaysThatAFileCannotBeWritten) {
+    command_.output = (folder_ / "missing" / "ui.png").string();
+    EXPECT_EQ(run_ui_shot(command_), exit_run_time);
+}
+
+}  // namespace
+}  // namespace zeroset

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "ui/gl.hpp"
+#include "ui/gui_context.hpp"
+#include "ui/ui_state.hpp"
+#include "ui/window.hpp"
+
+#include <glm/ext/vector_float2.hpp>
+#include <glm/ext/vector_int2.hpp>
+
+#include <condition_variable>
+#include <expected>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace zeroset::ui {
+
+/// An OpenGL 3.3 core context that draws into memory; current on the thread that made it.
+class OffscreenContext {
+public:
+    OffscreenContext() = default;
+    virtual ~OffscreenContext() = default;
+    OffscreenContext(const OffscreenContext&) = delete;
+    OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+    [[nodiscard]] virtual GlLoader loader() const = 0;
+};
+
+/// The context, or in a few words why there is none.
+using OffscreenContextOr = std::expected<std::unique_ptr<OffscreenContext>, std::string>;
+/// On the graphics card or Mesa's software renderer. Needs libEGL when it is called.
+OffscreenContextOr make_egl_context(glm::ivec2 size_px);
+/// On Mesa's software renderer. Needs libOSMesa when it is called.
+OffscreenContextOr make_osmesa_context(glm::ivec2 size_px);
+
+struct OffscreenOptions {
+    int width = 1280;  ///< at scale 1
+    int height = 800;
+    float scale = 1.0F;  ///< pixels per design unit
+};
+
+/// A window that is not seen: what is drawn on it is read back.
+class OffscreenWindow final : public Window {
+public:
+    /// `gui` belongs to `context`.
+    OffscreenWindow(std::unique_ptr<OffscreenContext> context, std::unique_ptr<GuiContext> gui,
+                    glm::ivec2 size_px, float scale);
+
+    /// Sleeps while there was no wake() and all is laid out. Never closes.
+    bool wait() override;
+    void wake() override;
+    void begin_frame(Theme theme) override;
+    void end_frame() override;
+    void set_title(const std::string& /*title*/) override {}
+
+    /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
+    static void point(glm::vec2 at, bool pressed);
+    /// UTF-8 typed before the next frame.
+    static void type(std::string_view text);
+    /// The colours of the last frame; nothing else of the Framebuffer is set.
+    [[nodiscard]] Framebuffer pixels() const;
+
+private:
+    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<GuiContext> gui_;
+    glm::ivec2 size_px_;
+    float scale_;
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    bool changed_ = true;
+    int frames_due_ = 0;
+};
+
+using OffscreenWindowOr = std::expected<std::unique_ptr<OffscreenWindow>, std::string>;
+OffscreenWindowOr make_offscreen_window(const OffscreenOptions& options,
+                                        OffscreenContextOr (*make_context)(glm::ivec2 size_px));
+/// With EGL, else with OSMesa; or one line that says what both miss.
+OffscreenWindowOr make_offscreen_window(const OffscreenOptions& options);
+
+}  // namespace zeroset::ui
