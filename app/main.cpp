@@ -35,8 +35,9 @@ void add_view_options(CLI::App& app, ViewText& view) {
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
     add_value(app, "--tracer", trace.tracer, "how roots are found: k-bisection");
-    auto* const d_stop = add_value(app, "--dstop", trace.d_stop,
-                                   "stop at cells of the clip box's edge times 2^-N (default 22)");
+    auto* const d_stop =
+        add_value(app, "--dstop", trace.d_stop,
+                  "stop at cells of the clip box's edge times 2^-N (default 22, in the window 14)");
     auto* const epsilon = add_value(app, "--epsilon", trace.epsilon,
                                     "stop at boxes with a diagonal below E, world units");
     auto* const delta =
@@ -82,6 +83,49 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
     return formula ? run_desktop(*options) : report(formula.error());
 }
 
+CLI::App* add_render(CLI::App& app, RenderCommand& render) {
+    CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
+    add_value(*render_app, "EQUATION", render.equation, "the formula, @NAME, or -")->required();
+    add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
+    add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
+    add_view_options(*render_app, render.view);
+    add_trace_options(*render_app, render.trace);
+    add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
+    add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
+    add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
+    return render_app;
+}
+
+CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
+    CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
+    gallery_app->add_flag("--names", gallery.names, "only the names, one a line");
+    gallery_app->add_flag("--json", gallery.json, "as JSON");
+    return gallery_app;
+}
+
+CLI::App* add_explain(CLI::App& app, ExplainCommand& explain) {
+    CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
+    add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
+    add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
+    explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
+    explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
+    explain_app->add_flag("--json", explain.json, "as JSON");
+    return explain_app;
+}
+
+CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
+    CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
+    add_value(*bench_app, "--suite", bench.suite,
+              "a JSON file of surfaces (default: the gallery's)");
+    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
+    add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
+    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
+    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
+    return bench_app;
+}
+
 int run(int argc, char** argv) {
     CLI::App app{
         "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
@@ -96,45 +140,16 @@ int run(int argc, char** argv) {
               "gallery, or - for standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
-
     RenderCommand render;
-    CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
-    add_value(*render_app, "EQUATION", render.equation, "the formula, @NAME, or -")->required();
-    add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
-    add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
-    add_view_options(*render_app, render.view);
-    add_trace_options(*render_app, render.trace);
-    add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
-    add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
-    add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
-
     UiShotCommand shot;
-    CLI::App* const shot_app = add_ui_shot(app, shot);
-
-    GalleryCommand gallery_command;
-    CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
-    gallery_app->add_flag("--names", gallery_command.names, "only the names, one a line");
-    gallery_app->add_flag("--json", gallery_command.json, "as JSON");
-
+    GalleryCommand gallery;
     ExplainCommand explain;
-    CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
-    add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
-    add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
-    explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
-    explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
-    explain_app->add_flag("--json", explain.json, "as JSON");
-
     BenchCommand bench;
-    CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
-    add_value(*bench_app, "--suite", bench.suite,
-              "a JSON file of surfaces (default: the gallery's)");
-    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
-    add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
-    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
-    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
-    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
-    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
-
+    const CLI::App* const render_app = add_render(app, render);
+    const CLI::App* const shot_app = add_ui_shot(app, shot);
+    const CLI::App* const gallery_app = add_gallery(app, gallery);
+    const CLI::App* const explain_app = add_explain(app, explain);
+    const CLI::App* const bench_app = add_bench(app, bench);
     try {
         app.parse(protected_arguments(argc, argv));
     } catch (const CLI::CallForHelp& help) {
@@ -146,7 +161,7 @@ int run(int argc, char** argv) {
     }
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);
-    if (*gallery_app) return run_gallery(gallery_command);
+    if (*gallery_app) return run_gallery(gallery);
     if (*explain_app) return run_explain(explain);
     if (*bench_app) return run_bench(bench);
     return open_window(equation, view, trace);

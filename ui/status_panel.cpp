@@ -53,6 +53,10 @@ void draw_figures(const PictureStatus& picture, const Palette& colors) {
         const std::size_t undecided = picture.counts.undecided;
         add_text(undecided > 0 ? colors.warning : colors.quiet, grouped(undecided) + " undecided");
     }
+    const bool empty = picture.counts.certified + picture.counts.undecided == 0;
+    if (picture.width_px > 0 && empty && !picture.tracing) {
+        add_text(colors.warning, std::string(separator) + "no surface in the box");
+    }
     if (picture.tracing) {
         const char* before = picture.width_px > 0 ? separator : "";
         add_text(colors.accent, std::string(before) + "tracing\xE2\x80\xA6");
