@@ -55,7 +55,7 @@ void draw_figures(const PictureStatus& picture, const Palette& colors) {
     }
     const bool empty = picture.counts.certified + picture.counts.undecided == 0;
     if (picture.width_px > 0 && empty && !picture.tracing) {
-        add_text(colors.warning, std::string(separator) + "no surface in the box");
+        add_text(colors.warning, std::string(separator) + "no surface in view");
     }
     if (picture.tracing) {
         const char* before = picture.width_px > 0 ? separator : "";
