@@ -7,7 +7,7 @@
 // Differs from the paper:
 // - The packet is as wide as the machine's lanes, and a group of packets takes each step together,
 //   so that the kernel works on a batch.
-// - The top of the bisection, down to 1/16 of the clip box, is looked at for patches of 16x16
+// - The top of the bisection, down to 1/32 of the clip box, is looked at for patches of 16x16
 // pixels:
 //   what is rejected for a patch, with boxes around all its rays, no packet of it looks at.
 // - A step looks at both halves of a slice. The boxes are the same, but for those behind a root.

@@ -38,7 +38,7 @@ constexpr int block_cols = lanes == 4 ? 2 : 4;
 constexpr int block_rows = static_cast<int>(lanes) / block_cols;
 constexpr unsigned all_lanes = (1U << lanes) - 1U;
 
-constexpr int max_top_depth = 4;  ///< the top slices are at most 2^-4 of the clip box wide
+constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
 constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
 constexpr std::size_t batch_capacity = 2 * group_size * lanes;
 
@@ -64,7 +64,7 @@ struct Axes {
     float origin;               ///< where the grid of slices starts; not behind the clip box
     float unit;                 ///< width of the slices at d_stop
     std::int32_t slice_cells;   ///< of d_stop to a top slice: a power of two, at least 2
-    int slice_count;            ///< top slices that cover the clip box, at most 32
+    int slice_count;            ///< top slices that cover the clip box, at most 64
     alignas(64) double lane_offset[3][lanes];  ///< directions relative to the block's first pixel
 };
 
@@ -94,7 +94,7 @@ struct Packet {
     std::int32_t slice_cells;
     std::int32_t cell, size;  ///< size is a power of two, at least 2
     std::uint32_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
-    std::uint32_t slices;     ///< bits of the top slices still to be looked at
+    std::uint64_t slices;     ///< bits of the top slices still to be looked at
 
     /// The floats that divide K: increasing, and equal for equal indices.
     [[nodiscard]] float grid(std::int32_t index) const {

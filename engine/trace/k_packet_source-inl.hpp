@@ -302,8 +302,8 @@ inline bool PacketSource::set_up_slices(Packet& packet) const {
     while (last < axes.slice_count - 1 && packet.grid((last + 1) * packet.slice_cells) < k_max) {
         ++last;
     }
-    const std::uint32_t up_to_last = last >= 31 ? ~0U : (2U << last) - 1U;
-    packet.slices = up_to_last & (~0U << first);
+    const std::uint64_t up_to_last = last >= 63 ? ~0ULL : (2ULL << last) - 1;
+    packet.slices = up_to_last & (~0ULL << first);
     packet.pending = 0;
     return true;
 }

@@ -37,23 +37,23 @@ public:
                 Counters& counters);
 
     /// Bits of the top slices of the packet's patch that may hold a root for a ray of it.
-    [[nodiscard]] std::uint32_t of(const Packet& packet) const {
+    [[nodiscard]] std::uint64_t of(const Packet& packet) const {
         const int index = packet.row / patch_size * patches_a_row + packet.col / patch_size;
         const Patch& patch = patches_[static_cast<std::size_t>(index)];
-        return patch.axes == packet.axes ? patch.slices : ~0U;
+        return patch.axes == packet.axes ? patch.slices : ~0ULL;
     }
 
 private:
     struct Patch {
         const Axes* axes = nullptr;  ///< nullptr: its rays do not share axes
-        std::uint32_t slices = ~0U;
+        std::uint64_t slices = ~0ULL;
         /// Of U and V: -lo from the least slope, hi from the greatest.
         Edge neg_lo[2], hi[2];
     };
 
     static Patch patch_of(const Tile& tile, PacketSource& source, int col, int row);
     static void store_slices(const Patch& patch, std::size_t at, Batch& batch);
-    static std::uint32_t slices_with_roots(std::size_t at, const Batch& batch);
+    static std::uint64_t slices_with_roots(std::size_t at, const Batch& batch);
 
     std::array<Patch, static_cast<std::size_t>(patches_a_row) * patches_a_row> patches_;
 };
@@ -124,15 +124,15 @@ HWY_INLINE void PatchSlices::store_slices(const Patch& patch, std::size_t at, Ba
 }
 
 /// Bits of the slices from item `at` on where the box is not empty and F does not exclude 0.
-inline std::uint32_t PatchSlices::slices_with_roots(std::size_t at, const Batch& batch) {
-    std::uint32_t bits = ~0U << (patch_slices - 1) << 1;
+inline std::uint64_t PatchSlices::slices_with_roots(std::size_t at, const Batch& batch) {
+    std::uint64_t bits = ~0ULL << patch_slices;
     for (std::size_t s = 0; s < patch_slices; ++s) {
         bool empty = false;
         for (int i = 0; i < 3; ++i) {
             empty = empty || batch.ends[i][at + s] + batch.ends[i + 3][at + s] < 0;
         }
         const bool rejected = batch.f_neg_lo[at + s] < 0 || batch.f_hi[at + s] < 0;
-        if (!empty && !rejected) bits |= 1U << s;
+        if (!empty && !rejected) bits |= 1ULL << s;
     }
     return bits;
 }
