@@ -14,7 +14,6 @@ struct Box {
     [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }
     /// Longest edge: the "domain" that d_stop divides.
     [[nodiscard]] double size() const;
-    [[nodiscard]] double diagonal() const { return glm::length(hi - lo); }
 };
 
 /// Perspective camera. Image row 0 is at the top, rays go through pixel centres.
