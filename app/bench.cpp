@@ -48,14 +48,10 @@ std::string plain_message(const std::exception& error) {
     return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
 }
 
-std::unexpected<InputError> wrong(std::string reason) {
-    return std::unexpected(InputError{std::move(reason), std::nullopt, {}});
-}
-
 /// {"camera": {direction, distance, fov}, "surfaces": [{name, f, domain}]}; w is 0.5.
 OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
     std::ifstream file(path);
-    if (!file) return wrong("--suite " + path + ": the file cannot be read");
+    if (!file) return wrong_input("--suite " + path + ": the file cannot be read");
     const std::string text(std::istreambuf_iterator<char>(file), {});
     std::vector<BenchItem> items;
     try {
@@ -72,10 +68,10 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
                 {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera}});
         }
     } catch (const nlohmann::json::exception& error) {
-        return wrong("--suite " + path +
-                     ": it must be {\"camera\": {\"direction\", \"distance\", \"fov\"}, "
-                     "\"surfaces\": [{\"name\", \"f\", \"domain\"}]}; " +
-                     plain_message(error));
+        return wrong_input("--suite " + path +
+                           ": it must be {\"camera\": {\"direction\", \"distance\", \"fov\"}, "
+                           "\"surfaces\": [{\"name\", \"f\", \"domain\"}]}; " +
+                           plain_message(error));
     }
     return items;
 }

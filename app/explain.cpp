@@ -87,8 +87,7 @@ int print_code(const Expr& expr, const ExplainCommand& command) {
 
 int run_explain(const ExplainCommand& command) {
     if (command.json && (command.ir || command.assembly)) {
-        return report(
-            {"--json excludes --ir and --asm; ask for them one after the other", std::nullopt, {}});
+        return report({"--json excludes --ir and --asm; ask for them one after the other"});
     }
     const auto text = read_equation(command.equation);
     if (!text) return fail(text.error(), command.json);

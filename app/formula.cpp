@@ -19,11 +19,9 @@ std::expected<Expr, InputError> read_formula(std::string_view text) {
     const bool in_space =
         expr->uses_variable(0) || expr->uses_variable(1) || expr->uses_variable(2);
     if (!in_space) {
-        return std::unexpected(
-            InputError{"there is no x, y or z in it, so it is no surface; type an equation such as "
-                       "x^2 + y^2 + z^2 = 1",
-                       std::nullopt,
-                       {}});
+        return wrong_input(
+            "there is no x, y or z in it, so it is no surface; type an equation such as "
+            "x^2 + y^2 + z^2 = 1");
     }
     return std::move(*expr);
 }
@@ -34,8 +32,7 @@ std::expected<Formula, InputError> compile_formula(std::string_view text) {
     if (!expr) return std::unexpected(expr.error());
     auto kernel = jit::compile(*expr);
     if (!kernel) {
-        return std::unexpected(InputError{
-            "the formula cannot be compiled: " + kernel.error().message, std::nullopt, {}});
+        return wrong_input("the formula cannot be compiled: " + kernel.error().message);
     }
     const std::chrono::duration<double, std::milli> elapsed =
         std::chrono::steady_clock::now() - start;

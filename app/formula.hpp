@@ -8,15 +8,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace zeroset {
 
 /// What the user typed wrong: one line, and the place in the text where there is one.
 struct InputError {
-    std::string reason;                 ///< what is wrong and what to type instead
-    std::optional<std::size_t> column;  ///< from 1, in characters of `line`
-    std::string line;                   ///< the line of the text that has the place
+    std::string reason;                                ///< what is wrong and what to type instead
+    std::optional<std::size_t> column = std::nullopt;  ///< from 1, in characters of `line`
+    std::string line = {};                             ///< the line of the text that has the place
 };
+
+inline std::unexpected<InputError> wrong_input(std::string reason) {
+    return std::unexpected(InputError{std::move(reason)});
+}
 
 /// A formula ready to be drawn.
 struct Formula {

@@ -72,10 +72,8 @@ std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {
     std::ranges::transform(gallery(), std::back_inserter(names), &GalleryItem::name);
     const std::optional<std::string_view> meant = meant_word(name, names);
     const std::string hint = meant ? "; did you mean @" + std::string(*meant) + "?" : "";
-    return std::unexpected(InputError{
-        "the gallery has no '@" + std::string(name) + "'" + hint + " (zeroset gallery lists all)",
-        std::nullopt,
-        {}});
+    return wrong_input("the gallery has no '@" + std::string(name) + "'" + hint +
+                       " (zeroset gallery lists all)");
 }
 
 }  // namespace zeroset

@@ -155,9 +155,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::CallForHelp& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        return report({std::string(error.what()) + " (zeroset --help lists what there is)",
-                       std::nullopt,
-                       {}});
+        return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);

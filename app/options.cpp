@@ -12,10 +12,6 @@
 namespace zeroset {
 namespace {
 
-std::unexpected<InputError> wrong(std::string reason) {
-    return std::unexpected(InputError{std::move(reason), std::nullopt, {}});
-}
-
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -53,20 +49,22 @@ OrInputError<Box> read_box(const std::string& text) {
     const Box box = cube ? Box::cube(n[0]) : Box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
     for (int i = 0; i < 3; ++i) {
         if (!(box.lo[i] < box.hi[i])) {
-            return wrong(cube ? "--box " + text + ": the half edge must be above 0"
-                              : "--box " + text + ": the lower bound " + short_number(box.lo[i]) +
-                                    " is not below the upper bound " + short_number(box.hi[i]) +
-                                    "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
+            return wrong_input(
+                cube ? "--box " + text + ": the half edge must be above 0"
+                     : "--box " + text + ": the lower bound " + short_number(box.lo[i]) +
+                           " is not below the upper bound " + short_number(box.hi[i]) +
+                           "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
         }
         if (std::max(std::abs(box.lo[i]), std::abs(box.hi[i])) > largest) {
-            return wrong("--box " + text + ": stay between -1e9 and 1e9");
+            return wrong_input("--box " + text + ": stay between -1e9 and 1e9");
         }
     }
     // The cells of the search must be floats of their own within the box.
     const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
     if (box.size() < 1e-4 * reach || box.size() < 1e-30) {
-        return wrong("--box " + text + ": the box is too small for its distance from the origin; " +
-                     "its edge must be at least 1e-4 of it");
+        return wrong_input("--box " + text +
+                           ": the box is too small for its distance from the origin; " +
+                           "its edge must be at least 1e-4 of it");
     }
     return box;
 }
@@ -92,11 +90,11 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
         const auto degrees = read_number("--fov", *view.fov);
         if (!degrees) return std::unexpected(degrees.error());
         if (!(*degrees >= 0.01 && *degrees <= 170)) {
-            return wrong("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
+            return wrong_input("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
         }
         camera.fov_rad = glm::radians(*degrees);
     }
-    if (const char* defect = camera_defect(camera)) return wrong(defect);
+    if (const char* defect = camera_defect(camera)) return wrong_input(defect);
     return camera;
 }
 
@@ -106,15 +104,16 @@ OrInputError<std::vector<double>> read_numbers(const std::string& option, const 
                                                std::size_t count) {
     const std::vector<std::string_view> parts = split(text, ',');
     if (parts.size() != count) {
-        return wrong(option + " " + text + ": " + std::to_string(count) +
-                     (count == 1 ? " number is" : " numbers separated by commas are") +
-                     " needed, not " + std::to_string(parts.size()));
+        return wrong_input(option + " " + text + ": " + std::to_string(count) +
+                           (count == 1 ? " number is" : " numbers separated by commas are") +
+                           " needed, not " + std::to_string(parts.size()));
     }
     std::vector<double> values;
     for (const std::string_view part : parts) {
         const std::optional<double> value = number_from<double>(part);
         if (!value || !std::isfinite(*value)) {
-            return wrong(option + " " + text + ": " + quoted(part) + " is not a finite number");
+            return wrong_input(option + " " + text + ": " + quoted(part) +
+                               " is not a finite number");
         }
         values.push_back(*value);
     }
@@ -131,8 +130,8 @@ OrInputError<int> read_integer(const std::string& option, const std::string& tex
                                int highest) {
     const std::optional<int> value = number_from<int>(trimmed(text));
     if (!value || *value < lowest || *value > highest) {
-        return wrong(option + " " + text + ": type a whole number from " + std::to_string(lowest) +
-                     " to " + std::to_string(highest));
+        return wrong_input(option + " " + text + ": type a whole number from " +
+                           std::to_string(lowest) + " to " + std::to_string(highest));
     }
     return *value;
 }
@@ -144,14 +143,14 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text)
     const std::optional<int> width = number_from<int>(parts.front());
     const std::optional<int> height = number_from<int>(parts.back());
     if (parts.size() > 2 || !width || !height) {
-        return wrong(option + " " + text + ": type WIDTHxHEIGHT, for example 1024x768");
+        return wrong_input(option + " " + text + ": type WIDTHxHEIGHT, for example 1024x768");
     }
     if (*width < 1 || *height < 1 || *width > largest_side || *height > largest_side) {
-        return wrong(option + " " + text + ": each side must be from 1 to " +
-                     std::to_string(largest_side) + " pixels");
+        return wrong_input(option + " " + text + ": each side must be from 1 to " +
+                           std::to_string(largest_side) + " pixels");
     }
     if (static_cast<long long>(*width) * *height > most_pixels) {
-        return wrong(option + " " + text + ": more than 100 million pixels");
+        return wrong_input(option + " " + text + ": more than 100 million pixels");
     }
     return Size{*width, *height};
 }
@@ -202,8 +201,8 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
             std::string names;
             for (const Tracer& tracer : tracers())
                 names += " " + std::string(tracer.name);
-            return wrong("--tracer " + *text.tracer +
-                         ": there is no such tracer; type one of:" + names);
+            return wrong_input("--tracer " + *text.tracer +
+                               ": there is no such tracer; type one of:" + names);
         }
         settings.tracer = *text.tracer;
     }
@@ -218,7 +217,8 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         if (!*typed) continue;
         const auto value = read_number(option, **typed);
         if (!value) return std::unexpected(value.error());
-        if (!(*value > 0)) return wrong(std::string(option) + " " + **typed + ": must be above 0");
+        if (!(*value > 0))
+            return wrong_input(std::string(option) + " " + **typed + ": must be above 0");
         settings.stop = {rule, *value};
     }
     if (text.threads) {

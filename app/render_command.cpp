@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// What the options mean, checked before any work.
-struct RenderJobPlan {
+struct RenderPlan {
     Surface surface;
     TraceSettings settings;
     Size size{};
@@ -23,8 +23,8 @@ struct RenderJobPlan {
     Camera camera;
 };
 
-OrInputError<RenderJobPlan> plan_of(const RenderCommand& command) {
-    RenderJobPlan plan;
+OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
+    RenderPlan plan;
     auto size = read_size("--size", command.size);
     if (!size) return std::unexpected(size.error());
     plan.size = *size;
@@ -37,20 +37,14 @@ OrInputError<RenderJobPlan> plan_of(const RenderCommand& command) {
         plan.repeats = *repeats;
     }
     if (!command.output && !command.depth && !command.stats) {
-        return std::unexpected(InputError{
-            "nothing to write: give -o OUT.png, --depth FILE.pfm or --stats -", std::nullopt, {}});
+        return wrong_input("nothing to write: give -o OUT.png, --depth FILE.pfm or --stats -");
     }
     if (command.output && !command.output->ends_with(".png")) {
-        return std::unexpected(InputError{
-            "-o " + *command.output + ": the picture is a PNG; type a name that ends in .png",
-            std::nullopt,
-            {}});
+        return wrong_input("-o " + *command.output +
+                           ": the picture is a PNG; type a name that ends in .png");
     }
     if (command.depth == "-") {
-        return std::unexpected(
-            InputError{"--depth -: the depths need a file; type a name, for example depth.pfm",
-                       std::nullopt,
-                       {}});
+        return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
     }
     auto surface = read_surface(command.equation, command.view);
     if (!surface) return std::unexpected(surface.error());
@@ -69,7 +63,7 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
     return std::nullopt;
 }
 
-Json stats_of(const RenderJobPlan& plan, const Formula& formula, const FrameTiming& timing,
+Json stats_of(const RenderPlan& plan, const Formula& formula, const FrameTiming& timing,
               const Framebuffer& frame) {
     const CertificateCounts counts = count_certificates(frame);
     const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();

@@ -21,14 +21,10 @@ struct UiShotPlan {
     ui::OffscreenOptions window;
 };
 
-std::unexpected<InputError> wrong(const std::string& reason) {
-    return std::unexpected(InputError{reason, std::nullopt, {}});
-}
-
 OrInputError<ui::Theme> read_theme(const std::string& text) {
     if (text == "dark") return ui::Theme::Dark;
     if (text == "light") return ui::Theme::Light;
-    return wrong("--theme " + text + ": type dark or light");
+    return wrong_input("--theme " + text + ": type dark or light");
 }
 
 OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
@@ -39,21 +35,21 @@ OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
     const auto scale = read_integer("--scale", command.scale, 1, largest_scale);
     if (!scale) return std::unexpected(scale.error());
     if (size->width < ui::min_width || size->height < ui::min_height) {
-        return wrong("--size " + command.size + ": the window is at least " +
-                     std::to_string(ui::min_width) + "x" + std::to_string(ui::min_height));
+        return wrong_input("--size " + command.size + ": the window is at least " +
+                           std::to_string(ui::min_width) + "x" + std::to_string(ui::min_height));
     }
     if (size->width > largest_side / *scale || size->height > largest_side / *scale) {
-        return wrong("--size " + command.size + ": at --scale " + command.scale +
-                     " each side must be at most " + std::to_string(largest_side / *scale));
+        return wrong_input("--size " + command.size + ": at --scale " + command.scale +
+                           " each side must be at most " + std::to_string(largest_side / *scale));
     }
     return ui::OffscreenOptions{size->width, size->height, static_cast<float>(*scale)};
 }
 
 OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
-    if (command.output.empty()) return wrong("nothing to write: give -o UI.png");
+    if (command.output.empty()) return wrong_input("nothing to write: give -o UI.png");
     if (!command.output.ends_with(".png")) {
-        return wrong("-o " + command.output +
-                     ": the picture is a PNG; type a name that ends in .png");
+        return wrong_input("-o " + command.output +
+                           ": the picture is a PNG; type a name that ends in .png");
     }
     const auto window = read_window(command);
     if (!window) return std::unexpected(window.error());

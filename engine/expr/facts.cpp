@@ -37,8 +37,8 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b) {
 std::optional<Interval<double>> folded(const Node& node, const Facts& a, const Facts& b) {
     if (node.op == Op::Sin || node.op == Op::Cos || node.op == Op::Acos || node.op == Op::Exp ||
         node.op == Op::Log || node.op == Op::Atan2 || node.op == Op::Angle) {
-        return std::nullopt;  // the C library's functions have no proved bound: leave it to run
-                              // time
+        // The C library's functions have no proved bound: leave them to run time.
+        return std::nullopt;
     }
     IntervalAlgebra<double> algebra;
     const Interval<double> value = apply(algebra, node, Operand<Interval<double>>{*a.constant, a},
