@@ -36,7 +36,7 @@ std::vector<BenchItem> gallery_suite() {
     for (const GalleryItem& item : gallery()) {
         if (item.group != suite_group) continue;
         items.push_back(
-            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x)}});
+            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x), {}}});
     }
     return items;
 }
@@ -65,7 +65,7 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
                          glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
             camera.fov_rad = glm::radians(view.at("fov").get<double>());
             items.push_back(
-                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera}});
+                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera, {}}});
         }
     } catch (const nlohmann::json::exception& error) {
         return wrong_input("--suite " + path +
@@ -115,10 +115,9 @@ struct BenchCell {
 
 OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
                                 const TraceSettings& settings) {
-    const auto formula = compile_formula(item.surface.equation);
+    const auto formula = compile_formula(item.surface.equation, item.surface.clip);
     if (!formula) return std::unexpected(formula.error());
-    Scene scene{formula->kernel, item.surface.clip, {}};
-    scene.uniforms.set(0, item.surface.w);
+    const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
     const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;

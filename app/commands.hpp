@@ -27,6 +27,7 @@ int run_render(const RenderCommand& command);
 struct ExplainCommand {
     std::string equation;
     std::optional<std::string> at;
+    std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool ir = false, assembly = false, json = false;
 };
 int run_explain(const ExplainCommand& command);
@@ -42,6 +43,9 @@ struct GalleryCommand {
     bool json = false;
 };
 int run_gallery(const GalleryCommand& command);
+
+/// Prints the page of the formula language as Markdown.
+int run_language();
 
 /// Draws the window, with its picture finished, into a file; needs no display.
 struct UiShotCommand {

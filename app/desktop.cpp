@@ -4,10 +4,13 @@
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/gallery.hpp"
+#include "app/language.hpp"
 #include "app/options.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/palette.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/label.hpp"
 #include "ui/screen.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
@@ -15,6 +18,9 @@
 
 #include <glm/ext/vector_int2.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <expected>
 #include <iostream>
 #include <memory>
@@ -23,10 +29,36 @@
 #include <utility>
 
 namespace zeroset {
+namespace {
+
+std::vector<ui::Reading> readings_of(const Program& program) {
+    std::vector<ui::Reading> readings;
+    std::size_t surface = 0;
+    for (const Reading& reading : program.readings) {
+        const bool drawn = reading.kind == StatementKind::Surface;
+        const std::optional<std::uint32_t> color =
+            drawn ? std::optional(swatch_color(surface++)) : std::nullopt;
+        readings.push_back({reading.text, color});
+    }
+    return readings;
+}
+
+std::string note_of(CodeState code) {
+    switch (code) {
+        case CodeState::Machine: return {};
+        case CodeState::InterpretedFirst: return "interpreted until its machine code is ready";
+        case CodeState::Interpreted: return "too large for machine code: interpreted";
+    }
+    return {};
+}
+
+}  // namespace
+
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
     return a.formula == b.formula && a.clip.lo == b.clip.lo && a.clip.hi == b.clip.hi &&
-           a.camera == b.camera && (a.w == b.w || !a.formula->kernel.uses_w) &&
-           a.stop.rule == b.stop.rule && a.stop.value == b.stop.value && a.size_px == b.size_px;
+           a.camera == b.camera && (a.w == b.w || !a.formula->uses_w()) &&
+           a.parameters == b.parameters && a.stop.rule == b.stop.rule &&
+           a.stop.value == b.stop.value && a.size_px == b.size_px;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
@@ -43,6 +75,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     state_.theme = options.theme;
     state_.focus_equation = options.takes_keyboard;
     state_.reset_view = true;
+    state_.language_help = language_help();
     for (const GalleryItem& item : gallery()) {
         state_.gallery.push_back({item.title, item.equation, item.about});
     }
@@ -69,8 +102,10 @@ void Desktop::take_formula() {
     if (result->formula) {
         show(std::move(*result->formula));
     } else if (result->text == state_.equation) {
-        state_.error = result->formula.error().reason;
-        state_.error_column = result->formula.error().column;
+        const InputError& error = result->formula.error();
+        state_.error = error.reason;
+        state_.error_at = error.offset;
+        state_.unfinished = error.unfinished;
     }
 }
 
@@ -80,15 +115,38 @@ void Desktop::show(std::shared_ptr<const Formula> formula) {
     if (opens) {
         state_.clip = opening_->clip;
         state_.w = opening_->w;
+        state_.w_lo = std::min(-2.0, state_.w);
+        state_.w_hi = std::max(2.0, state_.w);
         home_ = opening_->camera;
         state_.reset_view = true;
     }
+    show_parameters(opens ? opening_->parameters : ParameterValues{});
     if (opens || (opening_ && opening_->equation != state_.equation)) opening_.reset();
     state_.error.clear();
-    state_.error_column.reset();
-    state_.reading = shown_->expr.canonical() + " = 0";
-    state_.uses_w = shown_->kernel.uses_w;
-    window_.set_title("Zeroset - " + shown_->text);
+    state_.error_at.reset();
+    state_.unfinished = false;
+    state_.readings = readings_of(shown_->program);
+    state_.uses_w = shown_->uses_w();
+    state_.note = note_of(shown_->code);
+    window_.set_title("Zeroset - " + ui::in_one_line(shown_->text));
+}
+
+/// A slider for each parameter, as it was left when the text had it last.
+void Desktop::show_parameters(const ParameterValues& opened) {
+    for (const ui::ParameterSlider& slider : state_.parameters)
+        known_sliders_[slider.name] = slider;
+    state_.parameters.clear();
+    for (const std::string& name : shown_->program.parameters) {
+        const auto known = known_sliders_.find(name);
+        ui::ParameterSlider slider =
+            known == known_sliders_.end() ? ui::ParameterSlider{name} : known->second;
+        if (const auto value = opened.find(name); value != opened.end()) {
+            slider.value = value->second;
+            slider.lo = std::min(slider.lo, slider.value);
+            slider.hi = std::max(slider.hi, slider.value);
+        }
+        state_.parameters.push_back(std::move(slider));
+    }
 }
 
 void Desktop::take_frame() {
@@ -116,13 +174,14 @@ void Desktop::follow_edits() {
         const GalleryItem& item = gallery()[*state_.surface];
         state_.surface.reset();
         state_.equation = item.equation;
-        opening_ = Surface{item.equation, item.clip, item.w, item.camera};
+        opening_ = Surface{item.equation, item.clip, item.w, item.camera, {}};
         submitted_text_.clear();  // the same equation again still resets its view
         window_.wake();
     }
     if (state_.equation != submitted_text_) {
         submitted_text_ = state_.equation;
-        formulas_.submit(state_.equation);
+        const bool opens = opening_ && opening_->equation == state_.equation;
+        formulas_.submit(state_.equation, opens ? opening_->clip : state_.clip);
     }
     if (state_.reset_view) reset_view();
     submit_picture();
@@ -139,12 +198,13 @@ void Desktop::reset_view() {
 void Desktop::submit_picture() {
     const glm::ivec2 size = state_.viewport_px;
     if (shown_ == nullptr || state_.reset_view || size.x <= 0 || size.y <= 0) return;
-    Wanted wanted{shown_, state_.clip, state_.camera, state_.w, state_.stop, size};
+    Wanted wanted{shown_, state_.clip, state_.camera, state_.w, {}, state_.stop, size};
+    for (const ui::ParameterSlider& slider : state_.parameters)
+        wanted.parameters[slider.name] = slider.value;
     if (submitted_ && same_picture(*submitted_, wanted)) return;
 
     RenderRequest request;
-    request.scene = {shown_->kernel, wanted.clip, {}};
-    request.scene.uniforms.set(0, wanted.w);
+    request.scene = make_scene(*shown_, wanted.clip, wanted.w, wanted.parameters);
     request.camera = wanted.camera;
     request.settings = settings_;
     request.settings.stop = wanted.stop;

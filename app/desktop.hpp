@@ -14,6 +14,7 @@
 #include <glm/ext/vector_int2.hpp>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,6 +54,7 @@ private:
         Box clip;
         Camera camera;
         double w = 0.0;
+        ParameterValues parameters;
         StopCriterion stop;
         glm::ivec2 size_px{0};
     };
@@ -60,6 +62,7 @@ private:
 
     void take_formula();
     void show(std::shared_ptr<const Formula> formula);
+    void show_parameters(const ParameterValues& opened);
     void take_frame();
     void upload_frame();
     void follow_edits();
@@ -75,7 +78,8 @@ private:
     std::optional<std::string> answered_text_;  ///< what the newest reading or error is of
     std::optional<Surface> opening_;            ///< was picked, waits for its formula
     std::optional<Camera> home_;  ///< what Reset view goes back to, if it is not the default
-    std::shared_ptr<const Formula> shown_;  ///< the last good one
+    std::map<std::string, ui::ParameterSlider> known_sliders_;  ///< of every text so far
+    std::shared_ptr<const Formula> shown_;                      ///< the last good one
     std::optional<Wanted> submitted_;
     std::uint64_t request_ = 0;
     std::shared_ptr<const Framebuffer> frame_;

@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 #include "app/text.hpp"
 #include "engine/expr/interpret.hpp"
+#include "engine/expr/tighten.hpp"
 #include "jit/compile.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,22 +15,60 @@ using Json = nlohmann::ordered_json;
 
 /// f and its gradient at the point of --at.
 struct ValueAt {
-    std::array<double, 4> point{};
     double value = 0.0;
     std::array<double, 3> gradient{};
 };
 
-OrInputError<std::optional<ValueAt>> value_of(const Expr& expr, const ExplainCommand& command) {
+/// A surface as read and as drawn.
+struct Explained {
+    const Expr* expr = nullptr;
+    Expr drawn;
+    std::optional<ValueAt> at;
+};
+
+struct Explanation {
+    Program program;
+    std::vector<Explained> surfaces;
+    std::array<double, 4> point{};
+    ParameterValues parameters;
+};
+
+OrInputError<std::optional<std::array<double, 4>>> point_of(const ExplainCommand& command) {
     if (!command.at) return std::nullopt;
     const auto commas = std::ranges::count(*command.at, ',');
     const auto numbers = read_numbers("--at", *command.at, commas == 3 ? 4 : 3);
     if (!numbers) return std::unexpected(numbers.error());
-    ValueAt result;
-    std::ranges::copy(*numbers, result.point.begin());
-    const Dual<double> f = value_at(expr, result.point);
-    result.value = f.value;
+    std::array<double, 4> point{};
+    std::ranges::copy(*numbers, point.begin());
+    return point;
+}
+
+ValueAt value_of(const Expr& expr, const Explanation& explanation) {
+    const std::vector<double> parameters = values_of(explanation.program, explanation.parameters);
+    const Dual<double> f = value_at(expr, explanation.point, parameters);
+    ValueAt result{f.value, {}};
     for (std::size_t i = 0; i < 3; ++i)
         result.gradient[i] = f.slope[i].value_or(0.0);
+    return result;
+}
+
+OrInputError<Explanation> explained(const ExplainCommand& command) {
+    const auto text = read_equation(command.equation);
+    if (!text) return std::unexpected(text.error());
+    auto program = read_formula(*text);
+    if (!program) return std::unexpected(program.error());
+    auto parameters = read_parameters(command.set);
+    if (!parameters) return std::unexpected(parameters.error());
+    if (auto unknown = check_parameters(*program, *parameters)) return std::unexpected(*unknown);
+    const auto point = point_of(command);
+    if (!point) return std::unexpected(point.error());
+    Explanation result{
+        std::move(*program), {}, point->value_or(std::array<double, 4>{}), std::move(*parameters)};
+    for (const Expr& expr : result.program.surfaces) {
+        Explained surface{&expr, tightened(expr), std::nullopt};
+        if (*point) surface.at = value_of(expr, result);
+        result.surfaces.push_back(std::move(surface));
+    }
     return result;
 }
 
@@ -45,31 +84,63 @@ int fail(const InputError& error, bool as_json) {
     return exit_wrong_input;
 }
 
-void print_json(const Expr& expr, const std::optional<ValueAt>& at) {
-    const std::vector<std::string> parameters(expr.parameters().begin(), expr.parameters().end());
-    const Json json{{"ok", true},
-                    {"canonical", expr.canonical()},
-                    {"value", at ? Json(at->value) : Json(nullptr)},
-                    {"gradient", at ? Json(at->gradient) : Json(nullptr)},
-                    {"parameters", parameters},
-                    {"nodes", expr.nodes().size()}};
+Json json_of(const Explained& surface) {
+    const std::optional<ValueAt>& at = surface.at;
+    return {{"canonical", surface.expr->canonical()},
+            {"drawn_as", surface.drawn.canonical()},
+            {"value", at ? Json(at->value) : Json(nullptr)},
+            {"gradient", at ? Json(at->gradient) : Json(nullptr)},
+            {"nodes", surface.expr->nodes().size()}};
+}
+
+/// The first surface's members, then all that the text says.
+void print_json(const Explanation& explanation) {
+    Json json{{"ok", true}};
+    json.update(json_of(explanation.surfaces.front()));
+    json["parameters"] = explanation.program.parameters;
+    json["surfaces"] = Json::array();
+    for (const Explained& surface : explanation.surfaces)
+        json["surfaces"].push_back(json_of(surface));
+    json["readings"] = Json::array();
+    for (const Reading& reading : explanation.program.readings)
+        json["readings"].push_back(reading.text);
     print(json);
 }
 
-void print_text(const Expr& expr, const std::optional<ValueAt>& at) {
-    std::cout << "read as   " << expr.canonical() << " = 0\n"
-              << "graph     " << expr.nodes().size() << " nodes\n";
-    if (!at) return;
-    const auto list = [](const auto& numbers) {
-        std::string text;
-        for (const double number : numbers) {
-            text += (text.empty() ? "" : ", ") + short_number(number, 17);
-        }
-        return text;
-    };
-    std::cout << "at        " << list(at->point) << "  (x, y, z, w)\n"
-              << "f         " << short_number(at->value, 17) << "\n"
-              << "gradient  " << list(at->gradient) << "\n";
+std::string list(const auto& values) {
+    std::string text;
+    for (const double value : values)
+        text += (text.empty() ? "" : ", ") + short_number(value, 17);
+    return text;
+}
+
+void print_surface(const Explained& surface, const Explanation& explanation) {
+    const std::string read = equation_text(*surface.expr);
+    const std::string drawn = equation_text(surface.drawn);
+    std::cout << "read as   " << read << "\n";
+    if (drawn != read) std::cout << "drawn as  " << drawn << "\n";
+    std::cout << "graph     " << surface.expr->nodes().size() << " nodes\n";
+    if (!surface.at) return;
+    std::cout << "at        " << list(explanation.point) << "  (x, y, z, w)\n"
+              << "f         " << short_number(surface.at->value, 17) << "\n"
+              << "gradient  " << list(surface.at->gradient) << "\n";
+}
+
+void print_text(const Explanation& explanation) {
+    for (const Reading& reading : explanation.program.readings) {
+        if (reading.kind != StatementKind::Surface)
+            std::cout << "with      " << reading.text << "\n";
+    }
+    for (const Explained& surface : explanation.surfaces)
+        print_surface(surface, explanation);
+    if (explanation.program.parameters.empty()) return;
+    std::cout << "open      ";
+    const std::vector<double> values = values_of(explanation.program, explanation.parameters);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        std::cout << (i == 0 ? "" : ", ") << explanation.program.parameters[i] << " = "
+                  << short_number(values[i], 17);
+    }
+    std::cout << "  (parameters)\n";
 }
 
 int print_code(const Expr& expr, const ExplainCommand& command) {
@@ -89,18 +160,17 @@ int run_explain(const ExplainCommand& command) {
     if (command.json && (command.ir || command.assembly)) {
         return report({"--json excludes --ir and --asm; ask for them one after the other"});
     }
-    const auto text = read_equation(command.equation);
-    if (!text) return fail(text.error(), command.json);
-    const auto expr = read_formula(*text);
-    if (!expr) return fail(expr.error(), command.json);
-    const auto at = value_of(*expr, command);
-    if (!at) return fail(at.error(), command.json);
+    const auto explanation = explained(command);
+    if (!explanation) return fail(explanation.error(), command.json);
     if (command.json) {
-        print_json(*expr, *at);
+        print_json(*explanation);
     } else {
-        print_text(*expr, *at);
+        print_text(*explanation);
     }
-    return print_code(*expr, command);
+    for (const Explained& surface : explanation->surfaces) {
+        if (const int code = print_code(surface.drawn, command); code != exit_ok) return code;
+    }
+    return exit_ok;
 }
 
 }  // namespace zeroset

@@ -1,42 +1,140 @@
 #include "app/formula.hpp"
 
 #include "app/text.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/tighten.hpp"
 #include "jit/compile.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace zeroset {
+namespace {
 
-std::expected<Expr, InputError> read_formula(std::string_view text) {
-    auto expr = parse(text);
-    if (!expr) {
-        const ParseError& error = expr.error();
-        const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
-        return std::unexpected(InputError{error.reason + hint, column_of(text, error.offset),
-                                          std::string(line_at(text, error.offset))});
-    }
-    const bool in_space =
-        expr->uses_variable(0) || expr->uses_variable(1) || expr->uses_variable(2);
-    if (!in_space) {
-        return wrong_input(
-            "there is no x, y or z in it, so it is no surface; type an equation such as "
-            "x^2 + y^2 + z^2 = 1");
-    }
-    return std::move(*expr);
+using Clock = std::chrono::steady_clock;
+
+// LLVM takes about 0.4 ms and 25 kB for a node.
+constexpr std::size_t quick_nodes = 2'000;
+constexpr std::size_t most_nodes = 8'000;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-std::expected<Formula, InputError> compile_formula(std::string_view text) {
-    const auto start = std::chrono::steady_clock::now();
-    auto expr = read_formula(text);
-    if (!expr) return std::unexpected(expr.error());
-    auto kernel = jit::compile(*expr);
-    if (!kernel) {
-        return wrong_input("the formula cannot be compiled: " + kernel.error().message);
+SampleRegion sample_region(const Box& box) {
+    SampleRegion region;
+    for (int i = 0; i < 3; ++i) {
+        region.lo[static_cast<std::size_t>(i)] = box.lo[i];
+        region.hi[static_cast<std::size_t>(i)] = box.hi[i];
     }
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    return Formula{std::string(text), std::move(*expr), std::move(*kernel), elapsed.count()};
+    return region;
+}
+
+CodeState code_for(const std::vector<Expr>& surfaces) {
+    std::size_t nodes = 0;
+    for (const Expr& surface : surfaces)
+        nodes += surface.nodes().size();
+    if (nodes > most_nodes) return CodeState::Interpreted;
+    return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
+}
+
+std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces) {
+    std::vector<Kernel> kernels;
+    for (const Expr& surface : surfaces) {
+        auto kernel = jit::compile(surface);
+        if (!kernel) {
+            return wrong_input("the formula cannot be compiled: " + kernel.error().message);
+        }
+        kernels.push_back(std::move(*kernel));
+    }
+    return kernels;
+}
+
+InputError input_error(const ParseError& error, std::string_view text) {
+    const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
+    return {error.reason + hint, column_of(text, error.offset),
+            std::string(line_at(text, error.offset)), error.offset, error.unfinished};
+}
+
+}  // namespace
+
+bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
+
+std::expected<Program, InputError> read_formula(std::string_view text) {
+    auto program = read_program(text);
+    if (!program) return std::unexpected(input_error(program.error(), text));
+    return std::move(*program);
+}
+
+std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
+    const auto start = Clock::now();
+    auto program = read_formula(text);
+    if (!program) return std::unexpected(program.error());
+    Formula formula{std::string(text), std::move(*program), {}, {}, CodeState::Machine, 0.0};
+    for (const Expr& surface : formula.program.surfaces)
+        formula.drawn.push_back(tightened(surface, sample_region(region)));
+    formula.code = code_for(formula.drawn);
+    if (formula.code == CodeState::Machine) {
+        auto kernels = machine_code(formula.drawn);
+        if (!kernels) return std::unexpected(kernels.error());
+        formula.kernels = std::move(*kernels);
+    } else {
+        for (const Expr& surface : formula.drawn)
+            formula.kernels.push_back(interpret(surface));
+    }
+    formula.compile_ms = ms_since(start);
+    return formula;
+}
+
+std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
+    const auto start = Clock::now();
+    auto kernels = machine_code(formula.drawn);
+    if (!kernels) return std::unexpected(kernels.error());
+    Formula result = formula;
+    result.kernels = std::move(*kernels);
+    result.code = CodeState::Machine;
+    result.compile_ms += ms_since(start);
+    return result;
+}
+
+std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region) {
+    auto formula = prepare_formula(text, region);
+    if (!formula || formula->code != CodeState::InterpretedFirst) return formula;
+    return with_machine_code(*formula);
+}
+
+Scene make_scene(const Formula& formula, const Box& clip, double w,
+                 const ParameterValues& parameters) {
+    Scene scene{formula.kernels, clip, {}};
+    scene.uniforms.set(0, w);
+    const std::vector<double> values = values_of(formula.program, parameters);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        scene.uniforms.set(1 + i, values[i]);
+    return scene;
+}
+
+std::vector<double> values_of(const Program& program, const ParameterValues& parameters) {
+    std::vector<double> values;
+    for (const std::string& name : program.parameters) {
+        const auto found = parameters.find(name);
+        values.push_back(found == parameters.end() ? 1.0 : found->second);
+    }
+    return values;
+}
+
+std::optional<InputError> check_parameters(const Program& program,
+                                           const ParameterValues& parameters) {
+    for (const auto& [name, value] : parameters) {
+        if (std::ranges::find(program.parameters, name) != program.parameters.end()) continue;
+        std::string known = "the formula has none";
+        if (!program.parameters.empty()) {
+            known = "the formula's are";
+            for (const std::string& parameter : program.parameters)
+                known += " " + parameter;
+        }
+        return InputError{"--set " + name + ": there is no such parameter; " + known};
+    }
+    return std::nullopt;
 }
 
 std::string describe(const InputError& error) {

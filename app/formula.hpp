@@ -1,14 +1,18 @@
 #pragma once
 
-#include "engine/expr/expr.hpp"
-#include "engine/expr/kernel.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/trace/camera.hpp"
+#include "engine/trace/scene.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <expected>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 
@@ -17,25 +21,58 @@ struct InputError {
     std::string reason;                                ///< what is wrong and what to type instead
     std::optional<std::size_t> column = std::nullopt;  ///< from 1, in characters of `line`
     std::string line = {};                             ///< the line of the text that has the place
+    std::optional<std::size_t> offset = std::nullopt;  ///< of the place in the text, bytes
+    bool unfinished = false;                           ///< right so far, but it stops too early
 };
 
 inline std::unexpected<InputError> wrong_input(std::string reason) {
     return std::unexpected(InputError{std::move(reason)});
 }
 
-/// A formula ready to be drawn.
-struct Formula {
-    std::string text;
-    Expr expr;
-    Kernel kernel;
-    double compile_ms = 0.0;  ///< from text to machine code
+enum class CodeState : std::uint8_t {
+    Machine,           ///< machine code
+    InterpretedFirst,  ///< large: interpreted; its machine code takes more than a second
+    Interpreted,       ///< too large for machine code
 };
 
-/// Text to graph; an equation without x, y and z is refused, as it is no surface.
-std::expected<Expr, InputError> read_formula(std::string_view text);
+/// A text ready to be drawn.
+struct Formula {
+    std::string text;
+    Program program;
+    std::vector<Expr> drawn;      ///< the program's surfaces, each in its tightest form
+    std::vector<Kernel> kernels;  ///< of `drawn`
+    CodeState code = CodeState::Machine;
+    double compile_ms = 0.0;  ///< from text to code
 
-/// Text to machine code. Thread-safe.
-std::expected<Formula, InputError> compile_formula(std::string_view text);
+    [[nodiscard]] bool uses_w() const;
+};
+
+/// Values of parameters, by name.
+using ParameterValues = std::map<std::string, double>;
+
+/// Text to graphs.
+std::expected<Program, InputError> read_formula(std::string_view text);
+
+/// Text to code, its forms the tightest in `region`. Machine code unless that would take more than
+/// a second. Thread-safe.
+std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
+
+/// The same formula with machine code, for one whose code is InterpretedFirst. Thread-safe.
+std::expected<Formula, InputError> with_machine_code(const Formula& formula);
+
+/// Text to machine code, unless it is too large for that; takes up to a few seconds.
+std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region = {});
+
+/// What is drawn of the formula; parameters without a value are 1.
+Scene make_scene(const Formula& formula, const Box& clip, double w,
+                 const ParameterValues& parameters);
+
+/// The program's parameters in its order; those without a value are 1.
+std::vector<double> values_of(const Program& program, const ParameterValues& parameters);
+
+/// An error for the first value whose parameter the program does not have.
+std::optional<InputError> check_parameters(const Program& program,
+                                           const ParameterValues& parameters);
 
 /// "error: REASON", then the text's line with a caret under the column; ends with a newline.
 std::string describe(const InputError& error);

@@ -3,25 +3,43 @@
 #include <utility>
 
 namespace zeroset {
+namespace {
+
+FormulaResult result_of(std::string text, std::expected<Formula, InputError> formula) {
+    FormulaResult result{std::move(text), std::unexpected(InputError{})};
+    if (formula) {
+        result.formula = std::make_shared<const Formula>(std::move(*formula));
+    } else {
+        result.formula = std::unexpected(std::move(formula.error()));
+    }
+    return result;
+}
+
+}  // namespace
 
 FormulaJob::FormulaJob(std::function<void()> on_result)
-    : on_result_(std::move(on_result)), thread_([this] { run(); }) {}
+    : on_result_(std::move(on_result)),
+      preparing_([this] { prepare_texts(); }),
+      compiling_([this] { compile_large(); }) {}
 
 FormulaJob::~FormulaJob() {
     {
         const std::scoped_lock lock(mutex_);
         stop_ = true;
     }
-    wake_.notify_one();
-    thread_.join();
+    wake_.notify_all();
+    preparing_.join();
+    compiling_.join();
 }
 
-void FormulaJob::submit(std::string text) {
+void FormulaJob::submit(std::string text, const Box& region) {
     {
         const std::scoped_lock lock(mutex_);
-        pending_ = std::move(text);
+        newest_text_ = text;
+        pending_ = Request{std::move(text), region};
+        large_.reset();
     }
-    wake_.notify_one();
+    wake_.notify_all();
 }
 
 std::optional<FormulaResult> FormulaJob::take() {
@@ -29,27 +47,45 @@ std::optional<FormulaResult> FormulaJob::take() {
     return std::exchange(finished_, std::nullopt);
 }
 
-void FormulaJob::run() {
+/// Hands the result on, unless a newer text is waiting.
+void FormulaJob::publish(FormulaResult result) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (result.text == newest_text_) {
+            const bool large =
+                result.formula && (*result.formula)->code == CodeState::InterpretedFirst;
+            if (large) large_ = *result.formula;
+            finished_ = std::move(result);
+        }
+    }
+    wake_.notify_all();
+    on_result_();
+}
+
+void FormulaJob::prepare_texts() {
     for (;;) {
-        std::string text;
+        Request request;
         {
             std::unique_lock lock(mutex_);
             wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
             if (stop_) return;
-            text = std::move(*std::exchange(pending_, std::nullopt));
+            request = std::move(*std::exchange(pending_, std::nullopt));
         }
-        auto formula = compile_formula(text);
-        FormulaResult result{std::move(text), std::unexpected(InputError{})};
-        if (formula) {
-            result.formula = std::make_shared<const Formula>(std::move(*formula));
-        } else {
-            result.formula = std::unexpected(std::move(formula.error()));
-        }
+        auto formula = prepare_formula(request.text, request.region);
+        publish(result_of(std::move(request.text), std::move(formula)));
+    }
+}
+
+void FormulaJob::compile_large() {
+    for (;;) {
+        std::shared_ptr<const Formula> formula;
         {
-            const std::scoped_lock lock(mutex_);
-            if (!pending_) finished_ = std::move(result);
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return stop_ || large_ != nullptr; });
+            if (stop_) return;
+            formula = std::exchange(large_, nullptr);
         }
-        on_result_();
+        publish(result_of(formula->text, with_machine_code(*formula)));
     }
 }
 

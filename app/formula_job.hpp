@@ -19,29 +19,41 @@ struct FormulaResult {
 };
 
 /// Compiles the newest text in the background. Members may be called from the UI thread and
-/// never wait for a compilation; texts overtaken by a newer one are dropped.
+/// never wait for a compilation; texts overtaken by a newer one are dropped. A large formula
+/// arrives twice: interpreted, and again when its machine code is ready.
 class FormulaJob {
 public:
-    /// `on_result` is called from the job's thread after each compilation.
+    /// `on_result` is called from the job's threads after each result.
     explicit FormulaJob(std::function<void()> on_result);
     ~FormulaJob();
     FormulaJob(const FormulaJob&) = delete;
     FormulaJob& operator=(const FormulaJob&) = delete;
 
-    void submit(std::string text);
+    /// `region`: where the formula will be looked at.
+    void submit(std::string text, const Box& region);
     /// The newest result not yet taken, or nothing.
     std::optional<FormulaResult> take();
 
 private:
-    void run();
+    struct Request {
+        std::string text;
+        Box region;
+    };
+
+    void prepare_texts();
+    void compile_large();
+    void publish(FormulaResult result);
 
     std::function<void()> on_result_;
     std::mutex mutex_;
     std::condition_variable wake_;
-    std::optional<std::string> pending_;
+    std::optional<Request> pending_;
+    std::shared_ptr<const Formula> large_;  ///< waits for its machine code
     std::optional<FormulaResult> finished_;
+    std::string newest_text_;
     bool stop_ = false;
-    std::thread thread_;
+    std::thread preparing_;
+    std::thread compiling_;
 };
 
 }  // namespace zeroset

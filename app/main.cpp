@@ -24,6 +24,12 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
     return app.add_option(names, value, about)->transform(trim);
 }
 
+void add_parameters(CLI::App& app, std::vector<std::string>& set) {
+    app.add_option("--set", set, "value of a parameter: NAME=VALUE (default 1); may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_view_options(CLI::App& app, ViewText& view) {
     add_value(app, "--box", view.box, "clip box: L for [-L,L]^3, or x0,x1,y0,y1,z0,z1 (default 2)");
     add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
@@ -31,6 +37,7 @@ void add_view_options(CLI::App& app, ViewText& view) {
     add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
     add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
+    add_parameters(app, view.set);
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
@@ -79,8 +86,10 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
 int open_window(const std::string& equation, const ViewText& view, const TraceText& trace) {
     const auto options = read_desktop_options(equation, view, trace);
     if (!options) return report(options.error());
-    const auto formula = read_formula(options->surface.equation);
-    return formula ? run_desktop(*options) : report(formula.error());
+    const auto program = read_formula(options->surface.equation);
+    if (!program) return report(program.error());
+    const auto unknown = check_parameters(*program, options->surface.parameters);
+    return unknown ? report(*unknown) : run_desktop(*options);
 }
 
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
@@ -107,6 +116,7 @@ CLI::App* add_explain(CLI::App& app, ExplainCommand& explain) {
     CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
     add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
     add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
+    add_parameters(*explain_app, explain.set);
     explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
     explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
     explain_app->add_flag("--json", explain.json, "as JSON");
@@ -145,6 +155,8 @@ int run(int argc, char** argv) {
     GalleryCommand gallery;
     ExplainCommand explain;
     BenchCommand bench;
+    const CLI::App* const language_app =
+        app.add_subcommand("language", "print the page of the formula language (Markdown)");
     const CLI::App* const render_app = add_render(app, render);
     const CLI::App* const shot_app = add_ui_shot(app, shot);
     const CLI::App* const gallery_app = add_gallery(app, gallery);
@@ -162,6 +174,7 @@ int run(int argc, char** argv) {
     if (*gallery_app) return run_gallery(gallery);
     if (*explain_app) return run_explain(explain);
     if (*bench_app) return run_bench(bench);
+    if (*language_app) return run_language();
     return open_window(equation, view, trace);
 }
 

@@ -171,7 +171,7 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     if (equation.starts_with('@')) {
         auto item = gallery_item(std::string_view(equation).substr(1));
         if (!item) return std::unexpected(item.error());
-        surface = {item->equation, item->clip, item->w, item->camera};
+        surface = {item->equation, item->clip, item->w, item->camera, {}};
     } else {
         auto text = read_equation(equation);
         if (!text) return std::unexpected(text.error());
@@ -188,10 +188,30 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
         if (!w) return std::unexpected(w.error());
         surface.w = *w;
     }
+    auto parameters = read_parameters(view.set);
+    if (!parameters) return std::unexpected(parameters.error());
+    surface.parameters = std::move(*parameters);
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;
     return surface;
+}
+
+OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {
+    ParameterValues values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const std::string name(trimmed(std::string_view(text).substr(0, equals)));
+        if (equals == std::string::npos || name.empty()) {
+            return wrong_input("--set " + text + ": type NAME=VALUE, for example --set a=2");
+        }
+        const auto value = read_number("--set " + name + "=", text.substr(equals + 1));
+        if (!value) return std::unexpected(value.error());
+        if (std::abs(*value) > 1e30)
+            return wrong_input("--set " + text + ": stay between -1e30 and 1e30");
+        values[name] = *value;
+    }
+    return values;
 }
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {

@@ -17,6 +17,7 @@ namespace zeroset {
 /// What the user typed for a view, as text; absent where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, w;
+    std::vector<std::string> set;  ///< NAME=VALUE of parameters
 };
 
 /// What the user typed for tracing.
@@ -30,6 +31,7 @@ struct Surface {
     Box clip;
     double w = 0.0;
     std::optional<Camera> camera;  ///< default_camera(clip, aspect) when absent
+    ParameterValues parameters;    ///< those that are not 1
 };
 
 struct Size {
@@ -45,6 +47,10 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
 
 /// The equation of EQUATION, @NAME or "-".
 OrInputError<std::string> read_equation(const std::string& equation);
+
+/// The values of --set NAME=VALUE; whether the formula has these parameters is for
+/// check_parameters.
+OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 

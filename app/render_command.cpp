@@ -63,8 +63,11 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
     return std::nullopt;
 }
 
-Json stats_of(const RenderPlan& plan, const Formula& formula, const FrameTiming& timing,
-              const Framebuffer& frame) {
+Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula,
+              const FrameTiming& timing, const Framebuffer& frame) {
+    Json surfaces = Json::array();
+    for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
+        surfaces.push_back({{"pixels", pixels}});
     const CertificateCounts counts = count_certificates(frame);
     const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();
     return {{"width", frame.width},
@@ -72,6 +75,7 @@ Json stats_of(const RenderPlan& plan, const Formula& formula, const FrameTiming&
             {"threads", threads},
             {"tracer", plan.settings.tracer},
             {"compile_ms", formula.compile_ms},
+            {"machine_code", formula.code == CodeState::Machine},
             {"frame_ms",
              {{"median", timing.median_ms},
               {"min", timing.min_ms},
@@ -80,6 +84,7 @@ Json stats_of(const RenderPlan& plan, const Formula& formula, const FrameTiming&
             {"certified", counts.certified},
             {"undecided", counts.undecided},
             {"miss", counts.miss},
+            {"surfaces", surfaces},
             {"evaluations", {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
 }
 
@@ -89,11 +94,14 @@ int run_render(const RenderCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
-    const auto formula = compile_formula(plan->surface.equation);
+    const auto formula = compile_formula(plan->surface.equation, plan->surface.clip);
     if (!formula) return report(formula.error());
 
-    Scene scene{formula->kernel, plan->surface.clip, {}};
-    scene.uniforms.set(0, plan->surface.w);
+    const Surface& surface = plan->surface;
+    if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
+        return report(*unknown);
+    }
+    const Scene scene = make_scene(*formula, surface.clip, surface.w, surface.parameters);
     Framebuffer frame(plan->size.width, plan->size.height);
     const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
                                            plan->repeats, command.repeat.has_value());
@@ -102,7 +110,7 @@ int run_render(const RenderCommand& command) {
     if (command.output) written = write_png(*command.output, frame);
     if (written && command.depth) written = write_pfm(*command.depth, frame);
     if (written && command.stats) {
-        const std::string text = stats_of(*plan, *formula, timing, frame).dump(2) + "\n";
+        const std::string text = stats_of(*plan, scene, *formula, timing, frame).dump(2) + "\n";
         written = write_text(*command.stats, text);
     }
     if (!written) return report_run_time(written.error().message);

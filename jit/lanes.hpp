@@ -50,6 +50,8 @@ LaneMask unordered(const Lanes& a, const Lanes& b);
 LaneMask both(const LaneMask& a, const LaneMask& b);
 LaneMask either(const LaneMask& a, const LaneMask& b);
 LaneMask no(const LaneMask& a);
+/// Whether the masks are known to be the same.
+inline bool identical(const LaneMask& a, const LaneMask& b) { return a.value == b.value; }
 
 Lanes like(const Lanes& kind, double value);
 Lanes maximum(const Lanes& a, const Lanes& b);

@@ -43,12 +43,28 @@ public:
         item_->addIncoming(next, builder_.GetInsertBlock());
         builder_.SetInsertPoint(done);
         builder_.CreateRetVoid();
+        if (nowhere_ != nullptr) {
+            builder_.SetInsertPoint(nowhere_);
+            builder_.CreateRetVoid();
+        }
         builder_.SetInsertPoint(entry_);
         builder_.CreateBr(body_);
         item_->addIncoming(builder_.getInt64(0), entry_);
     }
 
     void go_to_body() { builder_.SetInsertPoint(body_); }
+
+    /// Tells that a node of the body has been emitted. LLVM's time grows with the square of a basic
+    /// block's length, so a long body becomes a chain of blocks; the branches between them, never
+    /// left out, keep LLVM from joining the blocks again.
+    void count_node() {
+        if (++nodes_ % nodes_a_block != 0) return;
+        llvm::LLVMContext& context = builder_.getContext();
+        if (nowhere_ == nullptr) nowhere_ = llvm::BasicBlock::Create(context, "empty", function_);
+        llvm::BasicBlock* const next = llvm::BasicBlock::Create(context, "further", function_);
+        builder_.CreateCondBr(builder_.CreateICmpNE(size_, builder_.getInt64(0)), next, nowhere_);
+        builder_.SetInsertPoint(next);
+    }
 
     /// An array pointer of the batch; call before go_to_body.
     llvm::Value* array(std::size_t offset) {
@@ -98,6 +114,10 @@ private:
     llvm::BasicBlock* body_ = nullptr;
     llvm::Value* size_ = nullptr;
     llvm::PHINode* item_ = nullptr;
+
+    static constexpr std::size_t nodes_a_block = 100;
+    std::size_t nodes_ = 0;
+    llvm::BasicBlock* nowhere_ = nullptr;  ///< where an empty batch would go
 };
 
 void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm::Module& module) {
@@ -113,25 +133,27 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
     llvm::Value* const f_hi = function.array(offsetof(RangeBatch, f_hi));
     llvm::Value* const continuous = function.array(offsetof(RangeBatch, continuous));
 
-    const auto leaf = [&](const Node& node, const Facts& fact) -> Interval<Lanes> {
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Enclosure<Lanes> {
         if (fact.constant) {
-            return {function.splat(float_above(fact.constant->neg_lo)),
-                    function.splat(float_above(fact.constant->hi))};
+            return {{function.splat(float_above(fact.constant->neg_lo)),
+                     function.splat(float_above(fact.constant->hi))}};
         }
         const auto v = static_cast<std::size_t>(node.number);
-        if (v < 3) return {function.load(neg_lo[v]), function.load(hi[v])};
-        return {function.load_uniform(uniforms, 2 * (v - 3)),
-                function.load_uniform(uniforms, 2 * (v - 3) + 1)};
+        if (v < 3) return {{function.load(neg_lo[v]), function.load(hi[v])}};
+        return {{function.load_uniform(uniforms, 2 * (v - 3)),
+                 function.load_uniform(uniforms, 2 * (v - 3) + 1)}};
     };
     IntervalAlgebra<Lanes> algebra;
-    Interval<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
-    if (algebra.defined) {
+    Enclosure<Lanes> f = evaluate(
+        expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
+    if (f.somewhere) {
         const Lanes nowhere = function.splat(static_cast<float>(-infinity));
-        f = select(*algebra.defined, f, Interval<Lanes>{nowhere, nowhere});
+        f.range = select(*f.somewhere, f.range, Interval<Lanes>{nowhere, nowhere});
     }
-    function.store(f_neg_lo, f.neg_lo);
-    function.store(f_hi, f.hi);
-    function.store(continuous, algebra.continuous.value_or(function.everywhere()));
+    function.store(f_neg_lo, f.range.neg_lo);
+    function.store(f_hi, f.range.hi);
+    function.store(continuous,
+                   conjunction(f.everywhere, f.continuous).value_or(function.everywhere()));
     function.finish();
 }
 
@@ -155,7 +177,8 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
         return variable;
     };
     DualAlgebra<Lanes> algebra;
-    const Dual<Lanes> f = evaluate(expr, facts, algebra, leaf, [&] { function.go_to_body(); });
+    const Dual<Lanes> f = evaluate(
+        expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
     function.store(value, f.value);
     for (std::size_t i = 0; i < 3; ++i) {
         function.store(gradient[i], f.slope[i].value_or(function.splat(0.0F)));

@@ -1,6 +1,7 @@
 #include "ui/gallery_picker.hpp"
 
 #include "ui/fonts.hpp"
+#include "ui/label.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
@@ -36,7 +37,7 @@ bool draw_entry(const GalleryEntry& entry, bool current, const Palette& colors) 
     canvas.AddText(ImVec2(left, top), colors.text, entry.title.c_str());
     const ImVec4 clip(at.x, at.y, end.x, end.y);
     canvas.AddText(small, small_size, ImVec2(left, top + line + em(0.15F)), colors.quiet,
-                   entry.equation.c_str(), nullptr, 0.0F, &clip);
+                   in_one_line(entry.equation).c_str(), nullptr, 0.0F, &clip);
     return picked;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/window.hpp"
 
 #include <GL/gl.h>
+#include <GLFW/glfw3.h>
 #include <glm/ext/vector_float2.hpp>
 #include <glm/ext/vector_int2.hpp>
 #include <imgui/imgui.h>
@@ -36,7 +37,16 @@ OffscreenWindow::OffscreenWindow(std::unique_ptr<OffscreenContext> context,
     : context_(std::move(context)), gui_(std::move(gui)), size_px_(size_px), scale_(scale) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigInputTextCursorBlink = false;                  // the same picture whenever it is taken
-    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;  // there are no keys
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;  // nothing is outlined
+    io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
+    io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
+    io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
+    io.KeyMap[ImGuiKey_Home] = GLFW_KEY_HOME;
+    io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
+    io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;
+    io.KeyMap[ImGuiKey_DownArrow] = GLFW_KEY_DOWN;
+    io.KeyMap[ImGuiKey_V] = GLFW_KEY_V;
+    io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
 }
 
 bool OffscreenWindow::wait() {
@@ -70,6 +80,14 @@ void OffscreenWindow::point(glm::vec2 at, bool pressed) {
     io.MousePos = ImVec2(at.x, at.y);
     io.MouseDown[ImGuiMouseButton_Left] = pressed;
 }
+
+void OffscreenWindow::press_right(bool pressed) {
+    ImGui::GetIO().MouseDown[ImGuiMouseButton_Right] = pressed;
+}
+
+void OffscreenWindow::key(int key, bool pressed) { ImGui::GetIO().KeysDown[key] = pressed; }
+
+void OffscreenWindow::hold_ctrl(bool pressed) { ImGui::GetIO().KeyCtrl = pressed; }
 
 void OffscreenWindow::type(std::string_view text) {
     ImGui::GetIO().AddInputCharactersUTF8(std::string(text).c_str());

@@ -58,6 +58,11 @@ public:
 
     /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
     static void point(glm::vec2 at, bool pressed);
+    /// The same for the right button.
+    static void press_right(bool pressed);
+    /// A key, in GLFW's numbers, is down from the next frame on, or up again.
+    static void key(int key, bool pressed);
+    static void hold_ctrl(bool pressed);
     /// UTF-8 typed before the next frame.
     static void type(std::string_view text);
     /// The colours of the last frame; nothing else of the Framebuffer is set.

@@ -20,7 +20,7 @@ namespace {
 constexpr const char* separator = "  \xC2\xB7  ";
 constexpr const char* keys_hint =
     "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
-    "\xC2\xB7  Ctrl+Q: quit";
+    "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
 
 /// Digits in groups of three, 1 234 567.
 std::string grouped(std::size_t number) {
@@ -37,7 +37,15 @@ std::string milliseconds(double ms) {
     return text.data();
 }
 
+/// Goes on with the line, as far as the window is wide.
 void add_text(std::uint32_t color, const std::string& text) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
+    const float room = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
+    const std::string before = first ? "" : separator;
+    if (ImGui::CalcTextSize((before + text).c_str()).x > room && !first) return;
+    ImGui::TextDisabled("%s", before.c_str());
+    ImGui::SameLine(0.0F, 0.0F);
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
@@ -45,30 +53,23 @@ void add_text(std::uint32_t color, const std::string& text) {
 }
 
 void draw_figures(const PictureStatus& picture, const Palette& colors) {
-    if (picture.width_px > 0) {
-        add_text(colors.quiet, milliseconds(picture.frame_ms) + separator +
-                                   std::to_string(picture.width_px) + " \xC3\x97 " +
-                                   std::to_string(picture.height_px) + separator +
-                                   grouped(picture.counts.certified) + " certified" + separator);
-        const std::size_t undecided = picture.counts.undecided;
-        add_text(undecided > 0 ? colors.warning : colors.quiet, grouped(undecided) + " undecided");
-    }
-    const bool empty = picture.counts.certified + picture.counts.undecided == 0;
-    if (picture.width_px > 0 && empty && !picture.tracing) {
-        add_text(colors.warning, std::string(separator) + "no surface in view");
-    }
-    if (picture.tracing) {
-        const char* before = picture.width_px > 0 ? separator : "";
-        add_text(colors.accent, std::string(before) + "tracing\xE2\x80\xA6");
-    }
+    if (picture.width_px <= 0) return;
+    const std::size_t undecided = picture.counts.undecided;
+    add_text(colors.quiet, milliseconds(picture.frame_ms));
+    add_text(colors.quiet,
+             std::to_string(picture.width_px) + " \xC3\x97 " + std::to_string(picture.height_px));
+    add_text(colors.quiet, grouped(picture.counts.certified) + " certified");
+    add_text(undecided > 0 ? colors.warning : colors.quiet, grouped(undecided) + " undecided");
+    const bool empty = picture.counts.certified + undecided == 0;
+    if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
 
-void draw_keys_hint(const Palette& colors) {
+void draw_keys_hint() {
     const float width = ImGui::CalcTextSize(keys_hint).x;
     const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
     if (right < ImGui::GetCursorPosX() + em(2.0F)) return;
     ImGui::SetCursorPosX(right);
-    add_text(colors.quiet, keys_hint);
+    ImGui::TextDisabled("%s", keys_hint);
 }
 
 }  // namespace
@@ -85,8 +86,10 @@ void draw_status_panel(const UiState& state) {
     if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
+        if (!state.note.empty()) add_text(colors.warning, state.note);
         draw_figures(state.picture, colors);
-        draw_keys_hint(colors);
+        if (state.picture.tracing) add_text(colors.accent, "tracing\xE2\x80\xA6");
+        draw_keys_hint();
         ImGui::PopFont();
     }
     end_bar(Edge::Top, colors);

@@ -59,6 +59,7 @@ void set_shape(ImGuiStyle& style) {
     style.FramePadding = ImVec2(10.0F, 6.0F);
     style.ItemSpacing = ImVec2(10.0F, 8.0F);
     style.ItemInnerSpacing = ImVec2(8.0F, 6.0F);
+    style.CellPadding = ImVec2(4.0F, 3.0F);
     style.ScrollbarSize = 11.0F;
     style.GrabMinSize = 12.0F;
     style.WindowRounding = 10.0F;
@@ -95,6 +96,18 @@ void set_colors(ImGuiStyle& style, const Palette& colors) {
     set(ImGuiCol_SliderGrab, colors.grab);
     set(ImGuiCol_SliderGrabActive, colors.accent);
     set(ImGuiCol_Separator, colors.border);
+    set(ImGuiCol_TableBorderLight, colors.border);
+    set(ImGuiCol_TableBorderStrong, colors.border);
+    set(ImGuiCol_TitleBg, colors.bar);
+    set(ImGuiCol_TitleBgActive, colors.bar);
+    set(ImGuiCol_Tab, 0);
+    set(ImGuiCol_TabHovered, colors.field_hovered);
+    set(ImGuiCol_TabActive, colors.field_active);
+    set(ImGuiCol_TabUnfocused, 0);
+    set(ImGuiCol_TabUnfocusedActive, colors.field_active);
+    set(ImGuiCol_ResizeGrip, colors.field_active);
+    set(ImGuiCol_ResizeGripHovered, colors.quiet);
+    set(ImGuiCol_ResizeGripActive, colors.accent);
     set(ImGuiCol_ScrollbarBg, 0);
     set(ImGuiCol_ScrollbarGrab, colors.field_active);
     set(ImGuiCol_ScrollbarGrabHovered, colors.quiet);

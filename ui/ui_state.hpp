@@ -23,6 +23,31 @@ struct GalleryEntry {
     std::string about;  ///< one sentence
 };
 
+/// How one statement of the text was understood, one line.
+struct Reading {
+    std::string text;
+    std::optional<std::uint32_t> color;  ///< of a surface's front, as in Framebuffer::color
+};
+
+/// A name that the text leaves open, chosen with a slider. Finite, lo < hi.
+struct ParameterSlider {
+    std::string name;
+    double value = 1;
+    double lo = -5;  ///< ends of the slider; a number typed beyond them moves them
+    double hi = 5;
+};
+
+/// One line of the help: what to type, and what it does.
+struct HelpEntry {
+    std::string typed;
+    std::string meaning;
+};
+
+struct HelpSection {
+    std::string title;
+    std::vector<HelpEntry> entries;
+};
+
 /// What the status line says of the picture. The figures are those of the last full picture.
 struct PictureStatus {
     bool tracing = false;  ///< a finer picture than the one shown is on its way
@@ -35,23 +60,32 @@ struct PictureStatus {
 /// Everything the panels show and edit. Plain data, used by the window's thread only.
 struct UiState {
     // Edited by the panels.
-    std::string equation;  ///< as typed, UTF-8
+    std::string equation;  ///< statements as typed, UTF-8, lines apart by '\n'
     Camera camera;
     Box clip;
     double w = 0.0;
+    double w_lo = -2.0;  ///< ends of w's slider, as in ParameterSlider
+    double w_hi = 2.0;
+    std::vector<ParameterSlider> parameters;  ///< the owner chooses the names
     StopCriterion stop;
     Theme theme = Theme::Dark;
+    bool show_help = false;
+    std::string help_filter;
 
     // Wishes: set by a panel, cleared by whoever fulfils them.
-    bool focus_equation = true;          ///< fulfilled by the equation panel
+    bool focus_equation = true;          ///< with all of it selected; by the equation panel
     bool reset_view = false;             ///< fulfilled by the owner, which knows the first view
     std::optional<std::size_t> surface;  ///< a line of `gallery` was picked
 
     // Shown by the panels, set by the owner.
     std::vector<GalleryEntry> gallery;
-    std::string reading;                      ///< how the shown formula was understood
-    std::string error;                        ///< why `equation` cannot be drawn; empty: it can
-    std::optional<std::size_t> error_column;  ///< place of the error, from 1, in characters
+    std::vector<HelpSection> language_help;
+    std::vector<Reading> readings;  ///< of the last good text
+    std::string error;              ///< why `equation` cannot be drawn; empty: it can
+    /// Where in `equation` the error is, in bytes; its size: after the last character.
+    std::optional<std::size_t> error_at;
+    bool unfinished = false;  ///< `error` only says what is still to be typed
+    std::string note;         ///< for the status line: what is not as it should be; or empty
     bool uses_w = false;
     PictureStatus picture;
 

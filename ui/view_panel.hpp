@@ -4,8 +4,8 @@
 
 namespace zeroset::ui {
 
-/// The card over the picture: search depth, w where the formula has it, clip box, view and theme.
-/// Edits `stop`, `w`, `clip`, `theme` and `reset_view`.
+/// The card over the picture: parameters, search depth, clip box, view and theme. Edits
+/// `parameters`, `w`, `stop`, `clip`, `theme` and `reset_view`.
 void draw_view_panel(UiState& state);
 
 /// `box` about its own centre with its longest edge scaled to 2 * half.

@@ -28,10 +28,10 @@ struct Area {
     [[nodiscard]] float height() const { return hi.y - lo.y; }
 };
 
-Area viewport_area() {
+Area viewport_area(const UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float bottom = std::max(window.y - status_bar_height(), 0.0F);
-    const float top = std::min(equation_bar_height(), bottom);
+    const float top = std::min(equation_bar_height(state), bottom);
     return {ImVec2(0.0F, top), ImVec2(window.x, bottom)};
 }
 
@@ -97,7 +97,7 @@ Camera steer(const Camera& camera, const PointerMotion& motion) {
 }
 
 void draw_viewport(UiState& state, const Texture& picture) {
-    const Area area = viewport_area();
+    const Area area = viewport_area(state);
     state.viewport_px = size_px(area);
     draw_picture(area, state, picture);
     if (state.viewport_px.x <= 0 || state.viewport_px.y <= 0) return;

@@ -31,6 +31,7 @@ std::string Expr::key() const {
         append(node.number);
         append(node.a);
         append(node.b);
+        append(node.c);
         append(node.lo);
         append(node.hi);
     }
@@ -47,6 +48,7 @@ std::size_t ExprBuilder::NodeHash::operator()(const Node& node) const {
     };
     mix(static_cast<std::uint32_t>(node.number));
     mix((static_cast<std::uint64_t>(node.a) << 32U) | node.b);
+    mix(node.c);
     mix(std::bit_cast<std::uint64_t>(node.lo + 0.0));  // -0 and 0 compare equal
     mix(std::bit_cast<std::uint64_t>(node.hi + 0.0));
     return hash;
@@ -65,10 +67,14 @@ NodeId ExprBuilder::constant(double lo, double hi) {
 
 NodeId ExprBuilder::variable(int index) { return intern({.op = Op::Variable, .number = index}); }
 
-NodeId ExprBuilder::apply(Op op, NodeId a, NodeId b, int number) {
-    assert(a < nodes_.size() && b < nodes_.size());
-    if (op_info(op).arity == 1) b = 0;
-    return intern({.op = op, .number = number, .a = a, .b = b});
+NodeId ExprBuilder::apply(Op op, NodeId a, NodeId b, NodeId c, int number) {
+    assert(a < nodes_.size() && b < nodes_.size() && c < nodes_.size());
+    const int operands = arity(op);
+    return intern({.op = op,
+                   .number = number,
+                   .a = a,
+                   .b = operands >= 2 ? b : 0,
+                   .c = operands >= 3 ? c : 0});
 }
 
 Expr ExprBuilder::finish(NodeId root, std::vector<std::string> parameters) const {
@@ -81,20 +87,20 @@ Expr ExprBuilder::finish(NodeId root, std::vector<std::string> parameters) const
     while (!stack.empty()) {
         const NodeId id = stack.back();
         Node node = nodes_[id];
-        const bool leaf = node.op == Op::Constant || node.op == Op::Variable;
-        const bool binary = !leaf && op_info(node.op).arity == 2;
-        if (!leaf && number[node.a] == unplaced) {
-            stack.push_back(node.a);
-        } else if (binary && number[node.b] == unplaced) {
-            stack.push_back(node.b);
-        } else {
-            stack.pop_back();
-            if (number[id] != unplaced) continue;
-            node.a = leaf ? 0 : number[node.a];
-            node.b = binary ? number[node.b] : 0;
-            number[id] = static_cast<NodeId>(expr.nodes_.size());
-            expr.nodes_.push_back(node);
+        const std::array operands{&node.a, &node.b, &node.c};
+        const auto end = operands.begin() + arity(node.op);
+        const auto waits_for = std::find_if(operands.begin(), end, [&](const NodeId* operand) {
+            return number[*operand] == unplaced;
+        });
+        if (waits_for != end) {
+            stack.push_back(**waits_for);
+            continue;
         }
+        stack.pop_back();
+        if (number[id] != unplaced) continue;
+        std::for_each(operands.begin(), end, [&](NodeId* operand) { *operand = number[*operand]; });
+        number[id] = static_cast<NodeId>(expr.nodes_.size());
+        expr.nodes_.push_back(node);
     }
     expr.parameters_ = std::move(parameters);
     return expr;

@@ -19,9 +19,10 @@ inline constexpr int variable_w = 3;
 
 struct Node {
     Op op = Op::Constant;
-    std::int32_t number = 0;  ///< the variable, or the exponent of IntPower
+    std::int32_t number = 0;  ///< the variable, the exponent of IntPower, the degree of OddRoot
     NodeId a = 0;             ///< operands; always smaller than the node's own id
     NodeId b = 0;
+    NodeId c = 0;
     double lo = 0.0;  ///< of a constant: the doubles that enclose it
     double hi = 0.0;
 
@@ -57,7 +58,8 @@ public:
     NodeId constant(double lo, double hi);
     NodeId constant(double exact) { return constant(exact, exact); }
     NodeId variable(int index);
-    NodeId apply(Op op, NodeId a, NodeId b = 0, int number = 0);
+    /// The operator on as many operands as it has; the others are ignored.
+    NodeId apply(Op op, NodeId a, NodeId b = 0, NodeId c = 0, int number = 0);
 
     [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
@@ -75,6 +77,9 @@ private:
     std::vector<Node> nodes_;
     std::unordered_map<Node, NodeId, NodeHash> known_;
 };
+
+/// The equation f = 0 that the graph of f means, with what restricts it.
+std::string equation_text(const Expr& expr);
 
 /// "x", "y", "z", "w" or the parameter's name.
 std::string_view variable_name(int index, std::span<const std::string> parameters);

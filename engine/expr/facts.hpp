@@ -4,6 +4,7 @@
 #include "engine/num/interval.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -13,15 +14,20 @@ struct Facts {
     bool nonnegative = false;  ///< also in the computed enclosure: -lo is never above 0
     bool uniform = false;      ///< depends on w and parameters only
     std::optional<Interval<double>> constant;  ///< enclosure of a subexpression without variables
-    double middle = 0.0;                       ///< of the constant's enclosure, to nearest
+    bool undefined = false;  ///< surely, on whatever box: the constant operands leave no value
+    double middle = 0.0;     ///< of the constant's enclosure, to nearest
     float middle_float = 0.0F;
 
     /// Whether the node is the same known double everywhere.
     [[nodiscard]] bool exact() const { return constant && -constant->neg_lo == constant->hi; }
 };
 
-/// Facts of each node, in the graph's order. A constant subexpression that is undefined (1/0,
-/// sqrt(-1)) has no `constant`.
+/// Facts of each node, in the graph's order. What is built on an undefined constant subexpression
+/// (1/0, sqrt(-1)) is undefined, too, unless a condition may select something else; the first such
+/// node of the graph is where it begins. Undefined nodes have no `constant`.
 std::vector<Facts> facts_of(const Expr& expr);
+
+/// Facts of one more node, from those of the nodes before it.
+Facts facts_of_node(const Node& node, std::span<const Facts> before);
 
 }  // namespace zeroset

@@ -2,62 +2,122 @@
 
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/facts.hpp"
+#include "engine/expr/slots.hpp"
+#include "engine/num/block.hpp"
 
-#include <cassert>
+#include <cstring>
 #include <memory>
+#include <new>
+#include <type_traits>
 
 namespace zeroset {
 namespace {
 
+static_assert(batch_multiple % block_lanes == 0);
+
 struct Program {
     Expr expr;
     std::vector<Facts> facts;
+    Slots slots;
+
+    explicit Program(const Expr& graph)
+        : expr(graph), facts(facts_of(graph)), slots(assign_slots(graph, facts)) {}
 };
 
-const Program& program(const void* code) { return *static_cast<const Program*>(code); }
+/// This thread's room for the values of a graph, kept from call to call.
+template <class Value>
+std::vector<Value>& scratch(std::size_t slots) {
+    thread_local std::vector<Value> values;
+    if (values.size() < slots) values.resize(slots);
+    return values;
+}
 
-constexpr auto nothing = [] {};
+Block load(const float* lanes) {
+    Block block;
+    std::memcpy(&block, lanes, sizeof block);
+    return block;
+}
+void store(float* lanes, const Block& block) { std::memcpy(lanes, &block, sizeof block); }
 
-void range_of_box(const Program& code, const RangeBatch& batch, std::size_t i) {
-    IntervalAlgebra<float> algebra;
-    const auto leaf = [&](const Node& node, const Facts& facts) -> Interval<float> {
-        if (facts.constant) {
-            return {float_above(facts.constant->neg_lo), float_above(facts.constant->hi)};
+/// Evaluates the graph over `size` items by blocks. `leaf(node, facts, item)` makes the value of a
+/// variable or a constant subexpression, for a uniform one whatever the item; `finish(root, item)`
+/// takes the results.
+template <class Algebra, class Leaf, class Finish>
+void interpret_blocks(const Program& code, std::size_t size, Leaf leaf, Finish finish) {
+    using Value = typename Algebra::Value;
+    static_assert(std::is_trivially_destructible_v<Value>);
+    Algebra algebra;
+    std::vector<Value>& values = scratch<Value>(code.slots.count);
+    const auto compute = [&](NodeId id, std::size_t item) {
+        const Node& node = code.expr.node(id);
+        const Facts& facts = code.facts[id];
+        Value* const value = &values[code.slots.of[id]];
+        const auto operand = [&](NodeId k) {
+            return Operand<Value>{values[code.slots.of[k]], code.facts[k]};
+        };
+        // Made in its place, which no operand has: copying would cost as much as computing.
+        if (is_leaf(node, facts)) {
+            new (value) Value(leaf(node, facts, item));
+        } else {
+            new (value) Value(apply_to(algebra, node, operand));
         }
-        const auto v = static_cast<std::size_t>(node.number);
-        if (v < 3) return {batch.neg_lo[v][i], batch.hi[v][i]};
-        return {batch.uniforms[2 * (v - 3)], batch.uniforms[2 * (v - 3) + 1]};
     };
-    const Interval<float> f = evaluate(code.expr, code.facts, algebra, leaf, nothing);
-    const float nowhere = -static_cast<float>(infinity);
-    const bool defined = algebra.defined.value_or(true);
-    batch.f_neg_lo[i] = defined ? f.neg_lo : nowhere;
-    batch.f_hi[i] = defined ? f.hi : nowhere;
-    batch.continuous[i] = algebra.continuous.value_or(true) ? ~0U : 0U;
+    const NodeId root = code.expr.root();
+    for (NodeId id = 0; id <= root; ++id) {
+        if (code.facts[id].uniform) compute(id, 0);
+    }
+    for (std::size_t item = 0; item < size; item += block_lanes) {
+        for (NodeId id = 0; id <= root; ++id) {
+            if (!code.facts[id].uniform) compute(id, item);
+        }
+        finish(values[code.slots.of[root]], item);
+    }
 }
 
 void interpret_range(const void* code, const RangeBatch* batch) {
-    for (std::size_t i = 0; i < batch->size; ++i)
-        range_of_box(program(code), *batch, i);
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Enclosure<Block> {
+        if (facts.constant) {
+            return {{Block::splat(float_above(facts.constant->neg_lo)),
+                     Block::splat(float_above(facts.constant->hi))}};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v < 3) return {{load(batch->neg_lo[v] + i), load(batch->hi[v] + i)}};
+        return {{Block::splat(batch->uniforms[2 * (v - 3)]),
+                 Block::splat(batch->uniforms[2 * (v - 3) + 1])}};
+    };
+    const auto finish = [&](const Enclosure<Block>& f, std::size_t i) {
+        Interval<Block> range = f.range;
+        if (f.somewhere) {
+            const Block nowhere = Block::splat(-static_cast<float>(infinity));
+            range = select(*f.somewhere, range, Interval<Block>{nowhere, nowhere});
+        }
+        store(batch->f_neg_lo + i, range.neg_lo);
+        store(batch->f_hi + i, range.hi);
+        const std::optional<BlockMask> proved = conjunction(f.everywhere, f.continuous);
+        const unsigned bits = proved ? proved->bits : ~0U;
+        for (std::size_t lane = 0; lane < block_lanes; ++lane)
+            batch->continuous[i + lane] = (bits >> lane & 1U) != 0 ? ~0U : 0U;
+    };
+    interpret_blocks<IntervalAlgebra<Block>>(*static_cast<const Program*>(code), batch->size, leaf,
+                                             finish);
 }
 
 void interpret_value(const void* code, const ValueBatch* batch) {
-    for (std::size_t i = 0; i < batch->size; ++i) {
-        DualAlgebra<float> algebra;
-        const auto leaf = [&](const Node& node, const Facts& facts) -> Dual<float> {
-            if (facts.constant) return {facts.middle_float, {}};
-            const auto v = static_cast<std::size_t>(node.number);
-            if (v >= 3) return {batch->uniforms[v - 3], {}};
-            Dual<float> variable{batch->x[v][i], {}};
-            variable.slope[v] = 1.0F;
-            return variable;
-        };
-        const Dual<float> f =
-            evaluate(program(code).expr, program(code).facts, algebra, leaf, nothing);
-        batch->f[i] = f.value;
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Block> {
+        if (facts.constant) return {Block::splat(facts.middle_float), {}};
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) return {Block::splat(batch->uniforms[v - 3]), {}};
+        Dual<Block> variable{load(batch->x[v] + i), {}};
+        variable.slope[v] = Block::splat(1.0F);
+        return variable;
+    };
+    const auto finish = [&](const Dual<Block>& f, std::size_t i) {
+        store(batch->f + i, f.value);
         for (std::size_t k = 0; k < 3; ++k)
-            batch->gradient[k][i] = f.slope[k].value_or(0.0F);
-    }
+            store(batch->gradient[k] + i, f.slope[k].value_or(Block::splat(0.0F)));
+    };
+    interpret_blocks<DualAlgebra<Block>>(*static_cast<const Program*>(code), batch->size, leaf,
+                                         finish);
 }
 
 }  // namespace
@@ -73,21 +133,24 @@ Kernel interpret(const Expr& expr) {
     Kernel kernel = kernel_without_code(expr);
     kernel.range_function = interpret_range;
     kernel.value_function = interpret_value;
-    kernel.code = std::make_shared<Program>(Program{expr, facts_of(expr)});
+    kernel.code = std::make_shared<Program>(expr);
     return kernel;
 }
 
-Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at) {
+Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
+                      std::span<const double> parameters) {
     const std::vector<Facts> facts = facts_of(expr);
     DualAlgebra<double> algebra;
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<double> {
         if (fact.constant) return {fact.middle, {}};
         const auto v = static_cast<std::size_t>(node.number);
-        Dual<double> variable{v < at.size() ? at[v] : 1.0, {}};
+        const std::size_t p = v - at.size();
+        const double given = p < parameters.size() ? parameters[p] : 1.0;
+        Dual<double> variable{v < at.size() ? at[v] : given, {}};
         if (v < 3) variable.slope[v] = 1.0;
         return variable;
     };
-    return evaluate(expr, facts, algebra, leaf, nothing);
+    return evaluate(expr, facts, algebra, leaf, [] {});
 }
 
 }  // namespace zeroset

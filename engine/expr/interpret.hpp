@@ -5,14 +5,17 @@
 #include "engine/num/dual.hpp"
 
 #include <array>
+#include <span>
 
 namespace zeroset {
 
-/// The reference kernel: evaluates the graph lane by lane in C++. Bit-equal to the JIT's.
+/// The reference kernel: evaluates the graph block by block in C++. Bit-equal to the JIT's.
 Kernel interpret(const Expr& expr);
 
-/// f and its gradient in double at (x, y, z, w), not rounded outward; parameters are 1.
-Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at);
+/// f and its gradient in double at (x, y, z, w), not rounded outward; parameters that are not given
+/// are 1.
+Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
+                      std::span<const double> parameters = {});
 
 /// What every maker of kernels fills in from the graph.
 Kernel kernel_without_code(const Expr& expr);

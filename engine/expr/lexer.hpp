@@ -5,20 +5,35 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace zeroset {
 
-enum class TokenKind : std::uint8_t { Number, Name, Symbol, End };
-
-struct Token {
-    TokenKind kind;
-    std::string_view text;  ///< a part of the text; empty at the end
-    std::size_t offset;     ///< in bytes
+enum class TokenKind : std::uint8_t {
+    Number,
+    Name,         ///< a run of letters, a Greek letter, or a LaTeX command such as \frac
+    Superscript,  ///< an exponent in raised digits, as "-12"
+    Symbol,
+    Break,  ///< between two statements: ";" or the end of a line
+    End,
 };
 
-/// The text's tokens, the last of them End. The text must outlive them.
+/// Signs of one meaning have one text: "×", "·" and "\cdot" are "*", "π" and "\pi" are "pi".
+/// The bars of \left| and \right| are "(|" and "|)"; the commands \frac and \sqrt keep their "\".
+struct Token {
+    TokenKind kind = TokenKind::End;
+    std::string_view text;   ///< a part of the typed text or a constant
+    std::string subscript;   ///< of a name: "1" of c_1 and c_{1}
+    std::size_t offset = 0;  ///< in bytes
+    std::size_t length = 0;  ///< in bytes, as typed
+
+    [[nodiscard]] std::size_t end() const { return offset + length; }
+};
+
+/// The text's tokens, the last of them End. Line ends are Breaks only outside brackets and where
+/// the lines do not go on with each other. The text must outlive them.
 std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text);
 
 }  // namespace zeroset

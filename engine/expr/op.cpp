@@ -8,8 +8,8 @@ namespace zeroset {
 namespace {
 
 constexpr std::array table{
-#define ZEROSET_OP(id, method, spelling, arity, notation) \
-    OpInfo{Op::id, #id, spelling, arity, Notation::notation},
+#define ZEROSET_OP(id, method, spelling, arity, notation, about) \
+    OpInfo{Op::id, #id, spelling, arity, Notation::notation, about},
 #include "engine/expr/op.def"
 #undef ZEROSET_OP
 };
@@ -23,6 +23,8 @@ const OpInfo& op_info(Op op) {
     assert(index < table.size());
     return table[index];
 }
+
+int arity(Op op) { return op == Op::Constant || op == Op::Variable ? 0 : op_info(op).arity; }
 
 std::optional<Op> function_named(std::string_view name) {
     const auto* const found = std::ranges::find_if(table, [&](const OpInfo& info) {

@@ -10,12 +10,12 @@ namespace zeroset {
 enum class Op : std::uint8_t {
     Constant,
     Variable,
-#define ZEROSET_OP(id, method, spelling, arity, notation) id,
+#define ZEROSET_OP(id, method, spelling, arity, notation, about) id,
 #include "engine/expr/op.def"
 #undef ZEROSET_OP
 };
 
-enum class Notation : std::uint8_t { Prefix, Infix, Power, Call, Internal };
+enum class Notation : std::uint8_t { Prefix, Infix, Power, Root, Call, Compare, Logic, Internal };
 
 /// A row of op.def.
 struct OpInfo {
@@ -24,12 +24,15 @@ struct OpInfo {
     std::string_view spelling;
     int arity;
     Notation notation;
+    std::string_view about;  ///< for the user's list of functions; empty if not typed as one
 };
 
 /// All operators but the leaves, in the order of op.def.
 std::span<const OpInfo> operators();
 /// The row of an operator that is not a leaf.
 const OpInfo& op_info(Op op);
+/// How many operands; a leaf has none.
+int arity(Op op);
 /// The function that is typed as `name`, e.g. "sqrt".
 std::optional<Op> function_named(std::string_view name);
 

@@ -1,72 +1,153 @@
-// Expr::canonical: the formula with every operator written out and no parenthesis that
-// precedence makes needless.
+// The formula with every operator written out and no parenthesis that precedence makes needless.
 
+#include "engine/expr/constants.hpp"
 #include "engine/expr/expr.hpp"
 #include "engine/expr/number.hpp"
 
 #include <string>
+#include <vector>
 
 namespace zeroset {
 namespace {
 
-// How tightly the printed form of a node binds.
-enum Precedence : int { Sum = 1, Product = 2, Sign = 3, Power = 4, Atom = 5 };
+constexpr std::size_t longest_text = 100'000;  // what can be read back
 
-struct Printed {
-    std::string text;
-    int precedence;
+// How tightly the printed form of a node binds.
+enum Precedence : int { Or = 1, And, Not, Relation, Sum, Product, Sign, Power, Atom };
+
+int infix_precedence(Op op) {
+    if (op == Op::Or) return Or;
+    if (op == Op::And) return And;
+    if (op == Op::Less || op == Op::LessEqual) return Relation;
+    return op == Op::Add || op == Op::Subtract ? Sum : Product;
+}
+
+/// Writes a graph with a stack of its own: graphs may be deeper than the machine's stack.
+class Printer {
+public:
+    explicit Printer(const Expr& expr) : expr_(expr) {}
+
+    std::string text(NodeId root) {
+        pending_.push_back({{}, root, Or, true});
+        while (!pending_.empty()) {
+            const Piece piece = std::move(pending_.back());
+            pending_.pop_back();
+            if (text_.size() > longest_text) return text_ + "...";
+            if (piece.is_node) {
+                print(expr_.node(piece.node), piece.least);
+            } else {
+                text_ += piece.text;
+            }
+        }
+        return text_;
+    }
+
+private:
+    struct Piece {
+        std::string text;
+        NodeId node = 0;
+        int least = 0;  ///< a node that binds less tightly stands in parentheses
+        bool is_node = false;
+    };
+
+    void print(const Node& node, int least) {
+        std::vector<Piece> pieces;
+        const int precedence = pieces_of(node, pieces);
+        if (precedence < least) {
+            pieces.insert(pieces.begin(), Piece{"("});
+            pieces.push_back({")"});
+        }
+        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
+            pending_.push_back(std::move(*piece));
+    }
+
+    /// The pieces of a node, and how tightly they bind.
+    int pieces_of(const Node& node, std::vector<Piece>& pieces) {
+        if (node.op == Op::Constant) {
+            pieces.push_back({constant(node)});
+            return pieces.back().text.starts_with('-') ? Sign : Atom;
+        }
+        if (node.op == Op::Variable) {
+            pieces.push_back({std::string(variable_name(node.number, expr_.parameters()))});
+            return Atom;
+        }
+        const OpInfo& info = op_info(node.op);
+        switch (info.notation) {
+            case Notation::Prefix: pieces = {{"-"}, {{}, node.a, Sign, true}}; return Sign;
+            case Notation::Infix:
+            case Notation::Compare: return infix(node, pieces);
+            case Notation::Logic:
+                if (node.op != Op::Not) return infix(node, pieces);
+                pieces = {{"not "}, {{}, node.a, Relation, true}};
+                return Not;
+            case Notation::Power:
+                pieces = {{{}, node.a, Atom, true}, {"^" + std::to_string(node.number)}};
+                return Power;
+            case Notation::Root: return root(node, pieces);
+            case Notation::Call:
+            case Notation::Internal: break;
+        }
+        return call(node, info, pieces);
+    }
+
+    static int infix(const Node& node, std::vector<Piece>& pieces) {
+        const int precedence = infix_precedence(node.op);
+        const std::string spelling(op_info(node.op).spelling);
+        // Left-associative: a right operand of the same precedence keeps its parentheses, and a
+        // comparison is no operand of a comparison.
+        const int left = precedence == Relation ? Sum : precedence;
+        pieces = {{{}, node.a, left, true},
+                  {precedence == Product ? spelling : " " + spelling + " "},
+                  {{}, node.b, precedence + 1, true}};
+        return precedence;
+    }
+
+    static int root(const Node& node, std::vector<Piece>& pieces) {
+        if (node.number == 3) {
+            pieces = {{"cbrt("}, {{}, node.a, Or, true}, {")"}};
+            return Atom;
+        }
+        pieces = {{{}, node.a, Atom, true}, {"^(1/" + std::to_string(node.number) + ")"}};
+        return Power;
+    }
+
+    static int call(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
+        pieces = {{std::string(info.spelling) + "("}, {{}, node.a, Or, true}};
+        for (const NodeId further : {node.b, node.c}) {
+            if (static_cast<int>(pieces.size()) >= 2 * info.arity) break;
+            pieces.push_back({", "});
+            pieces.push_back({{}, further, Or, true});
+        }
+        pieces.push_back({")"});
+        return Atom;
+    }
+
+    static std::string constant(const Node& node) {
+        for (const NamedConstant& known : named_constants) {
+            if (is_named(node, known)) return std::string(known.name);
+            if (node.lo == -known.value.hi && node.hi == -known.value.lo)
+                return "-" + std::string(known.name);
+        }
+        return number_text({node.lo, node.hi});
+    }
+
+    const Expr& expr_;
+    std::vector<Piece> pending_;
+    std::string text_;
 };
 
-std::string in_parentheses_below(const Printed& printed, int precedence) {
-    return printed.precedence < precedence ? "(" + printed.text + ")" : printed.text;
-}
-
-Printed print_infix(const Node& node, const Printed& a, const Printed& b) {
-    const bool sum = node.op == Op::Add || node.op == Op::Subtract;
-    const int precedence = sum ? Sum : Product;
-    const std::string spelling(op_info(node.op).spelling);
-    // Left-associative: the right operand of the same precedence keeps its parentheses.
-    return {in_parentheses_below(a, precedence) + (sum ? " " + spelling + " " : spelling) +
-                in_parentheses_below(b, precedence + 1),
-            precedence};
-}
-
-Printed print_operator(const Node& node, const Printed& a, const Printed& b) {
-    const OpInfo& info = op_info(node.op);
-    switch (info.notation) {
-        case Notation::Prefix: return {"-" + in_parentheses_below(a, Sign), Sign};
-        case Notation::Infix: return print_infix(node, a, b);
-        case Notation::Power:
-            return {in_parentheses_below(a, Atom) + "^" + std::to_string(node.number), Power};
-        case Notation::Call:
-        case Notation::Internal: break;
-    }
-    const std::string arguments = info.arity == 2 ? a.text + ", " + b.text : a.text;
-    return {std::string(info.spelling) + "(" + arguments + ")", Atom};
-}
-
-Printed print_constant(const Node& node) {
-    std::string text = number_text({node.lo, node.hi});
-    const int precedence = text.starts_with('-') ? Sign : Atom;
-    return {std::move(text), precedence};
+/// f, and behind a comma the condition that restricts it.
+std::string with_restriction(const Expr& expr, const std::string& between) {
+    if (expr.nodes().empty()) return {};
+    const Node& root = expr.node(expr.root());
+    if (root.op != Op::Where) return Printer(expr).text(expr.root()) + between;
+    return Printer(expr).text(root.a) + between + ", " + Printer(expr).text(root.b);
 }
 
 }  // namespace
 
-std::string Expr::canonical() const {
-    if (nodes_.empty()) return {};
-    std::vector<Printed> printed;
-    printed.reserve(nodes_.size());
-    for (const Node& node : nodes_) {
-        if (node.op == Op::Constant) {
-            printed.push_back(print_constant(node));
-        } else if (node.op == Op::Variable) {
-            printed.push_back({std::string(variable_name(node.number, parameters_)), Atom});
-        } else {
-            printed.push_back(print_operator(node, printed[node.a], printed[node.b]));
-        }
-    }
-    return printed.back().text;
-}
+std::string Expr::canonical() const { return with_restriction(*this, ""); }
+
+std::string equation_text(const Expr& expr) { return with_restriction(expr, " = 0"); }
 
 }  // namespace zeroset

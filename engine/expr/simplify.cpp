@@ -1,121 +1,195 @@
 #include "engine/expr/simplify.hpp"
 
+#include "engine/expr/constants.hpp"
+
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 
 namespace zeroset {
 namespace {
 
-constexpr double largest_exact_integer = 0x1p53;
-constexpr double largest_exponent = 0x1p24;  // a float, as derivatives need it
+constexpr long long largest_exponent = 1LL << 24U;  // a float, as derivatives need it
+constexpr int max_cut_depth = 64;
 
 bool is_constant(const ExprBuilder& builder, NodeId id, double value) {
     const Node& node = builder.node(id);
     return node.op == Op::Constant && node.lo == value && node.hi == value;
 }
 
-/// Sums, products and powers of integers are exact up to this size.
-std::optional<double> exact_integer(double value) {
-    if (!(std::abs(value) <= largest_exact_integer)) return std::nullopt;
-    return value;
+/// base^exponent with the exponent at least 1; any node is a power of itself.
+struct Power {
+    NodeId base;
+    int exponent;
+};
+
+Power as_power(const ExprBuilder& builder, NodeId id) {
+    const Node& node = builder.node(id);
+    if (node.op == Op::IntPower) return {node.a, node.number};
+    return {id, 1};
 }
 
-/// a / b for integers where it is a multiple of 1/2.
-std::optional<double> exact_quotient(double a, double b) {
-    const double quotient = a / b;
-    if (std::fmod(2 * a, b) != 0) return std::nullopt;
-    return exact_integer(quotient);
-}
-
-/// n if the node is an exact integer of int range.
-std::optional<int> integer_value(const ExprBuilder& builder, NodeId id) {
-    const std::optional<double> value = exact_value(builder, id);
-    if (!value || std::abs(*value) > largest_exponent || *value != std::floor(*value))
+/// a * b for powers of the same base.
+std::optional<NodeId> merged_power(ExprBuilder& builder, NodeId a, NodeId b) {
+    const Power left = as_power(builder, a);
+    const Power right = as_power(builder, b);
+    if (left.base != right.base || left.exponent + right.exponent > largest_exponent)
         return std::nullopt;
-    return static_cast<int>(*value);
+    return make_int_power(builder, left.base, left.exponent + right.exponent);
+}
+
+bool is_integer(const std::optional<Fraction>& value) { return value && value->q == 1; }
+
+/// The node with atan2 replaced by Angle where it is an integer multiple of atan2.
+NodeId without_cut(ExprBuilder& builder, NodeId id, int depth = 0) {
+    const Node node = builder.node(id);
+    if (depth > max_cut_depth) return id;
+    if (node.op == Op::Atan2) return builder.apply(Op::Angle, node.a, node.b);
+    if (node.op == Op::Negate) {
+        return make_negate(builder, without_cut(builder, node.a, depth + 1));
+    }
+    if (node.op != Op::Multiply) return id;
+    if (is_integer(exact_fraction(builder, node.a))) {
+        return make_multiply(builder, node.a, without_cut(builder, node.b, depth + 1));
+    }
+    if (is_integer(exact_fraction(builder, node.b))) {
+        return make_multiply(builder, without_cut(builder, node.a, depth + 1), node.b);
+    }
+    return id;
+}
+
+/// a^(p/q) for p > 0, q > 1 as a power of roots, where that takes few operations.
+std::optional<NodeId> power_of_root(ExprBuilder& builder, NodeId a, const Fraction& exponent) {
+    const int halvings = std::countr_zero(static_cast<unsigned long long>(exponent.q));
+    const long long odd = exponent.q >> halvings;
+    if (odd > 15 || halvings > 2 || exponent.p > 30) return std::nullopt;
+    NodeId root = odd == 1 ? a : make_root(builder, a, static_cast<int>(odd));
+    for (int i = 0; i < halvings; ++i)
+        root = make_call(builder, Op::Sqrt, root);
+    return make_int_power(builder, root, static_cast<int>(exponent.p));
+}
+
+NodeId make_sqrt(ExprBuilder& builder, NodeId a) {
+    const Node node = builder.node(a);
+    if (node.op != Op::IntPower || node.number % 2 != 0) return builder.apply(Op::Sqrt, a);
+    return make_call(builder, Op::Abs, make_int_power(builder, node.a, node.number / 2));
+}
+
+NodeId make_abs(ExprBuilder& builder, NodeId a) {
+    const Node node = builder.node(a);
+    const bool even = node.op == Op::IntPower && node.number % 2 == 0;
+    if (even || node.op == Op::Abs || node.op == Op::Sqrt || node.op == Op::Exp) return a;
+    if (node.op == Op::Negate) return make_abs(builder, node.a);
+    return builder.apply(Op::Abs, a);
+}
+
+NodeId make_not(ExprBuilder& builder, NodeId a) {
+    const Node node = builder.node(a);
+    if (node.op == Op::Not) return node.a;
+    if (node.op == Op::Less) return builder.apply(Op::LessEqual, node.b, node.a);
+    if (node.op == Op::LessEqual) return builder.apply(Op::Less, node.b, node.a);
+    return builder.apply(Op::Not, a);
+}
+
+NodeId make_cos(ExprBuilder& builder, NodeId a) {
+    const NodeId angle = without_cut(builder, a);
+    const Node node = builder.node(angle);
+    return builder.apply(Op::Cos, node.op == Op::Negate ? node.a : angle);
+}
+
+}  // namespace
+
+NodeId make_negate(ExprBuilder& builder, NodeId a) {
+    const Node node = builder.node(a);
+    if (node.op == Op::Constant) return builder.constant(-node.hi, -node.lo);
+    if (node.op == Op::Negate) return node.a;
+    if (node.op == Op::Subtract) return make_subtract(builder, node.b, node.a);
+    return builder.apply(Op::Negate, a);
+}
+
+NodeId make_add(ExprBuilder& builder, NodeId a, NodeId b) {
+    const Node right = builder.node(b);
+    if (is_constant(builder, b, 0.0)) return a;
+    if (is_constant(builder, a, 0.0)) return b;
+    if (a == b) return make_multiply(builder, builder.constant(2.0), a);
+    if (right.op == Op::Negate) return make_subtract(builder, a, right.a);
+    return builder.apply(Op::Add, a, b);
+}
+
+NodeId make_subtract(ExprBuilder& builder, NodeId a, NodeId b) {
+    const Node right = builder.node(b);
+    if (is_constant(builder, b, 0.0)) return a;
+    if (is_constant(builder, a, 0.0)) return make_negate(builder, b);
+    if (right.op == Op::Negate) return make_add(builder, a, right.a);
+    return builder.apply(Op::Subtract, a, b);
+}
+
+NodeId make_multiply(ExprBuilder& builder, NodeId a, NodeId b) {
+    if (is_constant(builder, a, 1.0)) return b;
+    if (is_constant(builder, b, 1.0)) return a;
+    if (is_constant(builder, a, -1.0)) return make_negate(builder, b);
+    if (const auto power = merged_power(builder, a, b)) return *power;
+    const Node left = builder.node(a);
+    if (left.op == Op::Multiply) {
+        if (const auto power = merged_power(builder, left.b, b)) {
+            return make_multiply(builder, left.a, *power);
+        }
+    }
+    return builder.apply(Op::Multiply, a, b);
+}
+
+NodeId make_divide(ExprBuilder& builder, NodeId a, NodeId b) {
+    if (is_constant(builder, b, 1.0)) return a;
+    return builder.apply(Op::Divide, a, b);
 }
 
 NodeId make_int_power(ExprBuilder& builder, NodeId a, int n) {
     if (n < 0) return make_divide(builder, builder.constant(1.0), make_int_power(builder, a, -n));
     if (n == 0) return builder.constant(1.0);
     if (n == 1) return a;
-    return builder.apply(Op::IntPower, a, 0, n);
-}
-
-/// The node with atan2 replaced by Angle where it is an integer multiple of atan2.
-NodeId without_cut(ExprBuilder& builder, NodeId id) {
-    const Node node = builder.node(id);
-    if (node.op == Op::Atan2) return builder.apply(Op::Angle, node.a, node.b);
-    if (node.op == Op::Negate) return make_negate(builder, without_cut(builder, node.a));
-    if (node.op != Op::Multiply) return id;
-    if (integer_value(builder, node.a)) {
-        return make_multiply(builder, node.a, without_cut(builder, node.b));
-    }
-    if (integer_value(builder, node.b)) {
-        return make_multiply(builder, without_cut(builder, node.a), node.b);
-    }
-    return id;
-}
-
-}  // namespace
-
-std::optional<double> exact_value(const ExprBuilder& builder, NodeId id, int depth) {
-    const Node& node = builder.node(id);
-    if (node.op == Op::Constant) {
-        return node.lo == node.hi ? std::optional(node.lo) : std::nullopt;
-    }
-    const bool leaf = node.op == Op::Variable;
-    if (leaf || depth == 0 || op_info(node.op).notation == Notation::Call) return std::nullopt;
-    const std::optional<double> a = exact_value(builder, node.a, depth - 1);
-    if (!a || *a != std::floor(*a)) return std::nullopt;
-    if (node.op == Op::IntPower) return exact_integer(std::pow(*a, node.number));
-    if (node.op == Op::Negate) return exact_integer(-*a);
-    const std::optional<double> b = exact_value(builder, node.b, depth - 1);
-    if (!b || *b != std::floor(*b)) return std::nullopt;
-    if (node.op == Op::Add) return exact_integer(*a + *b);
-    if (node.op == Op::Subtract) return exact_integer(*a - *b);
-    if (node.op == Op::Multiply) return exact_integer(*a * *b);
-    if (node.op == Op::Divide && *b != 0) return exact_quotient(*a, *b);
-    return std::nullopt;
-}
-
-NodeId make_negate(ExprBuilder& builder, NodeId a) {
     const Node node = builder.node(a);
-    if (node.op == Op::Constant) return builder.constant(-node.hi, -node.lo);
-    if (node.op == Op::Negate) return node.a;
-    return builder.apply(Op::Negate, a);
+    if (node.op == Op::IntPower && static_cast<long long>(n) * node.number <= largest_exponent) {
+        return make_int_power(builder, node.a, n * node.number);
+    }
+    if (node.op == Op::Negate) {
+        const NodeId power = make_int_power(builder, node.a, n);
+        return n % 2 == 0 ? power : make_negate(builder, power);
+    }
+    if (node.op == Op::Abs && n % 2 == 0) return make_int_power(builder, node.a, n);
+    if (node.op == Op::OddRoot && node.number == n) return node.a;
+    return builder.apply(Op::IntPower, a, 0, 0, n);
 }
 
-NodeId make_add(ExprBuilder& builder, NodeId a, NodeId b) {
-    if (is_constant(builder, b, 0.0)) return a;
-    return builder.apply(Op::Add, a, b);
-}
-
-NodeId make_subtract(ExprBuilder& builder, NodeId a, NodeId b) {
-    if (is_constant(builder, b, 0.0)) return a;
-    return builder.apply(Op::Subtract, a, b);
-}
-
-NodeId make_multiply(ExprBuilder& builder, NodeId a, NodeId b) {
-    if (a == b) return make_int_power(builder, a, 2);
-    return builder.apply(Op::Multiply, a, b);
-}
-
-NodeId make_divide(ExprBuilder& builder, NodeId a, NodeId b) {
-    return builder.apply(Op::Divide, a, b);
+NodeId make_root(ExprBuilder& builder, NodeId a, int n) {
+    const Node node = builder.node(a);
+    if (node.op == Op::IntPower && node.number == n) return node.a;
+    return builder.apply(Op::OddRoot, a, 0, 0, n);
 }
 
 NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b) {
-    if (const std::optional<int> n = integer_value(builder, b)) {
-        return make_int_power(builder, a, *n);
+    const std::optional<Fraction> exponent = exact_fraction(builder, b);
+    if (exponent && std::abs(exponent->p) <= largest_exponent) {
+        if (exponent->q == 1) return make_int_power(builder, a, static_cast<int>(exponent->p));
+        const bool negative = exponent->p < 0;
+        const auto root = power_of_root(builder, a, {std::abs(exponent->p), exponent->q});
+        if (root) return negative ? make_divide(builder, builder.constant(1.0), *root) : *root;
     }
-    if (exact_value(builder, b) == 0.5) return builder.apply(Op::Sqrt, a);
-    return builder.apply(Op::Exp, make_multiply(builder, b, builder.apply(Op::Log, a)));
+    const Node base = builder.node(a);
+    if (is_named(base, euler)) return make_call(builder, Op::Exp, b);
+    return make_call(builder, Op::Exp, make_multiply(builder, b, make_call(builder, Op::Log, a)));
 }
 
-NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b) {
-    const bool periodic = function == Op::Sin || function == Op::Cos;
-    return builder.apply(function, periodic ? without_cut(builder, a) : a, b);
+NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b, NodeId c) {
+    if (function == Op::Sqrt) return make_sqrt(builder, a);
+    if (function == Op::Abs) return make_abs(builder, a);
+    if (function == Op::Cos) return make_cos(builder, a);
+    if (function == Op::Sin) return builder.apply(Op::Sin, without_cut(builder, a));
+    if (function == Op::Not) return make_not(builder, a);
+    if (function == Op::Log && builder.node(a).op == Op::Exp) return builder.node(a).a;
+    const bool idempotent =
+        function == Op::Min || function == Op::Max || function == Op::And || function == Op::Or;
+    if (idempotent && a == b) return a;
+    return builder.apply(function, a, b, c);
 }
 
 }  // namespace zeroset

@@ -8,22 +8,34 @@
 
 namespace zeroset {
 
-// Nodes by meaning, with the rewrites that keep the value everywhere and tighten the interval.
+// Nodes by meaning, with the rewrites that keep the value everywhere and never loosen the interval.
 
 NodeId make_negate(ExprBuilder& builder, NodeId a);
 NodeId make_add(ExprBuilder& builder, NodeId a, NodeId b);
 NodeId make_subtract(ExprBuilder& builder, NodeId a, NodeId b);
-/// x * x becomes a square.
+/// Factors that are powers of one base become one power.
 NodeId make_multiply(ExprBuilder& builder, NodeId a, NodeId b);
 NodeId make_divide(ExprBuilder& builder, NodeId a, NodeId b);
-/// An integer exponent makes powers and reciprocals, 1/2 a square root, any other exponent the
-/// real power exp(b log a), which needs a > 0.
+/// An integer exponent makes powers and reciprocals, a fraction p/q with small q roots (of negative
+/// numbers, too, where q is odd), any other exponent the real power exp(b ln a), which needs a > 0.
 NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b);
-/// A function of op.def. sin and cos of integer multiples of atan2 lose the cut of atan2.
-NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b);
+/// a^n for any n.
+NodeId make_int_power(ExprBuilder& builder, NodeId a, int n);
+/// The real root of degree n: odd and at least 3.
+NodeId make_root(ExprBuilder& builder, NodeId a, int n);
+/// A function or condition of op.def. sin and cos of integer multiples of atan2 lose the cut of
+/// atan2.
+NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b = 0, NodeId c = 0);
 
-/// The exact value of a subexpression of + - * / and powers over integers, if it is an integer or
-/// half of one; looked for `depth` operators deep.
-std::optional<double> exact_value(const ExprBuilder& builder, NodeId id, int depth = 64);
+/// p / q in lowest terms, q > 0.
+struct Fraction {
+    long long p, q;
+};
+
+/// The exact value of a subexpression of + - * / and powers over decimal numbers, if it is a
+/// fraction of moderate numbers; looked for `depth` operators deep.
+std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id, int depth = 64);
+/// The same, if it is a double.
+std::optional<double> exact_value(const ExprBuilder& builder, NodeId id);
 
 }  // namespace zeroset

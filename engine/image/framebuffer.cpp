@@ -9,6 +9,7 @@ Framebuffer::Framebuffer(int width_px, int height_px) : width(width_px), height(
     color.resize(pixels);
     depth.resize(pixels, std::numeric_limits<float>::infinity());
     certificate.resize(pixels, Certificate::Miss);
+    surface.resize(pixels, no_surface);
 }
 
 CertificateCounts count_certificates(const Framebuffer& frame) {
@@ -19,6 +20,14 @@ CertificateCounts count_certificates(const Framebuffer& frame) {
             case Certificate::Certified: ++counts.certified; break;
             case Certificate::Undecided: ++counts.undecided; break;
         }
+    }
+    return counts;
+}
+
+std::vector<std::size_t> count_surfaces(const Framebuffer& frame, std::size_t surfaces) {
+    std::vector<std::size_t> counts(surfaces);
+    for (const std::uint8_t surface : frame.surface) {
+        if (surface < surfaces) ++counts[surface];
     }
     return counts;
 }

@@ -13,6 +13,9 @@ enum class Certificate : std::uint8_t {
     Undecided,  ///< may hold a root where the search stopped; drawn if depth is finite
 };
 
+/// No surface is hit.
+inline constexpr std::uint8_t no_surface = 255;
+
 /// A finished or growing picture. Row 0 is the top. Plain data: one writer at a time per pixel.
 struct Framebuffer {
     int width = 0;
@@ -20,6 +23,7 @@ struct Framebuffer {
     std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R in the lowest byte
     std::vector<float> depth;          ///< distance from the eye, world units; +inf: a miss
     std::vector<Certificate> certificate;
+    std::vector<std::uint8_t> surface;  ///< index of the surface that is drawn, or no_surface
 
     Framebuffer() = default;
     Framebuffer(int width_px, int height_px);
@@ -35,5 +39,8 @@ struct CertificateCounts {
 };
 
 CertificateCounts count_certificates(const Framebuffer& frame);
+
+/// Pixels that show each of the first `surfaces` surfaces.
+std::vector<std::size_t> count_surfaces(const Framebuffer& frame, std::size_t surfaces);
 
 }  // namespace zeroset

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "engine/num/scalar.hpp"
 #include "engine/num/sleef.hpp"
+#include "engine/num/steps.hpp"
 
 #include <array>
+#include <limits>
 #include <optional>
 
 // Value and gradient by forward differentiation, over any carrier. Not rounded outward.
@@ -145,11 +146,117 @@ Dual<Real> log(const Dual<Real>& a) {
     return chain(elementary(Elementary::Log, a.value), like(a.value, 1.0) / a.value, a);
 }
 
+// 1 / ln(10) and 1 / ln(2), each as a sum of two floats.
+
+template <class Real>
+Dual<Real> log10(const Dual<Real>& a) {
+    const Real scale = like(a.value, 0x1.bcb7b2p-2) + like(a.value, -0x1.5b235ep-27);
+    return chain(elementary(Elementary::Log10, a.value), scale / a.value, a);
+}
+
+template <class Real>
+Dual<Real> log2(const Dual<Real>& a) {
+    const Real scale = like(a.value, 0x1.715476p+0) + like(a.value, 0x1.4ae0cp-26);
+    return chain(elementary(Elementary::Log2, a.value), scale / a.value, a);
+}
+
 template <class Real>
 Dual<Real> atan2(const Dual<Real>& y, const Dual<Real>& x) {
     const Real radius2 = x.value * x.value + y.value * y.value;
     return chain(elementary(Elementary::Atan2, y.value, x.value), x.value / radius2, y,
                  -(y.value / radius2), x);
+}
+
+template <class Real>
+Dual<Real> tan(const Dual<Real>& a) {
+    const Real value = elementary(Elementary::Tan, a.value);
+    return chain(value, like(value, 1.0) + value * value, a);
+}
+
+template <class Real>
+Dual<Real> cot(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    const Real value = one / elementary(Elementary::Tan, a.value);
+    return chain(value, -(one + value * value), a);
+}
+
+template <class Real>
+Dual<Real> asin(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    return chain(elementary(Elementary::Asin, a.value),
+                 one / square_root((one - a.value) * (one + a.value)), a);
+}
+
+template <class Real>
+Dual<Real> atan(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    return chain(elementary(Elementary::Atan, a.value), one / (one + a.value * a.value), a);
+}
+
+template <class Real>
+Dual<Real> sinh(const Dual<Real>& a) {
+    return chain(elementary(Elementary::Sinh, a.value), elementary(Elementary::Cosh, a.value), a);
+}
+
+template <class Real>
+Dual<Real> cosh(const Dual<Real>& a) {
+    return chain(elementary(Elementary::Cosh, a.value), elementary(Elementary::Sinh, a.value), a);
+}
+
+template <class Real>
+Dual<Real> tanh(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    const Real value = elementary(Elementary::Tanh, a.value);
+    return chain(value, (one - value) * (one + value), a);
+}
+
+template <class Real>
+Dual<Real> asinh(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    return chain(elementary(Elementary::Asinh, a.value), one / square_root(one + a.value * a.value),
+                 a);
+}
+
+template <class Real>
+Dual<Real> acosh(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    return chain(elementary(Elementary::Acosh, a.value),
+                 one / square_root((a.value - one) * (a.value + one)), a);
+}
+
+template <class Real>
+Dual<Real> atanh(const Dual<Real>& a) {
+    const Real one = like(a.value, 1.0);
+    return chain(elementary(Elementary::Atanh, a.value), one / ((one - a.value) * (one + a.value)),
+                 a);
+}
+
+/// The root of |a| from its logarithm, corrected by one step of Newton's method; 0 and +inf are
+/// left alone.
+template <class Real>
+Real point_odd_root(const Real& size, int n) {
+    if (n == 3) return elementary(Elementary::Cbrt, size);
+    const Real degree = like(size, n);
+    const Real root = elementary(Elementary::Exp, elementary(Elementary::Log, size) / degree);
+    const Real zero = like(size, 0.0);
+    const Real step = root * (size / point_power(root, n) - like(size, 1.0)) / degree;
+    const auto tiny = magnitude(step) < root;  // nowhere near 0 and +inf, where it is NaN
+    return root + select(tiny, step, zero);
+}
+
+/// The real n-th root, for odd n >= 3.
+template <class Real>
+Dual<Real> odd_root(const Dual<Real>& a, int n) {
+    const Real size = point_odd_root(magnitude(a.value), n);
+    const Real value = select_negative(a.value, -size, size);
+    return chain(value, like(size, 1.0) / (like(size, n) * point_power(size, n - 1)), a);
+}
+
+/// a - b k with k = floor(a/b), which does not change nearby.
+template <class Real>
+Dual<Real> mod(const Dual<Real>& a, const Dual<Real>& b) {
+    const Real k = round_down(a.value / b.value);
+    return chain(a.value - b.value * k, like(k, 1.0), a, -k, b);
 }
 
 template <class Mask, class Real>
@@ -171,6 +278,23 @@ Dual<Real> min(const Dual<Real>& a, const Dual<Real>& b) {
 template <class Real>
 Dual<Real> max(const Dual<Real>& a, const Dual<Real>& b) {
     return select_dual(a.value > b.value, a, b);
+}
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// a where the condition's value is above 0, b elsewhere; NaN where the condition is.
+template <class Real>
+Dual<Real> choose(const Real& condition, const Dual<Real>& a, const Dual<Real>& b) {
+    Dual<Real> result = select_dual(condition > like(condition, 0.0), a, b);
+    result.value = select(unordered(condition, condition), condition, result.value);
+    return result;
+}
+
+/// a where the condition's value is above 0, NaN elsewhere.
+template <class Real>
+Dual<Real> where(const Dual<Real>& a, const Real& condition) {
+    const auto holds = condition > like(condition, 0.0);
+    return {select(holds, a.value, like(a.value, not_a_number)), a.slope};
 }
 
 }  // namespace zeroset

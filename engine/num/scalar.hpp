@@ -31,6 +31,15 @@ inline float float_above(double value) {
 inline double relative_gap(float /*kind*/) { return 0x1p-22; }
 inline double relative_gap(double /*kind*/) { return 0x1p-51; }
 
+inline double smallest_normal(float /*kind*/) {
+    return static_cast<double>(std::numeric_limits<float>::min());
+}
+inline double smallest_normal(double /*kind*/) { return std::numeric_limits<double>::min(); }
+inline double largest_finite(float /*kind*/) {
+    return static_cast<double>(std::numeric_limits<float>::max());
+}
+inline double largest_finite(double /*kind*/) { return std::numeric_limits<double>::max(); }
+
 /// The second argument where the two are equal or unordered (x86 MAXPS, MINPS).
 template <class Real>
     requires std::is_floating_point_v<Real>
@@ -82,5 +91,7 @@ Real round_down(Real a) {
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
 inline bool no(bool a) { return !a; }
+/// Whether the masks are known to be the same.
+inline bool identical(bool a, bool b) { return a == b; }
 
 }  // namespace zeroset

@@ -3,8 +3,10 @@
 #include "engine/num/rounding.hpp"
 #include "engine/num/sleef_lanes.hpp"
 
+#include <mpfr.h>
+
 #include <bit>
-#include <cmath>
+#include <limits>
 
 namespace zeroset {
 namespace {
@@ -12,20 +14,75 @@ namespace {
 struct Row {
     int arity;
     double bound_ulp;
+    double overflow;
 };
 
 constexpr Row rows[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp) {arity, bound_ulp},
+#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) {arity, bound_ulp, overflow},
 #include "engine/num/sleef_functions.def"
 #undef ZEROSET_SLEEF
 };
 
 const Row& row(Elementary function) { return rows[static_cast<std::size_t>(function)]; }
 
+/// A number of double's precision.
+struct DoubleNumber {
+    mpfr_t value;
+
+    explicit DoubleNumber(double number) {
+        mpfr_init2(value, std::numeric_limits<double>::digits);
+        mpfr_set_d(value, number, MPFR_RNDN);
+    }
+    DoubleNumber(const DoubleNumber&) = delete;
+    DoubleNumber& operator=(const DoubleNumber&) = delete;
+    ~DoubleNumber() { mpfr_clear(value); }
+};
+
+/// While it lives, this thread's MPFR numbers have the exponents of double, denormals included.
+class DoubleExponents {
+public:
+    DoubleExponents() {
+        mpfr_set_emin(-1073);  // MPFR's significands are below 1: 2^-1074 is 0.5 * 2^-1073
+        mpfr_set_emax(1024);
+    }
+    ~DoubleExponents() {
+        mpfr_set_emin(emin_);
+        mpfr_set_emax(emax_);
+        mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // or it would leak where a thread ends
+    }
+    DoubleExponents(const DoubleExponents&) = delete;
+    DoubleExponents& operator=(const DoubleExponents&) = delete;
+
+private:
+    mpfr_exp_t emin_ = mpfr_get_emin();
+    mpfr_exp_t emax_ = mpfr_get_emax();
+};
+
+template <int (*Function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)>
+int call(mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr /*b*/) {
+    return Function(result, a, MPFR_RNDN);
+}
+template <int (*Function)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t)>
+int call(mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b) {
+    return Function(result, a, b, MPFR_RNDN);
+}
+
+/// Writes the function's value and returns MPFR's ternary value.
+int computed(Elementary function, mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b) {
+    switch (function) {
+#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) \
+    case Elementary::id: return call<mpfr_##name>(result, a, b);
+#include "engine/num/sleef_functions.def"
+#undef ZEROSET_SLEEF
+    }
+    return 0;
+}
+
 }  // namespace
 
 int elementary_arity(Elementary function) { return row(function).arity; }
 double elementary_bound_ulp(Elementary function) { return row(function).bound_ulp; }
+double elementary_overflow(Elementary function) { return row(function).overflow; }
 
 float elementary(Elementary function, float a, float b) {
     const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
@@ -36,15 +93,13 @@ float elementary(Elementary function, float a, float b) {
 
 double elementary(Elementary function, double a, double b) {
     const NearestRounding nearest;
-    switch (function) {
-        case Elementary::Sin: return std::sin(a);
-        case Elementary::Cos: return std::cos(a);
-        case Elementary::Acos: return std::acos(a);
-        case Elementary::Exp: return std::exp(a);
-        case Elementary::Log: return std::log(a);
-        case Elementary::Atan2: return std::atan2(a, b);
-    }
-    return std::nan("");
+    const DoubleExponents exponents;
+    const DoubleNumber x(a);
+    const DoubleNumber y(b);
+    DoubleNumber result(0.0);
+    const int rounded = computed(function, result.value, x.value, y.value);
+    mpfr_subnormalize(result.value, rounded, MPFR_RNDN);
+    return mpfr_get_d(result.value, MPFR_RNDN);
 }
 
 // SLEEF's "finz" functions (with fused multiply-add) give the same bits at every width, and so do

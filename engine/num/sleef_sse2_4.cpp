@@ -1,8 +1,8 @@
-#include <immintrin.h>
-#include <sleef.h>
-
 #include "engine/num/rounding.hpp"
 #include "engine/num/sleef_lanes.hpp"
+
+#include <immintrin.h>
+#include <sleef.h>
 
 #define LOOKUP sleef_sse2_4
 #define VECTOR __m128

@@ -27,18 +27,18 @@ struct Batch {
     alignas(64) std::uint32_t continuous[capacity];
 
     /// Evaluates the first `slots` slots.
-    void evaluate(const Scene& scene, std::size_t slots, Counters& counters) {
+    void evaluate(const TraceFrame& frame, std::size_t slots, Counters& counters) {
         const std::size_t used = slots * lanes;
         const std::size_t size = (used + batch_multiple - 1) / batch_multiple * batch_multiple;
         counters.range += used;
         const RangeBatch batch{size,
                                {ends[0], ends[1], ends[2]},
                                {ends[3], ends[4], ends[5]},
-                               scene.uniforms.neg_lo_hi.data(),
+                               frame.scene.uniforms.neg_lo_hi.data(),
                                f_neg_lo,
                                f_hi,
                                continuous};
-        scene.kernel.range(batch);
+        frame.kernel.range(batch);
     }
 };
 

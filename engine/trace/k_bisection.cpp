@@ -19,7 +19,9 @@
 //   packet of its own.
 // - Boxes are clipped to the part of the ray inside the clip box and in front of the eye.
 // - A slice on which f is not proved continuous is never a hit (the paper's rule for division,
-//   where F is infinite); the ray goes on, and its pixel is no longer certified.
+//   where F is infinite); the ray goes on, and its pixel is no longer certified. Where the
+//   first one begins is handed on, as it may lie before another surface's hit.
+// - Behind a limit of the tile (nearer surfaces of the scene) a ray ends.
 // - A hit whose ends have proved opposite signs is certified, any other is undecided.
 
 #include "engine/trace/k_bisection.hpp"
@@ -108,8 +110,10 @@ Candidates stop_rays(Packet& packet, const Candidates& found, std::size_t slot, 
     const Halves halves = halves_of(packet);
     packet.stop_at(left_hit, halves.from, halves.middle);
     packet.stop_at(right_hit, halves.middle, halves.to);
-    packet.unsettled |= Packet::bits_of(
-        hn::Or(hn::AndNot(left_continuous, left_stop), hn::AndNot(right_continuous, right_stop)));
+    const M left_gap = hn::AndNot(left_continuous, left_stop);
+    const M right_gap = hn::AndNot(right_continuous, right_stop);
+    packet.pass_gap(hn::Or(left_gap, right_gap),
+                    hn::IfThenElse(left_gap, halves.from, halves.middle));
     const M ended = hn::Or(left_hit, right_hit);
     return {hn::AndNot(ended, found.left), hn::AndNot(ended, found.right)};
 }
@@ -128,6 +132,18 @@ HWY_INLINE bool take_answers(Packet& packet, std::size_t slot, const Batch& batc
         if (finest) return packet.pop();
     }
     return packet.go_on(!hn::AllFalse(d, found.left), !hn::AllFalse(d, found.right));
+}
+
+/// Hands on the rays of a finished packet that passed a slice where f is not continuous.
+void push_unsettled(const Packet& packet, TileHits& hits) {
+    constexpr float shrink = 1.0F - 0x1p-20F;  // above the rounding errors of `stretch`
+    const float eye = float_above(packet.axes->eye[0]);
+    for (unsigned bits = packet.unsettled; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        const float behind = eye - packet.gap_from[lane];  // rounded upward
+        const float depth = -(behind * packet.stretch[lane]) * shrink;
+        hits.unsettled.push_back({packet.pixel(lane), std::max(depth, 0.0F)});
+    }
 }
 
 /// The packets of a tile that march, and those that wait for their certificates.
@@ -177,9 +193,7 @@ bool Group::refill() {
 
 /// A packet whose rays have all ended.
 void Group::retire(Packet& packet) {
-    for (unsigned bits = packet.unsettled & ~packet.hit; bits != 0; bits &= bits - 1) {
-        hits_.unsettled.push_back(packet.pixel(std::countr_zero(bits)));
-    }
+    push_unsettled(packet, hits_);
     if (packet.hit == 0) {
         idle_.push_back(&packet);
         return;
@@ -190,7 +204,7 @@ void Group::retire(Packet& packet) {
 
 void Group::finish_waiting() {
     if (waiting_.empty()) return;
-    finish(frame_.scene, waiting_, certificate_batch_, hits_, counters_);
+    finish(frame_, waiting_, certificate_batch_, hits_, counters_);
     idle_.insert(idle_.end(), waiting_.begin(), waiting_.end());
     waiting_.clear();
 }
@@ -202,7 +216,7 @@ void Group::run() {
     for (;;) {
         more = more && refill();
         if (marching_.empty()) break;
-        batch_.evaluate(frame_.scene, 2 * marching_.size(), counters_);
+        batch_.evaluate(frame_, 2 * marching_.size(), counters_);
         // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;
         for (std::size_t i = 0; i < marching_.size(); ++i) {

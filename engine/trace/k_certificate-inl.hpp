@@ -26,9 +26,6 @@ struct Brackets {
     alignas(vector_bytes) float certified[lanes];  ///< mask: the sign changes in [from, to]
 };
 
-/// How many further slices are looked at behind the one where the search stopped.
-constexpr int extra_slices = 3;
-
 /// +1 or -1 where the enclosure in the slot proves a sign, else 0 (undefined f too).
 HWY_INLINE V sign_in(const Batch& batch, std::size_t slot) {
     const V one = hn::Set(d, 1.0F);
@@ -91,8 +88,8 @@ HWY_INLINE bool take_look(Brackets& brackets, bool first, std::size_t slot, cons
 
 /// Certifies the rays of up to group_size packets that stopped at a root: looks for the opposite
 /// sign at the end of the slice, then slice by slice behind it.
-void certify(const Scene& scene, std::span<Packet* const> packets, std::span<Brackets> brackets,
-             Batch& batch, Counters& counters) {
+void certify(const TraceFrame& frame, std::span<Packet* const> packets,
+             std::span<Brackets> brackets, Batch& batch, Counters& counters) {
     for (int step = 0; step <= extra_slices; ++step) {
         for (std::size_t p = 0; p < packets.size(); ++p) {
             if (step == 0) {
@@ -101,7 +98,7 @@ void certify(const Scene& scene, std::span<Packet* const> packets, std::span<Bra
                 store_next_look(*packets[p], brackets[p], 2 * p, batch);
             }
         }
-        batch.evaluate(scene, 2 * packets.size(), counters);
+        batch.evaluate(frame, 2 * packets.size(), counters);
         bool any_open = false;
         for (std::size_t p = 0; p < packets.size(); ++p) {
             any_open |= take_look(brackets[p], step == 0, 2 * p, batch);
@@ -141,10 +138,10 @@ void push_hits(const Packet& packet, const Brackets& brackets, TileHits& hits) {
 }
 
 /// Certifies finished packets and hands on what they found.
-void finish(const Scene& scene, std::span<Packet* const> packets, Batch& batch, TileHits& hits,
+void finish(const TraceFrame& frame, std::span<Packet* const> packets, Batch& batch, TileHits& hits,
             Counters& counters) {
     std::array<Brackets, group_size> brackets;
-    certify(scene, packets, brackets, batch, counters);
+    certify(frame, packets, brackets, batch, counters);
     for (std::size_t p = 0; p < packets.size(); ++p)
         push_hits(*packets[p], brackets[p], hits);
 }

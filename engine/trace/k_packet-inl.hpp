@@ -39,7 +39,9 @@ constexpr int block_rows = static_cast<int>(lanes) / block_cols;
 constexpr unsigned all_lanes = (1U << lanes) - 1U;
 
 constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
-constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
+/// How many further slices a certificate looks at behind the one where the search stopped.
+constexpr int extra_slices = 3;
+constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
 constexpr std::size_t batch_capacity = 2 * group_size * lanes;
 
 /// The mask of the rays whose bits are set.
@@ -88,13 +90,15 @@ struct Packet {
     Line line[2];                                ///< of U and V
     const Axes* axes;
     unsigned hit;        ///< bits of the rays that stopped at a root
-    unsigned unsettled;  ///< bits of the rays that passed a slice where f is not continuous
+    unsigned unsettled;  ///< bits of the rays that have a gap_from
     int col, row;        ///< of the block's first pixel in the tile
     float origin, unit;
     std::int32_t slice_cells;
     std::int32_t cell, size;  ///< size is a power of two, at least 2
     std::uint32_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
     std::uint64_t slices;     ///< bits of the top slices still to be looked at
+    // Last, and aligned so that each packet begins a cache line.
+    alignas(64) float gap_from[lanes];  ///< the first slice where f is not continuous
 
     /// The floats that divide K: increasing, and equal for equal indices.
     [[nodiscard]] float grid(std::int32_t index) const {
@@ -132,6 +136,14 @@ struct Packet {
         hn::Store(hn::IfThenElse(found, to, hn::Load(d, hit_to)), d, hit_to);
         const M others = hn::AndNot(found, hn::MaskFromVec(hn::Load(d, alive)));
         hn::Store(hn::VecFromMask(d, others), d, alive);
+    }
+    /// Rays of `found` go on behind a slice from `from` where f is not continuous.
+    HWY_INLINE void pass_gap(M found, V from) {
+        if (hn::AllFalse(d, found)) return;
+        const unsigned first = bits_of(found) & ~unsettled;
+        if (first == 0) return;
+        unsettled |= first;
+        hn::Store(hn::IfThenElse(mask_of(first), from, hn::Load(d, gap_from)), d, gap_from);
     }
     [[nodiscard]] TileHits::Pixel pixel(int lane) const {
         return {static_cast<std::int16_t>(col + lane % block_cols),

@@ -46,6 +46,8 @@ private:
     /// Makes the rays of `bits` alive that meet the clip box.
     static void set_up_lanes(Packet& packet, const HalfLines& low, const HalfLines& high,
                              unsigned bits);
+    /// Ends the rays at the tile's limits.
+    void limit_lanes(Packet& packet) const;
     /// Chooses the packet's slices; false when no ray is alive.
     bool set_up_slices(Packet& packet) const;
     [[nodiscard]] int epsilon_depth(const Packet& packet, float k_min, float k_max) const;
@@ -233,6 +235,7 @@ inline bool PacketSource::next(Packet& packet) {
         packet.col = col_;
         packet.row = row_;
         set_up_lanes(packet, lines_of(axes, low), lines_of(axes, high), mine);
+        if (tile_.limits != nullptr) limit_lanes(packet);
         if (set_up_slices(packet)) return true;
     }
 }
@@ -259,6 +262,29 @@ HWY_INLINE void PacketSource::set_up_lanes(Packet& packet, const HalfLines& low,
     hn::Store(hn::Zero(d), d, packet.hit_to);
     packet.hit = 0;
     packet.unsettled = 0;
+}
+
+/// Leaves of each ray as many slices behind its limit as its certificate may look at, so that what
+/// is found before the limit does not depend on it. With other rules than d_stop slices follow from
+/// the rays' ends; those stay.
+HWY_NOINLINE void PacketSource::limit_lanes(Packet& packet) const {
+    if (frame_.stop.rule != StopRule::DStop) return;
+    const Axes& axes = *packet.axes;
+    alignas(vector_bytes) float limit[lanes];
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        limit[lane] = tile_.limits[packet.pixel(static_cast<int>(lane)).index()];
+    // Rounded upward, but for the stretch.
+    const V grow = hn::Set(d, 1.0F + 0x1p-20F);
+    const V along = hn::Mul(hn::Div(hn::Load(d, limit), hn::Load(d, packet.stretch)), grow);
+    const V from_eye = hn::Add(along, hn::Set(d, float_above(axes.eye[0])));
+    const V spare = hn::Set(d, static_cast<float>(1 + extra_slices) * axes.unit);
+    const V in = hn::Load(d, packet.k_in);
+    const V out = hn::Min(hn::Load(d, packet.k_out), hn::Add(from_eye, spare));
+    const M alive = hn::And(hn::MaskFromVec(hn::Load(d, packet.alive)), hn::Le(in, out));
+    const V anywhere = hn::Set(d, axes.origin);
+    hn::Store(hn::VecFromMask(d, alive), d, packet.alive);
+    hn::Store(hn::IfThenElse(alive, in, anywhere), d, packet.k_in);
+    hn::Store(hn::IfThenElse(alive, out, anywhere), d, packet.k_out);
 }
 
 /// How often a top slice is halved under the epsilon rule.

@@ -149,7 +149,7 @@ inline PatchSlices::PatchSlices(const TraceFrame& frame, const Tile& tile, Packe
             if (patches_[i].axes == nullptr) continue;
             store_slices(patches_[i], (i - first) * patch_slices, batch);
         }
-        batch.evaluate(frame.scene, batch_capacity / lanes, counters);
+        batch.evaluate(frame, batch_capacity / lanes, counters);
         for (std::size_t i = first; i < first + at_once; ++i) {
             if (patches_[i].axes == nullptr) continue;
             patches_[i].slices = slices_with_roots((i - first) * patch_slices, batch);

@@ -1,20 +1,24 @@
 #include "engine/trace/render.hpp"
 
 #include "engine/num/rounding.hpp"
+#include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <mutex>
+#include <vector>
 
 namespace zeroset {
 namespace {
 
 /// What a thread keeps from tile to tile.
 struct Workspace {
-    TileHits hits;
+    std::vector<TileHits> hits;  ///< of each surface
+    NearestSurfaces nearest;
     ShadeBuffers shade;
 };
 
@@ -32,24 +36,78 @@ std::size_t tile_count(int width, int height) {
     return along(width) * along(height);
 }
 
+/// A frame of a scene, tile by tile.
+class FramePainter {
+public:
+    FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                 Framebuffer& out, const std::atomic<bool>* cancel);
+    /// What it did; the tile stays as it was when cancelled. In upward rounding.
+    Counters paint(Tile tile, Workspace& workspace) const;
+
+private:
+    /// Fills workspace.hits with what each surface shows; false when cancelled.
+    bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
+    [[nodiscard]] bool cancelled() const {
+        return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
+    }
+
+    const Tracer& tracer_;
+    std::vector<TraceFrame> surfaces_;
+    Framebuffer& out_;
+    const std::atomic<bool>* cancel_;
+};
+
+FramePainter::FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                           Framebuffer& out, const std::atomic<bool>* cancel)
+    : tracer_(*find_tracer(settings.tracer)), out_(out), cancel_(cancel) {
+    const ViewFrame view(camera);
+    for (const Kernel& kernel : scene.surfaces)
+        surfaces_.push_back({scene, kernel, view, out.width, out.height, settings.stop});
+}
+
+bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
+    const bool several = surfaces_.size() > 1;
+    workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
+    if (several) workspace.nearest.clear();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (cancelled()) return false;
+        TileHits& hits = workspace.hits[i];
+        hits.clear();
+        tracer_.trace_tile(surfaces_[i], tile, hits, counters);
+        if (!several) return true;
+        workspace.nearest.add(hits, static_cast<std::uint8_t>(i));
+        tile.limits = workspace.nearest.limits();
+    }
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));
+    return true;
+}
+
+Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
+    Counters counters;
+    if (!trace(tile, workspace, counters)) return counters;
+    clear_tile(tile, out_);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        shade_tile(surfaces_[i], static_cast<std::uint8_t>(i), tile, workspace.hits[i],
+                   workspace.shade, out_, counters);
+    }
+    return counters;
+}
+
 }  // namespace
 
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                       Framebuffer& frame, const std::atomic<bool>* cancel) {
-    const Tracer* const tracer = find_tracer(settings.tracer);
-    assert(tracer != nullptr && camera_defect(camera) == nullptr);
-    const TraceFrame shared{scene, ViewFrame(camera), frame.width, frame.height, settings.stop};
+    assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
+    assert(!scene.surfaces.empty() && scene.surfaces.size() <= max_surfaces);
+    const FramePainter painter(scene, camera, settings, frame, cancel);
     std::mutex mutex;
     Counters total;
     parallel_for(tile_count(frame.width, frame.height), settings.threads, [&](std::size_t index) {
-        if (cancel != nullptr && cancel->load(std::memory_order_relaxed)) return;
         thread_local Workspace workspace;
         const UpwardRounding upward;
-        Counters counters;
         const Tile tile = tile_at(index, frame.width, frame.height);
-        workspace.hits.clear();
-        tracer->trace_tile(shared, tile, workspace.hits, counters);
-        shade_tile(shared, tile, workspace.hits, workspace.shade, frame, counters);
+        const Counters counters = painter.paint(tile, workspace);
         const std::scoped_lock lock(mutex);
         total += counters;
     });

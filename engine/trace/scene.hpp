@@ -3,15 +3,19 @@
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/camera.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace zeroset {
 
-/// What is drawn: a formula's code, the clip box and the uniforms' values. A value: copy it as a
-/// snapshot for a job.
+inline constexpr std::size_t max_surfaces = 255;
+
+/// What is drawn: the code of each surface's formula, the clip box and the uniforms' values, which
+/// all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
-    Kernel kernel;
+    std::vector<Kernel> surfaces;  ///< 1 to max_surfaces
     Box clip;
     Uniforms uniforms;
 };

@@ -1,5 +1,7 @@
 #include "engine/trace/shade.hpp"
 
+#include "engine/trace/palette.hpp"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/trace/shade.cpp"
 #include <hwy/foreach_target.h>
@@ -7,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 HWY_BEFORE_NAMESPACE();
@@ -55,10 +58,6 @@ struct Lights {
           fill(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward)) {}
 };
 
-// Reflectances, linear.
-constexpr float front_color[3] = {0.10F, 0.32F, 0.72F};
-constexpr float back_color[3] = {0.82F, 0.36F, 0.06F};
-
 /// A channel of the picture, 0 to 255, from linear light; gamma 2.
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     const hn::RebindToSigned<D> di;
@@ -69,8 +68,8 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
 }
 
 /// Colours of the first `size` hits, from position and gradient; `size` may be rounded up.
-void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
-                ShadeBuffers& buffers) {
+void shade_hits(const ViewFrame& view, const SurfaceColors& colors, const TileHits& hits,
+                std::size_t size, ShadeBuffers& buffers) {
     const hn::RebindToUnsigned<D> du;
     const Lights lights(view);
     const V3 key = splat(lights.key);
@@ -110,12 +109,32 @@ void shade_hits(const ViewFrame& view, const TileHits& hits, std::size_t size,
         const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
         auto color = hn::Set(du, 0xFF000000U);
         for (int channel = 0; channel < 3; ++channel) {
-            const V albedo = hn::IfThenElse(front, hn::Set(d, front_color[channel]),
-                                            hn::Set(d, back_color[channel]));
+            const V albedo = hn::IfThenElse(front, hn::Set(d, colors.front[channel]),
+                                            hn::Set(d, colors.back[channel]));
             const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
             color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
         }
         hn::StoreU(color, du, &buffers.color[i]);
+    }
+}
+
+template <class Tag, class T = hn::TFromD<Tag>>
+HWY_INLINE void fill(Tag tag, T value, std::size_t count, T* out) {
+    std::size_t i = 0;
+    for (; i + hn::Lanes(tag) <= count; i += hn::Lanes(tag))
+        hn::StoreU(hn::Set(tag, value), tag, out + i);
+    std::fill(out + i, out + count, value);
+}
+
+void clear_pixels(const Tile& tile, Framebuffer& out) {
+    const auto count = static_cast<std::size_t>(tile.cols);
+    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+        const std::size_t begin = out.index(tile.col, row);
+        fill(hn::RebindToUnsigned<D>(), background_color(row, out.height), count,
+             &out.color[begin]);
+        fill(d, std::numeric_limits<float>::infinity(), count, &out.depth[begin]);
+        std::memset(&out.certificate[begin], static_cast<int>(Certificate::Miss), count);
+        std::memset(&out.surface[begin], no_surface, count);
     }
 }
 
@@ -127,26 +146,18 @@ HWY_AFTER_NAMESPACE();
 namespace zeroset {
 namespace {
 
+HWY_EXPORT(clear_pixels);
 HWY_EXPORT(shade_hits);
-
-void clear_tile(const Tile& tile, Framebuffer& out) {
-    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
-        const std::size_t begin = out.index(tile.col, row);
-        const auto count = static_cast<std::size_t>(tile.cols);
-        std::fill_n(out.color.begin() + static_cast<std::ptrdiff_t>(begin), count,
-                    background_color(row, out.height));
-        std::fill_n(out.depth.begin() + static_cast<std::ptrdiff_t>(begin), count,
-                    std::numeric_limits<float>::infinity());
-        std::fill_n(out.certificate.begin() + static_cast<std::ptrdiff_t>(begin), count,
-                    Certificate::Miss);
-    }
-}
 
 std::size_t padded(std::size_t size) {
     return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
 }
 
 }  // namespace
+
+void clear_tile(const Tile& tile, Framebuffer& out) {
+    HWY_DYNAMIC_DISPATCH(clear_pixels)(tile, out);
+}
 
 ShadeBuffers::ShadeBuffers() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
@@ -164,12 +175,11 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
-void shade_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, ShadeBuffers& buffers,
-                Framebuffer& out, Counters& counters) {
-    clear_tile(tile, out);
-    for (const TileHits::Pixel pixel : hits.unsettled) {
-        out.certificate[out.index(tile.col + pixel.col, tile.row + pixel.row)] =
-            Certificate::Undecided;
+void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
+                ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
+    for (const auto& [at, depth] : hits.unsettled) {
+        Certificate& certificate = out.certificate[out.index(tile.col + at.col, tile.row + at.row)];
+        if (certificate == Certificate::Miss) certificate = Certificate::Undecided;
     }
     if (hits.size == 0) return;
     const std::size_t size = padded(hits.size);
@@ -177,20 +187,21 @@ void shade_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Shade
         std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
                   axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
     }
-    frame.scene.kernel.value(
+    frame.kernel.value(
         {size,
          {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
          frame.scene.uniforms.middle.data(),
          buffers.f.data(),
          {buffers.gradient[0].data(), buffers.gradient[1].data(), buffers.gradient[2].data()}});
     counters.value += hits.size;
-    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, hits, size, buffers);
+    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), hits, size, buffers);
     for (std::size_t i = 0; i < hits.size; ++i) {
         const std::size_t pixel =
             out.index(tile.col + hits.pixel[i].col, tile.row + hits.pixel[i].row);
         out.color[pixel] = buffers.color[i];
         out.depth[pixel] = hits.depth[i];
         out.certificate[pixel] = hits.certificate[i];
+        out.surface[pixel] = surface;
     }
 }
 

@@ -17,10 +17,14 @@ struct ShadeBuffers {
     ShadeBuffers();
 };
 
-/// Two-sided shading by the gradient: blue where the viewer stands on the side f > 0, amber on
-/// the other. Writes colour, depth and certificate of the tile's hits, background elsewhere.
-void shade_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, ShadeBuffers& buffers,
-                Framebuffer& out, Counters& counters);
+/// Background and misses in the whole tile.
+void clear_tile(const Tile& tile, Framebuffer& out);
+
+/// Two-sided shading by the gradient, in the colours of surface number `surface`: front where the
+/// viewer stands on the side f > 0, back on the other. Writes the hits of the surface, and
+/// Undecided where a ray is unsettled on pixels that are still misses; the rest of the tile stays.
+void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
+                ShadeBuffers& buffers, Framebuffer& out, Counters& counters);
 
 /// The background of an image row, RGBA.
 std::uint32_t background_color(int row, int height);

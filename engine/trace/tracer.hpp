@@ -13,9 +13,11 @@ namespace zeroset {
 
 inline constexpr int tile_size = 64;
 
-/// A frame being traced: what all its tiles share. Lives while the frame is drawn; read-only.
+/// A surface of a frame being traced: what all tiles share. Lives while the frame is drawn;
+/// read-only.
 struct TraceFrame {
     const Scene& scene;
+    const Kernel& kernel;  ///< of the surface: one of scene.surfaces
     ViewFrame view;
     int width;
     int height;
@@ -26,14 +28,28 @@ struct TraceFrame {
 struct Tile {
     int col, row;  ///< its first pixel
     int cols, rows;
+    /// For each pixel, in rows of tile_size, the distance from the eye beyond which nothing is
+    /// wanted: a tracer may leave out what is farther. nullptr: all is wanted.
+    const float* limits = nullptr;
 };
 
-/// What a tracer found in a tile: one item a hit, in no order. Position i of every array belongs
-/// together. Arrays are padded so that kernels may read and write up to a multiple of
-/// batch_multiple.
+/// What a tracer found of one surface in a tile: one item a hit, in no order, at most one a pixel.
+/// Position i of every array belongs together. Arrays are padded so that kernels may read and write
+/// up to a multiple of batch_multiple.
 struct TileHits {
     struct Pixel {
         std::int16_t col, row;  ///< within the tile
+
+        /// In arrays over the tile's pixels, in rows of tile_size.
+        [[nodiscard]] std::size_t index() const {
+            return static_cast<std::size_t>(row * tile_size + col);
+        }
+    };
+    /// A ray that passed a cell that could be neither rejected nor drawn: a pole, a jump, the edge
+    /// of a domain.
+    struct Unsettled {
+        Pixel at;
+        float depth;  ///< the first such cell is no nearer to the eye along the ray
     };
 
     std::size_t size = 0;
@@ -41,9 +57,8 @@ struct TileHits {
     std::vector<float> depth;                    ///< distance from the eye along the ray
     std::vector<Pixel> pixel;
     std::vector<Certificate> certificate;
-    /// Pixels whose ray passed a cell that could be neither rejected nor drawn (a pole, a jump)
-    /// and hit nothing afterwards.
-    std::vector<Pixel> unsettled;
+    /// One item a ray, whether it hit something afterwards or not; such a hit is not certified.
+    std::vector<Unsettled> unsettled;
 
     TileHits();
     void clear();
@@ -55,7 +70,8 @@ struct TileHits {
 struct Tracer {
     std::string_view name;
     std::string_view about;  ///< one line
-    /// Called in upward rounding, from many threads at once. `hits` is empty.
+    /// One surface, one tile. Called in upward rounding, from many threads at once. `hits` is
+    /// empty.
     void (*trace_tile)(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
 };

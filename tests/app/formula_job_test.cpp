@@ -49,17 +49,17 @@ public:
 TEST(FormulaJob, CompilesAText) {
     Receiver receiver;
     EXPECT_FALSE(receiver.job.take());
-    receiver.job.submit("x^2 + y");
+    receiver.job.submit("x^2 + y", {});
     const auto result = receiver.result_for("x^2 + y");
     ASSERT_TRUE(result);
     ASSERT_TRUE(result->formula);
-    EXPECT_TRUE((*result->formula)->kernel);
+    EXPECT_EQ((*result->formula)->kernels.size(), 1);
     EXPECT_FALSE(receiver.job.take()) << "a result is taken once";
 }
 
 TEST(FormulaJob, ReportsAnErrorWithItsText) {
     Receiver receiver;
-    receiver.job.submit("x + )");
+    receiver.job.submit("x + )", {});
     const auto result = receiver.result_for("x + )");
     ASSERT_TRUE(result);
     ASSERT_FALSE(result->formula);
@@ -71,7 +71,7 @@ TEST(FormulaJob, TheNewestTextWins) {
     std::string text = "x";
     for (int i = 0; i < 100; ++i) {
         text += "+y";
-        receiver.job.submit(text);
+        receiver.job.submit(text, {});
     }
     const auto result = receiver.result_for(text);
     ASSERT_TRUE(result);
@@ -79,11 +79,23 @@ TEST(FormulaJob, TheNewestTextWins) {
     EXPECT_FALSE(receiver.job.take()) << "nothing comes after the newest";
 }
 
+TEST(FormulaJob, ALargeFormulaArrivesInterpretedAndThenCompiled) {
+    Receiver receiver;
+    const std::string text = "sum(sin(i x + y)*cos(i y - z)/i, i, 1, 300)";
+    receiver.job.submit(text, {});
+    const auto first = receiver.result_for(text);
+    ASSERT_TRUE(first && first->formula);
+    EXPECT_EQ((*first->formula)->code, CodeState::InterpretedFirst);
+    const auto second = receiver.result_for(text);
+    ASSERT_TRUE(second && second->formula);
+    EXPECT_EQ((*second->formula)->code, CodeState::Machine);
+}
+
 TEST(FormulaJob, EndsWhileItWorks) {
     for (int i = 0; i < 5; ++i) {
         FormulaJob job([] {});
-        job.submit("sin(x)*cos(y) + exp(z)*" + std::to_string(i));
-        job.submit("x^2 + y^2 + z^2 = " + std::to_string(i));
+        job.submit("sin(x)*cos(y) + exp(z)*" + std::to_string(i), {});
+        job.submit("x^2 + y^2 + z^2 = " + std::to_string(i), {});
     }
 }
 

@@ -12,8 +12,9 @@ namespace {
 TEST(CompileFormula, MakesCodeThatRuns) {
     const auto formula = compile_formula("x^2 + y^2 = z + w");
     ASSERT_TRUE(formula) << formula.error().reason;
-    EXPECT_TRUE(formula->kernel);
-    EXPECT_TRUE(formula->kernel.uses_w);
+    ASSERT_EQ(formula->kernels.size(), 1);
+    EXPECT_TRUE(formula->uses_w());
+    EXPECT_EQ(formula->code, CodeState::Machine);
     EXPECT_EQ(formula->text, "x^2 + y^2 = z + w");
     EXPECT_GT(formula->compile_ms, 0.0);
 
@@ -29,7 +30,7 @@ TEST(CompileFormula, MakesCodeThatRuns) {
         y[i] = 2.0F;
         z[i] = -1.0F;
     }
-    formula->kernel.value(
+    formula->kernels[0].value(
         {batch_multiple, {x, y, z}, uniforms.middle.data(), f, {slope[0], slope[1], slope[2]}});
     for (std::size_t i = 0; i < batch_multiple; ++i) {
         EXPECT_EQ(f[i], x[i] * x[i] + 1.0F);
@@ -40,8 +41,8 @@ TEST(CompileFormula, MakesCodeThatRuns) {
 }
 
 TEST(CompileFormula, KnowsWhetherWMatters) {
-    EXPECT_FALSE(compile_formula("x + y").value().kernel.uses_w);
-    EXPECT_TRUE(compile_formula("x*w").value().kernel.uses_w);
+    EXPECT_FALSE(compile_formula("x + y").value().uses_w());
+    EXPECT_TRUE(compile_formula("x*w").value().uses_w());
 }
 
 TEST(CompileFormula, RefusesWhatIsNoSurface) {

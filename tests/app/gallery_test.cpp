@@ -42,10 +42,12 @@ TEST(Gallery, EveryItemIsExplained) {
 
 TEST(Gallery, EveryEquationIsRead) {
     for (const GalleryItem& item : gallery()) {
-        const auto expr = read_formula(item.equation);
-        ASSERT_TRUE(expr) << item.name << ": " << expr.error().reason;
-        EXPECT_TRUE(expr->parameters().empty()) << item.name;
-        EXPECT_TRUE(kernel_without_code(*expr).uses_w || item.w == 0.0) << item.name;
+        const auto program = read_formula(item.equation);
+        ASSERT_TRUE(program) << item.name << ": " << program.error().reason;
+        ASSERT_EQ(program->surfaces.size(), 1) << item.name;
+        EXPECT_TRUE(program->parameters.empty()) << item.name;
+        const Expr& expr = program->surfaces.front();
+        EXPECT_TRUE(kernel_without_code(expr).uses_w || item.w == 0.0) << item.name;
     }
 }
 

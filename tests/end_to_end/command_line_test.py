@@ -11,8 +11,8 @@ from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, r
 __all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
-STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "frame_ms", "certified",
-              "undecided", "miss", "evaluations"}
+STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "frame_ms",
+              "certified", "undecided", "miss", "surfaces", "evaluations"}
 
 
 class RenderTest(ProgramTest):
@@ -55,6 +55,8 @@ class RenderTest(ProgramTest):
         self.assertEqual((stats["width"], stats["height"], stats["threads"]), (50, 40, 1))
         self.assertEqual(stats["tracer"], "k-bisection")
         self.assertEqual(stats["certified"] + stats["undecided"] + stats["miss"], 50 * 40)
+        hits = stats["certified"] + stats["undecided"]
+        self.assertEqual(stats["surfaces"], [{"pixels": hits}])
         self.assertGreater(stats["certified"], 50)
         self.assertGreater(stats["compile_ms"], 0)
         self.assertEqual(set(stats["frame_ms"]), {"median", "min", "max", "repeats"})
@@ -163,11 +165,22 @@ class ExplainTest(ProgramTest):
     def test_json(self):
         answer = self.explain("x^2*y = z + 3", "--at", "2,-3,0.5")
         self.assertEqual(set(answer),
-                         {"ok", "canonical", "value", "gradient", "parameters", "nodes"})
+                         {"ok", "canonical", "drawn_as", "value", "gradient", "parameters", "nodes",
+                          "surfaces", "readings"})
         self.assertIs(answer["ok"], True)
         self.assertEqual((answer["value"], answer["gradient"]), (-15.5, [-12.0, 4.0, -1.0]))
         self.assertEqual(answer["parameters"], [])
         self.assertGreaterEqual(answer["nodes"], 5)
+
+    def test_statements(self):
+        text = "a = 2; f(u, v) = u^2 + v^2; f(x, y) = a b z, -1 < z < 1; x = c"
+        answer = self.explain(text, "--at", "1,2,0.5", "--set", "b=3")
+        self.assertEqual(answer["parameters"], ["b", "c"])
+        self.assertEqual(answer["readings"],
+                         ["a = 2", "f(u, v) = u^2 + v^2",
+                          "x^2 + y^2 - 2*b*z = 0, -1 < z and z < 1", "x - c = 0"])
+        self.assertEqual([surface["value"] for surface in answer["surfaces"]], [2, 0])
+        self.assertEqual(answer["value"], 2)
 
     def test_json_without_a_point_has_no_value(self):
         answer = self.explain("-", stdin="x + y\n")
@@ -175,7 +188,7 @@ class ExplainTest(ProgramTest):
 
     def test_functions_and_w(self):
         x, y, z, w = 0.7, -0.4, 1.3, 0.25
-        formula = "sqrt(x)*sin(y) + exp(z)*w - atan2(y, x) + log(z)*cos(x) + max(x, y) - abs(y)/2"
+        formula = "sqrt(x)*sin(y) + exp(z)*w - atan2(y, x) + ln(z)*cos(x) + max(x, y) - abs(y)/2"
         expected = (math.sqrt(x) * math.sin(y) + math.exp(z) * w - math.atan2(y, x)
                     + math.log(z) * math.cos(x) + max(x, y) - abs(y) / 2)
         answer = self.explain(formula, "--at", f"{x},{y},{z},{w}")

@@ -217,12 +217,25 @@ class WindowTest(unittest.TestCase):
         turned = self.drag(1, 0.2, 0.1)
         self.type_equation("y^2=x^2")
         planes = self.changed(turned, "the typed surface")
-        self.display.xdotool("key", "r")
-        self.wait_for(lambda: self.red_pixels() > 50, "an error about the r in the field")
+        self.display.xdotool("key", "parenright")
+        self.wait_for(lambda: self.red_pixels() > 50, "an error about the ) in the field")
         self.assertTrue(self.same(self.rest(lambda _: True, "rest"), planes))
         self.display.xdotool("key", "BackSpace", "Escape", "r")
         self.changed(planes, "the view reset")
-        self.wait_for(lambda: self.red_pixels() == 0, "the equation without its r")
+        self.wait_for(lambda: self.red_pixels() == 0, "the equation without its )")
+        self.quit_by_key()
+
+    def test_tab_leaves_the_field_and_f1_helps(self):
+        first = self.start(TORUS)
+        self.type_equation(BALL)
+        ball = self.changed(first, "the typed surface")
+        self.display.xdotool("key", "Tab")
+        self.display.xdotool("type", "++")
+        self.display.xdotool("key", "F1")
+        self.changed(ball, "the help")
+        self.assertEqual(self.red_pixels(), 0, "typed after Tab, yet in the field")
+        self.display.xdotool("key", "Escape")
+        self.rest(lambda image: self.same(image, ball), "no help any more")
         self.quit_by_key()
 
     def cpu_s(self):

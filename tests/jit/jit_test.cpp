@@ -76,8 +76,10 @@ class JitOperator : public ::testing::TestWithParam<OpInfo> {};
 TEST_P(JitOperator, HasTheInterpretersBits) {
     RandomNumbers random(10 + static_cast<std::uint64_t>(GetParam().op));
     const KernelBatch batch(random, 4096);
-    const bool power = GetParam().notation == Notation::Power;
-    for (const int n : power ? std::vector{2, 3, 4, 5, 6, 7, 8, 9, 16, 17} : std::vector{0}) {
+    std::vector<int> numbers{0};
+    if (GetParam().notation == Notation::Power) numbers = {2, 3, 4, 5, 6, 7, 8, 9, 16, 17};
+    if (GetParam().notation == Notation::Root) numbers = {3, 5, 7, 9, 17};
+    for (const int n : numbers) {
         expect_same_bits(operator_on_variables(GetParam(), n), batch);
     }
 }
@@ -96,10 +98,29 @@ TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
 TEST(Jit, HasTheInterpretersBitsOnFormulasWithConstants) {
     RandomNumbers random(12);
     const KernelBatch batch(random, 256);
-    for (const char* const text :
-         {"0.7*x + 0.3*y - 0.1", "x*(-0.7) + 2.3e-30", "x/0.3", "0.7^3*x", "x - 16777217",
-          "x*16777217", "x*1e40 + 1e-60*y", "x^0.3 + w", "sqrt(2)*x", "x*sin(2)", "x*sqrt(-1)",
-          "x + 1/0", "0.1", "0*x", "x^1000 - x^-3", "min(x, 0.7, y)", "-(-x) + 0"}) {
+    for (const char* const text : {"0.7*x + 0.3*y - 0.1",
+                                   "x*(-0.7) + 2.3e-30",
+                                   "x/0.3",
+                                   "0.7^3*x",
+                                   "x - 16777217",
+                                   "x*16777217",
+                                   "x*1e40 + 1e-60*y",
+                                   "x^0.3 + w",
+                                   "sqrt(2)*x",
+                                   "x*sin(2)",
+                                   "x*sqrt(-1)",
+                                   "x + 1/0",
+                                   "if(x > 0, ln(y), 1/0)",
+                                   "if(1 > 0, x, sqrt(-1))",
+                                   "mod(x, 0.1)",
+                                   "mod(x, 0)",
+                                   "mod(x, 2)",
+                                   "x*tan(1) + asinh(1e30)",
+                                   "0.1",
+                                   "0*x",
+                                   "x^1000 - x^-3",
+                                   "min(x, 0.7, y)",
+                                   "-(-x) + 0"}) {
         expect_same_bits(parsed(text), batch);
     }
 }

@@ -1,3 +1,4 @@
+#include "engine/expr/facts.hpp"
 #include "engine/expr/interpret.hpp"
 #include "tests/support/inclusion.hpp"
 #include "tests/support/mpfr_number.hpp"
@@ -68,8 +69,9 @@ Ranges ranges(const Kernel& kernel, const Boxes& in) {
                   continuous.data()});
     Ranges result{};
     for (std::size_t i = 0; i < boxes; ++i) {
-        const bool defined = f_hi[i] != -std::numeric_limits<float>::infinity();
-        result.of[i] = {{f_neg_lo[i], f_hi[i]}, defined, continuous[i] != 0};
+        const bool somewhere = f_hi[i] != -std::numeric_limits<float>::infinity();
+        const bool proved = continuous[i] != 0;
+        result.of[i] = {{f_neg_lo[i], f_hi[i]}, somewhere, proved, proved};
     }
     return result;
 }
@@ -82,7 +84,14 @@ TEST_F(InclusionOfExpressions, OfRandomGraphsHolds) {
         const Expr expr = random_expression(random, 1 + formula % 6);
         const Boxes in = random_boxes(random);
         const Ranges out = in_tested_mode(ranges, interpret(expr), in);
+        const Facts facts = facts_of(expr).back();
         for (std::size_t i = 0; i < boxes; ++i) {
+            if (facts.nonnegative) {
+                ASSERT_LE(out.of.at(i).value.neg_lo, 0) << "formula " << expr.canonical();
+            }
+            if (facts.undefined) {
+                ASSERT_FALSE(out.of.at(i).somewhere) << "formula " << expr.canonical();
+            }
             const std::array box{in.x[0][i], in.x[1][i], in.x[2][i], in.w};
             for (int k = 0; k < 3; ++k) {
                 std::array<double, variables> at{};

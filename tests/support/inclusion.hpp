@@ -36,8 +36,9 @@ Result in_tested_mode(Result (*function)(const Arguments&...), const Arguments&.
 template <class Real>
 struct Outcome {
     Interval<Real> value;
-    bool defined = true;
-    bool continuous = true;
+    bool somewhere = true;   ///< false: nowhere defined
+    bool everywhere = true;  ///< proved defined everywhere
+    bool continuous = true;  ///< proved continuous where defined
 };
 
 template <class Real>
@@ -75,10 +76,10 @@ protected:
         if (truth.is_unknown()) return ::testing::AssertionSuccess();
         ++checks_;
         if (!truth.defined) {
-            if (!outcome.continuous) return ::testing::AssertionSuccess();
-            return ::testing::AssertionFailure() << "undefined there, but claimed continuous";
+            if (!outcome.everywhere) return ::testing::AssertionSuccess();
+            return ::testing::AssertionFailure() << "undefined there, but claimed defined";
         }
-        if (!outcome.defined) {
+        if (!outcome.somewhere) {
             return ::testing::AssertionFailure() << "defined there, but claimed undefined";
         }
         if (contains(outcome.value, truth.value)) return ::testing::AssertionSuccess();

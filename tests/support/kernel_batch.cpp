@@ -17,6 +17,37 @@ void append_bits(std::vector<std::uint32_t>& bits, const std::vector<float>& val
 
 }  // namespace
 
+Bits one_item(const Interval<float>& range, bool continuous, float value,
+              const std::array<float, 3>& gradient) {
+    Bits bits;
+    append_bits(bits.range, {range.neg_lo, range.hi});
+    bits.range.push_back(continuous ? ~0U : 0U);
+    append_bits(bits.value, {value});
+    for (const float slope : gradient)
+        append_bits(bits.value, {std::isnan(value) ? value : slope});
+    return bits;
+}
+
+Bits item(const Bits& batch, std::size_t item) {
+    const auto every = [item](const std::vector<std::uint32_t>& all, std::size_t rows) {
+        std::vector<std::uint32_t> one;
+        for (std::size_t row = 0; row < rows; ++row)
+            one.push_back(all[row * (all.size() / rows) + item]);
+        return one;
+    };
+    return {every(batch.range, 3), every(batch.value, 4)};
+}
+
+std::array<Interval<float>, 3> KernelBatch::box(std::size_t item) const {
+    return {Interval<float>{neg_lo_[0][item], hi_[0][item]},
+            {neg_lo_[1][item], hi_[1][item]},
+            {neg_lo_[2][item], hi_[2][item]}};
+}
+
+std::array<float, 3> KernelBatch::point(std::size_t item) const {
+    return {x_[0][item], x_[1][item], x_[2][item]};
+}
+
 KernelBatch::KernelBatch(RandomNumbers& random, std::size_t count) : count_(count) {
     for (std::size_t v = 0; v < 3; ++v) {
         for (std::size_t i = 0; i < count; ++i) {

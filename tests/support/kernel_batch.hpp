@@ -3,6 +3,7 @@
 #include "engine/expr/kernel.hpp"
 #include "tests/support/random_numbers.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,6 +19,12 @@ struct Bits {
     bool operator==(const Bits&) const = default;
 };
 
+/// The bits of one item.
+Bits one_item(const Interval<float>& range, bool continuous, float value,
+              const std::array<float, 3>& gradient);
+/// One item's part of the answers for a batch.
+Bits item(const Bits& batch, std::size_t item);
+
 /// Boxes, points and one w, the same for every kernel.
 class KernelBatch {
 public:
@@ -26,6 +33,9 @@ public:
 
     /// All answers, computed in upward rounding.
     [[nodiscard]] Bits run(const Kernel& kernel) const;
+
+    [[nodiscard]] std::array<Interval<float>, 3> box(std::size_t item) const;
+    [[nodiscard]] std::array<float, 3> point(std::size_t item) const;
 
     Uniforms uniforms;
 

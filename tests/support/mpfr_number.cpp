@@ -44,6 +44,51 @@ Reference exponential(const MpfrNumber& a) {
     return defined(std::move(result));
 }
 
+/// Within [-1, 1], or in (-1, 1) for `open`.
+bool within_one(const MpfrNumber& a, bool open) {
+    if (a < -1.0 || a > 1.0) return false;
+    return !open || (a > -1.0 && a < 1.0);
+}
+
+Reference logarithm(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const MpfrNumber& a) {
+    return a.sign() <= 0 ? undefined() : defined(computed(function, a));
+}
+
+/// Sine and its like, which need many digits of pi for large operands.
+Reference periodic(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const MpfrNumber& a) {
+    return out_of_reach(a) ? unknown() : defined(computed(function, a));
+}
+
+/// floor(a + 1/2): mpfr_rint_round takes halves away from zero.
+MpfrNumber nearest_integer(const MpfrNumber& a) {
+    const MpfrNumber nearest = computed(mpfr_rint_round, a);
+    const MpfrNumber rest = a - nearest;
+    return mpfr_cmp_d(rest.get(), 0.5) == 0 ? nearest + MpfrNumber(1.0) : nearest;
+}
+
+/// a - b floor(a/b), from the exact remainder with the sign of a.
+Reference modulo(const MpfrNumber& a, const MpfrNumber& b) {
+    if (b.sign() == 0) return undefined();
+    if (out_of_reach(a) || out_of_reach(b)) return unknown();
+    MpfrNumber rest = computed(mpfr_fmod, a, b);
+    if (rest.sign() * b.sign() < 0) rest = rest + b;
+    return defined(std::move(rest));
+}
+
+Reference odd_root(const MpfrNumber& a, int n) {
+    MpfrNumber result;
+    mpfr_rootn_ui(result.get(), a.get(), static_cast<unsigned long>(n), MPFR_RNDN);
+    return defined(std::move(result));
+}
+
+Reference truth(bool holds) { return defined(MpfrNumber(holds ? 1.0 : 0.0)); }
+
+Reference angle(const MpfrNumber& y, const MpfrNumber& x) {
+    if (y.sign() == 0 && x.sign() == 0) return undefined();
+    if (out_of_reach(y) || out_of_reach(x)) return unknown();
+    return defined(computed(mpfr_atan2, y, x));
+}
+
 Reference integer_power(const MpfrNumber& a, int n) {
     MpfrNumber result;
     mpfr_pow_si(result.get(), a.get(), n, MPFR_RNDN);
@@ -74,8 +119,8 @@ MpfrNumber pi() {
     return result;
 }
 
-Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b) {
-    if (!a.is_finite() || !b.is_finite()) return unknown();
+Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, const MpfrNumber& c) {
+    if (!a.is_finite() || !b.is_finite() || !c.is_finite()) return unknown();
     switch (op) {
         case Op::Constant:
         case Op::Variable: break;
@@ -85,24 +130,62 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b) {
         case Op::Multiply: return defined(a * b);
         case Op::Divide: return quotient(a, b);
         case Op::IntPower: return integer_power(a, n);
+        case Op::OddRoot: return odd_root(a, n);
         case Op::Sqrt: return a.sign() < 0 ? undefined() : defined(computed(mpfr_sqrt, a));
         case Op::Abs: return defined(computed(mpfr_abs, a));
-        case Op::Sin: return out_of_reach(a) ? unknown() : defined(computed(mpfr_sin, a));
-        case Op::Cos: return out_of_reach(a) ? unknown() : defined(computed(mpfr_cos, a));
-        case Op::Acos: return a < -1.0 || a > 1.0 ? undefined() : defined(computed(mpfr_acos, a));
-        case Op::Atan2:
-        case Op::Angle:
-            if (a.sign() == 0 && b.sign() == 0) return undefined();
-            if (out_of_reach(a) || out_of_reach(b)) return unknown();
-            return defined(computed(mpfr_atan2, a, b));
+        case Op::Sign: return defined(MpfrNumber((a.sign() > 0) - (a.sign() < 0)));
+        case Op::Floor: return defined(computed(mpfr_rint_floor, a));
+        case Op::Ceil: return defined(computed(mpfr_rint_ceil, a));
+        case Op::Round: return defined(nearest_integer(a));
+        case Op::Mod: return modulo(a, b);
+        case Op::Min:
+        case Op::And: return defined(computed(mpfr_min, a, b));
+        case Op::Max:
+        case Op::Or: return defined(computed(mpfr_max, a, b));
+        case Op::Not: return defined(MpfrNumber(1.0) - a);
         case Op::Exp: return exponential(a);
-        case Op::Log: return a.sign() <= 0 ? undefined() : defined(computed(mpfr_log, a));
-        case Op::Min: return defined(computed(mpfr_min, a, b));
-        case Op::Max: return defined(computed(mpfr_max, a, b));
+        case Op::Log: return logarithm(mpfr_log, a);
+        case Op::Log10: return logarithm(mpfr_log10, a);
+        case Op::Log2: return logarithm(mpfr_log2, a);
+        case Op::Sin: return periodic(mpfr_sin, a);
+        case Op::Cos: return periodic(mpfr_cos, a);
+        case Op::Tan: return periodic(mpfr_tan, a);
+        case Op::Cot: return a.sign() == 0 ? undefined() : periodic(mpfr_cot, a);
+        case Op::Asin: return within_one(a, false) ? defined(computed(mpfr_asin, a)) : undefined();
+        case Op::Acos: return within_one(a, false) ? defined(computed(mpfr_acos, a)) : undefined();
+        case Op::Atan: return defined(computed(mpfr_atan, a));
+        case Op::Atan2:
+        case Op::Angle: return angle(a, b);
+        case Op::Sinh: return defined(computed(mpfr_sinh, a));
+        case Op::Cosh: return defined(computed(mpfr_cosh, a));
+        case Op::Tanh: return defined(computed(mpfr_tanh, a));
+        case Op::Asinh: return defined(computed(mpfr_asinh, a));
+        case Op::Acosh: return a < 1.0 ? undefined() : defined(computed(mpfr_acosh, a));
+        case Op::Atanh: return within_one(a, true) ? defined(computed(mpfr_atanh, a)) : undefined();
+        case Op::Less: return truth(mpfr_less_p(a.get(), b.get()) != 0);
+        case Op::LessEqual: return truth(mpfr_lessequal_p(a.get(), b.get()) != 0);
+        case Op::If: return defined(a.sign() > 0 ? b : c);
+        case Op::Where: return b.sign() > 0 ? defined(a) : undefined();
     }
     ADD_FAILURE() << "the reference does not know operator " << static_cast<int>(op);
     return undefined();
 }
+
+namespace {
+
+Reference of_operator(const Node& node, const std::vector<Reference>& values) {
+    const Reference& a = values[node.a];
+    const Reference& b = arity(node.op) < 2 ? a : values[node.b];
+    const Reference& c = arity(node.op) < 3 ? a : values[node.c];
+    if (node.op == Op::If) {
+        if (!a.defined || a.is_unknown()) return a;
+        return a.value.sign() > 0 ? b : c;
+    }
+    if (!a.defined || !b.defined || !c.defined) return undefined();
+    return reference(node.op, node.number, a.value, b.value, c.value);
+}
+
+}  // namespace
 
 Reference reference(const Expr& expr, const std::array<double, 4>& at) {
     std::vector<Reference> values;
@@ -117,10 +200,7 @@ Reference reference(const Expr& expr, const std::array<double, 4>& at) {
             values.push_back(defined(MpfrNumber(at.at(static_cast<std::size_t>(node.number)))));
             continue;
         }
-        const Reference& a = values[node.a];
-        const Reference& b = op_info(node.op).arity == 2 ? values[node.b] : a;
-        values.push_back(a.defined && b.defined ? reference(node.op, node.number, a.value, b.value)
-                                                : undefined());
+        values.push_back(of_operator(node, values));
     }
     return std::move(values.back());
 }

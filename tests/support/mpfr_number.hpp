@@ -60,9 +60,13 @@ struct Reference {
     [[nodiscard]] bool is_unknown() const { return defined && value.is_nan(); }
 };
 
-/// The operator at (a, b); `n` is the exponent of IntPower. Angle is taken for atan2. Fails the
-/// running test for an operator that it does not know.
-Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b);
+/// The operator at its operands (those that it does not have are any number); `n` is the exponent
+/// of IntPower, the degree of OddRoot. Angle is taken for atan2. Fails the running test for an
+/// operator that it does not know.
+Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, const MpfrNumber& c);
+inline Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b) {
+    return reference(op, n, a, b, b);
+}
 
 /// The whole formula at (x, y, z, w). A constant that is no double is taken in the middle of its
 /// enclosure.

@@ -2,8 +2,10 @@
 
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
+#include "tests/support/op_names.hpp"
 
 #include <array>
+#include <cstdlib>
 
 namespace zeroset::test {
 namespace {
@@ -17,32 +19,73 @@ NodeId random_leaf(ExprBuilder& builder, RandomNumbers& random) {
     return random.one_in(3) ? make_negate(builder, constant) : constant;
 }
 
-NodeId made(ExprBuilder& builder, const OpInfo& info, NodeId a, NodeId b, int n) {
+NodeId random_condition(ExprBuilder& builder, RandomNumbers& random, int depth);
+NodeId random_node(ExprBuilder& builder, RandomNumbers& random, int depth);
+
+/// Up to three operands of the kinds that the operator takes, now and then the same one twice.
+std::array<NodeId, 3> random_operands(ExprBuilder& builder, RandomNumbers& random,
+                                      const OpInfo& info, int depth) {
+    std::array<NodeId, 3> operands{};
+    for (int k = 0; k < info.arity; ++k) {
+        NodeId& operand = operands.at(static_cast<std::size_t>(k));
+        const bool condition = takes_condition(info, k);
+        const bool shared = k > 0 && condition == takes_condition(info, k - 1) && random.one_in(6);
+        if (shared) {
+            operand = operands.at(static_cast<std::size_t>(k - 1));
+        } else {
+            operand = condition ? random_condition(builder, random, depth)
+                                : random_node(builder, random, depth);
+        }
+    }
+    return operands;
+}
+
+NodeId made_infix(ExprBuilder& builder, Op op, NodeId a, NodeId b) {
+    if (op == Op::Add) return make_add(builder, a, b);
+    if (op == Op::Subtract) return make_subtract(builder, a, b);
+    if (op == Op::Multiply) return make_multiply(builder, a, b);
+    return make_divide(builder, a, b);
+}
+
+NodeId made(ExprBuilder& builder, const OpInfo& info, const std::array<NodeId, 3>& operands,
+            int n) {
+    const auto [a, b, c] = operands;
     switch (info.notation) {
         case Notation::Prefix: return make_negate(builder, a);
-        case Notation::Infix: break;
+        case Notation::Infix: return made_infix(builder, info.op, a, b);
         case Notation::Power: return make_power(builder, a, builder.constant(n));
-        case Notation::Call: return make_call(builder, info.op, a, b);
+        case Notation::Root: return make_root(builder, a, 2 * (std::abs(n) % 5) + 3);
+        case Notation::Call:
+        case Notation::Compare:
+        case Notation::Logic: break;
         case Notation::Internal:
             return make_call(
                 builder, Op::Sin,
                 make_multiply(builder, builder.constant(n), make_call(builder, Op::Atan2, a, b)),
                 0);
     }
-    if (info.op == Op::Add) return make_add(builder, a, b);
-    if (info.op == Op::Subtract) return make_subtract(builder, a, b);
-    if (info.op == Op::Multiply) return make_multiply(builder, a, b);
-    return make_divide(builder, a, b);
+    return make_call(builder, info.op, a, b, c);
+}
+
+/// An operator whose value is a condition, or one whose value is a number.
+const OpInfo& random_operator(RandomNumbers& random, bool condition) {
+    for (;;) {
+        const OpInfo& info = operators()[random.below(operators().size())];
+        if (is_condition(info) == condition) return info;
+    }
+}
+
+NodeId random_condition(ExprBuilder& builder, RandomNumbers& random, int depth) {
+    const OpInfo& info = depth == 0 ? op_info(Op::Less) : random_operator(random, true);
+    const int below = depth == 0 ? 0 : depth - 1;
+    return made(builder, info, random_operands(builder, random, info, below), 0);
 }
 
 NodeId random_node(ExprBuilder& builder, RandomNumbers& random, int depth) {
     if (depth == 0 || random.one_in(8)) return random_leaf(builder, random);
-    const OpInfo& info = operators()[random.below(operators().size())];
-    const NodeId a = random_node(builder, random, depth - 1);
-    const bool binary = info.arity == 2;
-    const bool shared = binary && random.one_in(6);
-    const NodeId b = binary && !shared ? random_node(builder, random, depth - 1) : a;
-    return made(builder, info, a, b, random.between(-3, 9));
+    const OpInfo& info = random_operator(random, false);
+    const auto operands = random_operands(builder, random, info, depth - 1);
+    return made(builder, info, operands, random.between(-3, 9));
 }
 
 }  // namespace
@@ -54,9 +97,16 @@ Expr random_expression(RandomNumbers& random, int depth) {
 
 Expr operator_on_variables(const OpInfo& info, int n) {
     ExprBuilder builder;
-    const NodeId x = builder.variable(0);
-    const NodeId y = builder.variable(1);
-    return builder.finish(builder.apply(info.op, x, y, info.notation == Notation::Power ? n : 0));
+    const std::array variables{builder.variable(0), builder.variable(1), builder.variable(2)};
+    const std::array conditions{builder.apply(Op::Less, variables[0], variables[1]),
+                                builder.apply(Op::LessEqual, variables[2], variables[0])};
+    const auto operand = [&](int k) {
+        const auto index = static_cast<std::size_t>(k);
+        return takes_condition(info, k) ? conditions.at(index) : variables.at(index);
+    };
+    const bool numbered = info.notation == Notation::Power || info.notation == Notation::Root;
+    return builder.finish(builder.apply(info.op, operand(0), info.arity < 2 ? 0 : operand(1),
+                                        info.arity < 3 ? 0 : operand(2), numbered ? n : 0));
 }
 
 }  // namespace zeroset::test

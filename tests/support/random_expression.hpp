@@ -5,11 +5,12 @@
 
 namespace zeroset::test {
 
-/// A graph of every operator of op.def and x, y, z, w, at most `depth` operators deep. All of it
-/// could have been parsed.
+/// A graph of every operator of op.def and x, y, z, w, about `depth` operators deep (a condition
+/// may be one deeper). All of it could have been parsed.
 Expr random_expression(RandomNumbers& random, int depth);
 
-/// The operator on x (and y), with the exponent `n` for IntPower.
+/// The operator on x, y, z, with `n` for IntPower and OddRoot. Operands that are conditions are
+/// x < y as the first, z <= x as the second.
 Expr operator_on_variables(const OpInfo& info, int n = 3);
 
 }  // namespace zeroset::test

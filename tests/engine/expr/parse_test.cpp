@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -95,10 +96,15 @@ TEST(Parse, FindsIntegerExponentsHoweverTheyAreWritten) {
 }
 
 TEST(Parse, TakesEveryFunctionOfTheTable) {
+    static constexpr std::array arguments{"(x)", "(x, y)", "(x, y, z)"};
     for (const OpInfo& info : operators()) {
         if (info.notation != Notation::Call) continue;
         const std::string name(info.spelling);
-        const auto expr = parse(name + (info.arity == 1 ? "(x)" : "(x, y)"));
+        const std::string typed = info.op == Op::If ? "(x < y, y, z)"
+                                  : info.op == Op::Where
+                                      ? "(x, y < z)"
+                                      : arguments.at(static_cast<std::size_t>(info.arity - 1));
+        const auto expr = parse(name + typed);
         ASSERT_TRUE(expr.has_value()) << name << ": " << expr.error().reason;
         EXPECT_EQ(expr->node(expr->root()).op, info.op);
     }
@@ -109,7 +115,7 @@ TEST(Parse, TakesEveryFunctionOfTheTable) {
     EXPECT_EQ(value_of("acos(0.25)"), std::acos(0.25));
     EXPECT_EQ(value_of("atan2(x, y)"), std::atan2(2.0, 3.0));
     EXPECT_EQ(value_of("exp(x)"), std::exp(2.0));
-    EXPECT_EQ(value_of("log(x)"), std::log(2.0));
+    EXPECT_EQ(value_of("ln(x)"), std::log(2.0));
     EXPECT_EQ(value_of("min(x, y)"), 2);
     EXPECT_EQ(value_of("max(x, y)"), 3);
 }
@@ -133,9 +139,6 @@ TEST(Parse, PointsAtWhatIsWrong) {
         {"* x", 0, "missing before '*'"},
         {"x + * y", 4, "missing after '+'"},
         {"x ^", 3, "missing after '^'"},
-        {"x y", 2, "operator is missing"},
-        {"2x", 1, "operator is missing between '2' and 'x'"},
-        {"x (y)", 2, "operator is missing"},
         {"(x", 0, "not closed"},
         {"x + (y*(z)", 4, "not closed"},
         {"sqrt(x", 4, "not closed"},
@@ -144,9 +147,7 @@ TEST(Parse, PointsAtWhatIsWrong) {
         {"x = y = z", 6, "second '='"},
         {"= x", 0, "missing before '='"},
         {"x =", 3, "missing after '='"},
-        {"(x = y)", 3, "second '='"},
-        {"x, y", 1, "','"},
-        {"sqrt x", 5, "'(' is missing after 'sqrt'"},
+        {"x, y", 3, "condition is wanted"},
         {"1 + sqrt(x, y)", 4, "sqrt takes 1 argument, not 2"},
         {"atan2(x)", 0, "atan2 takes 2 arguments, not 1"},
         {"min(x)", 0, "min takes 2 or more arguments, not 1"},
@@ -156,9 +157,7 @@ TEST(Parse, PointsAtWhatIsWrong) {
         {"x + 1e301", 4, "too large"},
         {"1e999", 0, "too large"},
         {"x . y", 2, "'.' has no meaning"},
-        {"x # y", 2, "'#' has no meaning"},
         {"x + \xc3\xa9", 4, "'\xc3\xa9' has no meaning"},
-        {"x \xe2\x88\x92 y", 2, "'\xe2\x88\x92' has no meaning"},
     };
     for (const Refusal& refusal : refusals) {
         const auto expr = parse(refusal.text);
@@ -171,8 +170,8 @@ TEST(Parse, PointsAtWhatIsWrong) {
 
 TEST(Parse, HintsAtTheNearestName) {
     EXPECT_TRUE(parse("sqr(x)").error().hint.contains("sqrt"));
-    EXPECT_TRUE(parse("xo").error().hint.contains("x?"));
-    EXPECT_TRUE(parse("2x").error().hint.contains("2*x"));
+    EXPECT_TRUE(parse("asqrt(x)").error().hint.contains("sqrt"));
+    EXPECT_TRUE(parse("x2").error().hint.contains("x*2, x^2 or x_2"));
 }
 
 std::string nested(int depth) {

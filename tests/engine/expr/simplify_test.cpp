@@ -43,7 +43,11 @@ TEST(Simplify, MakesPowersByTheExponent) {
     EXPECT_EQ(root_op("x^3"), Op::IntPower);
     EXPECT_EQ(root_op("x^-3"), Op::Divide);
     EXPECT_EQ(root_op("x^(5 - 2)"), Op::IntPower);
-    EXPECT_EQ(root_op("x^0.3"), Op::Exp);
+    EXPECT_EQ(root_op("x^0.3"), Op::IntPower);
+    EXPECT_EQ(root_op("x^0.317"), Op::Exp);
+    EXPECT_EQ(root_op("x^(-1/3)"), Op::Divide);
+    EXPECT_EQ(root_op("x^(1/5)"), Op::OddRoot);
+    EXPECT_EQ(root_op("e^x"), Op::Exp);
     EXPECT_EQ(root_op("x^y"), Op::Exp);
 }
 
@@ -70,7 +74,7 @@ TEST(Simplify, KeepsTheCutElsewhere) {
     EXPECT_TRUE(has_op("sin(atan2(y, x)) + atan2(y, x)", Op::Atan2));
 }
 
-TEST(ExactValue, FoldsIntegersOnly) {
+TEST(ExactValue, FoldsFractions) {
     ExprBuilder builder;
     const NodeId two = builder.constant(2);
     const NodeId three = builder.constant(3);
@@ -81,9 +85,10 @@ TEST(ExactValue, FoldsIntegersOnly) {
     EXPECT_EQ(exact_value(builder, make_add(builder, two, three)), 5.0);
     EXPECT_EQ(exact_value(builder, make_subtract(builder, two, three)), -1.0);
     EXPECT_EQ(exact_value(builder, make_multiply(builder, two, three)), 6.0);
-    EXPECT_EQ(exact_value(builder, make_add(builder, half, two)), std::nullopt);
+    EXPECT_EQ(exact_value(builder, make_add(builder, half, two)), 2.5);
     EXPECT_EQ(exact_value(builder, make_add(builder, x, two)), std::nullopt);
     EXPECT_EQ(exact_value(builder, builder.constant(0.1, 0.2)), std::nullopt);
+    EXPECT_EQ(exact_value(builder, make_divide(builder, two, three)), std::nullopt);
     const NodeId large = builder.constant(0x1p53);
     EXPECT_EQ(exact_value(builder, make_add(builder, large, two)), std::nullopt);
 }

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace zeroset::test {
 namespace {
@@ -50,7 +51,23 @@ TEST(Dual, HasTheGradientsOfClosedForms) {
     expect_gradient("cos(y)", p, {0, -std::sin(y), 0});
     expect_gradient("acos(x)", p, {-1 / std::sqrt(1 - x * x), 0, 0});
     expect_gradient("exp(y)", p, {0, std::exp(y), 0});
-    expect_gradient("log(z)", p, {0, 0, 1 / z});
+    expect_gradient("ln(z)", p, {0, 0, 1 / z});
+    expect_gradient("log10(z)", p, {0, 0, std::numbers::log10e / z});
+    expect_gradient("log2(z)", p, {0, 0, std::numbers::log2e / z});
+    expect_gradient("tan(y)", p, {0, 1 + std::tan(y) * std::tan(y), 0});
+    expect_gradient("cot(x)", p, {-1 / (std::sin(x) * std::sin(x)), 0, 0});
+    expect_gradient("asin(x)", p, {1 / std::sqrt(1 - x * x), 0, 0});
+    expect_gradient("atan(y)", p, {0, 1 / (1 + y * y), 0});
+    expect_gradient("sinh(y)", p, {0, std::cosh(y), 0});
+    expect_gradient("cosh(y)", p, {0, std::sinh(y), 0});
+    expect_gradient("tanh(y)", p, {0, 1 / (std::cosh(y) * std::cosh(y)), 0});
+    expect_gradient("asinh(y)", p, {0, 1 / std::sqrt(1 + y * y), 0});
+    expect_gradient("acosh(z)", p, {0, 0, 1 / std::sqrt(z * z - 1)});
+    expect_gradient("atanh(x)", p, {1 / (1 - x * x), 0, 0});
+    expect_gradient("mod(z, x)", p, {-3, 0, 1});
+    expect_gradient("mod(y, z)", p, {0, 1, 1});
+    expect_gradient("if(y > 0, x, z)", p, {0, 0, 1});
+    expect_gradient("if(x > 0, x, z)", p, {1, 0, 0});
     expect_gradient("atan2(y, x)", p, {-y / (x * x + y * y), x / (x * x + y * y), 0});
     expect_gradient("min(x*2, y)", p, {0, 1, 0});
     expect_gradient("max(x*2, y)", p, {2, 0, 0});
@@ -73,6 +90,38 @@ TEST(Dual, TakesTheSlopeOfTheChosenOperand) {
     EXPECT_EQ(constant.slope[0], 0.0);
 }
 
+TEST(Dual, HasNoSlopeOnSteps) {
+    for (const char* const text : {"floor(x)", "ceil(x)", "round(x)", "sign(x)"})
+        EXPECT_FALSE(at(text, {0.3, 0, 0}).slope[0].has_value()) << text;
+    EXPECT_EQ(at("round(x)", {-2.5, 0, 0}).value, -2);
+    EXPECT_EQ(at("round(x)", {2.5, 0, 0}).value, 3);
+    EXPECT_EQ(at("sign(x)", {-0.1, 0, 0}).value, -1);
+    EXPECT_EQ(at("sign(x)", {0, 0, 0}).value, 0);
+    EXPECT_EQ(at("mod(x, 3)", {-1, 0, 0}).value, 2);
+}
+
+TEST(Dual, HasOddRootsOfAllNumbers) {
+    for (const int n : {3, 5, 7, 101}) {
+        const Expr root = operator_on_variables(op_info(Op::OddRoot), n);
+        for (const double x : {-3.0, -0.2, 0.01, 1.0, 8.0}) {
+            const Dual<double> found = value_at(root, {x, 0, 0, 0});
+            const double expected = std::copysign(std::pow(std::abs(x), 1.0 / n), x);
+            EXPECT_NEAR(found.value, expected, 1e-15 * std::abs(expected) * 4) << n << " of " << x;
+            EXPECT_NEAR(*found.slope[0], expected / (n * x), 1e-13 * expected / (n * x));
+        }
+        EXPECT_EQ(value_at(root, {0, 0, 0, 0}).value, 0);
+        EXPECT_EQ(value_at(root, {-infinity, 0, 0, 0}).value, -infinity);
+    }
+}
+
+TEST(Dual, IsNoNumberWhereNothingIsDefined) {
+    const Expr restricted = operator_on_variables(op_info(Op::Where));  // x where z <= x
+    EXPECT_EQ(value_at(restricted, {2, 0, 1, 0}).value, 2);
+    EXPECT_TRUE(std::isnan(value_at(restricted, {1, 0, 2, 0}).value));
+    EXPECT_TRUE(std::isnan(at("if(sqrt(x) > 0, 1, 2)", {-1, 0, 0}).value));
+    EXPECT_EQ(at("if(x > 0, ln(x), -1)", {-1, 0, 0}).value, -1);
+}
+
 class DualOperator : public ::testing::TestWithParam<OpInfo> {};
 
 /// Central differences of the value, where both steps stay on one smooth piece.
@@ -82,8 +131,14 @@ TEST_P(DualOperator, AgreesWithCentralDifferences) {
     constexpr double step = 1e-6;
     int compared = 0;
     for (int i = 0; i < 500; ++i) {
-        const std::array<double, 4> p{random.uniform(0.1, 0.8), random.uniform(0.1, 0.8), 0, 0};
-        if (std::abs(p[0] - p[1]) < 4 * step) continue;  // the kink of min and max
+        const double shift = GetParam().op == Op::Acosh ? 1 : 0;  // into its domain
+        const std::array<double, 4> p{shift + random.uniform(0.1, 0.8), random.uniform(0.1, 0.8), 0,
+                                      0};
+        if (std::abs(p[0] - p[1]) < 4 * step) continue;  // the kink of min and max, a condition
+        if (GetParam().op == Op::Round && std::abs(p[0] - 0.5) < 4 * step) continue;
+        const double quotient = p[0] / p[1];
+        const bool near_step = std::abs(quotient - std::nearbyint(quotient)) < 1e-4;
+        if (GetParam().op == Op::Mod && near_step) continue;
         const Dual<double> here = value_at(expr, p);
         for (std::size_t k = 0; k < 2; ++k) {
             auto before = p;

@@ -1,7 +1,9 @@
 #include "engine/num/interval.hpp"
 
-#include "engine/num/elementary.hpp"
+#include "engine/num/odd_root.hpp"
+#include "engine/num/periodic.hpp"
 #include "engine/num/rounding.hpp"
+#include "engine/num/steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +21,8 @@ constexpr float unbounded = std::numeric_limits<float>::infinity();
 using Range = Interval<float>;
 
 Range range(float lo, float hi) { return {-lo, hi}; }
+
+Enclosure<float> log(const Range& a) { return logarithm(Elementary::Log, a); }
 
 void expect_range(const Range& found, float lo, float hi) {
     EXPECT_EQ(-found.neg_lo, lo);
@@ -144,28 +148,38 @@ TEST_F(IntervalCases, WavesMeetTheirExtremes) {
 }
 
 TEST_F(IntervalCases, PartialFunctionsKnowTheirDomains) {
-    EXPECT_FALSE(sqrt(range(-2, -1)).defined);
-    EXPECT_TRUE(sqrt(range(-2, 0)).defined);
-    EXPECT_FALSE(sqrt(range(-1, 1)).continuous);
-    EXPECT_TRUE(sqrt(range(0, 1)).continuous);
-    EXPECT_FALSE(log(range(-1, 0)).defined);
-    EXPECT_FALSE(log(range(0, 1)).continuous);
-    EXPECT_TRUE(log(range(1e-45F, 1)).continuous);
-    EXPECT_FALSE(acos(range(1.5F, 2)).defined);
-    EXPECT_TRUE(acos(range(1, 2)).defined);
-    EXPECT_TRUE(acos(range(-1, 1)).continuous);
-    EXPECT_FALSE(acos(range(-1, 1.0000001F)).continuous);
-    EXPECT_EQ(log(range(0, 1)).value.neg_lo, unbounded);
+    EXPECT_FALSE(*sqrt(range(-2, -1)).somewhere);
+    EXPECT_TRUE(*sqrt(range(-2, 0)).somewhere);
+    EXPECT_FALSE(*sqrt(range(-1, 1)).everywhere);
+    EXPECT_TRUE(*sqrt(range(0, 1)).everywhere);
+    EXPECT_FALSE(*log(range(-1, 0)).somewhere);
+    EXPECT_FALSE(*log(range(0, 1)).everywhere);
+    EXPECT_TRUE(*log(range(1e-45F, 1)).everywhere);
+    EXPECT_FALSE(*acos(range(1.5F, 2)).somewhere);
+    EXPECT_TRUE(*acos(range(1, 2)).somewhere);
+    EXPECT_TRUE(*acos(range(-1, 1)).everywhere);
+    EXPECT_FALSE(*acos(range(-1, 1.0000001F)).everywhere);
+    EXPECT_EQ(log(range(0, 1)).range.neg_lo, unbounded);
+    EXPECT_TRUE(*acosh(range(0, 1)).somewhere);
+    EXPECT_FALSE(*acosh(range(0, 0.5F)).somewhere);
+    EXPECT_FALSE(*acosh(range(0.5F, 2)).everywhere);
+    EXPECT_FALSE(*atanh(range(1, 2)).somewhere);
+    EXPECT_FALSE(*atanh(range(0, 1)).everywhere);
+    EXPECT_TRUE(*atanh(range(-0.5F, 0.5F)).everywhere);
+    EXPECT_FALSE(*asin(range(1.5F, 2)).somewhere);
+    EXPECT_TRUE(*asin(range(-1, 1)).everywhere);
 }
 
 TEST_F(IntervalCases, AnglesKnowTheCut) {
-    EXPECT_FALSE(atan2(range(-1, 1), range(-2, -1)).continuous);
-    EXPECT_TRUE(atan2(range(-1, 1), range(1, 2)).continuous);
-    EXPECT_TRUE(atan2(range(1, 2), range(-1, 1)).continuous);
-    EXPECT_FALSE(atan2(range(0, 0), range(0, 0)).continuous);
-    EXPECT_TRUE(angle(range(-1, 1), range(-2, -1)).continuous);
-    EXPECT_FALSE(angle(range(-1, 1), range(-2, 0)).continuous);
-    const Range turned = angle(range(-1, 1), range(-2, -1)).value;
+    EXPECT_FALSE(*atan2(range(-1, 1), range(-2, -1)).continuous);
+    EXPECT_TRUE(*atan2(range(-1, 1), range(-2, -1)).everywhere);
+    EXPECT_FALSE(*atan2(range(-1, 1), range(-2, 1)).everywhere);
+    EXPECT_TRUE(*atan2(range(-1, 1), range(1, 2)).continuous);
+    EXPECT_TRUE(*atan2(range(1, 2), range(-1, 1)).continuous);
+    EXPECT_FALSE(*atan2(range(0, 0), range(0, 0)).continuous);
+    EXPECT_TRUE(*angle(range(-1, 1), range(-2, -1)).continuous);
+    EXPECT_FALSE(*angle(range(-1, 1), range(-2, 0)).continuous);
+    const Range turned = angle(range(-1, 1), range(-2, -1)).range;
     EXPECT_NEAR(-turned.neg_lo, 0.75F * static_cast<float>(std::numbers::pi), 1e-5F);
     EXPECT_NEAR(turned.hi, 1.25F * static_cast<float>(std::numbers::pi), 1e-5F);
 }
@@ -175,6 +189,130 @@ TEST_F(IntervalCases, ExponentialsAreNeverNegative) {
     EXPECT_EQ(exp(range(0, 1000)).hi, unbounded);
     EXPECT_LE(exp(range(1000, 1000)).neg_lo, -1e38F);
     expect_range(exp(whole_line(0.0F)), 0, unbounded);
+}
+
+TEST_F(IntervalCases, TangentsKnowTheirPoles) {
+    EXPECT_TRUE(*tan(range(-1.5F, 1.5F)).everywhere);
+    EXPECT_NEAR(tan(range(-1.5F, 1.5F)).range.hi, std::tan(1.5), 1e-4);
+    EXPECT_FALSE(*tan(range(1.5F, 1.6F)).everywhere);
+    expect_range(tan(range(1.5F, 1.6F)).range, -unbounded, unbounded);
+    EXPECT_TRUE(*tan(range(1.6F, 4.7F)).everywhere);
+    EXPECT_FALSE(tan(range(1.5F, 1.6F)).continuous.has_value());
+    EXPECT_TRUE(*cot(range(0.1F, 3.1F)).everywhere);
+    EXPECT_LT(cot(range(0.1F, 3.1F)).range.hi, 9.97F);
+    EXPECT_GT(cot(range(0.1F, 3.1F)).range.hi, 9.96F);
+    EXPECT_FALSE(*cot(range(-0.1F, 0.1F)).everywhere);
+    EXPECT_FALSE(*cot(range(3, 4)).everywhere);
+    EXPECT_FALSE(*tan(whole_line(0.0F)).everywhere);
+}
+
+TEST_F(IntervalCases, HyperbolicsKnowTheirMinimaAndLimits) {
+    expect_range(cosh(range(-1, 1)), 1, cosh(range(0, 1)).hi);
+    expect_range(cosh(whole_line(0.0F)), 1, unbounded);
+    expect_range(tanh(whole_line(0.0F)), -1, 1);
+    const Range large = odd_increasing(Elementary::Sinh, range(89, 89));
+    EXPECT_GT(large.hi, 2.2e38F);
+    EXPECT_LE(-large.neg_lo, 2.2e38F);
+    EXPECT_GT(-large.neg_lo, 1e37F);
+    const Range far = odd_increasing(Elementary::Asinh, range(-unbounded, -1e30F));
+    EXPECT_LE(far.hi, -43.0F);
+    EXPECT_EQ(far.neg_lo, unbounded);
+    EXPECT_GE(-acosh(range(1e30F, 1e30F)).range.neg_lo, 43.0F);
+}
+
+TEST_F(IntervalCases, StepsAreExact) {
+    expect_range(floor(range(-1.5F, 2.5F)).range, -2, 2);
+    expect_range(ceil(range(-1.5F, 2.5F)).range, -1, 3);
+    expect_range(round(range(-1.5F, 2.5F)).range, -1, 3);
+    expect_range(round(range(0x1.fffffep-2F, 0x1.fffffep-2F)).range, 0, 0);
+    expect_range(round(range(-0.5F, -1e-30F)).range, 0, 0);
+    expect_range(round(range(-0x1.000002p-1F, 0)).range, -1, 0);
+    expect_range(round(range(8388609, 8388609)).range, 8388609, 8388609);
+    expect_range(sign(range(-2, 0)).range, -1, 0);
+    expect_range(sign(range(1e-45F, unbounded)).range, 1, 1);
+    expect_range(floor(whole_line(0.0F)).range, -unbounded, unbounded);
+}
+
+TEST_F(IntervalCases, StepsAreContinuousBetweenRisers) {
+    EXPECT_TRUE(*floor(range(2, 2.9F)).continuous);
+    EXPECT_FALSE(*floor(range(2.9F, 3)).continuous);
+    EXPECT_TRUE(*ceil(range(2.1F, 3)).continuous);
+    EXPECT_FALSE(*ceil(range(3, 3.1F)).continuous);
+    EXPECT_FALSE(*round(range(2.4F, 2.5F)).continuous);
+    EXPECT_TRUE(*round(range(2.5F, 3.4F)).continuous);
+    EXPECT_FALSE(*sign(range(0, 1)).continuous);
+    EXPECT_FALSE(*floor(whole_line(0.0F)).continuous);
+}
+
+TEST_F(IntervalCases, RemaindersKnowTheirStep) {
+    expect_range(mod(range(3, 3.5F), range(2, 2)).range, 1, 1.5F);
+    expect_range(mod(range(-3, -2.5F), range(2, 2)).range, 1, 1.5F);
+    expect_range(mod(range(2.5F, 3), range(-2, -2)).range, -1.5F, -1);
+    EXPECT_TRUE(*mod(range(3, 3.5F), range(2, 2)).continuous);
+    expect_range(mod(range(3, 4), range(2, 2)).range, 0, 2);
+    EXPECT_FALSE(*mod(range(3, 4), range(2, 2)).continuous);
+    expect_range(mod(range(-100, 100), range(-2, 3)).range, -2, 3);
+    EXPECT_FALSE(*mod(range(1, 2), range(0, 3)).everywhere);
+    EXPECT_TRUE(*mod(range(1, 9), range(2, 3)).everywhere);
+    expect_range(mod(whole_line(0.0F), range(0.5F, 0.5F)).range, 0, 0.5F);
+}
+
+/// In ulps of the ends.
+float width(const Range& a) { return (a.hi + a.neg_lo) / (std::abs(a.hi) * 0x1p-23F); }
+
+TEST_F(IntervalCases, OddRootsAreNarrow) {
+    for (const int n : {3, 5, 7, 9, 11, 101, 10001}) {
+        for (const float a : {1e-30F, 0.3F, 1.0F, 7.0F, 1e30F}) {
+            EXPECT_LE(width(odd_root(point(a), n)), 12) << n << " of " << a;
+            EXPECT_LE(width(odd_root(point(-a), n)), 12) << n << " of " << -a;
+        }
+        EXPECT_GE(odd_root(range(-1, 1), n).hi, 1.0F);
+        expect_range(odd_root(range(0, 0), n), 0, 0);
+        expect_range(odd_root(whole_line(0.0F), n), -unbounded, unbounded);
+    }
+    EXPECT_NEAR(odd_root(range(-32, 243), 5).hi, 3.0F, 1e-6F);
+    EXPECT_NEAR(odd_root(range(-32, 243), 5).neg_lo, 2.0F, 1e-6F);
+}
+
+TEST_F(IntervalCases, ConditionsAreDecidedByTheirEnds) {
+    expect_range(less(range(1, 2), range(3, 4)).range, 1, 1);
+    expect_range(less(range(1, 3), range(3, 4)).range, 0, 1);
+    expect_range(less(range(4, 5), range(3, 4)).range, 0, 0);
+    expect_range(less_equal(range(1, 3), range(3, 4)).range, 1, 1);
+    expect_range(less_equal(range(4, 5), range(3, 4)).range, 0, 1);
+    EXPECT_TRUE(*less(range(1, 2), range(3, 4)).continuous);
+    EXPECT_FALSE(*less(range(1, 3), range(3, 4)).continuous);
+}
+
+TEST_F(IntervalCases, ChoicesHaveTheMasksOfWhatTheyTake) {
+    const Enclosure<float> holds{range(1, 1)};
+    const Enclosure<float> fails{range(0, 0)};
+    const Enclosure<float> open{range(0, 1)};
+    const Enclosure<float> five{range(5, 5)};
+    const Enclosure<float> nothing{range(9, 9), false, false, true};
+    const Enclosure<float> jump{range(7, 8), true, true, false};
+    expect_range(choose(holds, five, nothing).range, 5, 5);
+    EXPECT_TRUE(*choose(holds, five, nothing).everywhere);
+    EXPECT_FALSE(*choose(fails, five, nothing).somewhere);
+    expect_range(choose(open, five, nothing).range, 5, 5);
+    EXPECT_TRUE(*choose(open, five, nothing).somewhere);
+    EXPECT_FALSE(*choose(open, five, nothing).everywhere);
+    EXPECT_FALSE(*choose(open, nothing, nothing).somewhere);
+    expect_range(choose(open, five, jump).range, 5, 8);
+    EXPECT_FALSE(*choose(open, five, five).continuous);
+    EXPECT_TRUE(*choose(holds, five, jump).continuous);
+    EXPECT_FALSE(*choose(fails, five, jump).continuous);
+    EXPECT_FALSE(*choose(nothing, five, five).somewhere);
+}
+
+TEST_F(IntervalCases, RestrictionsLeaveTheValue) {
+    const Enclosure<float> five{range(5, 5)};
+    expect_range(where(five, {range(0, 1)}).range, 5, 5);
+    EXPECT_TRUE(*where(five, {range(0, 1)}).somewhere);
+    EXPECT_FALSE(*where(five, {range(0, 1)}).everywhere);
+    EXPECT_FALSE(*where(five, {range(0, 0)}).somewhere);
+    EXPECT_TRUE(*where(five, {range(1, 1)}).everywhere);
+    EXPECT_FALSE(where(five, {range(0, 1)}).continuous.has_value());
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ Scene scene_of(const std::string& text, const Box& clip) {
         ADD_FAILURE() << text << ": " << expr.error().reason;
         return {};
     }
-    Scene scene{interpret(*expr), clip, {}};
+    Scene scene{{interpret(*expr)}, clip, {}};
     scene.uniforms.set(0, 0.0);
     return scene;
 }

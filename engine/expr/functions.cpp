@@ -1,0 +1,199 @@
+#include "engine/expr/functions.hpp"
+
+#include "engine/expr/simplify.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
+    {"arcsin", "asin"},
+    {"arccos", "acos"},
+    {"arctan", "atan"},
+    {"arctg", "atan"},
+    {"arcsinh", "asinh"},
+    {"arccosh", "acosh"},
+    {"arctanh", "atanh"},
+    {"arsinh", "asinh"},
+    {"arcosh", "acosh"},
+    {"artanh", "atanh"},
+    {"sgn", "sign"},
+    {"tg", "tan"},
+    {"ctg", "cot"},
+    {"cosec", "csc"},
+    {"ceiling", "ceil"},
+    {"norm", "length"},
+    {"intersection", "intersect"},
+    {"difference", "subtract"},
+    {"product", "prod"},
+    {"nthroot", "root"},
+    {"√", "sqrt"},
+    {"∛", "cbrt"},
+};
+
+constexpr std::pair<Op, Op> inverses[] = {
+    {Op::Sin, Op::Asin},   {Op::Cos, Op::Acos},   {Op::Tan, Op::Atan},
+    {Op::Sinh, Op::Asinh}, {Op::Cosh, Op::Acosh}, {Op::Tanh, Op::Atanh},
+};
+
+std::string_view arguments_of(Op op, int arity) {
+    if (op == Op::Atan2) return "y, x";
+    if (op == Op::If) return "condition, a, b";
+    if (op == Op::Where) return "a, condition";
+    if (op == Op::Min || op == Op::Max) return "a, b, ...";
+    return arity == 1 ? "a" : "a, b";
+}
+
+std::vector<Function> make_table() {
+    std::vector<Function> table;
+    for (const OpInfo& info : operators()) {
+        if (info.notation != Notation::Call) continue;
+        const bool folds = info.op == Op::Min || info.op == Op::Max;
+        table.push_back({info.spelling, info.arity, folds ? -1 : info.arity,
+                         arguments_of(info.op, info.arity), info.about, info.op, std::nullopt});
+    }
+#define ZEROSET_FUNCTION(id, name, least, most, arguments, meaning) \
+    table.push_back({name, least, most, arguments, meaning, std::nullopt, Composed::id});
+#include "engine/expr/functions.def"
+#undef ZEROSET_FUNCTION
+    return table;
+}
+
+using Index = std::unordered_map<std::string_view, const Function*>;
+
+Index make_index() {
+    Index index;
+    for (const Function& function : functions())
+        index.emplace(function.name, &function);
+    for (const auto& [other, name] : other_spellings)
+        index.emplace(other, index.at(name));
+    return index;
+}
+
+/// min, max and what else takes any number of arguments, two by two.
+NodeId fold(ExprBuilder& builder, Op op, std::span<const NodeId> arguments) {
+    return std::accumulate(arguments.begin() + 1, arguments.end(), arguments.front(),
+                           [&](NodeId a, NodeId b) { return make_call(builder, op, a, b); });
+}
+
+NodeId length_of(ExprBuilder& builder, std::span<const NodeId> arguments) {
+    if (arguments.size() == 1) return make_call(builder, Op::Abs, arguments.front());
+    const auto square = [&](NodeId a) { return make_multiply(builder, a, a); };
+    const NodeId sum =
+        std::accumulate(arguments.begin() + 1, arguments.end(), square(arguments.front()),
+                        [&](NodeId a, NodeId b) { return make_add(builder, a, square(b)); });
+    return make_call(builder, Op::Sqrt, sum);
+}
+
+/// min(a, b) - h^2 / (4 k) with h = max(k - |a - b|, 0): the quadratic blend, whose value differs
+/// from min only where |a - b| < k.
+NodeId smooth_min(ExprBuilder& builder, NodeId a, NodeId b, NodeId k) {
+    const NodeId distance = make_call(builder, Op::Abs, make_subtract(builder, a, b));
+    const NodeId h =
+        make_call(builder, Op::Max, make_subtract(builder, k, distance), builder.constant(0.0));
+    const NodeId blend = make_divide(builder, make_multiply(builder, h, h),
+                                     make_multiply(builder, builder.constant(4.0), k));
+    return make_subtract(builder, make_call(builder, Op::Min, a, b), blend);
+}
+
+NodeId smooth_max(ExprBuilder& builder, NodeId a, NodeId b, NodeId k) {
+    return make_negate(builder,
+                       smooth_min(builder, make_negate(builder, a), make_negate(builder, b), k));
+}
+
+NodeId make_logarithm(ExprBuilder& builder, std::span<const NodeId> a) {
+    if (a.size() == 1) return make_call(builder, Op::Log, a[0]);
+    const std::optional<double> base = exact_value(builder, a[1]);
+    if (base == 2.0) return make_call(builder, Op::Log2, a[0]);
+    if (base == 10.0) return make_call(builder, Op::Log10, a[0]);
+    return make_divide(builder, make_call(builder, Op::Log, a[0]),
+                       make_call(builder, Op::Log, a[1]));
+}
+
+NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
+    return std::accumulate(a.begin() + 1, a.end(), a.front(), [&](NodeId solid, NodeId hole) {
+        return make_call(builder, Op::Max, solid, make_negate(builder, hole));
+    });
+}
+
+NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const NodeId> a) {
+    const NodeId one = builder.constant(1.0);
+    const auto reciprocal = [&](NodeId of) { return make_divide(builder, one, of); };
+    switch (function) {
+        case Composed::Cbrt: return make_root(builder, a[0], 3);
+        case Composed::Root: return make_power(builder, a[0], reciprocal(a[1]));
+        case Composed::Pow: return make_power(builder, a[0], a[1]);
+        case Composed::LogBase: return make_logarithm(builder, a);
+        case Composed::Sec: return reciprocal(make_call(builder, Op::Cos, a[0]));
+        case Composed::Csc: return reciprocal(make_call(builder, Op::Sin, a[0]));
+        case Composed::Hypot:
+        case Composed::Length: return length_of(builder, a);
+        case Composed::Clamp:
+            return make_call(builder, Op::Min, make_call(builder, Op::Max, a[0], a[1]), a[2]);
+        case Composed::SmoothMin:
+        case Composed::SmoothUnion: return smooth_min(builder, a[0], a[1], a[2]);
+        case Composed::SmoothMax:
+        case Composed::SmoothIntersect: return smooth_max(builder, a[0], a[1], a[2]);
+        case Composed::SmoothSubtract:
+            return smooth_max(builder, a[0], make_negate(builder, a[1]), a[2]);
+        case Composed::Union: return fold(builder, Op::Min, a);
+        case Composed::Intersect: return fold(builder, Op::Max, a);
+        case Composed::Without: return make_without(builder, a);
+        case Composed::Sum:
+        case Composed::Product: break;
+    }
+    assert(false);  // unrolled where they are read
+    return a[0];
+}
+
+}  // namespace
+
+bool Function::takes(std::size_t arguments_given) const {
+    return arguments_given >= static_cast<std::size_t>(least) &&
+           (most < 0 || arguments_given <= static_cast<std::size_t>(most));
+}
+
+std::string Function::arity_text() const {
+    std::string text = std::to_string(least);
+    if (most < 0) text += " or more";
+    if (most > least) text += " or " + std::to_string(most);
+    return text + (least == 1 && most == 1 ? " argument" : " arguments");
+}
+
+std::span<const Function> functions() {
+    static const std::vector<Function> table = make_table();
+    return table;
+}
+
+const Function* find_function(std::string_view name) {
+    static const Index index = make_index();
+    const auto found = index.find(name);
+    return found == index.end() ? nullptr : found->second;
+}
+
+const Function* inverse_of(const Function& function) {
+    const auto* const found = std::ranges::find(
+        inverses, function.op, [](const auto& pair) { return std::optional(pair.first); });
+    if (found == std::end(inverses)) return nullptr;
+    return find_function(op_info(found->second).spelling);
+}
+
+NodeId make_function(ExprBuilder& builder, const Function& function,
+                     std::span<const NodeId> arguments) {
+    assert(function.takes(arguments.size()));
+    if (function.composed) return make_composed(builder, *function.composed, arguments);
+    const Op op = *function.op;
+    if (op == Op::Min || op == Op::Max) return fold(builder, op, arguments);
+    const NodeId b = arguments.size() > 1 ? arguments[1] : 0;
+    const NodeId c = arguments.size() > 2 ? arguments[2] : 0;
+    return make_call(builder, op, arguments[0], b, c);
+}
+
+}  // namespace zeroset

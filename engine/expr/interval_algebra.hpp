@@ -1,0 +1,125 @@
+#pragma once
+
+#include "engine/expr/operand.hpp"
+#include "engine/num/odd_root.hpp"
+#include "engine/num/periodic.hpp"
+#include "engine/num/steps.hpp"
+
+namespace zeroset {
+
+/// Natural interval extension, with what is known of each node's domain.
+template <class Real>
+class IntervalAlgebra {
+public:
+    using Value = Enclosure<Real>;
+    using In = const Operand<Value>&;
+
+    Value negate(In a) { return total(-range(a), a); }
+    Value add(In a, In b) { return total(range(a) + range(b), a, b); }
+    Value subtract(In a, In b) { return total(range(a) - range(b), a, b); }
+    Value multiply(In a, In b) { return total(product(a, b), a, b); }
+    Value divide(In a, In b) {
+        const auto nonzero = no(contains_zero(range(b)));
+        return with_divisor({range(a) / range(b), {}, nonzero}, a, b);
+    }
+    Value int_power(In a, int n) { return total(power(range(a), n, a.facts.nonnegative), a); }
+    Value odd_root(In a, int n) { return total(zeroset::odd_root(range(a), n), a); }
+    Value sqrt(In a) {
+        if (a.facts.nonnegative) return total(square_root(range(a)), a);
+        return composed(zeroset::sqrt(range(a)), a.value);
+    }
+    Value abs(In a) { return total(a.facts.nonnegative ? range(a) : absolute(range(a)), a); }
+    Value sign(In a) { return composed(zeroset::sign(range(a)), a.value); }
+    Value floor(In a) { return composed(zeroset::floor(range(a)), a.value); }
+    Value ceil(In a) { return composed(zeroset::ceil(range(a)), a.value); }
+    Value round(In a) { return composed(zeroset::round(range(a)), a.value); }
+    Value mod(In a, In b) { return with_divisor(zeroset::mod(range(a), range(b)), a, b); }
+    Value min(In a, In b) { return total(minimum(range(a), range(b)), a, b); }
+    Value max(In a, In b) { return total(maximum(range(a), range(b)), a, b); }
+
+    Value exp(In a) { return total(zeroset::exp(range(a)), a); }
+    Value log(In a) { return composed(logarithm(Elementary::Log, range(a)), a.value); }
+    Value log10(In a) { return composed(logarithm(Elementary::Log10, range(a)), a.value); }
+    Value log2(In a) { return composed(logarithm(Elementary::Log2, range(a)), a.value); }
+    Value sin(In a) { return total(zeroset::sin(range(a)), a); }
+    Value cos(In a) { return total(zeroset::cos(range(a)), a); }
+    Value tan(In a) { return composed(zeroset::tan(range(a)), a.value); }
+    Value cot(In a) { return composed(zeroset::cot(range(a)), a.value); }
+    Value asin(In a) { return odd(zeroset::asin(range(a)), a); }
+    Value acos(In a) { return composed(zeroset::acos(range(a)), a.value); }
+    Value atan(In a) { return odd({zeroset::atan(range(a))}, a); }
+    Value atan2(In y, In x) {
+        return composed(zeroset::atan2(range(y), range(x)), y.value, x.value);
+    }
+    Value angle(In y, In x) {
+        return composed(zeroset::angle(range(y), range(x)), y.value, x.value);
+    }
+    Value sinh(In a) { return odd({odd_increasing(Elementary::Sinh, range(a))}, a); }
+    Value cosh(In a) { return total(zeroset::cosh(range(a)), a); }
+    Value tanh(In a) { return odd({zeroset::tanh(range(a))}, a); }
+    Value asinh(In a) { return odd({odd_increasing(Elementary::Asinh, range(a))}, a); }
+    Value acosh(In a) { return composed(zeroset::acosh(range(a)), a.value); }
+    Value atanh(In a) { return odd(zeroset::atanh(range(a)), a); }
+
+    Value less(In a, In b) { return decided(zeroset::less(range(a), range(b)), a, b); }
+    Value less_equal(In a, In b) { return decided(zeroset::less_equal(range(a), range(b)), a, b); }
+    Value logic_and(In a, In b) { return decided(stepped(minimum(range(a), range(b))), a, b); }
+    Value logic_or(In a, In b) { return decided(stepped(maximum(range(a), range(b))), a, b); }
+    Value logic_not(In a) { return decided(stepped(point(like(range(a).hi, 1.0)) - range(a)), a); }
+    Value choose(In c, In a, In b) { return zeroset::choose(c.value, a.value, b.value); }
+    Value where(In a, In c) { return zeroset::where(a.value, c.value); }
+
+private:
+    static const Interval<Real>& range(In a) { return a.value.range; }
+
+    /// A function defined and continuous everywhere.
+    template <class... Operands>
+    static Value total(const Interval<Real>& g, const Operands&... operands) {
+        return composed(Value{g}, operands.value...);
+    }
+    /// A condition: decided, it is continuous even where its operands jump.
+    template <class... Operands>
+    static Value decided(Value g, const Operands&... operands) {
+        const auto continuous = g.continuous;
+        g = composed(g, operands.value...);
+        g.continuous = continuous;
+        return g;
+    }
+    /// An odd increasing function: not negative where its operand is not.
+    static Value odd(Value g, In a) {
+        if (a.facts.nonnegative) g.range.neg_lo = minimum(g.range.neg_lo, like(g.range.hi, 0.0));
+        return composed(g, a.value);
+    }
+    /// Nowhere defined for the divisor 0.
+    static Value with_divisor(Value g, In a, In b) {
+        if (b.facts.exact() && b.facts.constant->hi == 0) g.somewhere = g.everywhere;
+        return composed(g, a.value, b.value);
+    }
+
+    static Interval<Real> product(In a, In b) {
+        if (a.facts.constant) return scaled(b, a);
+        if (b.facts.constant) return scaled(a, b);
+        if (a.facts.nonnegative && b.facts.nonnegative)
+            return multiply_nonnegative(range(a), range(b));
+        if (a.facts.nonnegative) return multiply_nonnegative_by(range(a), range(b));
+        if (b.facts.nonnegative) return multiply_nonnegative_by(range(b), range(a));
+        return range(a) * range(b);
+    }
+    static Interval<Real> scaled(In a, In factor) {
+        const Interval<double>& c = *factor.facts.constant;
+        const bool exact = factor.facts.exact() && representable(c.hi, range(a).hi);
+        if (exact && c.hi != 0) return scale(range(a), c.hi);
+        // A factor whose enclosure is finite and not 0 in this type makes no NaN.
+        const double largest = largest_finite(range(a).hi);
+        const double smallest = smallest_normal(range(a).hi);
+        if (-c.neg_lo >= smallest && c.hi <= largest) {
+            return scale(range(a), range(factor), a.facts.nonnegative);
+        }
+        if (-c.hi >= smallest && c.neg_lo <= largest) {
+            return -scale(range(a), -range(factor), a.facts.nonnegative);
+        }
+        return range(a) * range(factor);
+    }
+};
+
+}  // namespace zeroset

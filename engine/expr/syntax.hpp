@@ -1,0 +1,60 @@
+#pragma once
+
+#include "engine/expr/functions.hpp"
+#include "engine/expr/parse.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What a text says before names mean anything: a tree for each statement.
+
+namespace zeroset {
+
+using SyntaxId = std::uint32_t;
+
+enum class SyntaxKind : std::uint8_t {
+    Number,   ///< text: the literal
+    Name,     ///< text: the full name
+    Negate,   ///< 1 operand
+    Sum,      ///< marks: '+' or '-' before each operand but the first
+    Product,  ///< marks: '*' or '/' before each operand but the first
+    Power,    ///< base, exponent
+    Call,     ///< function, or text: the name of a function of the text
+    Compare,  ///< marks between the operands: '=', '<', '>', 'l' for <=, 'g' for >=
+    And,      ///< 2 operands or more
+    Or,       ///< 2 operands or more
+    Not,      ///< 1 operand
+    Cases,    ///< condition, value, condition, value, ..., value otherwise
+};
+
+struct Syntax {
+    SyntaxKind kind = SyntaxKind::Number;
+    std::size_t offset = 0;  ///< where an error in it is shown
+    std::string text;
+    std::vector<SyntaxId> operands;
+    std::string marks;
+    const Function* function = nullptr;
+};
+
+/// A statement as typed: what it says and the conditions that restrict it.
+struct StatementSyntax {
+    SyntaxId relation;
+    std::vector<SyntaxId> restrictions;
+    std::size_t offset;  ///< of its first character
+};
+
+struct SyntaxTree {
+    std::vector<Syntax> nodes;
+    std::vector<StatementSyntax> statements;
+
+    [[nodiscard]] const Syntax& operator[](SyntaxId id) const { return nodes[id]; }
+};
+
+/// The trees of a text's statements. Functions are found by name; other names are any.
+std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text);
+
+}  // namespace zeroset

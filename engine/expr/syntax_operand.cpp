@@ -1,0 +1,281 @@
+// The operands of formulas: numbers, names, brackets, calls.
+
+#include "engine/expr/signs.hpp"
+#include "engine/expr/syntax_parser.hpp"
+
+#include <algorithm>
+
+namespace zeroset {
+namespace {
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+}  // namespace
+
+SyntaxParser::Parsed SyntaxParser::operand() {
+    const Token token = next();
+    if (token.kind == TokenKind::Number) {
+        take();
+        return add(SyntaxKind::Number, token.offset, {}, {}, std::string(token.text));
+    }
+    if (token.kind == TokenKind::Name) return name(token);
+    if (next_is_one_of({"(", "[", "{"})) return group(take());
+    if (next_is_one_of({"|", "(|"})) return absolute(take());
+    if (next_is_one_of({"⌊", "⌈"})) return floor_or_ceil(take());
+    return std::unexpected(missing_operand());
+}
+
+SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
+    if (token.text == "and" || token.text == "or") return std::unexpected(missing_operand());
+    if (token.text == "not")
+        return fail(token, "'not' stands before a comparison only",
+                    "put it in parentheses: (not x < 1)");
+    take();
+    if (token.text == "\\frac") return fraction();
+    if (token.text == "\\sqrt" || token.text == "√" || token.text == "∛") return radical(token);
+    const std::string full = full_name(token);
+    const bool log = token.text == "log";
+    if (const Function* const function = find_function(log ? "log" : std::string_view(full))) {
+        return call(token, *function);
+    }
+    if (words_.defines_function(full) && next_is("(")) return call_of_text(token);
+    return add(SyntaxKind::Name, token.offset, {}, {}, full);
+}
+
+/// Brackets around an operand; "{" may also start cases.
+SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
+    const int bars = std::exchange(bars_, 0);
+    ++brackets_;
+    Parsed inside = logic();
+    if (inside && opener.text == "{" && next_is(":")) inside = cases(opener, *inside);
+    if (!inside) return inside;
+    if (const auto error = close(opener)) return std::unexpected(*error);
+    --brackets_;
+    bars_ = bars;
+    return inside;
+}
+
+/// The rest of { condition: value, condition: value, value otherwise }.
+SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition) {
+    std::vector<SyntaxId> operands{condition};
+    for (;;) {
+        if (!next_is(":")) break;
+        take();
+        const Parsed value = sum();
+        if (!value) return value;
+        operands.push_back(*value);
+        if (!next_is(",")) {
+            return fail(next(), "the value otherwise is missing", "type {condition: a, b}");
+        }
+        take();
+        const Parsed further = logic();
+        if (!further) return further;
+        operands.push_back(*further);
+    }
+    return add(SyntaxKind::Cases, opener.offset, std::move(operands));
+}
+
+SyntaxParser::Parsed SyntaxParser::absolute(const Token& opener) {
+    const bool plain = opener.text == "|";
+    const int bars = plain ? bars_++ : std::exchange(bars_, 0);
+    Parsed inside = logic();
+    if (!inside) return inside;
+    if (const auto error = close(opener)) return std::unexpected(*error);
+    bars_ = bars;
+    return add_call(*find_function("abs"), opener.offset, {*inside});
+}
+
+SyntaxParser::Parsed SyntaxParser::floor_or_ceil(const Token& opener) {
+    const Parsed inside = logic();
+    if (!inside) return inside;
+    if (const auto error = close(opener)) return std::unexpected(*error);
+    const Function& function = *find_function(opener.text == "⌊" ? "floor" : "ceil");
+    return add_call(function, opener.offset, {*inside});
+}
+
+/// A braced group, or as TeX reads it a single digit or operand.
+SyntaxParser::Parsed SyntaxParser::part() {
+    Token& token = tokens_[at_];
+    const bool digits = token.kind == TokenKind::Number && token.text.size() > 1 &&
+                        token.text.find_first_not_of("0123456789") == std::string_view::npos;
+    if (!digits) return operand();
+    const SyntaxId digit =
+        add(SyntaxKind::Number, token.offset, {}, {}, std::string(token.text.substr(0, 1)));
+    token.text.remove_prefix(1);
+    ++token.offset;
+    --token.length;
+    return digit;
+}
+
+SyntaxParser::Parsed SyntaxParser::fraction() {
+    const std::size_t offset = tokens_[at_ - 1].offset;
+    const Parsed numerator = part();
+    if (!numerator) return numerator;
+    const Parsed denominator = part();
+    if (!denominator) return denominator;
+    return add(SyntaxKind::Product, offset, {*numerator, *denominator}, "/");
+}
+
+SyntaxParser::Parsed SyntaxParser::radical(const Token& token) {
+    if (token.text != "\\sqrt") {
+        const Parsed of = power();
+        if (!of) return of;
+        return add_call(*find_function(token.text), token.offset, {*of});
+    }
+    Parsed degree = 0;
+    const bool has_degree = next_is("[");
+    if (has_degree) degree = group(take());
+    if (!degree) return degree;
+    const Parsed of = part();
+    if (!of) return of;
+    if (!has_degree) return add_call(*find_function("sqrt"), token.offset, {*of});
+    return add_call(*find_function("root"), token.offset, {*of, *degree});
+}
+
+SyntaxParser::Parsed SyntaxParser::superscript() {
+    const Token token = take();
+    std::string digits;
+    for (std::size_t at = 0; at < token.text.size();) {
+        const CodePoint point = code_point_at(token.text, at);
+        digits += superscript_digit(point.code);
+        at += point.length;
+    }
+    const bool negative = digits.starts_with('-');
+    const std::string size = digits.substr(digits.starts_with('+') || negative ? 1 : 0);
+    if (size.empty() || size.find_first_of("+-") != std::string::npos) {
+        return fail(token, "this exponent is no whole number", "type ^ before it");
+    }
+    const SyntaxId number = add(SyntaxKind::Number, token.offset, {}, {}, size);
+    return negative ? add(SyntaxKind::Negate, token.offset, {number}) : number;
+}
+
+SyntaxParser::List SyntaxParser::arguments() {
+    const Token opener = take();
+    const int bars = std::exchange(bars_, 0);
+    ++brackets_;
+    std::vector<SyntaxId> values;
+    for (;;) {
+        const Parsed value = logic();
+        if (!value) return std::unexpected(value.error());
+        values.push_back(*value);
+        if (!next_is(",")) break;
+        take();
+    }
+    --brackets_;
+    bars_ = bars;
+    return values;
+}
+
+SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function& function) {
+    if (next_is_one_of({"(", "[", "{"})) {
+        const Token opener = next();
+        List values = arguments();
+        if (!values) return values;
+        if (const auto error = close(opener)) return std::unexpected(*error);
+        return values;
+    }
+    const std::string name(function.name);
+    if (!function.takes(1)) {
+        return fail(next(), "'(' is missing after " + quoted(token.text),
+                    "type " + name + "(" + std::string(function.arguments) + ")");
+    }
+    if (at_break() || (!starts_factor() && next().kind != TokenKind::Number &&
+                       !next_is_one_of({"-", "+", "|"}))) {
+        return fail(next(), quoted(token.text) + " is a function and wants a value",
+                    "type " + name + "(...)");
+    }
+    const Parsed value = bare_argument();
+    if (!value) return std::unexpected(value.error());
+    return std::vector<SyntaxId>{*value};
+}
+
+/// Whether the next token goes on the argument of a function without parentheses: a name that is
+/// no function.
+bool SyntaxParser::starts_bare_factor() const {
+    if (next().kind != TokenKind::Name || !starts_factor()) return false;
+    const std::string name = full_name(next());
+    return find_function(name) == nullptr && !words_.defines_function(name) &&
+           next().text != "\\frac" && next().text != "\\sqrt" && next().text != "log";
+}
+
+/// 2x in sin 2x: a product of a number or a name and names; a bracket only right behind a number.
+SyntaxParser::Parsed SyntaxParser::bare_argument() {
+    const Token start = next();
+    const Parsed first = signed_power();
+    if (!first) return first;
+    std::vector<SyntaxId> operands{*first};
+    const auto further = [&](bool wanted) -> std::optional<ParseError> {
+        if (!wanted) return std::nullopt;
+        const Parsed factor = power();
+        if (!factor) return factor.error();
+        operands.push_back(*factor);
+        return std::nullopt;
+    };
+    const SyntaxKind kind = tree_[*first].kind;
+    const bool bracket = kind == SyntaxKind::Number && next_is_one_of({"(", "["});
+    if (const auto error = further(bracket)) return std::unexpected(*error);
+    const bool simple = kind == SyntaxKind::Number || kind == SyntaxKind::Name ||
+                        kind == SyntaxKind::Power || kind == SyntaxKind::Negate;
+    while (simple && !bracket && starts_bare_factor()) {
+        if (const auto error = further(true)) return std::unexpected(*error);
+    }
+    if (operands.size() == 1) return first;
+    std::string marks(operands.size() - 1, '*');
+    return add(SyntaxKind::Product, start.offset, std::move(operands), std::move(marks));
+}
+
+SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& function) {
+    std::optional<SyntaxId> exponent;
+    if (next_is("^") || next().kind == TokenKind::Superscript) {
+        const bool raised = next().kind == TokenKind::Superscript;
+        if (!raised) take();
+        const Parsed power_of = raised ? superscript() : signed_power();
+        if (!power_of) return power_of;
+        exponent = *power_of;
+    }
+    List values = arguments_of(token, function);
+    if (!values) return std::unexpected(values.error());
+    if (token.text == "log" && !token.subscript.empty() && values->size() == 1) {
+        const bool number = token.subscript.find_first_not_of("0123456789") == std::string::npos;
+        values->push_back(add(number ? SyntaxKind::Number : SyntaxKind::Name, token.offset, {}, {},
+                              token.subscript));
+    }
+    if (!function.takes(values->size())) {
+        return fail(
+            token,
+            std::string(function.name) + " takes " + function.arity_text() + ", not " +
+                std::to_string(values->size()),
+            "type " + std::string(function.name) + "(" + std::string(function.arguments) + ")");
+    }
+    const SyntaxId result = add_call(function, token.offset, std::move(*values));
+    if (!exponent) return result;
+    return with_exponent(result, token, function, *exponent);
+}
+
+/// sin^2 x is (sin x)^2, but sin^-1 x is the inverse function.
+SyntaxParser::Parsed SyntaxParser::with_exponent(SyntaxId call, const Token& token,
+                                                 const Function& function, SyntaxId exponent) {
+    const Syntax& power_of = tree_[exponent];
+    const bool inverse = power_of.kind == SyntaxKind::Negate &&
+                         tree_[power_of.operands[0]].kind == SyntaxKind::Number &&
+                         tree_[power_of.operands[0]].text == "1";
+    if (!inverse) return add(SyntaxKind::Power, token.offset, {call, exponent});
+    const Function* const other = inverse_of(function);
+    const std::string name(function.name);
+    if (other == nullptr) {
+        return fail(token, name + "^-1 can be read in two ways",
+                    "for the reciprocal type 1/" + name + "(...)");
+    }
+    tree_.nodes[call].function = other;
+    return call;
+}
+
+SyntaxParser::Parsed SyntaxParser::call_of_text(const Token& token) {
+    const Token opener = next();
+    List values = arguments();
+    if (!values) return std::unexpected(values.error());
+    if (const auto error = close(opener)) return std::unexpected(*error);
+    return add(SyntaxKind::Call, token.offset, std::move(*values), {}, full_name(token));
+}
+
+}  // namespace zeroset

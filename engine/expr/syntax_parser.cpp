@@ -1,0 +1,341 @@
+#include "engine/expr/syntax_parser.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace zeroset {
+namespace {
+
+constexpr int max_depth = 1000;
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+bool is_connective(const Token& token) {
+    return token.text == "and" || token.text == "or" || token.text == "not";
+}
+
+}  // namespace
+
+std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
+    while (next().kind == TokenKind::Break)
+        take();
+    if (next().kind == TokenKind::End) {
+        ParseError error{next().offset, "there is no formula yet",
+                         "type one, for example x^2 + y^2 + z^2 = 1", true};
+        return std::unexpected(std::move(error));
+    }
+    while (next().kind != TokenKind::End) {
+        if (const auto error = statement()) return std::unexpected(*error);
+        while (next().kind == TokenKind::Break)
+            take();
+    }
+    return std::move(tree_);
+}
+
+std::optional<ParseError> SyntaxParser::statement() {
+    statement_start_ = at_;
+    if (tree_.statements.size() == ProgramLimits::statements) {
+        return ParseError{
+            next().offset,
+            "there are more than " + std::to_string(ProgramLimits::statements) + " statements",
+            {}};
+    }
+    StatementSyntax statement{0, {}, next().offset};
+    const Parsed relation = logic();
+    if (!relation) return relation.error();
+    statement.relation = *relation;
+    while (!at_break()) {
+        if (next_is("{")) {
+            if (const auto error = restrictions_in_braces(statement)) return error;
+            continue;
+        }
+        if (!next_is(",")) return surplus();
+        take();
+        const Parsed restriction = logic();
+        if (!restriction) return restriction.error();
+        statement.restrictions.push_back(*restriction);
+    }
+    tree_.statements.push_back(std::move(statement));
+    return std::nullopt;
+}
+
+std::optional<ParseError> SyntaxParser::restrictions_in_braces(StatementSyntax& statement) {
+    const Token opener = next();
+    const List conditions = arguments();
+    if (!conditions) return conditions.error();
+    statement.restrictions.insert(statement.restrictions.end(), conditions->begin(),
+                                  conditions->end());
+    return close(opener);
+}
+
+SyntaxParser::Parsed SyntaxParser::joined_by(std::string_view word, SyntaxKind kind, Rule rule) {
+    const Token start = next();
+    Parsed first = (this->*rule)();
+    if (!first || !next_is_word(word)) return first;
+    std::vector<SyntaxId> operands{*first};
+    while (next_is_word(word)) {
+        take();
+        const Parsed further = (this->*rule)();
+        if (!further) return further;
+        operands.push_back(*further);
+    }
+    return add(kind, start.offset, std::move(operands));
+}
+
+SyntaxParser::Parsed SyntaxParser::logic() {
+    return joined_by("or", SyntaxKind::Or, &SyntaxParser::both);
+}
+
+SyntaxParser::Parsed SyntaxParser::both() {
+    return joined_by("and", SyntaxKind::And, &SyntaxParser::negation);
+}
+
+SyntaxParser::Parsed SyntaxParser::negation() {
+    const Token start = next();
+    bool negated = false;
+    while (next_is_word("not")) {
+        take();
+        negated = !negated;
+    }
+    const Parsed operand = relation();
+    if (!operand || !negated) return operand;
+    return add(SyntaxKind::Not, start.offset, {*operand});
+}
+
+char SyntaxParser::comparison() const {
+    constexpr std::array<std::pair<std::string_view, char>, 5> signs{
+        {{"=", '='}, {"<", '<'}, {">", '>'}, {"<=", 'l'}, {">=", 'g'}}};
+    if (next().kind != TokenKind::Symbol) return '\0';
+    for (const auto& [sign, mark] : signs) {
+        if (next().text == sign) return mark;
+    }
+    return '\0';
+}
+
+SyntaxParser::Parsed SyntaxParser::relation() {
+    Parsed first = sum();
+    if (!first || comparison() == '\0') return first;
+    const std::size_t offset = next().offset;
+    std::vector<SyntaxId> operands{*first};
+    std::string marks;
+    while (const char mark = comparison()) {
+        if (mark == '=' && marks.contains('=')) {
+            return fail(next(), "there is a second '='",
+                        "keep one, or put the next equation behind ';'");
+        }
+        take();
+        marks += mark;
+        const Parsed further = sum();
+        if (!further) return further;
+        operands.push_back(*further);
+    }
+    return add(SyntaxKind::Compare, offset, std::move(operands), std::move(marks));
+}
+
+SyntaxParser::Parsed SyntaxParser::sum() {
+    const std::size_t offset = next().offset;
+    Parsed first = product();
+    if (!first || !next_is_one_of({"+", "-"})) return first;
+    std::vector<SyntaxId> operands{*first};
+    std::string marks;
+    while (next_is_one_of({"+", "-"})) {
+        marks += take().text;
+        const Parsed further = product();
+        if (!further) return further;
+        operands.push_back(*further);
+    }
+    return add(SyntaxKind::Sum, offset, std::move(operands), std::move(marks));
+}
+
+/// Whether the "{" that comes next holds conditions rather than a factor.
+bool SyntaxParser::restricts() const {
+    if (brackets_ > 0) return false;
+    int open = 0;
+    for (std::size_t i = at_; i < tokens_.size() && tokens_[i].kind != TokenKind::Break; ++i) {
+        if (tokens_[i].kind != TokenKind::Symbol) continue;
+        const std::string_view text = tokens_[i].text;
+        if (text == "{") ++open;
+        if (text == "}" && --open == 0) return false;
+        if (open == 1 && std::string_view("<=>=").contains(text)) return true;
+    }
+    return false;
+}
+
+/// Whether the next token can be a factor without a "*" before it.
+bool SyntaxParser::starts_factor() const {
+    if (next().kind == TokenKind::Name) return !is_connective(next());
+    if (next_is("{")) return !restricts();
+    if (next_is("|")) return bars_ == 0;
+    return next_is_one_of({"(", "[", "(|", "⌊", "⌈"});
+}
+
+SyntaxParser::Parsed SyntaxParser::product() {
+    const std::size_t offset = next().offset;
+    Parsed first = signed_power();
+    if (!first) return first;
+    std::vector<SyntaxId> operands{*first};
+    std::string marks;
+    std::vector<std::size_t> offsets;
+    for (;;) {
+        const bool written = next_is_one_of({"*", "/"});
+        if (!written && !starts_factor()) break;
+        marks += written ? take().text.front() : '*';
+        const Parsed further = written ? signed_power() : power();
+        if (!further) return further;
+        operands.push_back(*further);
+    }
+    if (marks.empty()) return first;
+    return add(SyntaxKind::Product, offset, std::move(operands), std::move(marks));
+}
+
+std::optional<ParseError> SyntaxParser::too_deep() const {
+    if (depth_ <= max_depth) return std::nullopt;
+    return ParseError{next().offset,
+                      "the formula is nested more than " + std::to_string(max_depth) + " deep",
+                      {}};
+}
+
+SyntaxParser::Parsed SyntaxParser::signed_power() {
+    // Every nesting passes here, so here it is counted.
+    struct Level {
+        int& depth;
+        explicit Level(int& d) : depth(d) { ++depth; }
+        ~Level() { --depth; }
+    };
+    const Level level(depth_);
+    if (const auto error = too_deep()) return std::unexpected(*error);
+    const std::size_t offset = next().offset;
+    if (next_is("+")) {
+        take();
+        return signed_power();
+    }
+    if (next_is("-")) {
+        take();
+        const Parsed operand = signed_power();
+        if (!operand) return operand;
+        return add(SyntaxKind::Negate, offset, {*operand});
+    }
+    return power();
+}
+
+SyntaxParser::Parsed SyntaxParser::power() {
+    Parsed base = operand();
+    while (base) {
+        const std::size_t offset = next().offset;
+        Parsed exponent = 0;
+        if (next().kind == TokenKind::Superscript) {
+            exponent = superscript();
+        } else if (next_is("^")) {
+            take();
+            exponent = signed_power();
+        } else {
+            break;
+        }
+        if (!exponent) return exponent;
+        base = add(SyntaxKind::Power, offset, {*base, *exponent});
+    }
+    return base;
+}
+
+bool SyntaxParser::next_is_one_of(std::initializer_list<std::string_view> symbols) const {
+    return next().kind == TokenKind::Symbol &&
+           std::ranges::find(symbols, next().text) != symbols.end();
+}
+
+SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
+                           std::string marks, std::string text) {
+    tree_.nodes.push_back(
+        {kind, offset, std::move(text), std::move(operands), std::move(marks), nullptr});
+    return static_cast<SyntaxId>(tree_.nodes.size() - 1);
+}
+
+SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
+                                std::vector<SyntaxId> operands) {
+    const SyntaxId call = add(SyntaxKind::Call, offset, std::move(operands));
+    tree_.nodes[call].function = &function;
+    return call;
+}
+
+std::unexpected<ParseError> SyntaxParser::fail(const Token& at, std::string reason,
+                                               std::string hint) const {
+    const bool unfinished = at.kind == TokenKind::End;
+    return std::unexpected(ParseError{at.offset, std::move(reason), std::move(hint), unfinished});
+}
+
+ParseError SyntaxParser::missing_operand() const {
+    const Token& here = next();
+    const bool at_start = at_ == statement_start_;
+    const std::string place =
+        at_start ? "before " + quoted(here.text) : "after " + quoted(before());
+    return {here.offset,
+            "a number, a variable or '(' is missing " + place,
+            {},
+            here.kind == TokenKind::End};
+}
+
+/// Why the next token cannot follow a finished operand.
+ParseError SyntaxParser::surplus() const {
+    const Token& here = next();
+    const std::string text(here.text);
+    if (text == ")" || text == "]" || text == "}") {
+        const std::string opener = text == ")" ? "(" : text == "]" ? "[" : "{";
+        return {here.offset, "this " + quoted(text) + " closes nothing",
+                "delete it or add a " + quoted(opener) + " before"};
+    }
+    if (text == ",") {
+        return {here.offset, "a ',' stands outside a function's arguments",
+                "write decimals with a point, 1.5"};
+    }
+    const Token& left = tokens_[at_ - 1];
+    const std::string reason =
+        "an operator is missing between " + quoted(left.text) + " and " + quoted(text);
+    const std::string l(left.text);
+    if (here.kind == TokenKind::Number && left.kind == TokenKind::Name &&
+        left.end() == here.offset) {
+        return {here.offset, reason,
+                "type " + l + "*" + text + ", " + l + "^" + text + " or " + l + "_" + text};
+    }
+    return {here.offset, reason, "for a product type " + l + "*" + text};
+}
+
+std::optional<ParseError> SyntaxParser::close(const Token& opener) {
+    const std::string_view closer = opener.text == "("    ? ")"
+                                    : opener.text == "["  ? "]"
+                                    : opener.text == "{"  ? "}"
+                                    : opener.text == "(|" ? "|)"
+                                    : opener.text == "⌊"  ? "⌋"
+                                    : opener.text == "⌈"  ? "⌉"
+                                                          : "|";
+    if (next_is(closer)) {
+        take();
+        return std::nullopt;
+    }
+    const std::string shown = opener.text == "(|" ? "|" : std::string(opener.text);
+    if (at_break()) {
+        return ParseError{opener.offset, "this " + quoted(shown) + " is not closed",
+                          "add a " + quoted(closer == "|)" ? "|" : closer),
+                          next().kind == TokenKind::End};
+    }
+    if (next_is_one_of({")", "]", "}", "|", "|)"})) {
+        return ParseError{
+            opener.offset,
+            "this " + quoted(shown) + " is not closed before the " + quoted(next().text),
+            "add a " + quoted(closer) + " there"};
+    }
+    return surplus();
+}
+
+std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text) {
+    if (text.size() > ProgramLimits::text) {
+        return std::unexpected(
+            ParseError{ProgramLimits::text,
+                       "the text is longer than " + std::to_string(ProgramLimits::text) + " bytes",
+                       {}});
+    }
+    auto tokens = tokenize(text);
+    if (!tokens) return std::unexpected(tokens.error());
+    const Words words(*tokens);
+    return SyntaxParser(words.split(*tokens), words).text();
+}
+
+}  // namespace zeroset

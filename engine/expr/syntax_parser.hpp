@@ -1,0 +1,118 @@
+#pragma once
+
+#include "engine/expr/syntax.hpp"
+#include "engine/expr/words.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// Private to the reading of syntax. Grammar (an implicit product binds like "*"):
+//   text      = statement { (";" | line end) statement }
+//   statement = logic { "," logic | "{" logic { "," logic } "}" }
+//   logic     = both { "or" both }          both = negation { "and" negation }
+//   negation  = "not" negation | relation
+//   relation  = sum { ("=" | "<" | ">" | "<=" | ">=") sum }
+//   sum       = product { ("+" | "-") product }
+//   product   = signed { ("*" | "/") signed | power }
+//   signed    = ("+" | "-") signed | power
+//   power     = operand { "^" signed | superscript }
+//   operand   = number | name | "(" logic ")" | "[" logic "]" | "{" logic "}" | "|" logic "|"
+//             | function [ "^" signed ] ( "(" logic { "," logic } ")" | bare )
+//             | "{" logic ":" logic { "," logic ":" logic } "," logic "}"
+//             | "\frac" part part | "\sqrt" [ "[" logic "]" ] part
+//   bare      = signed { power of a name }   (sin 2x, ln xy)
+
+namespace zeroset {
+
+class SyntaxParser {
+public:
+    using Parsed = std::expected<SyntaxId, ParseError>;
+
+    SyntaxParser(std::vector<Token> tokens, const Words& words)
+        : tokens_(std::move(tokens)), words_(words) {}
+
+    std::expected<SyntaxTree, ParseError> text();
+
+private:
+    using Rule = Parsed (SyntaxParser::*)();
+    using List = std::expected<std::vector<SyntaxId>, ParseError>;
+
+    // syntax_parser.cpp: statements and operators
+    std::optional<ParseError> statement();
+    std::optional<ParseError> restrictions_in_braces(StatementSyntax& statement);
+    Parsed logic();
+    Parsed both();
+    Parsed negation();
+    Parsed relation();
+    Parsed sum();
+    Parsed product();
+    Parsed signed_power();
+    Parsed power();
+    Parsed joined_by(std::string_view word, SyntaxKind kind, Rule rule);
+    /// The mark of a comparison, or 0.
+    [[nodiscard]] char comparison() const;
+    [[nodiscard]] bool starts_factor() const;
+    [[nodiscard]] bool restricts() const;
+
+    // syntax_operand.cpp
+    Parsed operand();
+    Parsed name(const Token& token);
+    Parsed group(const Token& opener);
+    Parsed cases(const Token& opener, SyntaxId condition);
+    Parsed absolute(const Token& opener);
+    Parsed floor_or_ceil(const Token& opener);
+    Parsed fraction();
+    Parsed radical(const Token& token);
+    Parsed part();
+    Parsed call(const Token& token, const Function& function);
+    Parsed call_of_text(const Token& token);
+    List arguments_of(const Token& token, const Function& function);
+    List arguments();
+    Parsed bare_argument();
+    Parsed with_exponent(SyntaxId call, const Token& token, const Function& function,
+                         SyntaxId exponent);
+    Parsed superscript();
+    [[nodiscard]] bool starts_bare_factor() const;
+
+    // Errors and tokens
+    std::optional<ParseError> close(const Token& opener);
+    [[nodiscard]] std::unexpected<ParseError> fail(const Token& at, std::string reason,
+                                                   std::string hint = {}) const;
+    [[nodiscard]] ParseError missing_operand() const;
+    [[nodiscard]] ParseError surplus() const;
+    [[nodiscard]] std::optional<ParseError> too_deep() const;
+
+    SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
+                 std::string marks = {}, std::string text = {});
+    SyntaxId add_call(const Function& function, std::size_t offset, std::vector<SyntaxId> operands);
+
+    [[nodiscard]] const Token& next() const { return tokens_[at_]; }
+    [[nodiscard]] bool next_is(std::string_view symbol) const {
+        return next().kind == TokenKind::Symbol && next().text == symbol;
+    }
+    [[nodiscard]] bool next_is_one_of(std::initializer_list<std::string_view> symbols) const;
+    [[nodiscard]] bool next_is_word(std::string_view word) const {
+        return next().kind == TokenKind::Name && next().text == word;
+    }
+    [[nodiscard]] bool at_break() const {
+        return next().kind == TokenKind::Break || next().kind == TokenKind::End;
+    }
+    Token take() { return tokens_[next().kind == TokenKind::End ? at_ : at_++]; }
+    /// The typed text of the token before.
+    [[nodiscard]] std::string before() const { return std::string(tokens_[at_ - 1].text); }
+
+    std::vector<Token> tokens_;
+    const Words& words_;
+    SyntaxTree tree_;
+    std::size_t at_ = 0;
+    std::size_t statement_start_ = 0;  ///< index of its first token
+    int depth_ = 0;                    ///< of nested operands
+    int brackets_ = 0;                 ///< open ones
+    int bars_ = 0;                     ///< open |, since the last open bracket
+};
+
+}  // namespace zeroset

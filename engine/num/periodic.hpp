@@ -1,0 +1,144 @@
+#pragma once
+
+#include "engine/num/elementary.hpp"
+
+// Intervals of periodic functions and of angles over any carrier, in upward rounding.
+
+namespace zeroset {
+
+inline constexpr double turns_per_radian = 0x1.45f306p-3;  // the float nearest to 1 / (2 pi)
+
+/// Whether (conservatively) some phase + k / frequency lies in a, for a whole number k.
+/// `phase_lo <= phase <= phase_hi`; the frequency is 1 or 2 times `turns_per_radian`.
+template <class Real>
+auto meets_phase(const Interval<Real>& a, double frequency, double phase_lo, double phase_hi) {
+    const Real turns = like(a.hi, frequency);
+    const Real slack = like(a.hi, 0x1p-21);  // above the error of turns and of both products
+    const Real above = a.hi + like(a.hi, -phase_lo);
+    const Real below = a.neg_lo + like(a.hi, phase_hi);
+    const Real turns_above = above * turns + magnitude(above) * slack;
+    const Real turns_neg_below = below * turns + magnitude(below) * slack;
+    return round_down(turns_above) + turns_neg_below >= like(a.hi, 0.0);
+}
+
+/// Where phases are told apart: beyond, a period is a few hundred thousand ulp or less.
+template <class Real>
+auto near_zero(const Interval<Real>& a) {
+    const Real far = like(a.hi, 0x1p20);
+    return both(a.neg_lo <= far, a.hi <= far);
+}
+
+/// sin or cos, whose maxima are at `phase` + 2 pi k and minima half a turn away; the phases are
+/// given as float-representable enclosures.
+template <class Real>
+Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo, double max_hi,
+                    double min_lo, double min_hi) {
+    const Real first = elementary(function, -a.neg_lo);
+    const Real last = elementary(function, a.hi);
+    const Interval<Real> ends = widened(function, minimum(first, last), maximum(first, last));
+    const Real one = like(a.hi, 1.0);
+    const auto near = near_zero(a);
+    const Interval<Real> bounded = clamped(ends, -1.0, 1.0);
+    return {
+        select(both(near, no(meets_phase(a, turns_per_radian, min_lo, min_hi))), bounded.neg_lo,
+               one),
+        select(both(near, no(meets_phase(a, turns_per_radian, max_lo, max_hi))), bounded.hi, one)};
+}
+
+template <class Real>
+Interval<Real> sin(const Interval<Real>& a) {
+    return wave(Elementary::Sin, a, 0.5 * pi_lo, 0.5 * pi_hi, -0.5 * pi_hi, -0.5 * pi_lo);
+}
+
+template <class Real>
+Interval<Real> cos(const Interval<Real>& a) {
+    return wave(Elementary::Cos, a, 0.0, 0.0, pi_lo, pi_hi);
+}
+
+/// Where no pole of tan or cot, at `phase` + pi k, is met for sure.
+template <class Real>
+auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
+    return both(near_zero(a), no(meets_phase(a, 2 * turns_per_radian, phase_lo, phase_hi)));
+}
+
+template <class Real>
+Enclosure<Real> tan(const Interval<Real>& a) {
+    const auto smooth = between_poles(a, 0.5 * pi_lo, 0.5 * pi_hi);
+    return {select(smooth, odd_increasing(Elementary::Tan, a), whole_line(a.hi)), {}, smooth};
+}
+
+/// An upper bound of 1 / t for the library result t of tan; +inf where the true t may be 0.
+template <class Real>
+Real cot_up(const Real& t) {
+    const Real zero = like(t, 0.0);
+    const Real error = library_error(Elementary::Tan, t);
+    const Real neg_lo = error - t;
+    const auto unbounded = both(neg_lo >= zero, t + error >= zero);
+    return select(unbounded, like(t, infinity), like(t, -1.0) / neg_lo);
+}
+
+template <class Real>
+Enclosure<Real> cot(const Interval<Real>& a) {
+    const auto smooth = between_poles(a, 0.0, 0.0);
+    const Interval<Real> falling{cot_up(-elementary(Elementary::Tan, a.hi)),
+                                 cot_up(elementary(Elementary::Tan, -a.neg_lo))};
+    return {select(smooth, falling, whole_line(a.hi)), {}, smooth};
+}
+
+/// The angle of (x, y) from the corners where it is extreme, for a box of the right half plane or
+/// one that does not meet the x axis.
+template <class Real>
+Interval<Real> angle_from_corners(const Interval<Real>& y, const Interval<Real>& x) {
+    const Real zero = like(x.hi, 0.0);
+    const Real x_lo = -x.neg_lo;
+    const Real y_lo = -y.neg_lo;
+    // Above the x axis the angle falls with x, below it grows; it grows with y where x > 0.
+    const Real x_at_max = select(y.hi <= zero, x.hi, x_lo);
+    const Real y_at_max = select(x_at_max > zero, y.hi, y_lo);
+    const Real x_at_min = select(y_lo >= zero, x.hi, x_lo);
+    const Real y_at_min = select(x_at_min > zero, y_lo, y.hi);
+    return widened(Elementary::Atan2, elementary(Elementary::Atan2, y_at_min, x_at_min),
+                   elementary(Elementary::Atan2, y_at_max, x_at_max));
+}
+
+/// What atan2 needs to know of its box.
+template <class Mask>
+struct AngleCases {
+    Mask around_origin;  ///< the box meets the origin
+    Mask across_cut;     ///< it meets the negative x axis but not the origin
+};
+
+template <class Real>
+auto angle_cases(const Interval<Real>& y, const Interval<Real>& x) {
+    const auto y_has_zero = contains_zero(y);
+    const auto origin = both(y_has_zero, contains_zero(x));
+    const auto cut = both(y_has_zero, x.hi < like(x.hi, 0.0));
+    return AngleCases<decltype(contains_zero(y))>{origin, cut};
+}
+
+/// atan2(y, x): the whole circle, and not continuous, where the box meets its cut.
+template <class Real>
+Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x) {
+    const auto cases = angle_cases(y, x);
+    const auto cut = either(cases.around_origin, cases.across_cut);
+    const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
+    const Interval<Real> value = select(cut, circle, angle_from_corners(y, x));
+    return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut)};
+}
+
+/// atan2(y, x) up to a multiple of 2 pi: continuous across the cut, where it goes on above pi.
+template <class Real>
+Enclosure<Real> angle(const Interval<Real>& y, const Interval<Real>& x) {
+    const auto cases = angle_cases(y, x);
+    const auto cut = cases.across_cut;
+    const Interval<Real> turned = angle_from_corners(select(cut, -y, y), select(cut, -x, x));
+    const Real zero = like(x.hi, 0.0);
+    const Interval<Real> half_turn{select(cut, like(zero, -pi_lo), zero),
+                                   select(cut, like(zero, pi_hi), zero)};
+    const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
+    const Interval<Real> value = select(cases.around_origin, circle, turned + half_turn);
+    const auto beside_origin = no(cases.around_origin);
+    return {value, {}, beside_origin, beside_origin};
+}
+
+}  // namespace zeroset

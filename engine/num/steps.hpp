@@ -1,0 +1,132 @@
+#pragma once
+
+#include "engine/num/enclosure.hpp"
+
+// Functions that jump, and conditions, over any carrier, in upward rounding. A condition's range
+// is [1, 1] where it surely holds, [0, 0] where it surely fails and [0, 1] elsewhere; its
+// continuity mask says whether it is decided.
+
+namespace zeroset {
+
+/// A function of whole numbers: continuous where its range is one of them.
+template <class Real>
+Enclosure<Real> stepped(const Interval<Real>& range) {
+    return {range, {}, {}, range.neg_lo == -range.hi};
+}
+
+template <class Real>
+Real sign_of(const Real& a) {
+    const Real zero = like(a, 0.0);
+    return select(a > zero, like(a, 1.0), select(a < zero, like(a, -1.0), zero));
+}
+
+/// floor(a + 1/2), exact in any rounding mode: a - floor(a) is exact for a > 0 and where it is at
+/// most 1/2, and rounding never takes it across 1/2.
+template <class Real>
+Real nearest_integer(const Real& a) {
+    const Real below = round_down(a);
+    const auto up = a - below >= like(a, 0.5);
+    return select(up, below + like(a, 1.0), below);
+}
+
+template <class Real>
+Enclosure<Real> sign(const Interval<Real>& a) {
+    return stepped<Real>({sign_of(a.neg_lo), sign_of(a.hi)});
+}
+template <class Real>
+Enclosure<Real> floor(const Interval<Real>& a) {
+    return stepped<Real>({-round_down(-a.neg_lo), round_down(a.hi)});
+}
+template <class Real>
+Enclosure<Real> ceil(const Interval<Real>& a) {
+    return stepped<Real>({round_down(a.neg_lo), -round_down(-a.hi)});
+}
+template <class Real>
+Enclosure<Real> round(const Interval<Real>& a) {
+    return stepped<Real>({-nearest_integer(-a.neg_lo), nearest_integer(a.hi)});
+}
+
+/// a - b floor(a/b): from 0 to b, and a - b k where floor(a/b) is the same k on the whole box.
+template <class Real>
+Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real zero = like(a.hi, 0.0);
+    const Interval<Real> quotient = a / b;
+    const Real k = round_down(quotient.hi);
+    const auto one_step = k == round_down(-quotient.neg_lo);
+    const Interval<Real> from_zero{maximum(b.neg_lo, zero), maximum(b.hi, zero)};
+    const Interval<Real> shifted = a - b * point(k);
+    const Interval<Real> tight{minimum(shifted.neg_lo, from_zero.neg_lo),
+                               minimum(shifted.hi, from_zero.hi)};
+    return {select(one_step, tight, from_zero), {}, no(contains_zero(b)), one_step};
+}
+
+/// A condition that holds for sure, or fails for sure.
+template <class Real>
+Enclosure<Real> condition(const auto& holds, const auto& fails, const Real& kind) {
+    const Real zero = like(kind, 0.0);
+    return {{select(holds, like(kind, -1.0), zero), select(fails, zero, like(kind, 1.0))},
+            {},
+            {},
+            either(holds, fails)};
+}
+
+template <class Real>
+Enclosure<Real> less(const Interval<Real>& a, const Interval<Real>& b) {
+    return condition(a.hi < -b.neg_lo, -a.neg_lo >= b.hi, a.hi);
+}
+template <class Real>
+Enclosure<Real> less_equal(const Interval<Real>& a, const Interval<Real>& b) {
+    return condition(a.hi <= -b.neg_lo, -a.neg_lo > b.hi, a.hi);
+}
+
+template <class Real>
+auto may_hold(const Interval<Real>& condition) {
+    return condition.hi > like(condition.hi, 0.0);
+}
+template <class Real>
+auto may_fail(const Interval<Real>& condition) {
+    return condition.neg_lo >= like(condition.hi, 0.0);
+}
+
+/// What a mask of one side says of the whole: nothing where that side is never taken.
+template <class Mask>
+std::optional<Mask> where_taken(const Mask& taken, const std::optional<Mask>& mask) {
+    if (!mask) return mask;
+    return either(no(taken), *mask);
+}
+
+/// a where the condition c holds, b elsewhere. The hull of both where c is undecided, but for a
+/// side that is nowhere defined.
+template <class Real>
+Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
+                       const Enclosure<Real>& b) {
+    const auto holds = may_hold(c.range);
+    const auto fails = may_fail(c.range);
+    const auto use_a = a.somewhere ? both(holds, *a.somewhere) : holds;
+    const auto use_b = b.somewhere ? both(fails, *b.somewhere) : fails;
+    const Interval<Real> hull{maximum(a.range.neg_lo, b.range.neg_lo),
+                              maximum(a.range.hi, b.range.hi)};
+    Enclosure<Real> result{select(use_a, select(use_b, hull, a.range), b.range)};
+    result.somewhere = c.somewhere;
+    if (a.somewhere || b.somewhere) {
+        result.somewhere = conjunction(c.somewhere, {either(use_a, use_b)});
+    }
+    result.everywhere = conjunction(c.everywhere, conjunction(where_taken(holds, a.everywhere),
+                                                              where_taken(fails, b.everywhere)));
+    result.continuous = conjunction(
+        {no(both(holds, fails))},
+        conjunction(where_taken(holds, a.continuous), where_taken(fails, b.continuous)));
+    return result;
+}
+
+/// a where the condition c holds, undefined elsewhere.
+template <class Real>
+Enclosure<Real> where(const Enclosure<Real>& a, const Enclosure<Real>& c) {
+    Enclosure<Real> result = a;
+    result.somewhere = conjunction(conjunction(a.somewhere, c.somewhere), {may_hold(c.range)});
+    result.everywhere =
+        conjunction(conjunction(a.everywhere, c.everywhere), {no(may_fail(c.range))});
+    return result;
+}
+
+}  // namespace zeroset

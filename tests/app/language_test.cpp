@@ -1,0 +1,46 @@
+#include "app/language.hpp"
+
+#include "app/formula.hpp"
+#include "engine/expr/functions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+// The page of the formula language is made from the program's tables.
+
+namespace zeroset::test {
+namespace {
+
+TEST(Language, ThePageIsTheOneInTheDocuments) {
+    std::ifstream file(ZEROSET_SOURCE_DIR "/resources/docs/language.md");
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(page, language_page())
+        << "write it anew: zeroset language > resources/docs/language.md";
+}
+
+TEST(Language, TheHelpHasEveryFunction) {
+    const auto help = language_help();
+    for (const Function& function : functions()) {
+        EXPECT_FALSE(function.meaning.empty()) << function.name;
+        const std::string start = std::string(function.name) + "(";
+        EXPECT_TRUE(std::ranges::any_of(help.back().entries, [&](const ui::HelpEntry& entry) {
+            return entry.typed.starts_with(start);
+        })) << function.name;
+    }
+}
+
+TEST(Language, TheStatementsOfThePageAreRead) {
+    const auto help = language_help();
+    for (const ui::HelpEntry& entry : help.front().entries) {
+        if (!entry.typed.contains('=')) continue;
+        const auto program = read_formula(entry.typed + "\nx + y + z = 0");
+        EXPECT_TRUE(program) << entry.typed << ": " << program.error().reason;
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test

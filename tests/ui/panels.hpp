@@ -1,0 +1,281 @@
+#pragma once
+
+// The panels on a window that nobody sees, for each look they can have.
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/camera.hpp"
+#include "ui/offscreen_window.hpp"
+#include "ui/screen.hpp"
+#include "ui/texture.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_state.hpp"
+#include "ui/window.hpp"
+
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <ostream>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace zeroset::ui {
+
+struct Look {
+    Theme theme;
+    OffscreenOptions window;
+};
+
+inline std::string name_of(const Look& look) {
+    return (look.theme == Theme::Dark ? "dark_" : "light_") + std::to_string(look.window.width) +
+           "x" + std::to_string(look.window.height) + "_scale" +
+           std::to_string(std::lround(look.window.scale));
+}
+
+inline void PrintTo(const Look& look, std::ostream* out) { *out << name_of(look); }
+
+/// A disc of many colours on nothing.
+inline Framebuffer disc() {
+    constexpr int size = 96;
+    Framebuffer frame(size, size);
+    for (int row = 0; row < size; ++row) {
+        for (int col = 0; col < size; ++col) {
+            const std::size_t at = frame.index(col, row);
+            const bool drawn = std::hypot(col - size / 2, row - size / 2) < 0.45 * size;
+            const auto shade = static_cast<std::uint32_t>(2 * row + col / 2);
+            frame.color[at] = 0xFF404000U | std::min(shade, 255U);
+            frame.depth[at] = drawn ? 1.0F : HUGE_VALF;
+        }
+    }
+    return frame;
+}
+
+inline UiState usual_state(Theme theme) {
+    UiState state;
+    state.equation = "x^2 + y^2 + z^2 = 1";
+    state.readings = {{"x^2 + y^2 + z^2 - 1 = 0", std::nullopt}};
+    state.clip = Box::cube(2.0);
+    state.camera = default_camera(state.clip);
+    state.stop.value = 14.0;
+    state.theme = theme;
+    state.focus_equation = false;
+    for (int i = 0; i < 30; ++i) {
+        state.gallery.push_back({"Surface", "x + " + std::to_string(i) + " = 0", "A plane."});
+    }
+    state.picture = {false, 1280, 800, 1234.5, {1'002'003, 20'021, 1234}};
+    return state;
+}
+
+/// Columns and rows [lo, hi).
+struct Rectangle {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
+class Panels : public testing::TestWithParam<Look> {
+protected:
+    void SetUp() override {
+        auto made = make_offscreen_window(GetParam().window);
+        if (!made) GTEST_SKIP() << made.error();
+        window_ = std::move(*made);
+        picture_ = std::make_unique<Texture>();
+        picture_->upload(disc(), behind_picture(GetParam().theme));
+        state_ = usual_state(GetParam().theme);
+    }
+
+    /// The picture when the layout is settled, checked for what must hold in every state.
+    Framebuffer draw() {
+        for (int i = 0; i <= frames_to_settle; ++i) {
+            draw_frame();
+        }
+        Framebuffer frame = window_->pixels();
+        expect_in_order(frame);
+        return frame;
+    }
+
+    void draw_frame() {
+        window_->begin_frame(state_.theme);
+        draw_screen(state_, *picture_);
+        window_->end_frame();
+    }
+
+    void expect_in_order(const Framebuffer& frame) const {
+        const float width = static_cast<float>(frame.width);
+        const float height = static_cast<float>(frame.height);
+        for (const ImGuiWindow* shown : ImGui::GetCurrentContext()->Windows) {
+            if (!shown->WasActive || shown->IsFallbackWindow) continue;
+            const ImRect place = shown->Rect();
+            const bool inside = place.Min.x >= 0 && place.Min.y >= 0 && place.Max.x <= width &&
+                                place.Max.y <= height;
+            const bool is_clipped = (shown->Flags & ImGuiWindowFlags_ChildWindow) != 0;
+            EXPECT_TRUE(inside || is_clipped) << shown->Name << " sticks out of the window";
+            const bool is_field = std::string(shown->Name).contains("/##equation_");
+            if (is_field) continue;  // scrolls, and says nothing of its text's width
+            EXPECT_LE(shown->ContentSize.x, shown->WorkRect.GetWidth() + 1.0F)
+                << shown->Name << " is too narrow for what is in it";
+        }
+        EXPECT_EQ(std::ranges::count(frame.color, 0xFFFF00FFU), 0) << "magenta";
+        EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
+        if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;  // covers the picture
+        const std::set<std::uint32_t> shades(frame.color.begin() + middle(frame),
+                                             frame.color.begin() + middle(frame) + frame.width);
+        EXPECT_GT(shades.size(), 30U) << "no picture";
+    }
+
+    /// Where the row through the middle of the picture begins.
+    static std::ptrdiff_t middle(const Framebuffer& frame) {
+        const float top = panel("##equation bar").Rect().Max.y;
+        const float row = 0.5F * (top + panel("##status").Pos.y);
+        return static_cast<std::ptrdiff_t>(frame.index(0, static_cast<int>(row)));
+    }
+
+    [[nodiscard]] const Palette& colors() const { return palette(GetParam().theme); }
+    [[nodiscard]] int px(int design_units) const {
+        return static_cast<int>(
+            std::lround(static_cast<float>(design_units) * GetParam().window.scale));
+    }
+
+    /// Thin letters hardly reach their colour.
+    static constexpr int letters = 40;
+    static constexpr int exact = 2;
+
+    static bool is_like(std::uint32_t a, std::uint32_t b, int tolerance) {
+        const auto channel = [](std::uint32_t color, unsigned shift) {
+            return static_cast<int>((color >> shift) & 0xFFU);
+        };
+        return std::abs(channel(a, 0) - channel(b, 0)) <= tolerance &&
+               std::abs(channel(a, 8) - channel(b, 8)) <= tolerance &&
+               std::abs(channel(a, 16) - channel(b, 16)) <= tolerance;
+    }
+
+    /// Of the pixels like a colour within `area`; empty if there is none.
+    static Rectangle bounds(const Framebuffer& frame, std::uint32_t color, const Rectangle& area,
+                            int tolerance = letters) {
+        Rectangle box{area.right, area.bottom, area.left, area.top};
+        for (int row = area.top; row < area.bottom; ++row) {
+            for (int col = area.left; col < area.right; ++col) {
+                if (!is_like(frame.color[frame.index(col, row)], color, tolerance)) continue;
+                box = {std::min(box.left, col), std::min(box.top, row),
+                       std::max(box.right, col + 1), std::max(box.bottom, row + 1)};
+            }
+        }
+        return box;
+    }
+
+    /// The slider's grab on its track.
+    [[nodiscard]] std::uint32_t blended_grab() const {
+        const std::uint32_t alpha = colors().grab >> 24U;
+        std::uint32_t mixed = 0;
+        for (const unsigned shift : {0U, 8U, 16U}) {
+            const std::uint32_t over = (colors().grab >> shift) & 0xFFU;
+            const std::uint32_t under = (colors().field >> shift) & 0xFFU;
+            mixed |= ((over * alpha + under * (255U - alpha)) / 255U) << shift;
+        }
+        return mixed;
+    }
+
+    /// The mark in the text field: the topmost red.
+    [[nodiscard]] Rectangle mark(const Framebuffer& frame) const {
+        const Rectangle all = bounds(frame, colors().error, {0, 0, frame.width, frame.height});
+        return bounds(frame, colors().error, {0, all.top, frame.width, all.top + px(8)});
+    }
+
+    /// Expects ink above the mark and none of it beside: the marked character stands between
+    /// spaces.
+    void expect_under_character(const Framebuffer& frame, const Rectangle& marked) const {
+        ASSERT_LT(marked.left, marked.right) << "no mark";
+        const int wide = marked.right - marked.left;
+        EXPECT_NEAR(wide, px(10), px(2));
+        int inside = 0;
+        int beside = 0;
+        for (int row = marked.top - px(15); row < marked.top - px(1); ++row) {
+            for (int col = marked.left - wide + 1; col < marked.right + wide - 1; ++col) {
+                const bool ink = frame.color[frame.index(col, row)] != colors().field;
+                const bool above = col >= marked.left - px(1) && col < marked.right + px(1);
+                (above ? inside : beside) += ink ? 1 : 0;
+            }
+        }
+        EXPECT_GT(inside, 20);
+        EXPECT_EQ(beside, 0);
+    }
+
+    /// In design units.
+    void click(int x, int y) { click_at(glm::vec2(px(x), px(y))); }
+    /// In window coordinates.
+    void click_at(glm::vec2 at) {
+        for (const bool pressed : {false, true, false}) {
+            OffscreenWindow::point(at, pressed);
+            draw_frame();
+        }
+    }
+
+    /// A key, in GLFW's numbers, pressed and released.
+    void press(int key) {
+        for (const bool pressed : {true, false}) {
+            OffscreenWindow::key(key, pressed);
+            draw_frame();
+        }
+        draw_frame();
+    }
+
+    void press_with_ctrl(int key) {
+        OffscreenWindow::hold_ctrl(true);
+        press(key);
+        OffscreenWindow::hold_ctrl(false);
+    }
+
+    static const ImGuiWindow& panel(const char* name) { return *ImGui::FindWindowByName(name); }
+    /// The window inside another whose name begins with `name`, which ImGui completes.
+    static const ImGuiWindow* child(const std::string& name) {
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (window->WasActive && std::string(window->Name).starts_with(name)) return window;
+        }
+        return nullptr;
+    }
+
+    /// Number of pixels like a colour within an area.
+    static int count(const Framebuffer& frame, std::uint32_t color, const ImRect& area) {
+        int found = 0;
+        for (int row = static_cast<int>(area.Min.y); row < static_cast<int>(area.Max.y); ++row) {
+            for (int col = static_cast<int>(area.Min.x); col < static_cast<int>(area.Max.x);
+                 ++col) {
+                found += is_like(frame.color[frame.index(col, row)], color, letters) ? 1 : 0;
+            }
+        }
+        return found;
+    }
+
+    std::unique_ptr<OffscreenWindow> window_;  // outlives the texture
+    std::unique_ptr<Texture> picture_;
+    UiState state_;
+};
+
+inline std::vector<Look> all_looks() {
+    std::vector<Look> looks;
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        for (const auto& [width, height] :
+             {std::pair(min_width, min_height), std::pair(1280, 800)}) {
+            for (const float scale : {1.0F, 2.0F}) {
+                looks.push_back({theme, {width, height, scale}});
+            }
+        }
+    }
+    return looks;
+}
+
+/// Fewer, for what depends little on the look.
+inline std::vector<Look> different_looks() {
+    return {{Theme::Dark, {min_width, min_height, 1.0F}},
+            {Theme::Light, {min_width, min_height, 2.0F}},
+            {Theme::Dark, {1280, 800, 1.0F}}};
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,177 @@
+#include "ui/help_panel.hpp"
+
+#include "ui/equation_panel.hpp"
+#include "ui/fonts.hpp"
+#include "ui/keys.hpp"
+#include "ui/status_panel.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_state.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+const std::vector<HelpSection>& keys_help() {
+    static const std::vector<HelpSection> sections{
+        {"Picture",
+         {{"left drag", "orbit"},
+          {"right drag, Shift + left drag", "pan"},
+          {"wheel", "zoom towards the cursor"},
+          {"R", "reset the view"}}},
+        {"Text",
+         {{"Enter", "begin a new line"},
+          {"Tab, Esc", "leave the text field"},
+          {"Ctrl+A, Ctrl+C, Ctrl+X, Ctrl+V", "mark all, copy, cut, paste"},
+          {"Ctrl+Z, Ctrl+Y", "undo, redo"}}},
+        {"Sliders",
+         {{"drag", "change the value"},
+          {"double-click, Ctrl+click", "type a number, beyond the slider's ends, too"},
+          {"right click", "back to the usual value and range"}}},
+        {"Window", {{"F1", "open and close this help"}, {"Ctrl+Q", "quit"}}},
+    };
+    return sections;
+}
+
+char lower(char letter) {
+    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return std::ranges::search(text, part, {}, lower, lower).begin() != text.end() || part.empty();
+}
+
+std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter) {
+    if (contains(section.title, filter)) return section.entries;
+    std::vector<HelpEntry> found;
+    for (const HelpEntry& entry : section.entries) {
+        if (contains(entry.typed, filter) || contains(entry.meaning, filter)) {
+            found.push_back(entry);
+        }
+    }
+    return found;
+}
+
+void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const Palette& colors) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+    if (!ImGui::BeginTable("##entries", 2, flags)) return;
+    ImGui::TableSetupColumn("typed", ImGuiTableColumnFlags_WidthStretch, 0.42F);
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, 0.58F);
+    for (const HelpEntry& entry : entries) {
+        ImGui::TableNextColumn();
+        ImGui::PushFont(font(typed));
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(entry.typed.c_str());
+        ImGui::PopFont();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
+        ImGui::TextUnformatted(entry.meaning.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::EndTable();
+}
+
+/// Whether anything of it was found.
+bool draw_sections(const std::vector<HelpSection>& sections, const std::string& filter,
+                   FontRole typed, const Palette& colors) {
+    bool any = false;
+    for (const HelpSection& section : sections) {
+        const std::vector<HelpEntry> entries = filtered(section, filter);
+        if (entries.empty()) continue;
+        ImGui::PushID(&section);
+        if (any) ImGui::Dummy(ImVec2(0.0F, em(0.3F)));
+        ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
+        ImGui::TextUnformatted(section.title.c_str());
+        ImGui::PopStyleColor();
+        draw_entries(entries, typed, colors);
+        ImGui::PopID();
+        any = true;
+    }
+    return any;
+}
+
+void draw_language(UiState& state) {
+    const Palette& colors = palette(state.theme);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputTextWithHint("##filter", "find a function, for example  root", &state.help_filter);
+    ImGui::BeginChild("##language", ImVec2(0.0F, 0.0F));
+    if (!draw_sections(state.language_help, state.help_filter, FontRole::SmallFormula, colors)) {
+        ImGui::TextDisabled("nothing found");
+    }
+    ImGui::EndChild();
+}
+
+void draw_keys(const Palette& colors) {
+    ImGui::BeginChild("##keys", ImVec2(0.0F, 0.0F));
+    draw_sections(keys_help(), "", FontRole::Text, colors);
+    ImGui::EndChild();
+}
+
+/// At the right, between the bars; over them where the window is too low for that.
+void place_window(const UiState& state) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float margin = std::min(em(1.0F), 0.02F * window.y);
+    const float top = equation_bar_height(state) + margin;
+    const float bottom = window.y - status_bar_height() - margin;
+    const ImVec2 size(
+        std::min(em(48.0F), window.x - 2.0F * margin),
+        std::clamp(bottom - top, std::min(em(34.0F), window.y - 2.0F * margin), em(50.0F)));
+    ImGui::SetNextWindowPos(
+        ImVec2(window.x - margin - size.x, std::clamp(top, margin, window.y - margin - size.y)),
+        ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(em(20.0F), window.x), em(12.0F)), window);
+}
+
+}  // namespace
+
+void follow_help_keys(UiState& state) {
+    if (ImGui::IsKeyPressed(key_f1, false)) state.show_help = !state.show_help;
+    if (!state.show_help || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
+    state.show_help = false;
+    // No longer just pressed: the text field would give up what was typed.
+    ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
+}
+
+void draw_help_panel(UiState& state) {
+    if (!state.show_help) {
+        state.help_filter.clear();
+        return;
+    }
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    place_window(state);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.theme).popup);
+    const bool open = ImGui::Begin("Help##help", &state.show_help, flags);
+    ImGui::PopStyleColor();
+    if (open) {
+        if (ImGui::IsWindowAppearing()) {
+            ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+        }
+        if (ImGui::BeginTabBar("##tabs")) {
+            if (ImGui::BeginTabItem("Formulas")) {
+                draw_language(state);
+                ImGui::EndTabItem();
+            }
+            if (ImGui::BeginTabItem("Keys")) {
+                draw_keys(palette(state.theme));
+                ImGui::EndTabItem();
+            }
+            ImGui::EndTabBar();
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui
