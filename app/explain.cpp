@@ -80,7 +80,10 @@ void print(const Json& json) {
 int fail(const InputError& error, bool as_json) {
     if (!as_json) return report(error);
     const Json column = error.column ? Json(*error.column) : Json(nullptr);
-    print(Json{{"ok", false}, {"error", error.reason}, {"column", column}});
+    print(Json{{"ok", false},
+               {"error", error.reason},
+               {"column", column},
+               {"unfinished", error.unfinished}});
     return exit_wrong_input;
 }
 

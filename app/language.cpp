@@ -46,6 +46,24 @@ constexpr Line expressions[] = {
     {"{x < 0: -x, x}", "cases, the same as if(x < 0, -x, x)"},
 };
 
+constexpr std::string_view grammar = R"grammar(text      = statement { (";" | line end) statement }
+statement = logic { "," logic | "{" logic { "," logic } "}" }
+logic     = both { "or" both }
+both      = negation { "and" negation }
+negation  = "not" negation | relation
+relation  = sum { ("=" | "<" | ">" | "<=" | ">=") sum }
+sum       = product { ("+" | "-") product }
+product   = signed { ("*" | "/") signed | power }
+signed    = ("+" | "-") signed | power
+power     = operand { "^" signed | superscript }
+operand   = number | name | "(" logic ")" | "[" logic "]" | "{" logic "}" | "|" logic "|"
+          | function [ "^" signed ] ( "(" logic { "," logic } ")" | bare )
+          | "{" logic ":" sum { "," logic ":" sum } "," sum "}"
+          | "\frac" part part | "\sqrt" [ "[" logic "]" ] part
+bare      = signed { power of a name }
+part      = operand | digit
+)grammar";
+
 template <std::size_t Size>
 ui::HelpSection section(std::string title, const Line (&lines)[Size]) {
     ui::HelpSection result{std::move(title), {}};
@@ -88,6 +106,8 @@ std::string language_page() {
         for (const ui::HelpEntry& entry : section.entries)
             page += "| `" + cell(entry.typed) + "` | " + cell(entry.meaning) + " |\n";
     }
+    page += "\n## Grammar\n\nA product without `*` binds like one with it.\n\n```\n" +
+            std::string(grammar) + "```\n";
     return page;
 }
 

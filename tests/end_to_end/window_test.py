@@ -225,6 +225,20 @@ class WindowTest(unittest.TestCase):
         self.wait_for(lambda: self.red_pixels() == 0, "the equation without its )")
         self.quit_by_key()
 
+    def test_a_parameter_has_a_slider(self):
+        """The first row of the card at the left, below the text of one line."""
+        self.start("x^2 + y^2 + z^2 = a")
+        ball = self.rest(lambda _: True, "the ball")
+        left, right, down = (place * self.SCALE for place in (145, 175, 114))
+        self.display.xdotool("mousemove", left, down, "mousedown", 1)
+        for across in range(left, right, 2 * self.SCALE):
+            self.display.xdotool("mousemove", across, down)
+            time.sleep(POLL_S)
+        self.display.xdotool("mouseup", 1)
+        larger = self.changed(ball, "the larger ball")
+        self.assertGreater(self.surface(larger), self.surface(ball))
+        self.quit_by_key()
+
     def test_tab_leaves_the_field_and_f1_helps(self):
         first = self.start(TORUS)
         self.type_equation(BALL)
