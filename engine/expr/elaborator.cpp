@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t first_argument =
     ProgramLimits::parameters;  // numbers of functions' arguments, as parameters
 
+constexpr std::size_t longest_definition = 2'000;  // of what is shown of it, bytes
+
 bool is_letter_name(std::string_view name) { return name.size() == 1 || name[1] == '_'; }
 
 bool is_free(std::string_view name) {
@@ -181,7 +183,8 @@ bool Elaborator::build_definition(const std::string& name, Definition& definitio
         const NodeId f = make_subtract(builder_, letter->id, *definition.value);
         return done(f, offset) && add_surface(definition.statement, f);
     }
-    const std::string value = builder_.finish(*definition.value, parameters_).canonical();
+    const std::string value =
+        builder_.finish(*definition.value, parameters_).canonical(longest_definition);
     readings_[definition.statement] = {StatementKind::Value, offset, name + " = " + value};
     return true;
 }
@@ -203,7 +206,7 @@ std::optional<std::string> Elaborator::function_text(const std::string& name,
     std::vector<std::string> names = parameters_;
     names.resize(first_argument);
     names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
-    return text + ") = " + builder_.finish(*value, std::move(names)).canonical();
+    return text + ") = " + builder_.finish(*value, std::move(names)).canonical(longest_definition);
 }
 
 Program Elaborator::result() {

@@ -41,8 +41,9 @@ public:
     /// Names of variables 4 and up.
     [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
     [[nodiscard]] bool uses_variable(int variable) const;
-    /// The formula with every operator written out; parsing it gives the same graph.
-    [[nodiscard]] std::string canonical() const;
+    /// The formula with every operator written out; parsing it gives the same graph. Cut with
+    /// "..." behind `longest` bytes: a graph that shares much can be a very long text.
+    [[nodiscard]] std::string canonical(std::size_t longest = 100'000) const;
     /// Equal graphs have equal keys.
     [[nodiscard]] std::string key() const;
 

@@ -10,8 +10,6 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_text = 100'000;  // what can be read back
-
 // How tightly the printed form of a node binds.
 enum Precedence : int { Or = 1, And, Not, Relation, Sum, Product, Sign, Power, Atom };
 
@@ -25,14 +23,14 @@ int infix_precedence(Op op) {
 /// Writes a graph with a stack of its own: graphs may be deeper than the machine's stack.
 class Printer {
 public:
-    explicit Printer(const Expr& expr) : expr_(expr) {}
+    Printer(const Expr& expr, std::size_t longest) : expr_(expr), longest_(longest) {}
 
     std::string text(NodeId root) {
         pending_.push_back({{}, root, Or, true});
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            if (text_.size() > longest_text) return text_ + "...";
+            if (text_.size() > longest_) return text_.substr(0, longest_) + "...";
             if (piece.is_node) {
                 print(expr_.node(piece.node), piece.least);
             } else {
@@ -132,22 +130,26 @@ private:
     }
 
     const Expr& expr_;
+    std::size_t longest_;
     std::vector<Piece> pending_;
     std::string text_;
 };
 
 /// f, and behind a comma the condition that restricts it.
-std::string with_restriction(const Expr& expr, const std::string& between) {
+std::string with_restriction(const Expr& expr, const std::string& between, std::size_t longest) {
     if (expr.nodes().empty()) return {};
     const Node& root = expr.node(expr.root());
-    if (root.op != Op::Where) return Printer(expr).text(expr.root()) + between;
-    return Printer(expr).text(root.a) + between + ", " + Printer(expr).text(root.b);
+    if (root.op != Op::Where) return Printer(expr, longest).text(expr.root()) + between;
+    return Printer(expr, longest).text(root.a) + between + ", " +
+           Printer(expr, longest).text(root.b);
 }
 
 }  // namespace
 
-std::string Expr::canonical() const { return with_restriction(*this, ""); }
+std::string Expr::canonical(std::size_t longest) const {
+    return with_restriction(*this, "", longest);
+}
 
-std::string equation_text(const Expr& expr) { return with_restriction(expr, " = 0"); }
+std::string equation_text(const Expr& expr) { return with_restriction(expr, " = 0", 100'000); }
 
 }  // namespace zeroset
