@@ -20,7 +20,7 @@ struct RenderCommand {
     ViewText view;
     TraceText trace;
     std::string size = "1024x1024";
-    std::optional<std::string> output, depth, stats, repeat;
+    std::optional<std::string> output, depth, certificate, stats, repeat;
 };
 int run_render(const RenderCommand& command);
 

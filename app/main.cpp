@@ -100,6 +100,8 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_view_options(*render_app, render.view);
     add_trace_options(*render_app, render.trace);
     add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
+    add_value(*render_app, "--certificate", render.certificate,
+              "what is proved of each pixel, in colours: a PNG file");
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
     add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
     return render_app;

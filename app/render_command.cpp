@@ -36,12 +36,17 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
         if (!repeats) return std::unexpected(repeats.error());
         plan.repeats = *repeats;
     }
-    if (!command.output && !command.depth && !command.stats) {
-        return wrong_input("nothing to write: give -o OUT.png, --depth FILE.pfm or --stats -");
+    if (!command.output && !command.depth && !command.certificate && !command.stats) {
+        return wrong_input(
+            "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png or "
+            "--stats -");
     }
-    if (command.output && !command.output->ends_with(".png")) {
-        return wrong_input("-o " + *command.output +
-                           ": the picture is a PNG; type a name that ends in .png");
+    for (const auto& [option, path] :
+         {std::pair{"-o ", &command.output}, std::pair{"--certificate ", &command.certificate}}) {
+        if (*path && !(*path)->ends_with(".png")) {
+            return wrong_input(option + **path +
+                               ": the picture is a PNG; type a name that ends in .png");
+        }
     }
     if (command.depth == "-") {
         return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
@@ -56,7 +61,8 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
 
 /// The first of the files that cannot be written, as its error.
 std::optional<std::string> unwritable_file(const RenderCommand& command) {
-    for (const auto* path : {&command.output, &command.depth, &command.stats}) {
+    for (const auto* path :
+         {&command.output, &command.depth, &command.certificate, &command.stats}) {
         if (!*path || **path == "-") continue;
         if (auto writable = check_writable(**path); !writable) return writable.error().message;
     }
@@ -109,6 +115,9 @@ int run_render(const RenderCommand& command) {
     std::expected<void, FileError> written;
     if (command.output) written = write_png(*command.output, frame);
     if (written && command.depth) written = write_pfm(*command.depth, frame);
+    if (written && command.certificate) {
+        written = write_png(*command.certificate, certificate_picture(frame));
+    }
     if (written && command.stats) {
         const std::string text = stats_of(*plan, scene, *formula, timing, frame).dump(2) + "\n";
         written = write_text(*command.stats, text);

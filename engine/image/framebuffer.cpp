@@ -1,5 +1,6 @@
 #include "engine/image/framebuffer.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace zeroset {
@@ -10,6 +11,23 @@ Framebuffer::Framebuffer(int width_px, int height_px) : width(width_px), height(
     depth.resize(pixels, std::numeric_limits<float>::infinity());
     certificate.resize(pixels, Certificate::Miss);
     surface.resize(pixels, no_surface);
+}
+
+Framebuffer certificate_picture(const Framebuffer& frame) {
+    constexpr std::uint32_t green = 0xFF52A83C;
+    constexpr std::uint32_t amber = 0xFF1FA9F2;
+    constexpr std::uint32_t red = 0xFF3B3BE0;
+    constexpr std::uint32_t black = 0xFF000000;
+    Framebuffer picture = frame;
+    for (std::size_t i = 0; i < picture.color.size(); ++i) {
+        const bool drawn = std::isfinite(frame.depth[i]);
+        switch (frame.certificate[i]) {
+            case Certificate::Miss: picture.color[i] = black; break;
+            case Certificate::Certified: picture.color[i] = green; break;
+            case Certificate::Undecided: picture.color[i] = drawn ? amber : red; break;
+        }
+    }
+    return picture;
 }
 
 CertificateCounts count_certificates(const Framebuffer& frame) {

@@ -34,6 +34,10 @@ struct Framebuffer {
     }
 };
 
+/// The certificates in colours: certified pixels green; undecided ones amber, or red where nothing
+/// is drawn; proved empty ones black.
+Framebuffer certificate_picture(const Framebuffer& frame);
+
 struct CertificateCounts {
     std::size_t certified = 0, undecided = 0, miss = 0;
 };

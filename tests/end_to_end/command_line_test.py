@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections import Counter
 
 from command_line_depth_cases import DepthTest
 from command_line_error_cases import UnwritableTest, WrongInputTest
@@ -72,6 +73,17 @@ class RenderTest(ProgramTest):
         self.assertLessEqual(stats["certified"], hits)
         self.assertLessEqual(hits, stats["certified"] + stats["undecided"])
         self.assertEqual(self.files(), ["d.pfm", "s.json"])
+
+    def test_certificates_in_colours(self):
+        """Green, amber, red and black pixels are as many as the statistics say."""
+        stats = self.stats("z = 1/x", "--size", "60x60", "--dstop", 12, "--certificate", "c.png")
+        image = read_png(self.folder / "c.png")
+        counts = Counter(image.at(col, row) for row in range(60) for col in range(60))
+        self.assertEqual(counts[(60, 168, 82)], stats["certified"])
+        undecided = counts[(242, 169, 31)] + counts[(224, 59, 59)]
+        self.assertEqual(undecided, stats["undecided"])
+        self.assertGreater(counts[(224, 59, 59)], 0, "the pole of 1/x is undecided, not drawn")
+        self.assertEqual(counts[(0, 0, 0)], stats["miss"])
 
     def test_repeat(self):
         frame = self.stats(SPHERE, "--size", "32x32", "--repeat", 4)["frame_ms"]
