@@ -3,6 +3,7 @@
 #include "engine/expr/elaborator.hpp"
 
 #include "engine/expr/simplify.hpp"
+#include "engine/expr/spelling.hpp"
 #include "engine/expr/words.hpp"
 
 #include <algorithm>
@@ -12,11 +13,8 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t first_argument =
-    ProgramLimits::parameters;  // numbers of functions' arguments, as parameters
-
-constexpr std::size_t longest_definition = 2'000;  // of what is shown of it, bytes
-
-bool is_letter_name(std::string_view name) { return name.size() == 1 || name[1] == '_'; }
+    ProgramLimits::parameters;                     // numbers of functions' arguments, as parameters
+constexpr std::size_t longest_definition = 2'000;  // as a reading
 
 bool is_free(std::string_view name) {
     return !is_built_in_value(name) && find_function(name) == nullptr;
@@ -41,24 +39,30 @@ std::optional<Elaborator::Definition> Elaborator::definition_in(std::size_t inde
         if (tree_[argument].kind != SyntaxKind::Name) return std::nullopt;
         definition.arguments.push_back(tree_[argument].text);
     }
-    const std::set<std::string> distinct(definition.arguments.begin(), definition.arguments.end());
-    if (distinct.size() < definition.arguments.size()) return std::nullopt;
     return definition;
 }
 
 /// The first definition of a name counts; a later `name = ...` is an equation.
-void Elaborator::find_definitions() {
+bool Elaborator::find_definitions() {
     for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
-        if (const auto definition = definition_in(i)) {
-            const Syntax& relation = tree_[tree_.statements[i].relation];
-            definitions_.try_emplace(tree_[relation.operands[0]].text, *definition);
+        const auto definition = definition_in(i);
+        if (!definition) continue;
+        const Syntax& relation = tree_[tree_.statements[i].relation];
+        const Syntax& left = tree_[relation.operands[0]];
+        std::set<std::string_view> names;
+        for (const SyntaxId argument : left.operands) {
+            const Syntax& name = tree_[argument];
+            if (names.insert(name.text).second) continue;
+            fail(name.offset, "two arguments are called " + quoted(name.text));
+            return false;
         }
+        definitions_.try_emplace(left.text, *definition);
     }
+    return true;
 }
 
 std::expected<Program, ParseError> Elaborator::program() {
-    find_definitions();
-    if (!build_statements()) return std::unexpected(*error_);
+    if (!find_definitions() || !build_statements()) return std::unexpected(*error_);
     if (surfaces_.empty()) {
         return std::unexpected(
             ParseError{tree_.statements.back().offset, "there is no surface yet, only definitions",
@@ -145,16 +149,17 @@ Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& state
     return make_call(builder_, Op::Where, f, *all);
 }
 
-bool Elaborator::uses_space(NodeId root) const {
-    const Expr expr = builder_.finish(root);
-    return expr.uses_variable(0) || expr.uses_variable(1) || expr.uses_variable(2);
-}
+bool Elaborator::uses_space(NodeId root) const { return !facts_[root].uniform; }
 
 bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     const std::size_t offset = tree_.statements[statement].offset;
-    if (!uses_space(root)) {
+    const Node& top = builder_.node(root);
+    if (!uses_space(top.op == Op::Where ? top.a : root)) {
+        const bool capital = parameter_index_.contains("X") || parameter_index_.contains("Y") ||
+                             parameter_index_.contains("Z");
         fail(offset, "there is no x, y or z in it, so it is no surface",
-             "type an equation such as x^2 + y^2 + z^2 = 1");
+             capital ? "write them as small letters"
+                     : "type an equation such as x^2 + y^2 + z^2 = 1");
         return false;
     }
     if (surfaces_.size() == ProgramLimits::surfaces) {
@@ -177,14 +182,13 @@ bool Elaborator::build_definition(const std::string& name, Definition& definitio
     const bool used = definition.used;
     const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
     if (!defined_value(definition, tree_[relation.operands[0]])) return false;
-    if (!used && is_letter_name(name) && uses_space(*definition.value)) {
+    if (!used && is_parameter_name(name) && uses_space(*definition.value)) {
         const Built letter = parameter(name, offset);
         if (!letter) return false;
         const NodeId f = make_subtract(builder_, letter->id, *definition.value);
         return done(f, offset) && add_surface(definition.statement, f);
     }
-    const std::string value =
-        builder_.finish(*definition.value, parameters_).canonical(longest_definition);
+    const std::string value = builder_.text(*definition.value, parameters_, longest_definition);
     readings_[definition.statement] = {StatementKind::Value, offset, name + " = " + value};
     return true;
 }
@@ -206,17 +210,20 @@ std::optional<std::string> Elaborator::function_text(const std::string& name,
     std::vector<std::string> names = parameters_;
     names.resize(first_argument);
     names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
-    return text + ") = " + builder_.finish(*value, std::move(names)).canonical(longest_definition);
+    return text + ") = " + builder_.text(*value, names, longest_definition);
 }
 
 Program Elaborator::result() {
     std::ranges::sort(surfaces_, {}, &Surface::statement);
     Program program;
+    // A text of many surfaces shares the time for the readings.
+    const std::size_t longest =
+        std::min<std::size_t>(ProgramLimits::text, 1'000'000 / surfaces_.size());
     for (const Surface& surface : surfaces_) {
         Expr expr = builder_.finish(surface.root, parameters_);
         readings_[surface.statement] = {StatementKind::Surface,
                                         tree_.statements[surface.statement].offset,
-                                        equation_text(expr)};
+                                        equation_text(expr, longest)};
         program.surfaces.push_back(std::move(expr));
     }
     for (auto& [statement, reading] : readings_)

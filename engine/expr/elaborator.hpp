@@ -47,13 +47,16 @@ private:
         Number value;  ///< of a value, once known
     };
     using Call = std::pair<const Definition*, std::vector<NodeId>>;
+    struct CallHash {
+        std::size_t operator()(const Call& call) const;
+    };
     struct Surface {
         std::size_t statement;
         NodeId root;
     };
 
     // elaborator.cpp: statements
-    void find_definitions();
+    bool find_definitions();
     [[nodiscard]] std::optional<Definition> definition_in(std::size_t statement) const;
     bool build_statements();
     bool build_surface(std::size_t statement);
@@ -86,6 +89,7 @@ private:
 
     /// The node as a value, unless the graph is too large or holds a constant that is no number.
     Built done(NodeId id, std::size_t offset, bool condition = false);
+    [[nodiscard]] bool divides_by_zero(const Node& node) const;
     std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
 
     const SyntaxTree& tree_;
@@ -94,7 +98,7 @@ private:
     std::unordered_map<std::string, Definition> definitions_;
     std::unordered_map<std::string, std::size_t> parameter_index_;
     std::vector<std::string> parameters_;
-    std::map<Call, NodeId> calls_;
+    std::unordered_map<Call, NodeId, CallHash> calls_;
     std::vector<Surface> surfaces_;
     std::map<std::size_t, Reading> readings_;  ///< by statement
     std::optional<ParseError> error_;

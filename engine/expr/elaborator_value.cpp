@@ -4,10 +4,12 @@
 #include "engine/expr/elaborator.hpp"
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/expr/spelling.hpp"
 #include "engine/expr/words.hpp"
 
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 namespace zeroset {
 namespace {
@@ -16,15 +18,7 @@ constexpr double largest_number = 1e300;
 constexpr int max_depth = 5000;               // of trees within calls within trees
 constexpr std::size_t max_steps = 3'000'000;  // well below a second
 constexpr double max_terms = 10'000;
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-/// Whether the name is one letter, with a subscript or without.
-bool is_parameter_name(std::string_view name) {
-    const std::string_view letter = name.substr(0, name.find('_'));
-    const bool ascii = static_cast<unsigned char>(letter[0]) < 0x80;
-    return letter.size() == (ascii ? 1U : 2U);
-}
+constexpr double largest_bound = 1e15;  // i + 1 is another number
 
 std::string why_undefined(const Node& node) {
     if (node.op == Op::Divide) return "a division by 0";
@@ -34,6 +28,12 @@ std::string why_undefined(const Node& node) {
 }
 
 }  // namespace
+
+bool Elaborator::divides_by_zero(const Node& node) const {
+    if (node.op != Op::Divide && node.op != Op::Mod) return false;
+    const auto& divisor = facts_[node.b].constant;
+    return divisor && divisor->neg_lo == 0 && divisor->hi == 0;
+}
 
 std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
     if (!error_) error_ = ParseError{offset, std::move(reason), std::move(hint)};
@@ -47,8 +47,9 @@ Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition
     }
     for (auto next = static_cast<NodeId>(facts_.size()); next < builder_.size(); ++next) {
         facts_.push_back(facts_of_node(builder_.node(next), facts_));
-        if (refuses_undefined_ && facts_.back().undefined) {
-            return fail(offset, "this is not a number: " + why_undefined(builder_.node(next)));
+        const Node& node = builder_.node(next);
+        if (refuses_undefined_ && (facts_.back().undefined || divides_by_zero(node))) {
+            return fail(offset, "this is not a number: " + why_undefined(node));
         }
     }
     return Value{id, condition};
@@ -112,7 +113,7 @@ Elaborator::Number Elaborator::condition(SyntaxId id, const Binding* scope) {
 Elaborator::Built Elaborator::literal(const Syntax& syntax) {
     const NumberEnclosure number = enclose_number(syntax.text);
     if (number.hi > largest_number) {
-        return fail(syntax.offset, "the number " + syntax.text + " is too large",
+        return fail(syntax.offset, "the number " + quoted(syntax.text) + " is too large",
                     "stay below 1e300");
     }
     return done(builder_.constant(number.lo, number.hi), syntax.offset);
@@ -120,6 +121,7 @@ Elaborator::Built Elaborator::literal(const Syntax& syntax) {
 
 Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     for (const Binding* binding = scope; binding != nullptr; binding = binding->outer) {
+        ++steps_;
         if (binding->name == syntax.text) return Value{binding->value, false};
     }
     if (const auto defined = definitions_.find(syntax.text); defined != definitions_.end()) {
@@ -255,12 +257,18 @@ Elaborator::Built Elaborator::connected(const Syntax& syntax, Op op, const Bindi
 }
 
 Elaborator::Built Elaborator::cases(const Syntax& syntax, const Binding* scope) {
-    Number value = number(syntax.operands.back(), scope);
-    for (std::size_t i = syntax.operands.size() - 1; value && i >= 2; i -= 2) {
+    Number value;
+    std::size_t i = syntax.operands.size();
+    if (i % 2 == 1) {
+        value = number(syntax.operands[--i], scope);
+        if (!value) return std::nullopt;
+    }
+    for (; i >= 2; i -= 2) {
         const Number where = condition(syntax.operands[i - 2], scope);
         const Number there = where ? number(syntax.operands[i - 1], scope) : std::nullopt;
         if (!there) return std::nullopt;
-        value = make_call(builder_, Op::If, *where, *there, *value);
+        value = value ? make_call(builder_, Op::If, *where, *there, *value)
+                      : make_call(builder_, Op::Where, *there, *where);
         if (!done(*value, syntax.offset)) return std::nullopt;
     }
     if (!value) return std::nullopt;
@@ -295,7 +303,8 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
         const Number bound = number(syntax.operands[2 + i], scope);
         if (!bound) return std::nullopt;
         bounds[i] = exact_value(builder_, *bound);
-        if (!bounds[i] || *bounds[i] != std::floor(*bounds[i])) {
+        if (!bounds[i] || *bounds[i] != std::floor(*bounds[i]) ||
+            std::abs(*bounds[i]) > largest_bound) {
             return fail(tree_[syntax.operands[2 + i]].offset,
                         "the bounds of " + name + " are whole numbers",
                         "for example " + name + "(x^i, i, 1, 5)");
@@ -347,6 +356,15 @@ Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* 
     const Number value = function_value(definition, arguments);
     if (!value) return std::nullopt;
     return Value{*value, false};
+}
+
+std::size_t Elaborator::CallHash::operator()(const Call& call) const {
+    std::size_t hash = std::hash<const Definition*>()(call.first);
+    for (const NodeId argument : call.second) {
+        hash = (hash ^ argument) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 29U;
+    }
+    return hash;
 }
 
 Elaborator::Number Elaborator::function_value(Definition& definition,

@@ -60,25 +60,33 @@ std::optional<Fraction> literal(const Node& node) {
     return fraction(std::strtoll(digits.c_str(), nullptr, 10), ten);
 }
 
-}  // namespace
-
-std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id, int depth) {
+/// The fraction of a node; `visits` is how many more operators it may look at.
+std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id, int& visits) {
     const Node& node = builder.node(id);
+    if (--visits < 0) return std::nullopt;
     if (node.op == Op::Constant) return literal(node);
     const bool arithmetic = node.op == Op::Negate || node.op == Op::Add ||
                             node.op == Op::Subtract || node.op == Op::Multiply ||
                             node.op == Op::Divide || node.op == Op::IntPower;
-    if (!arithmetic || depth == 0) return std::nullopt;
-    const std::optional<Fraction> a = exact_fraction(builder, node.a, depth - 1);
+    if (!arithmetic) return std::nullopt;
+    const std::optional<Fraction> a = exact_fraction(builder, node.a, visits);
     if (!a) return std::nullopt;
     if (node.op == Op::IntPower) return power(*a, node.number);
     if (node.op == Op::Negate) return Fraction{-a->p, a->q};
-    const std::optional<Fraction> b = exact_fraction(builder, node.b, depth - 1);
+    const std::optional<Fraction> b = exact_fraction(builder, node.b, visits);
     if (!b) return std::nullopt;
     if (node.op == Op::Add) return sum(*a, *b);
     if (node.op == Op::Subtract) return sum(*a, {-b->p, b->q});
     if (node.op == Op::Multiply) return fraction(product(a->p, b->p), product(a->q, b->q));
     return fraction(product(a->p, b->q), product(a->q, b->p));
+}
+
+}  // namespace
+
+std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id) {
+    // Shared operands are looked at again each time they are used.
+    int visits = 128;
+    return exact_fraction(builder, id, visits);
 }
 
 std::optional<double> exact_value(const ExprBuilder& builder, NodeId id) {

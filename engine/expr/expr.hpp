@@ -17,6 +17,9 @@ using NodeId = std::uint32_t;
 /// Variables 0 to 2 are x, y, z; variable 3 is w, 4 and up are the parameters.
 inline constexpr int variable_w = 3;
 
+/// Of a printed formula, in bytes: what can be read back.
+inline constexpr std::size_t longest_text = 100'000;
+
 struct Node {
     Op op = Op::Constant;
     std::int32_t number = 0;  ///< the variable, the exponent of IntPower, the degree of OddRoot
@@ -41,9 +44,9 @@ public:
     /// Names of variables 4 and up.
     [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
     [[nodiscard]] bool uses_variable(int variable) const;
-    /// The formula with every operator written out; parsing it gives the same graph. Cut with
-    /// "..." behind `longest` bytes: a graph that shares much can be a very long text.
-    [[nodiscard]] std::string canonical(std::size_t longest = 100'000) const;
+    /// The formula with every operator written out; parsing it gives the same graph unless it is
+    /// cut, longer than `longest_text`.
+    [[nodiscard]] std::string canonical() const;
     /// Equal graphs have equal keys.
     [[nodiscard]] std::string key() const;
 
@@ -65,6 +68,11 @@ public:
     [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
+    /// The graph below `root` as Expr::canonical writes it, cut where it gets longer than
+    /// `longest`.
+    [[nodiscard]] std::string text(NodeId root, std::span<const std::string> parameters,
+                                   std::size_t longest) const;
+
     /// The graph below `root`, without what it does not use.
     [[nodiscard]] Expr finish(NodeId root, std::vector<std::string> parameters = {}) const;
 
@@ -79,8 +87,9 @@ private:
     std::unordered_map<Node, NodeId, NodeHash> known_;
 };
 
-/// The equation f = 0 that the graph of f means, with what restricts it.
-std::string equation_text(const Expr& expr);
+/// The equation f = 0 that the graph of f means, with what restricts it. Each of the two is cut
+/// where it gets longer than `longest`.
+std::string equation_text(const Expr& expr, std::size_t longest = longest_text);
 
 /// "x", "y", "z", "w" or the parameter's name.
 std::string_view variable_name(int index, std::span<const std::string> parameters);

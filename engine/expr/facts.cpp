@@ -60,6 +60,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
 
 /// The enclosure of a node whose operands are constant.
 Enclosure<double> folded(const Node& node, const Facts& a, const Facts& b, const Facts& c) {
+    const UpwardRounding upward;
     const Enclosure<double> x{*a.constant};
     const Enclosure<double> y{*b.constant};
     const Enclosure<double> z{*c.constant};
@@ -107,7 +108,6 @@ void set_middle(Facts& facts) {
 }  // namespace
 
 Facts facts_of_node(const Node& node, std::span<const Facts> before) {
-    const UpwardRounding upward;
     Facts facts;
     if (node.op == Op::Constant) {
         facts = {.nonnegative = node.lo >= 0,

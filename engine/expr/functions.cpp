@@ -178,6 +178,15 @@ const Function* find_function(std::string_view name) {
     return found == index.end() ? nullptr : found->second;
 }
 
+std::vector<std::string_view> function_spellings() {
+    std::vector<std::string_view> spellings;
+    for (const Function& function : functions())
+        spellings.push_back(function.name);
+    for (const auto& [other, name] : other_spellings)
+        spellings.push_back(other);
+    return spellings;
+}
+
 const Function* inverse_of(const Function& function) {
     const auto* const found = std::ranges::find(
         inverses, function.op, [](const auto& pair) { return std::optional(pair.first); });

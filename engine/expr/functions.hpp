@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zeroset {
 
@@ -40,6 +41,8 @@ struct Function {
 std::span<const Function> functions();
 /// By name or by another usual spelling (arcsin, sgn, tg); nullptr when there is none.
 const Function* find_function(std::string_view name);
+/// All spellings that find_function knows.
+std::vector<std::string_view> function_spellings();
 /// The function whose value at f(a) is a, which "f^-1" means: asin for sin. nullptr: none.
 const Function* inverse_of(const Function& function);
 

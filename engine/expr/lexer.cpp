@@ -1,6 +1,7 @@
 #include "engine/expr/lexer.hpp"
 
 #include "engine/expr/signs.hpp"
+#include "engine/expr/spelling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@
 namespace zeroset {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '~' || c == '$'; }
 
 /// Length of the run of `text` from `start` on that satisfies the predicate.
@@ -83,7 +82,9 @@ std::expected<std::vector<Token>, ParseError> Lexer::tokens() {
 
 Done Lexer::step() {
     const char c = peek();
-    if (is_space(c) || c == '&') {
+    if (c == '&' && peek(1) == '&') {
+        push(TokenKind::Name, "and", 2);
+    } else if (is_space(c) || c == '&') {
         ++at_;
     } else if (c == '\n' || c == ';') {
         push(TokenKind::Break, text_.substr(at_, 1), 1);
@@ -129,7 +130,10 @@ std::string Lexer::subscript() {
     if (peek() == '_') {
         const bool braces = peek(1) == '{';
         const std::size_t begin = at_ + (braces ? 2 : 1);
-        const std::size_t length = run_length(text_, begin, is_part);
+        // c_1x is the product of c_1 and x.
+        const bool digits = !braces && begin < text_.size() && is_digit(text_[begin]);
+        const std::size_t length =
+            digits ? run_length(text_, begin, is_digit) : run_length(text_, begin, is_part);
         const std::size_t end = begin + length;
         const bool closed = !braces || (end < text_.size() && text_[end] == '}');
         if (length == 0 || !closed) return result;
@@ -180,11 +184,15 @@ Done Lexer::other_character() {
     }
     std::string hint = "type + - * / ^ ( ) and names such as x, y, z, sqrt";
     if (peek() == '!') hint = "for n! type prod(i, i, 1, n)";
+    if (peek() == '!' && peek(1) == '=') hint = "compare with < <= > >=";
     if (peek() == '%') hint = "for the remainder type mod(a, b)";
     if (peek() == '_') hint = "a subscript stands right behind a letter: c_1, c_{12}";
     if (point.code == U'\u2260') hint = "compare with < <= > >=";
-    const std::string character(text_.substr(at_, point.length));
-    return std::unexpected(ParseError{at_, "'" + character + "' has no meaning here", hint});
+    const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
+    const std::string shown =
+        printable ? quoted(text_.substr(at_, point.length))
+                  : "the byte " + std::to_string(static_cast<unsigned char>(peek()));
+    return std::unexpected(ParseError{at_, shown + " has no meaning here", hint});
 }
 
 /// `{letters}` from `at` on as one name, as in \operatorname{sgn}.
@@ -229,22 +237,13 @@ Done Lexer::command() {
     }
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
-        return std::unexpected(
-            ParseError{at_, "the LaTeX command '\\" + std::string(word) + "' is not known here",
-                       "leave it out or type its meaning"});
+        return std::unexpected(ParseError{
+            at_, "the LaTeX command " + quoted(text_.substr(at_, length)) + " is not known here",
+            "leave it out or type its meaning"});
     }
     if (sign->text.empty() && word_in_braces(at_ + length)) return {};
     push_sign(*sign, length);
     return {};
-}
-
-bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols) {
-    return token.kind == TokenKind::Symbol &&
-           std::ranges::find(symbols, token.text) != symbols.end();
-}
-
-bool is_connective(const Token& token) {
-    return token.kind == TokenKind::Name && (token.text == "and" || token.text == "or");
 }
 
 /// Whether a statement cannot end before this token.
@@ -309,6 +308,15 @@ private:
 };
 
 }  // namespace
+
+bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols) {
+    return token.kind == TokenKind::Symbol &&
+           std::ranges::find(symbols, token.text) != symbols.end();
+}
+
+bool is_connective(const Token& token) {
+    return token.kind == TokenKind::Name && (token.text == "and" || token.text == "or");
+}
 
 std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text) {
     auto tokens = Lexer(text).tokens();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,11 @@ struct Token {
 
     [[nodiscard]] std::size_t end() const { return offset + length; }
 };
+
+/// Whether the token is one of these symbols.
+bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols);
+/// Whether the token stands between two conditions: and, or.
+bool is_connective(const Token& token);
 
 /// The text's tokens, the last of them End. Line ends are Breaks only outside brackets and where
 /// the lines do not go on with each other. The text must outlive them.

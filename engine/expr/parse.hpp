@@ -24,7 +24,8 @@ enum class StatementKind : std::uint8_t { Value, Function, Surface };
 struct Reading {
     StatementKind kind;
     std::size_t offset;  ///< of the statement in the text, bytes
-    std::string text;    ///< with every operator written out; the text of a surface parses to it
+    std::string text;    ///< with every operator written out; the text of a surface parses to it;
+                         ///< long ones are cut and end with "..."
 };
 
 /// What a text says. Surfaces share the numbering of the parameters.
@@ -36,7 +37,7 @@ struct Program {
 
 /// A text that asks for more is refused.
 struct ProgramLimits {
-    static constexpr std::size_t text = 100'000;  ///< bytes
+    static constexpr std::size_t text = longest_text;  ///< bytes
     static constexpr std::size_t statements = 1'000;
     static constexpr std::size_t surfaces = 100;
     static constexpr std::size_t parameters = 200;

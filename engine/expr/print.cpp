@@ -4,6 +4,7 @@
 #include "engine/expr/expr.hpp"
 #include "engine/expr/number.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,16 +24,18 @@ int infix_precedence(Op op) {
 /// Writes a graph with a stack of its own: graphs may be deeper than the machine's stack.
 class Printer {
 public:
-    Printer(const Expr& expr, std::size_t longest) : expr_(expr), longest_(longest) {}
+    Printer(std::span<const Node> nodes, std::span<const std::string> parameters,
+            std::size_t longest)
+        : nodes_(nodes), parameters_(parameters), longest_(longest) {}
 
     std::string text(NodeId root) {
         pending_.push_back({{}, root, Or, true});
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            if (text_.size() > longest_) return text_.substr(0, longest_) + "...";
+            if (text_.size() > longest_ || pending_.size() > 2 * longest_) return text_ + "...";
             if (piece.is_node) {
-                print(expr_.node(piece.node), piece.least);
+                print(nodes_[piece.node], piece.least);
             } else {
                 text_ += piece.text;
             }
@@ -66,7 +69,7 @@ private:
             return pieces.back().text.starts_with('-') ? Sign : Atom;
         }
         if (node.op == Op::Variable) {
-            pieces.push_back({std::string(variable_name(node.number, expr_.parameters()))});
+            pieces.push_back({std::string(variable_name(node.number, parameters_))});
             return Atom;
         }
         const OpInfo& info = op_info(node.op);
@@ -129,7 +132,8 @@ private:
         return number_text({node.lo, node.hi});
     }
 
-    const Expr& expr_;
+    std::span<const Node> nodes_;
+    std::span<const std::string> parameters_;
     std::size_t longest_;
     std::vector<Piece> pending_;
     std::string text_;
@@ -138,18 +142,25 @@ private:
 /// f, and behind a comma the condition that restricts it.
 std::string with_restriction(const Expr& expr, const std::string& between, std::size_t longest) {
     if (expr.nodes().empty()) return {};
+    const auto text = [&](NodeId id) {
+        return Printer(expr.nodes(), expr.parameters(), longest).text(id);
+    };
     const Node& root = expr.node(expr.root());
-    if (root.op != Op::Where) return Printer(expr, longest).text(expr.root()) + between;
-    return Printer(expr, longest).text(root.a) + between + ", " +
-           Printer(expr, longest).text(root.b);
+    if (root.op != Op::Where) return text(expr.root()) + between;
+    return text(root.a) + between + ", " + text(root.b);
 }
 
 }  // namespace
 
-std::string Expr::canonical(std::size_t longest) const {
-    return with_restriction(*this, "", longest);
+std::string Expr::canonical() const { return with_restriction(*this, "", longest_text); }
+
+std::string ExprBuilder::text(NodeId root, std::span<const std::string> parameters,
+                              std::size_t longest) const {
+    return Printer(nodes_, parameters, longest).text(root);
 }
 
-std::string equation_text(const Expr& expr) { return with_restriction(expr, " = 0", 100'000); }
+std::string equation_text(const Expr& expr, std::size_t longest) {
+    return with_restriction(expr, " = 0", longest);
+}
 
 }  // namespace zeroset

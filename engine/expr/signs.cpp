@@ -10,17 +10,23 @@ namespace {
 constexpr Sign space{TokenKind::Symbol, ""};
 constexpr Sign symbol(std::string_view text) { return {TokenKind::Symbol, text}; }
 constexpr Sign name(std::string_view text) { return {TokenKind::Name, text}; }
+constexpr Sign number(std::string_view text) { return {TokenKind::Number, text}; }
 
 constexpr std::array operator_signs{
-    std::pair{U'×', symbol("*")},  std::pair{U'·', symbol("*")},  std::pair{U'⋅', symbol("*")},
-    std::pair{U'∙', symbol("*")},  std::pair{U'•', symbol("*")},  std::pair{U'∗', symbol("*")},
-    std::pair{U'÷', symbol("/")},  std::pair{U'∕', symbol("/")},  std::pair{U'⁄', symbol("/")},
-    std::pair{U'−', symbol("-")},  std::pair{U'–', symbol("-")},  std::pair{U'≤', symbol("<=")},
-    std::pair{U'⩽', symbol("<=")}, std::pair{U'≥', symbol(">=")}, std::pair{U'⩾', symbol(">=")},
-    std::pair{U'∣', symbol("|")},  std::pair{U'⌊', symbol("⌊")},  std::pair{U'⌋', symbol("⌋")},
-    std::pair{U'⌈', symbol("⌈")},  std::pair{U'⌉', symbol("⌉")},  std::pair{U'√', name("√")},
-    std::pair{U'∛', name("∛")},    std::pair{U'∧', name("and")},  std::pair{U'∨', name("or")},
-    std::pair{U'¬', name("not")},
+    std::pair{U'×', symbol("*")},    std::pair{U'·', symbol("*")},
+    std::pair{U'⋅', symbol("*")},    std::pair{U'∙', symbol("*")},
+    std::pair{U'•', symbol("*")},    std::pair{U'∗', symbol("*")},
+    std::pair{U'÷', symbol("/")},    std::pair{U'∕', symbol("/")},
+    std::pair{U'⁄', symbol("/")},    std::pair{U'−', symbol("-")},
+    std::pair{U'–', symbol("-")},    std::pair{U'≤', symbol("<=")},
+    std::pair{U'⩽', symbol("<=")},   std::pair{U'≥', symbol(">=")},
+    std::pair{U'⩾', symbol(">=")},   std::pair{U'∣', symbol("|")},
+    std::pair{U'⌊', symbol("⌊")},    std::pair{U'⌋', symbol("⌋")},
+    std::pair{U'⌈', symbol("⌈")},    std::pair{U'⌉', symbol("⌉")},
+    std::pair{U'√', name("√")},      std::pair{U'∛', name("∛")},
+    std::pair{U'∧', name("and")},    std::pair{U'∨', name("or")},
+    std::pair{U'¬', name("not")},    std::pair{U'½', number("0.5")},
+    std::pair{U'¼', number("0.25")}, std::pair{U'¾', number("0.75")},
 };
 
 /// Greek letters and their LaTeX names; pi, tau, theta, phi and rho have a meaning.

@@ -35,6 +35,7 @@ std::optional<NodeId> merged_power(ExprBuilder& builder, NodeId a, NodeId b) {
     const Power right = as_power(builder, b);
     if (left.base != right.base || left.exponent + right.exponent > largest_exponent)
         return std::nullopt;
+    if (builder.node(left.base).op == Op::Constant) return std::nullopt;  // 2*2 stays as typed
     return make_int_power(builder, left.base, left.exponent + right.exponent);
 }
 
@@ -111,7 +112,8 @@ NodeId make_add(ExprBuilder& builder, NodeId a, NodeId b) {
     const Node right = builder.node(b);
     if (is_constant(builder, b, 0.0)) return a;
     if (is_constant(builder, a, 0.0)) return b;
-    if (a == b) return make_multiply(builder, builder.constant(2.0), a);
+    if (a == b && builder.node(a).op != Op::Constant)
+        return make_multiply(builder, builder.constant(2.0), a);
     if (right.op == Op::Negate) return make_subtract(builder, a, right.a);
     return builder.apply(Op::Add, a, b);
 }

@@ -33,8 +33,8 @@ struct Fraction {
 };
 
 /// The exact value of a subexpression of + - * / and powers over decimal numbers, if it is a
-/// fraction of moderate numbers; looked for `depth` operators deep.
-std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id, int depth = 64);
+/// fraction of moderate numbers and of few operators.
+std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id);
 /// The same, if it is a double.
 std::optional<double> exact_value(const ExprBuilder& builder, NodeId id);
 

@@ -28,7 +28,7 @@ enum class SyntaxKind : std::uint8_t {
     And,      ///< 2 operands or more
     Or,       ///< 2 operands or more
     Not,      ///< 1 operand
-    Cases,    ///< condition, value, condition, value, ..., value otherwise
+    Cases,    ///< condition, value, condition, value, ..., and maybe the value otherwise
 };
 
 struct Syntax {

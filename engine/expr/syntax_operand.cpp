@@ -1,32 +1,28 @@
 // The operands of formulas: numbers, names, brackets, calls.
 
 #include "engine/expr/signs.hpp"
+#include "engine/expr/spelling.hpp"
 #include "engine/expr/syntax_parser.hpp"
 
 #include <algorithm>
 
 namespace zeroset {
-namespace {
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-}  // namespace
 
 SyntaxParser::Parsed SyntaxParser::operand() {
-    const Token token = next();
+    const Token& token = next();
     if (token.kind == TokenKind::Number) {
         take();
-        return add(SyntaxKind::Number, token.offset, {}, {}, std::string(token.text));
+        return add(SyntaxKind::Number, token.offset, {}, {}, token.text);
     }
     if (token.kind == TokenKind::Name) return name(token);
     if (next_is_one_of({"(", "[", "{"})) return group(take());
     if (next_is_one_of({"|", "(|"})) return absolute(take());
     if (next_is_one_of({"⌊", "⌈"})) return floor_or_ceil(take());
-    return std::unexpected(missing_operand());
+    return refuse(missing_operand());
 }
 
 SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
-    if (token.text == "and" || token.text == "or") return std::unexpected(missing_operand());
+    if (token.text == "and" || token.text == "or") return refuse(missing_operand());
     if (token.text == "not")
         return fail(token, "'not' stands before a comparison only",
                     "put it in parentheses: (not x < 1)");
@@ -44,18 +40,31 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
 
 /// Brackets around an operand; "{" may also start cases.
 SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
+    const std::size_t start = at_ - 1;
     const int bars = std::exchange(bars_, 0);
     ++brackets_;
     Parsed inside = logic();
+    if (inside && opener.text == "(" && next_is(",") && start > statement_start_ &&
+        tokens_[start - 1].kind == TokenKind::Name) {
+        return refuse(no_function(tokens_[start - 1]));
+    }
     if (inside && opener.text == "{" && next_is(":")) inside = cases(opener, *inside);
     if (!inside) return inside;
-    if (const auto error = close(opener)) return std::unexpected(*error);
+    if (!close(opener)) return std::nullopt;
     --brackets_;
     bars_ = bars;
     return inside;
 }
 
-/// The rest of { condition: value, condition: value, value otherwise }.
+ParseError SyntaxParser::no_function(const Token& name) const {
+    const std::string full = full_name(name);
+    const std::string hint = is_built_in_value(full) || is_parameter_name(full)
+                                 ? "define it, as in f(u, v) = u^2 + v^2"
+                                 : hint_for_unknown(full);
+    return {name.offset, quoted(full) + " is not a function", hint};
+}
+
+/// The rest of { condition: value, condition: value, value otherwise }, which may lack the last.
 SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition) {
     std::vector<SyntaxId> operands{condition};
     for (;;) {
@@ -64,9 +73,7 @@ SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition
         const Parsed value = sum();
         if (!value) return value;
         operands.push_back(*value);
-        if (!next_is(",")) {
-            return fail(next(), "the value otherwise is missing", "type {condition: a, b}");
-        }
+        if (!next_is(",")) break;
         take();
         const Parsed further = logic();
         if (!further) return further;
@@ -80,27 +87,30 @@ SyntaxParser::Parsed SyntaxParser::absolute(const Token& opener) {
     const int bars = plain ? bars_++ : std::exchange(bars_, 0);
     Parsed inside = logic();
     if (!inside) return inside;
-    if (const auto error = close(opener)) return std::unexpected(*error);
+    if (!close(opener)) return std::nullopt;
     bars_ = bars;
     return add_call(*find_function("abs"), opener.offset, {*inside});
 }
 
 SyntaxParser::Parsed SyntaxParser::floor_or_ceil(const Token& opener) {
+    const int bars = std::exchange(bars_, 0);
     const Parsed inside = logic();
     if (!inside) return inside;
-    if (const auto error = close(opener)) return std::unexpected(*error);
+    if (!close(opener)) return std::nullopt;
+    bars_ = bars;
     const Function& function = *find_function(opener.text == "⌊" ? "floor" : "ceil");
     return add_call(function, opener.offset, {*inside});
 }
 
 /// A braced group, or as TeX reads it a single digit or operand.
 SyntaxParser::Parsed SyntaxParser::part() {
+    const Level level(depth_);
+    if (!may_nest()) return std::nullopt;
     Token& token = tokens_[at_];
     const bool digits = token.kind == TokenKind::Number && token.text.size() > 1 &&
                         token.text.find_first_not_of("0123456789") == std::string_view::npos;
     if (!digits) return operand();
-    const SyntaxId digit =
-        add(SyntaxKind::Number, token.offset, {}, {}, std::string(token.text.substr(0, 1)));
+    const SyntaxId digit = add(SyntaxKind::Number, token.offset, {}, {}, token.text.substr(0, 1));
     token.text.remove_prefix(1);
     ++token.offset;
     --token.length;
@@ -118,7 +128,8 @@ SyntaxParser::Parsed SyntaxParser::fraction() {
 
 SyntaxParser::Parsed SyntaxParser::radical(const Token& token) {
     if (token.text != "\\sqrt") {
-        const Parsed of = power();
+        // √x² is √(x²), but √(x)² is (√x)².
+        const Parsed of = next_is_one_of({"(", "[", "{"}) ? operand() : power();
         if (!of) return of;
         return add_call(*find_function(token.text), token.offset, {*of});
     }
@@ -133,7 +144,7 @@ SyntaxParser::Parsed SyntaxParser::radical(const Token& token) {
 }
 
 SyntaxParser::Parsed SyntaxParser::superscript() {
-    const Token token = take();
+    const Token& token = take();
     std::string digits;
     for (std::size_t at = 0; at < token.text.size();) {
         const CodePoint point = code_point_at(token.text, at);
@@ -150,13 +161,13 @@ SyntaxParser::Parsed SyntaxParser::superscript() {
 }
 
 SyntaxParser::List SyntaxParser::arguments() {
-    const Token opener = take();
+    take();  // the opener
     const int bars = std::exchange(bars_, 0);
     ++brackets_;
     std::vector<SyntaxId> values;
     for (;;) {
         const Parsed value = logic();
-        if (!value) return std::unexpected(value.error());
+        if (!value) return std::nullopt;
         values.push_back(*value);
         if (!next_is(",")) break;
         take();
@@ -168,10 +179,10 @@ SyntaxParser::List SyntaxParser::arguments() {
 
 SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function& function) {
     if (next_is_one_of({"(", "[", "{"})) {
-        const Token opener = next();
+        const Token& opener = next();
         List values = arguments();
         if (!values) return values;
-        if (const auto error = close(opener)) return std::unexpected(*error);
+        if (!close(opener)) return std::nullopt;
         return values;
     }
     const std::string name(function.name);
@@ -185,7 +196,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
                     "type " + name + "(...)");
     }
     const Parsed value = bare_argument();
-    if (!value) return std::unexpected(value.error());
+    if (!value) return std::nullopt;
     return std::vector<SyntaxId>{*value};
 }
 
@@ -200,28 +211,31 @@ bool SyntaxParser::starts_bare_factor() const {
 
 /// 2x in sin 2x: a product of a number or a name and names; a bracket only right behind a number.
 SyntaxParser::Parsed SyntaxParser::bare_argument() {
-    const Token start = next();
+    const std::size_t offset = next().offset;
     const Parsed first = signed_power();
     if (!first) return first;
     std::vector<SyntaxId> operands{*first};
-    const auto further = [&](bool wanted) -> std::optional<ParseError> {
-        if (!wanted) return std::nullopt;
-        const Parsed factor = power();
-        if (!factor) return factor.error();
-        operands.push_back(*factor);
-        return std::nullopt;
-    };
     const SyntaxKind kind = tree_[*first].kind;
-    const bool bracket = kind == SyntaxKind::Number && next_is_one_of({"(", "["});
-    if (const auto error = further(bracket)) return std::unexpected(*error);
-    const bool simple = kind == SyntaxKind::Number || kind == SyntaxKind::Name ||
-                        kind == SyntaxKind::Power || kind == SyntaxKind::Negate;
-    while (simple && !bracket && starts_bare_factor()) {
-        if (const auto error = further(true)) return std::unexpected(*error);
+    bool goes_on = kind == SyntaxKind::Number && next_is_one_of({"(", "["});
+    const bool simple = !goes_on && (kind == SyntaxKind::Number || kind == SyntaxKind::Name ||
+                                     kind == SyntaxKind::Power || kind == SyntaxKind::Negate);
+    while (goes_on || (simple && starts_bare_factor())) {
+        const Parsed factor = power();
+        if (!factor) return factor;
+        operands.push_back(*factor);
+        goes_on = false;
     }
     if (operands.size() == 1) return first;
     std::string marks(operands.size() - 1, '*');
-    return add(SyntaxKind::Product, start.offset, std::move(operands), std::move(marks));
+    return add(SyntaxKind::Product, offset, std::move(operands), marks);
+}
+
+ParseError SyntaxParser::wrong_count(const Token& token, const Function& function,
+                                     std::size_t count) {
+    const std::string name(function.name);
+    return {token.offset,
+            name + " takes " + function.arity_text() + ", not " + std::to_string(count),
+            "type " + name + "(" + std::string(function.arguments) + ")"};
 }
 
 SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& function) {
@@ -234,18 +248,14 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         exponent = *power_of;
     }
     List values = arguments_of(token, function);
-    if (!values) return std::unexpected(values.error());
+    if (!values) return std::nullopt;
     if (token.text == "log" && !token.subscript.empty() && values->size() == 1) {
         const bool number = token.subscript.find_first_not_of("0123456789") == std::string::npos;
         values->push_back(add(number ? SyntaxKind::Number : SyntaxKind::Name, token.offset, {}, {},
                               token.subscript));
     }
     if (!function.takes(values->size())) {
-        return fail(
-            token,
-            std::string(function.name) + " takes " + function.arity_text() + ", not " +
-                std::to_string(values->size()),
-            "type " + std::string(function.name) + "(" + std::string(function.arguments) + ")");
+        return refuse(wrong_count(token, function, values->size()));
     }
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
@@ -271,10 +281,10 @@ SyntaxParser::Parsed SyntaxParser::with_exponent(SyntaxId call, const Token& tok
 }
 
 SyntaxParser::Parsed SyntaxParser::call_of_text(const Token& token) {
-    const Token opener = next();
+    const Token& opener = next();
     List values = arguments();
-    if (!values) return std::unexpected(values.error());
-    if (const auto error = close(opener)) return std::unexpected(*error);
+    if (!values) return std::nullopt;
+    if (!close(opener)) return std::nullopt;
     return add(SyntaxKind::Call, token.offset, std::move(*values), {}, full_name(token));
 }
 

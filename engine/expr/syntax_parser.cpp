@@ -1,5 +1,7 @@
 #include "engine/expr/syntax_parser.hpp"
 
+#include "engine/expr/spelling.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -7,12 +9,6 @@ namespace zeroset {
 namespace {
 
 constexpr int max_depth = 1000;
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
-bool is_connective(const Token& token) {
-    return token.text == "and" || token.text == "or" || token.text == "not";
-}
 
 }  // namespace
 
@@ -25,51 +21,53 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
         return std::unexpected(std::move(error));
     }
     while (next().kind != TokenKind::End) {
-        if (const auto error = statement()) return std::unexpected(*error);
+        if (!statement()) return std::unexpected(*error_);
         while (next().kind == TokenKind::Break)
             take();
     }
     return std::move(tree_);
 }
 
-std::optional<ParseError> SyntaxParser::statement() {
+bool SyntaxParser::statement() {
     statement_start_ = at_;
     if (tree_.statements.size() == ProgramLimits::statements) {
-        return ParseError{
-            next().offset,
-            "there are more than " + std::to_string(ProgramLimits::statements) + " statements",
-            {}};
+        const std::string most = std::to_string(ProgramLimits::statements);
+        refuse({next().offset, "there are more than " + most + " statements", {}});
+        return false;
     }
     StatementSyntax statement{0, {}, next().offset};
     const Parsed relation = logic();
-    if (!relation) return relation.error();
+    if (!relation) return false;
     statement.relation = *relation;
     while (!at_break()) {
         if (next_is("{")) {
-            if (const auto error = restrictions_in_braces(statement)) return error;
+            if (!restrictions_in_braces(statement)) return false;
             continue;
         }
-        if (!next_is(",")) return surplus();
+        if (!next_is(",")) {
+            refuse(surplus());
+            return false;
+        }
         take();
         const Parsed restriction = logic();
-        if (!restriction) return restriction.error();
+        if (!restriction) return false;
         statement.restrictions.push_back(*restriction);
     }
     tree_.statements.push_back(std::move(statement));
-    return std::nullopt;
+    return true;
 }
 
-std::optional<ParseError> SyntaxParser::restrictions_in_braces(StatementSyntax& statement) {
-    const Token opener = next();
+bool SyntaxParser::restrictions_in_braces(StatementSyntax& statement) {
+    const Token& opener = next();
     const List conditions = arguments();
-    if (!conditions) return conditions.error();
+    if (!conditions) return false;
     statement.restrictions.insert(statement.restrictions.end(), conditions->begin(),
                                   conditions->end());
     return close(opener);
 }
 
 SyntaxParser::Parsed SyntaxParser::joined_by(std::string_view word, SyntaxKind kind, Rule rule) {
-    const Token start = next();
+    const std::size_t offset = next().offset;
     Parsed first = (this->*rule)();
     if (!first || !next_is_word(word)) return first;
     std::vector<SyntaxId> operands{*first};
@@ -79,7 +77,7 @@ SyntaxParser::Parsed SyntaxParser::joined_by(std::string_view word, SyntaxKind k
         if (!further) return further;
         operands.push_back(*further);
     }
-    return add(kind, start.offset, std::move(operands));
+    return add(kind, offset, std::move(operands));
 }
 
 SyntaxParser::Parsed SyntaxParser::logic() {
@@ -91,7 +89,7 @@ SyntaxParser::Parsed SyntaxParser::both() {
 }
 
 SyntaxParser::Parsed SyntaxParser::negation() {
-    const Token start = next();
+    const std::size_t offset = next().offset;
     bool negated = false;
     while (next_is_word("not")) {
         take();
@@ -99,7 +97,7 @@ SyntaxParser::Parsed SyntaxParser::negation() {
     }
     const Parsed operand = relation();
     if (!operand || !negated) return operand;
-    return add(SyntaxKind::Not, start.offset, {*operand});
+    return add(SyntaxKind::Not, offset, {*operand});
 }
 
 char SyntaxParser::comparison() const {
@@ -129,7 +127,7 @@ SyntaxParser::Parsed SyntaxParser::relation() {
         if (!further) return further;
         operands.push_back(*further);
     }
-    return add(SyntaxKind::Compare, offset, std::move(operands), std::move(marks));
+    return add(SyntaxKind::Compare, offset, std::move(operands), marks);
 }
 
 SyntaxParser::Parsed SyntaxParser::sum() {
@@ -144,26 +142,28 @@ SyntaxParser::Parsed SyntaxParser::sum() {
         if (!further) return further;
         operands.push_back(*further);
     }
-    return add(SyntaxKind::Sum, offset, std::move(operands), std::move(marks));
+    return add(SyntaxKind::Sum, offset, std::move(operands), marks);
 }
 
-/// Whether the "{" that comes next holds conditions rather than a factor.
+/// Whether the "{" that comes next holds conditions rather than a factor or cases.
 bool SyntaxParser::restricts() const {
     if (brackets_ > 0) return false;
     int open = 0;
+    bool compares = false;
     for (std::size_t i = at_; i < tokens_.size() && tokens_[i].kind != TokenKind::Break; ++i) {
-        if (tokens_[i].kind != TokenKind::Symbol) continue;
-        const std::string_view text = tokens_[i].text;
-        if (text == "{") ++open;
-        if (text == "}" && --open == 0) return false;
-        if (open == 1 && std::string_view("<=>=").contains(text)) return true;
+        const Token& token = tokens_[i];
+        if (is_symbol(token, {"(", "[", "{"})) ++open;
+        if (is_symbol(token, {")", "]", "}"}) && --open == 0) break;
+        if (open > 1) continue;
+        if (is_symbol(token, {":"})) return false;
+        compares = compares || is_symbol(token, {"<", ">", "<=", ">=", "="});
     }
-    return false;
+    return compares;
 }
 
 /// Whether the next token can be a factor without a "*" before it.
 bool SyntaxParser::starts_factor() const {
-    if (next().kind == TokenKind::Name) return !is_connective(next());
+    if (next().kind == TokenKind::Name) return !is_connective(next()) && next().text != "not";
     if (next_is("{")) return !restricts();
     if (next_is("|")) return bars_ == 0;
     return next_is_one_of({"(", "[", "(|", "⌊", "⌈"});
@@ -175,7 +175,6 @@ SyntaxParser::Parsed SyntaxParser::product() {
     if (!first) return first;
     std::vector<SyntaxId> operands{*first};
     std::string marks;
-    std::vector<std::size_t> offsets;
     for (;;) {
         const bool written = next_is_one_of({"*", "/"});
         if (!written && !starts_factor()) break;
@@ -185,40 +184,31 @@ SyntaxParser::Parsed SyntaxParser::product() {
         operands.push_back(*further);
     }
     if (marks.empty()) return first;
-    return add(SyntaxKind::Product, offset, std::move(operands), std::move(marks));
+    return add(SyntaxKind::Product, offset, std::move(operands), marks);
 }
 
-std::optional<ParseError> SyntaxParser::too_deep() const {
-    if (depth_ <= max_depth) return std::nullopt;
-    return ParseError{next().offset,
-                      "the formula is nested more than " + std::to_string(max_depth) + " deep",
-                      {}};
+bool SyntaxParser::may_nest(int further) {
+    if (depth_ + further <= max_depth) return true;
+    const std::string most = std::to_string(max_depth);
+    refuse({next().offset, "the formula is nested more than " + most + " deep", {}});
+    return false;
 }
 
 SyntaxParser::Parsed SyntaxParser::signed_power() {
-    // Every nesting passes here, so here it is counted.
-    struct Level {
-        int& depth;
-        explicit Level(int& d) : depth(d) { ++depth; }
-        ~Level() { --depth; }
-    };
-    const Level level(depth_);
-    if (const auto error = too_deep()) return std::unexpected(*error);
     const std::size_t offset = next().offset;
-    if (next_is("+")) {
-        take();
-        return signed_power();
-    }
-    if (next_is("-")) {
-        take();
-        const Parsed operand = signed_power();
-        if (!operand) return operand;
-        return add(SyntaxKind::Negate, offset, {*operand});
-    }
-    return power();
+    bool negative = false;
+    int signs = 0;
+    for (; next_is_one_of({"+", "-"}); ++signs)
+        negative ^= take().text == "-";
+    if (!may_nest(signs + 1)) return std::nullopt;
+    const Parsed operand = power();
+    if (!operand || !negative) return operand;
+    return add(SyntaxKind::Negate, offset, {*operand});
 }
 
 SyntaxParser::Parsed SyntaxParser::power() {
+    const Level level(depth_);
+    if (!may_nest()) return std::nullopt;
     Parsed base = operand();
     while (base) {
         const std::size_t offset = next().offset;
@@ -243,9 +233,9 @@ bool SyntaxParser::next_is_one_of(std::initializer_list<std::string_view> symbol
 }
 
 SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
-                           std::string marks, std::string text) {
+                           std::string_view marks, std::string_view text) {
     tree_.nodes.push_back(
-        {kind, offset, std::move(text), std::move(operands), std::move(marks), nullptr});
+        {kind, offset, std::string(text), std::move(operands), std::string(marks), nullptr});
     return static_cast<SyntaxId>(tree_.nodes.size() - 1);
 }
 
@@ -256,10 +246,14 @@ SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
     return call;
 }
 
-std::unexpected<ParseError> SyntaxParser::fail(const Token& at, std::string reason,
-                                               std::string hint) const {
+std::nullopt_t SyntaxParser::refuse(ParseError error) {
+    if (!error_) error_ = std::move(error);
+    return std::nullopt;
+}
+
+std::nullopt_t SyntaxParser::fail(const Token& at, std::string reason, std::string hint) {
     const bool unfinished = at.kind == TokenKind::End;
-    return std::unexpected(ParseError{at.offset, std::move(reason), std::move(hint), unfinished});
+    return refuse({at.offset, std::move(reason), std::move(hint), unfinished});
 }
 
 ParseError SyntaxParser::missing_operand() const {
@@ -267,9 +261,9 @@ ParseError SyntaxParser::missing_operand() const {
     const bool at_start = at_ == statement_start_;
     const std::string place =
         at_start ? "before " + quoted(here.text) : "after " + quoted(before());
-    return {here.offset,
-            "a number, a variable or '(' is missing " + place,
-            {},
+    const bool bar = !at_start && (before() == "|" || next_is("|"));
+    return {here.offset, "a number, a variable or '(' is missing " + place,
+            bar ? "inside | | type a product with *: |x - 2*|y||" : "",
             here.kind == TokenKind::End};
 }
 
@@ -287,18 +281,27 @@ ParseError SyntaxParser::surplus() const {
                 "write decimals with a point, 1.5"};
     }
     const Token& left = tokens_[at_ - 1];
+    const bool adjacent = left.end() == here.offset;
+    if (here.kind == TokenKind::Number && left.kind == TokenKind::Number) {
+        return {
+            here.offset,
+            "one number follows another: " + quoted(left.text) + " and " + quoted(text),
+            adjacent ? "a number has one point" : "write numbers without spaces, products with *"};
+    }
     const std::string reason =
         "an operator is missing between " + quoted(left.text) + " and " + quoted(text);
-    const std::string l(left.text);
-    if (here.kind == TokenKind::Number && left.kind == TokenKind::Name &&
-        left.end() == here.offset) {
+    if (here.kind == TokenKind::Number && adjacent) {
+        const std::string l(left.text);
+        const bool is_short = left.kind == TokenKind::Name && l.size() + text.size() < 20;
         return {here.offset, reason,
-                "type " + l + "*" + text + ", " + l + "^" + text + " or " + l + "_" + text};
+                is_short
+                    ? "type " + l + "*" + text + ", " + l + "^" + text + " or " + l + "_" + text
+                    : "type ^ before it for a power, * for a product"};
     }
-    return {here.offset, reason, "for a product type " + l + "*" + text};
+    return {here.offset, reason, "for a product type *"};
 }
 
-std::optional<ParseError> SyntaxParser::close(const Token& opener) {
+bool SyntaxParser::close(const Token& opener) {
     const std::string_view closer = opener.text == "("    ? ")"
                                     : opener.text == "["  ? "]"
                                     : opener.text == "{"  ? "}"
@@ -308,21 +311,20 @@ std::optional<ParseError> SyntaxParser::close(const Token& opener) {
                                                           : "|";
     if (next_is(closer)) {
         take();
-        return std::nullopt;
+        return true;
     }
-    const std::string shown = opener.text == "(|" ? "|" : std::string(opener.text);
+    const std::string shown = quoted(opener.text == "(|" ? "|" : opener.text);
+    const std::string missing = quoted(closer == "|)" ? "|" : closer);
     if (at_break()) {
-        return ParseError{opener.offset, "this " + quoted(shown) + " is not closed",
-                          "add a " + quoted(closer == "|)" ? "|" : closer),
-                          next().kind == TokenKind::End};
+        refuse({opener.offset, "this " + shown + " is not closed", "add a " + missing,
+                next().kind == TokenKind::End});
+    } else if (next_is_one_of({")", "]", "}", "|", "|)"})) {
+        refuse({opener.offset, "this " + shown + " is not closed before the " + quoted(next().text),
+                "add a " + missing + " there"});
+    } else {
+        refuse(surplus());
     }
-    if (next_is_one_of({")", "]", "}", "|", "|)"})) {
-        return ParseError{
-            opener.offset,
-            "this " + quoted(shown) + " is not closed before the " + quoted(next().text),
-            "add a " + quoted(closer) + " there"};
-    }
-    return surplus();
+    return false;
 }
 
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text) {

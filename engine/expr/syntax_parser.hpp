@@ -18,11 +18,11 @@
 //   relation  = sum { ("=" | "<" | ">" | "<=" | ">=") sum }
 //   sum       = product { ("+" | "-") product }
 //   product   = signed { ("*" | "/") signed | power }
-//   signed    = ("+" | "-") signed | power
+//   signed    = { "+" | "-" } power
 //   power     = operand { "^" signed | superscript }
 //   operand   = number | name | "(" logic ")" | "[" logic "]" | "{" logic "}" | "|" logic "|"
 //             | function [ "^" signed ] ( "(" logic { "," logic } ")" | bare )
-//             | "{" logic ":" logic { "," logic ":" logic } "," logic "}"
+//             | "{" logic ":" sum { "," logic ":" sum } [ "," sum ] "}"
 //             | "\frac" part part | "\sqrt" [ "[" logic "]" ] part
 //   bare      = signed { power of a name }   (sin 2x, ln xy)
 
@@ -30,7 +30,9 @@ namespace zeroset {
 
 class SyntaxParser {
 public:
-    using Parsed = std::expected<SyntaxId, ParseError>;
+    /// Without a value: `error_` says why. An error in each value would make the stack of a deeply
+    /// nested formula several times as large.
+    using Parsed = std::optional<SyntaxId>;
 
     SyntaxParser(std::vector<Token> tokens, const Words& words)
         : tokens_(std::move(tokens)), words_(words) {}
@@ -39,11 +41,22 @@ public:
 
 private:
     using Rule = Parsed (SyntaxParser::*)();
-    using List = std::expected<std::vector<SyntaxId>, ParseError>;
+    using List = std::optional<std::vector<SyntaxId>>;
+
+    /// One more nesting while it lives. Every recursion passes power() or part().
+    struct Level {
+        explicit Level(int& depth) : depth_(depth) { ++depth_; }
+        ~Level() { --depth_; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+
+    private:
+        int& depth_;
+    };
 
     // syntax_parser.cpp: statements and operators
-    std::optional<ParseError> statement();
-    std::optional<ParseError> restrictions_in_braces(StatementSyntax& statement);
+    bool statement();
+    bool restrictions_in_braces(StatementSyntax& statement);
     Parsed logic();
     Parsed both();
     Parsed negation();
@@ -65,6 +78,10 @@ private:
     Parsed cases(const Token& opener, SyntaxId condition);
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
+    [[nodiscard]] static ParseError wrong_count(const Token& token, const Function& function,
+                                                std::size_t count);
+    /// Why `name(a, b)` is no call.
+    [[nodiscard]] ParseError no_function(const Token& name) const;
     Parsed fraction();
     Parsed radical(const Token& token);
     Parsed part();
@@ -79,15 +96,16 @@ private:
     [[nodiscard]] bool starts_bare_factor() const;
 
     // Errors and tokens
-    std::optional<ParseError> close(const Token& opener);
-    [[nodiscard]] std::unexpected<ParseError> fail(const Token& at, std::string reason,
-                                                   std::string hint = {}) const;
+    bool close(const Token& opener);
+    std::nullopt_t refuse(ParseError error);
+    std::nullopt_t fail(const Token& at, std::string reason, std::string hint = {});
     [[nodiscard]] ParseError missing_operand() const;
     [[nodiscard]] ParseError surplus() const;
-    [[nodiscard]] std::optional<ParseError> too_deep() const;
+    /// Whether `further` levels more are allowed; an error if not.
+    bool may_nest(int further = 0);
 
     SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
-                 std::string marks = {}, std::string text = {});
+                 std::string_view marks = {}, std::string_view text = {});
     SyntaxId add_call(const Function& function, std::size_t offset, std::vector<SyntaxId> operands);
 
     [[nodiscard]] const Token& next() const { return tokens_[at_]; }
@@ -101,13 +119,14 @@ private:
     [[nodiscard]] bool at_break() const {
         return next().kind == TokenKind::Break || next().kind == TokenKind::End;
     }
-    Token take() { return tokens_[next().kind == TokenKind::End ? at_ : at_++]; }
+    const Token& take() { return tokens_[next().kind == TokenKind::End ? at_ : at_++]; }
     /// The typed text of the token before.
     [[nodiscard]] std::string before() const { return std::string(tokens_[at_ - 1].text); }
 
     std::vector<Token> tokens_;
     const Words& words_;
     SyntaxTree tree_;
+    std::optional<ParseError> error_;
     std::size_t at_ = 0;
     std::size_t statement_start_ = 0;  ///< index of its first token
     int depth_ = 0;                    ///< of nested operands

@@ -2,6 +2,8 @@
 
 #include "engine/expr/functions.hpp"
 #include "engine/expr/nearest_word.hpp"
+#include "engine/expr/signs.hpp"
+#include "engine/expr/spelling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +18,6 @@ constexpr std::string_view coordinates = "xyzwtr";
 constexpr std::array<std::string_view, 3> connectives{"and", "or", "not"};
 constexpr std::size_t longest_word = 24;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 std::string small(std::string_view word) {
     std::string result(word);
     for (char& c : result) {
@@ -30,10 +30,6 @@ std::string small(std::string_view word) {
 bool is_built_in(std::string_view word) {
     return is_built_in_value(word) || find_function(word) != nullptr ||
            std::ranges::find(connectives, word) != connectives.end();
-}
-
-bool is_symbol(const Token& token, std::string_view text) {
-    return token.kind == TokenKind::Symbol && token.text == text;
 }
 
 /// Whether the token is one ASCII letter, or a Greek one.
@@ -54,6 +50,11 @@ std::string full_name(const Token& token) {
     std::string name(token.text);
     if (!token.subscript.empty()) name += "_" + token.subscript;
     return name;
+}
+
+bool is_parameter_name(std::string_view name) {
+    const std::string_view letter = name.substr(0, name.find('_'));
+    return letter.size() == 1 || code_point_at(letter, 0).length == letter.size();
 }
 
 bool is_built_in_value(std::string_view name) {
@@ -81,17 +82,17 @@ void Words::read_definition(std::span<const Token> statement) {
     const std::string name = full_name(statement[0]);
     if (is_built_in(name) || is_built_in(small(name))) return;
     if (!is_single(statement[0]) && !pieces(statement[0].text, false).empty()) return;
-    if (is_symbol(statement[1], "=")) {
+    if (is_symbol(statement[1], {"="})) {
         values_.insert(name);
         return;
     }
-    if (!is_symbol(statement[1], "(")) return;
+    if (!is_symbol(statement[1], {"("})) return;
     std::size_t at = 2;
     while (at + 1 < statement.size() && is_single(statement[at]) &&
-           is_symbol(statement[at + 1], ","))
+           is_symbol(statement[at + 1], {","}))
         at += 2;
     if (at + 2 < statement.size() && statement[at].kind == TokenKind::Name &&
-        is_symbol(statement[at + 1], ")") && is_symbol(statement[at + 2], "=")) {
+        is_symbol(statement[at + 1], {")"}) && is_symbol(statement[at + 2], {"="})) {
         functions_.insert(name);
     }
 }
@@ -124,6 +125,8 @@ std::vector<std::size_t> Words::pieces(std::string_view run, bool subscript) con
             const std::size_t start = end - length;
             if (best[start] == never || best[start] + 1 >= best[end]) continue;
             const std::string_view piece = run.substr(start, length);
+            if (piece == "e" && find_function(run.substr(start - last[start], last[start])))
+                continue;  // "sine" is no sin(e)
             const bool known =
                 length == 1 ? only_letter || is_known_letter(piece[0]) : is_known_word(piece);
             if (!known) continue;
@@ -186,9 +189,8 @@ std::vector<Token> Words::split(std::span<const Token> tokens) const {
 }
 
 std::string hint_for_unknown(std::string_view name) {
-    std::vector<std::string_view> words(values.begin(), values.end());
-    for (const Function& function : functions())
-        words.push_back(function.name);
+    std::vector<std::string_view> words = function_spellings();
+    words.insert(words.end(), values.begin(), values.end());
     if (const auto meant = meant_word(name, words))
         return "did you mean " + std::string(*meant) + "?";
     // A letter before a known name: a coefficient that nothing else mentions.
@@ -200,6 +202,7 @@ std::string hint_for_unknown(std::string_view name) {
         return "for a product type " + std::string(name.substr(0, 1)) + "*" +
                std::string(name.substr(1));
     }
+    if (name.size() > longest_word) return "type a product with *";
     return "define it, as in " + std::string(name) + " = 2, or type a product with *";
 }
 

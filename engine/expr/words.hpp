@@ -16,6 +16,9 @@ namespace zeroset {
 /// A name as it is printed: the letters, and "_" with the subscript.
 std::string full_name(const Token& token);
 
+/// Whether the name is one letter, with a subscript or without.
+bool is_parameter_name(std::string_view name);
+
 /// x y z w, t; r rho theta phi; pi tau e golden: names that no text can define.
 bool is_built_in_value(std::string_view name);
 

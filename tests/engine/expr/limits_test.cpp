@@ -1,0 +1,167 @@
+// What a hostile text asks for is refused: at once, in one line, without a deep stack.
+
+#include "engine/expr/parse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace zeroset {
+namespace {
+
+std::string repeated(std::string_view text, int times) {
+    std::string result;
+    for (int i = 0; i < times; ++i)
+        result += text;
+    return result;
+}
+
+/// The lines that `line` makes of 0, 1, ..., count - 1.
+std::string lines(int count, const std::function<std::string(std::string)>& line) {
+    std::string result;
+    for (int i = 0; i < count; ++i)
+        result += line(std::to_string(i)) + "\n";
+    return result;
+}
+
+/// Like `lines`, with the number before, too; starts at 1.
+std::string chain(int count, const std::function<std::string(std::string, std::string)>& line) {
+    std::string result;
+    for (int i = 1; i < count; ++i)
+        result += line(std::to_string(i), std::to_string(i - 1)) + "\n";
+    return result;
+}
+
+/// Reads the text, which must not take long: in processor time, whatever else the machine does.
+std::expected<Program, ParseError> read_quickly(const std::string& text) {
+    const std::clock_t start = std::clock();
+    auto program = read_program(text);
+    const auto elapsed = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+#if defined(__SANITIZE_ADDRESS__) || defined(__clang__)
+    EXPECT_LT(elapsed, 10.0) << text.substr(0, 80);  // with sanitizers
+#else
+    EXPECT_LT(elapsed, 1.0) << text.substr(0, 80);
+#endif
+    return program;
+}
+
+void expect_refused(const std::string& text, std::string_view words) {
+    const auto program = read_quickly(text);
+    ASSERT_FALSE(program.has_value()) << text.substr(0, 80);
+    const ParseError& error = program.error();
+    EXPECT_TRUE(error.reason.contains(words)) << error.reason << "\n" << text.substr(0, 80);
+    EXPECT_LE(error.reason.size() + error.hint.size(), 300) << text.substr(0, 80);
+    EXPECT_LE(error.offset, text.size());
+}
+
+void expect_read(const std::string& text) {
+    const auto program = read_quickly(text);
+    EXPECT_TRUE(program.has_value()) << text.substr(0, 80) << ": " << program.error().reason;
+}
+
+TEST(Limits, Nesting) {
+    for (const char* const opener :
+         {"(",       "[",      "{",       "(x",      "{x",      "|",       "(|",
+          "x^",      "x(",     "sin ",    "sin(",    "√",       "2√",      "√(",
+          "\\sqrt{", "\\sqrt", "\\sqrt ", "\\sqrt[", "\\frac ", "\\frac{", "\\frac x",
+          "⌊",       "not (",  "if(",     "if(x<",   "{x<1:",   "max(x,",  "sum(",
+          "log_2 ",  "-(",     "x-",      "x/(",     "f(",      "|x+"}) {
+        const std::string text =
+            repeated(opener, 99'000 / static_cast<int>(std::string(opener).size()));
+        const auto program = read_quickly(text + "x");
+        if (program) continue;
+        EXPECT_LE(program.error().reason.size(), 300);
+    }
+    expect_refused(repeated("√", 33'000) + "x", "1000");
+    expect_refused(repeated("(x", 40'000), "1000");
+    expect_refused(repeated("\\frac ", 16'000) + "x", "1000");
+    expect_refused(repeated("\\sqrt ", 16'000) + "x", "1000");
+    expect_refused(repeated("-", 99'000) + "x", "1000");
+    expect_read(repeated("(", 999) + "x" + repeated(")", 999));
+    expect_read(repeated("(1 + 2*", 990) + "x" + repeated(")", 990));
+    expect_read(repeated("if(x < 0, ", 990) + "x" + repeated(", y)", 990));
+}
+
+TEST(Limits, Text) {
+    expect_refused(repeated("x", 100'001), "100000");
+    expect_read(repeated("x", 100'000));
+    expect_refused(repeated("foo", 33'000), "not known");
+    expect_refused(repeated("x²³", 9'000) + repeated("²", 5'000), "too large");
+    expect_refused("x + " + repeated("1", 90'000), "too large");
+    expect_refused("\\" + repeated("a", 90'000), "LaTeX");
+    expect_refused("x " + repeated("1", 90'000) + " 2", "operator is missing");
+    expect_refused(repeated("\xC3", 5'000), "byte 195");
+    expect_refused(std::string(5'000, '\0'), "byte 0");
+}
+
+TEST(Limits, Counts) {
+    expect_read(lines(1'000 - 1, [](const auto& i) { return "a_" + i + " = 1"; }) + "x");
+    expect_refused(lines(1'000, [](const auto& i) { return "a_" + i + " = 1"; }) + "x", "1000");
+    expect_read(lines(100, [](const auto& i) { return "x = " + i; }));
+    expect_refused(lines(101, [](const auto& i) { return "x = " + i; }), "100 surfaces");
+    expect_read("x" + lines(200, [](const auto& i) { return " + a_" + i; }));
+    expect_refused("x" + lines(201, [](const auto& i) { return " + a_" + i; }), "200 parameters");
+    expect_read("sum(x^i, i, 1, 10000)");
+    expect_refused("sum(x^i, i, 0, 10000)", "10 000 terms");
+    expect_refused("prod(x - i, i, -9e14, 9e14)", "10 000 terms");
+    expect_refused("sum(sum(x^i + y^j, i, 1, 1000), j, 1, 1000)", "200000");
+    expect_refused("sum(sum(sum(sum(x, i, 1, 9999), j, 1, 9999), k, 1, 9999), l, 1, 9999)",
+                   "too many");
+}
+
+// Definitions that double with each line: as graphs they are small, written out they are not.
+TEST(Limits, Doubling) {
+    expect_read("f_0(u) = u^2\n" +
+                chain(60,
+                      [](const auto& i, const auto& j) {
+                          return "f_" + i + "(u) = f_" + j + "(u) + f_" + j + "(u + 1)";
+                      }) +
+                "f_59(x)");
+    expect_refused("f_0(u) = u^2\n" +
+                       chain(990,
+                             [](const auto& i, const auto& j) {
+                                 return "f_" + i + "(u) = f_" + j + "(u) + f_" + j + "(u + 1)";
+                             }) +
+                       "f_989(x)",
+                   "200000");
+    expect_read(
+        "a_0 = x\n" +
+        chain(900, [](const auto& i,
+                      const auto& j) { return "a_" + i + " = a_" + j + " + sin(a_" + j + ")"; }) +
+        "a_899");
+    // Exact values are looked for in exponents.
+    expect_read("a_0 = 1 - 1\n" +
+                chain(200, [](const auto& i,
+                              const auto& j) { return "a_" + i + " = a_" + j + " - a_" + j; }) +
+                "x + 2^a_199");
+}
+
+TEST(Limits, ManyNames) {
+    std::string arguments = "a_0";
+    for (int i = 1; i < 7'000; ++i)
+        arguments += ",a_" + std::to_string(i);
+    expect_refused("f(" + arguments + ") = a_0" + repeated("+a_0", 6'000) + "\nsum(f(i" +
+                       repeated(",1", 6'999) + "), i, 1, 1000)",
+                   "too many");
+}
+
+TEST(Limits, Readings) {
+    const std::string large = "a = sum(sin(x + i), i, 1, 9999)\n";
+    const auto functions = read_quickly(
+        large + lines(990, [](const auto& i) { return "f_" + i + "(u) = a + u"; }) + "a");
+    ASSERT_TRUE(functions.has_value());
+    const auto surfaces = read_quickly(large + lines(100, [](const auto& i) { return "a+" + i; }));
+    ASSERT_TRUE(surfaces.has_value());
+    for (const auto& program : {functions, surfaces}) {
+        std::size_t total = 0;
+        for (const Reading& reading : program->readings)
+            total += reading.text.size();
+        EXPECT_LE(total, 5'000'000);
+    }
+}
+
+}  // namespace
+}  // namespace zeroset
