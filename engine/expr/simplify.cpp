@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -68,6 +69,26 @@ std::optional<NodeId> power_of_root(ExprBuilder& builder, NodeId a, const Fracti
     for (int i = 0; i < halvings; ++i)
         root = make_call(builder, Op::Sqrt, root);
     return make_int_power(builder, root, static_cast<int>(exponent.p));
+}
+
+/// Whether the node is a sum of things that are never negative wherever they are defined; not seen
+/// in long sums.
+bool is_never_negative(const ExprBuilder& builder, NodeId id) {
+    constexpr std::size_t longest = 32;
+    std::vector<NodeId> summands{id};
+    for (std::size_t i = 0; i < summands.size(); ++i) {
+        const Node& node = builder.node(summands[i]);
+        if (node.op == Op::Add && summands.size() + 2 <= longest) {
+            summands.push_back(node.a);
+            summands.push_back(node.b);
+            continue;
+        }
+        const bool even = node.op == Op::IntPower && node.number % 2 == 0;
+        const bool constant = node.op == Op::Constant && node.lo >= 0;
+        const bool root = node.op == Op::Sqrt || node.op == Op::Abs || node.op == Op::Exp;
+        if (!even && !constant && !root) return false;
+    }
+    return true;
 }
 
 NodeId make_sqrt(ExprBuilder& builder, NodeId a) {
@@ -159,6 +180,9 @@ NodeId make_int_power(ExprBuilder& builder, NodeId a, int n) {
     }
     if (node.op == Op::Abs && n % 2 == 0) return make_int_power(builder, node.a, n);
     if (node.op == Op::OddRoot && node.number == n) return node.a;
+    if (node.op == Op::Sqrt && n % 2 == 0 && is_never_negative(builder, node.a)) {
+        return make_int_power(builder, node.a, n / 2);
+    }
     return builder.apply(Op::IntPower, a, 0, 0, n);
 }
 

@@ -51,6 +51,15 @@ TEST(Simplify, MakesPowersByTheExponent) {
     EXPECT_EQ(root_op("x^y"), Op::Exp);
 }
 
+TEST(Simplify, SquaresRootsOfWhatIsNeverNegative) {
+    EXPECT_EQ(parse("r^2")->key(), parse("x^2 + y^2 + z^2")->key());
+    EXPECT_EQ(parse("rho*rho")->key(), parse("x^2 + y^2")->key());
+    EXPECT_EQ(parse("sqrt(x^2 + |y| + 2)^4")->key(), parse("(x^2 + |y| + 2)^2")->key());
+    EXPECT_EQ(root_op("sqrt(x)^2"), Op::IntPower) << "undefined below 0";
+    EXPECT_EQ(root_op("sqrt(x^2 + y)^2"), Op::IntPower);
+    EXPECT_EQ(root_op("r^3"), Op::IntPower);
+}
+
 TEST(Simplify, NegatesConstants) {
     const auto expr = parse("-0.1");
     ASSERT_EQ(expr->nodes().size(), 1);
