@@ -213,14 +213,22 @@ std::optional<std::string> Elaborator::function_text(const std::string& name,
     return text + ") = " + builder_.text(*value, names, longest_definition);
 }
 
-Program Elaborator::result() {
+std::expected<Program, ParseError> Elaborator::result() {
     std::ranges::sort(surfaces_, {}, &Surface::statement);
     Program program;
+    std::size_t nodes = 0;
     // A text of many surfaces shares the time for the readings.
     const std::size_t longest =
         std::min<std::size_t>(ProgramLimits::text, 1'000'000 / surfaces_.size());
     for (const Surface& surface : surfaces_) {
         Expr expr = builder_.finish(surface.root, parameters_);
+        nodes += expr.nodes().size();
+        if (nodes > ProgramLimits::nodes) {
+            fail(tree_.statements[surface.statement].offset,
+                 "the surfaces up to here have more than " + std::to_string(ProgramLimits::nodes) +
+                     " operations");
+            return std::unexpected(*error_);
+        }
         readings_[surface.statement] = {StatementKind::Surface,
                                         tree_.statements[surface.statement].offset,
                                         equation_text(expr, longest)};

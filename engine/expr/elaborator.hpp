@@ -66,7 +66,7 @@ private:
     bool add_surface(std::size_t statement, NodeId root);
     [[nodiscard]] bool uses_space(NodeId root) const;
     std::optional<std::string> function_text(const std::string& name, Definition& definition);
-    Program result();
+    std::expected<Program, ParseError> result();
 
     // elaborator_value.cpp: expressions
     Built build(SyntaxId id, const Binding* scope);

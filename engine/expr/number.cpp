@@ -4,11 +4,14 @@
 
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
 namespace zeroset {
 namespace {
+
+constexpr std::size_t exact_digits = 15;  // every whole number of so many is a double
 
 // strtod rounds correctly in the current mode (glibc, IEEE 754-2008).
 double parse_upward(const std::string& digits) {
@@ -36,6 +39,11 @@ std::string with_digits(long double value, int digits) {
 }  // namespace
 
 NumberEnclosure enclose_number(std::string_view digits) {
+    std::uint64_t whole = 0;
+    const char* const end = digits.data() + digits.size();
+    const bool is_whole =
+        digits.size() <= exact_digits && std::from_chars(digits.data(), end, whole).ptr == end;
+    if (is_whole) return {static_cast<double>(whole), static_cast<double>(whole)};
     const std::string text(digits);
     return {parse_downward(text), parse_upward(text)};
 }

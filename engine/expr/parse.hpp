@@ -41,7 +41,7 @@ struct ProgramLimits {
     static constexpr std::size_t statements = 1'000;
     static constexpr std::size_t surfaces = 100;
     static constexpr std::size_t parameters = 200;
-    static constexpr std::size_t nodes = 200'000;
+    static constexpr std::size_t nodes = 200'000;  ///< of all surfaces together
 };
 
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded

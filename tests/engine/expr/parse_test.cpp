@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace zeroset {
 namespace {
@@ -194,6 +195,80 @@ TEST(Parse, LimitsNesting) {
         powers += "^x";
     EXPECT_FALSE(parse(powers).has_value());
     EXPECT_TRUE(parse(powers.substr(0, 999)).has_value());
+}
+
+std::string repeated(std::string_view part, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i)
+        text += part;
+    return text;
+}
+
+TEST(Parse, LimitsNestingOfEveryKind) {
+    for (const std::string_view opener :
+         {"(",         "2(", "x(",  "x{",      "1 + [",    "-(",      "|",    "(|x + ",
+          "\\lfloor ", "√",  "∛(",  "\\sqrt",  "\\frac1",  "\\frac{", "sin ", "sin(",
+          "sin 2(",    "x^", "x^{", "min(x, ", "{x < 1: ", "if(x < ", "f(x, "}) {
+        const auto expr = parse(repeated(opener, static_cast<int>(90'000 / opener.size())));
+        ASSERT_FALSE(expr.has_value()) << opener;
+        EXPECT_LE(expr.error().offset, 90'000) << opener;
+    }
+}
+
+/// The deepest that is read: as much of the stack as there is.
+TEST(Parse, ReadsDeepTextsOnAThread) {
+    std::string functions = "f_1(u) = u + 1\n";
+    for (int i = 2; i < 990; ++i) {
+        const std::string n = std::to_string(i);
+        functions += "f_" + n + "(u) = sin(cos(f_" + std::to_string(i - 1) + "(u)))\n";
+    }
+    const std::jthread thread([&] {
+        EXPECT_TRUE(read_program(repeated("x(1 + ", 998) + "x" + repeated(")", 998)));
+        EXPECT_TRUE(read_program(repeated("if(x < 1, ", 999) + "x" + repeated(", 2)", 999)));
+        EXPECT_TRUE(read_program(repeated("{x < 1: ", 999) + "x" + repeated(", 2}", 999)));
+        EXPECT_TRUE(read_program(functions + "f_989(x) = 0"));
+        const auto deeper = read_program("f_1(u) = u\n" + repeated("x(1 + ", 998) + "x" +
+                                         repeated(")", 998) + functions);
+        EXPECT_TRUE(deeper || !deeper.error().reason.empty());
+    });
+}
+
+TEST(Parse, LimitsTheNodesOfAllSurfaces) {
+    std::string text = "a = sum(x^i*y, i, 1, 9000)";
+    for (int i = 1; i < 100; ++i)
+        text += "; a + z^" + std::to_string(i + 1);
+    const auto program = read_program(text);
+    ASSERT_FALSE(program.has_value());
+    EXPECT_TRUE(program.error().reason.contains("200000 operations")) << program.error().reason;
+}
+
+TEST(Parse, CutsTheReadingOfALongValue) {
+    const auto program = read_program("a = sum(x^i*y, i, 1, 500)\na + z = 1");
+    ASSERT_TRUE(program.has_value());
+    EXPECT_TRUE(program->readings.front().text.starts_with("a = x*y + x^2*y + "));
+    EXPECT_TRUE(program->readings.front().text.ends_with("..."));
+    EXPECT_LT(program->readings.front().text.size(), 2100);
+    EXPECT_TRUE(program->readings.back().text.ends_with(" = 0"));
+}
+
+// A graph of 70 nodes that a tree would need 10^14 for.
+TEST(Parse, TakesExponentsThatShareTheirParts) {
+    std::string text = "c_1 = 2\nc_2 = 3\n";
+    for (int i = 3; i < 70; ++i) {
+        text += "c_" + std::to_string(i) + " = c_" + std::to_string(i - 1) + " - c_" +
+                std::to_string(i - 2) + "\n";
+    }
+    EXPECT_TRUE(read_program(text + "x^c_69 + y = 1"));
+}
+
+TEST(Parse, RefusesSumsWhoseIndexIsNoExactNumber) {
+    for (const char* const text :
+         {"sum(x*i, i, 1e300, 1e300)", "prod(x - i, i, 9007199254740992, 9007199254740993)"}) {
+        const auto expr = parse(text);
+        ASSERT_FALSE(expr.has_value()) << text;
+        EXPECT_TRUE(expr.error().reason.contains("bounds")) << expr.error().reason;
+    }
+    EXPECT_TRUE(parse("sum(x*i, i, 999999999999999, 1000000000000000)"));
 }
 
 TEST(Parse, LimitsTheText) {

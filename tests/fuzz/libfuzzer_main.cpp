@@ -1,0 +1,15 @@
+#include "tests/fuzz/language_target.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+// Names and types are libFuzzer's.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto complaint =
+        zeroset::test::complaint_about({reinterpret_cast<const char*>(data), size});
+    if (!complaint) return 0;
+    std::fprintf(stderr, "%s\n", complaint->c_str());
+    std::abort();
+}
