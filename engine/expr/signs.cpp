@@ -133,10 +133,12 @@ CodePoint code_point_at(std::string_view text, std::size_t start) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[start + i]); };
     const unsigned first = byte(0);
     const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 1;
-    if (length == 1 || start + length > text.size()) return {first, 1};
+    constexpr char32_t none = 0xFFFD;
+    if (first < 0x80U) return {first, 1};
+    if (length == 1 || start + length > text.size()) return {none, 1};
     char32_t code = first & (0x7FU >> length);
     for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) return {first, 1};
+        if ((byte(i) & 0xC0U) != 0x80U) return {none, 1};
         code = code << 6U | (byte(i) & 0x3FU);
     }
     return {code, length};

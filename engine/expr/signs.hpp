@@ -15,7 +15,7 @@ struct CodePoint {
     std::size_t length = 1;  ///< in bytes
 };
 
-/// The UTF-8 character at `start`; a byte that starts none counts as a character of its own.
+/// The UTF-8 character at `start`; a byte that belongs to none counts as U+FFFD.
 CodePoint code_point_at(std::string_view text, std::size_t start);
 
 /// A sign's meaning; an empty text means nothing, like a space.

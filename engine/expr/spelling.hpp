@@ -15,7 +15,7 @@ inline std::string quoted(std::string_view text) {
     constexpr std::size_t longest = 40;
     if (text.size() <= longest) return "'" + std::string(text) + "'";
     std::size_t end = longest;
-    while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
         --end;  // not within a character
     return "'" + std::string(text.substr(0, end)) + "...'";
 }

@@ -303,6 +303,16 @@ TEST(Parse, SurvivesAnyBytes) {
     }
 }
 
+// The bytes of "²" and "·" in Latin-1, which are no UTF-8.
+TEST(Parse, RefusesBytesThatAreNoCharacter) {
+    for (const std::string text : {"1e3\xb2", "x \xb7 y", "x\xc2", "x + \xf0\x9f\x98"}) {
+        const auto expr = parse(text);
+        ASSERT_FALSE(expr.has_value()) << text;
+        EXPECT_TRUE(expr.error().reason.contains("no meaning")) << expr.error().reason;
+    }
+    EXPECT_FALSE(parse("1e3" + std::string(60, '\xb2') + "0").has_value());
+}
+
 TEST(Parse, SurvivesNul) {
     const auto expr = parse(std::string_view("x\0+y", 4));
     ASSERT_FALSE(expr.has_value());
