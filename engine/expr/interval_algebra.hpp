@@ -5,6 +5,8 @@
 #include "engine/num/periodic.hpp"
 #include "engine/num/steps.hpp"
 
+#include <optional>
+
 namespace zeroset {
 
 /// Natural interval extension, with what is known of each node's domain.
@@ -97,19 +99,20 @@ private:
     }
 
     static Interval<Real> product(In a, In b) {
-        if (a.facts.constant) return scaled(b, a);
-        if (b.facts.constant) return scaled(a, b);
+        if (const auto range_of_multiple = scaled(b, a)) return *range_of_multiple;
+        if (const auto range_of_multiple = scaled(a, b)) return *range_of_multiple;
         if (a.facts.nonnegative && b.facts.nonnegative)
             return multiply_nonnegative(range(a), range(b));
         if (a.facts.nonnegative) return multiply_nonnegative_by(range(a), range(b));
         if (b.facts.nonnegative) return multiply_nonnegative_by(range(b), range(a));
         return range(a) * range(b);
     }
-    static Interval<Real> scaled(In a, In factor) {
+    /// For a constant factor that makes no NaN: finite in this type, and not 0.
+    static std::optional<Interval<Real>> scaled(In a, In factor) {
+        if (!factor.facts.constant) return std::nullopt;
         const Interval<double>& c = *factor.facts.constant;
         const bool exact = factor.facts.exact() && representable(c.hi, range(a).hi);
         if (exact && c.hi != 0) return scale(range(a), c.hi);
-        // A factor whose enclosure is finite and not 0 in this type makes no NaN.
         const double largest = largest_finite(range(a).hi);
         const double smallest = smallest_normal(range(a).hi);
         if (-c.neg_lo >= smallest && c.hi <= largest) {
@@ -118,7 +121,7 @@ private:
         if (-c.hi >= smallest && c.neg_lo <= largest) {
             return -scale(range(a), -range(factor), a.facts.nonnegative);
         }
-        return range(a) * range(factor);
+        return std::nullopt;
     }
 };
 

@@ -186,6 +186,17 @@ TEST(Interpret, EnclosesWhereItJumps) {
     EXPECT_EQ(range_over("1/0 + x", 1, 2).hi, nowhere);
 }
 
+// 0 * infinity must not make a product of numbers that are never negative the whole line: what is
+// built on it takes it for never negative.
+TEST(Interpret, EnclosesMultiplesOfWhatOverflows) {
+    for (const char* const text : {"(0*x^58)^2", "(0/3*x^58)^2", "(1e-300*x^58)^2", "sqrt(0*x^58)",
+                                   "0*x^58*(0*x^58)", "(1e300*0*x^58)^2"}) {
+        const auto range = range_over(text, 10'000, 20'000);
+        EXPECT_LE(range.lo, 0.0F) << text;
+        EXPECT_GE(range.hi, 0.0F) << text;
+    }
+}
+
 /// Range and value of one item, by the algebras over single floats.
 Bits of_one_lane(const Expr& expr, const std::array<Interval<float>, 3>& box,
                  const std::array<float, 3>& point, const Uniforms& uniforms) {
