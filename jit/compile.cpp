@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace zeroset::jit {
 namespace {
@@ -27,14 +28,17 @@ auto on_large_stack(Work work) {
     return std::move(*call.result);
 }
 
-std::expected<int, CompileError> usable_lanes(const CompileOptions& options) {
+/// The vectors of the code in float and, if wanted, of that in double.
+std::expected<std::vector<VectorKind>, CompileError> usable_vectors(const CompileOptions& options) {
     const int lanes = options.lanes == 0 ? host_lanes() : options.lanes;
     if (elementary_code(Elementary::Sin, lanes) == nullptr || lanes < 4) {
         return std::unexpected(CompileError{"this machine has no vectors of " +
                                             std::to_string(lanes) + " floats; its widest are of " +
                                             std::to_string(host_lanes())});
     }
-    return lanes;
+    std::vector<VectorKind> kinds{{RealType::Float, lanes}};
+    if (options.with_double) kinds.push_back({RealType::Double, lanes / 2});
+    return kinds;
 }
 
 KernelCache& cache() {
@@ -42,13 +46,44 @@ KernelCache& cache() {
     return instance;
 }
 
-std::expected<std::shared_ptr<const MachineCode>, CompileError> cached_code(const Expr& expr,
-                                                                            int lanes) {
-    std::string key = std::to_string(lanes) + ":" + expr.key();
+using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
+
+Code cached_code(const Expr& expr, const VectorKind& kind) {
+    const char* const type = kind.type == RealType::Float ? "f:" : "d:";
+    std::string key = std::to_string(kind.lanes) + type + expr.key();
     if (auto known = cache().find(key)) return known;
-    auto code = on_large_stack([&] { return make_code(expr, lanes); });
+    auto code = on_large_stack([&] { return make_code(expr, kind); });
     if (code) cache().insert(std::move(key), *code);
     return code;
+}
+
+void put_in(Kernel& kernel, RealType type, std::shared_ptr<const MachineCode> code) {
+    if (type == RealType::Float) {
+        kernel.range_function = reinterpret_cast<Kernel::RangeFunction>(code->range());
+        kernel.value_function = reinterpret_cast<Kernel::ValueFunction>(code->value());
+        kernel.code = std::move(code);
+    } else {
+        kernel.range_function_double =
+            reinterpret_cast<Kernel::RangeFunctionOf<double>>(code->range());
+        kernel.value_function_double =
+            reinterpret_cast<Kernel::ValueFunctionOf<double>>(code->value());
+        kernel.code_double = std::move(code);
+    }
+}
+
+using Print = std::expected<std::string, CompileError> (*)(const Expr&, const VectorKind&);
+
+std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
+                                                 const CompileOptions& options) {
+    const auto kinds = usable_vectors(options);
+    if (!kinds) return std::unexpected(kinds.error());
+    std::string text;
+    for (const VectorKind& kind : *kinds) {
+        const auto part = on_large_stack([&] { return print(expr, kind); });
+        if (!part) return part;
+        text += *part;
+    }
+    return text;
 }
 
 }  // namespace
@@ -61,27 +96,23 @@ int host_lanes() {
 }
 
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options) {
-    const auto lanes = usable_lanes(options);
-    if (!lanes) return std::unexpected(lanes.error());
-    auto code = cached_code(expr, *lanes);
-    if (!code) return std::unexpected(code.error());
+    const auto kinds = usable_vectors(options);
+    if (!kinds) return std::unexpected(kinds.error());
     Kernel kernel = kernel_without_code(expr);
-    kernel.range_function = reinterpret_cast<Kernel::RangeFunction>((*code)->range());
-    kernel.value_function = reinterpret_cast<Kernel::ValueFunction>((*code)->value());
-    kernel.code = std::move(*code);
+    for (const VectorKind& kind : *kinds) {
+        auto code = cached_code(expr, kind);
+        if (!code) return std::unexpected(code.error());
+        put_in(kernel, kind.type, std::move(*code));
+    }
     return kernel;
 }
 
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options) {
-    const auto lanes = usable_lanes(options);
-    if (!lanes) return std::unexpected(lanes.error());
-    return on_large_stack([&] { return print_ir(expr, *lanes); });
+    return printed(print_ir, expr, options);
 }
 
 std::expected<std::string, CompileError> assembly(const Expr& expr, const CompileOptions& options) {
-    const auto lanes = usable_lanes(options);
-    if (!lanes) return std::unexpected(lanes.error());
-    return on_large_stack([&] { return print_assembly(expr, *lanes); });
+    return printed(print_assembly, expr, options);
 }
 
 }  // namespace zeroset::jit

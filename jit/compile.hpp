@@ -9,7 +9,8 @@
 namespace zeroset::jit {
 
 struct CompileOptions {
-    int lanes = 0;  ///< floats a vector: 4, 8 or 16; 0: the widest this machine has
+    int lanes = 0;  ///< floats a vector: 4, 8 or 16, half as many doubles; 0: this machine's widest
+    bool with_double = false;  ///< also code in double, made after that in float and as slowly
 
     bool operator==(const CompileOptions&) const = default;
 };
@@ -18,11 +19,12 @@ struct CompileError {
     std::string message;
 };
 
-/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code. LLVM
-/// runs on a thread of its own with a large stack.
+/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code, float
+/// and double apart: asking for double later makes that alone. LLVM runs on a thread of its own
+/// with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
-/// The LLVM IR or the assembly that `compile` makes machine code of.
+/// The LLVM IR or the assembly that `compile` makes machine code of; double's behind float's.
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,
                                                   const CompileOptions& options = {});

@@ -17,11 +17,12 @@ LaneMask compare(llvm::CmpInst::Predicate predicate, const Lanes& a, const Lanes
 
 Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> arguments) {
     llvm::IRBuilder<>& builder = kind.emitter->builder;
-    llvm::Type* const vector = kind.emitter->float_vector();
+    const VectorKind& vectors = kind.emitter->kind;
+    llvm::Type* const vector = kind.emitter->real_vector();
     const std::vector<llvm::Type*> parameters(arguments.size(), vector);
     auto* const type = llvm::FunctionType::get(vector, parameters, false);
     const auto address =
-        reinterpret_cast<std::uintptr_t>(elementary_code(function, kind.emitter->lanes));
+        reinterpret_cast<std::uintptr_t>(elementary_code(function, vectors.lanes, vectors.type));
     llvm::Value* const code = builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
     return {kind.emitter, builder.CreateCall(type, code, arguments)};
 }
@@ -76,7 +77,7 @@ LaneMask either(const LaneMask& a, const LaneMask& b) {
 LaneMask no(const LaneMask& a) { return {a.emitter, a.emitter->builder.CreateNot(a.value)}; }
 
 Lanes like(const Lanes& kind, double value) {
-    return {kind.emitter, llvm::ConstantFP::get(kind.emitter->float_vector(), value)};
+    return {kind.emitter, llvm::ConstantFP::get(kind.emitter->real_vector(), value)};
 }
 
 Lanes maximum(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
@@ -89,7 +90,7 @@ Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_fa
 
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear) {
     llvm::IRBuilder<>& builder = x.emitter->builder;
-    llvm::Type* const integers = x.emitter->vector_of(builder.getInt32Ty());
+    llvm::Type* const integers = x.emitter->vector_of(x.emitter->integer());
     llvm::Value* const bits = builder.CreateBitCast(x.value, integers);
     llvm::Value* const is_set = builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
     return {x.emitter, builder.CreateSelect(is_set, if_set.value, if_clear.value)};
@@ -117,11 +118,8 @@ Lanes elementary(Elementary function, const Lanes& a, const Lanes& b) {
     return call(a, function, {a.value, b.value});
 }
 
-bool representable(double value, const Lanes& /*kind*/) {
-    return zeroset::representable(value, 0.0F);
+const Format& format_of(const Lanes& kind) {
+    return kind.emitter->is_float() ? float_format : double_format;
 }
-double relative_gap(const Lanes& /*kind*/) { return zeroset::relative_gap(0.0F); }
-double smallest_normal(const Lanes& /*kind*/) { return zeroset::smallest_normal(0.0F); }
-double largest_finite(const Lanes& /*kind*/) { return zeroset::largest_finite(0.0F); }
 
 }  // namespace zeroset::jit

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/num/format.hpp"
 #include "engine/num/sleef.hpp"
+#include "jit/lower.hpp"
 
 #include <llvm/IR/IRBuilder.h>
 
 // The carrier that builds IR: the same operations as engine/num/scalar.hpp, each on a vector of
-// floats. Private to jit/.
+// floats or doubles. Private to jit/.
 //
 // Arithmetic is emitted as constrained intrinsics with dynamic rounding, so no pass may fold or
 // reorder it as if rounding were to nearest; signs and comparisons are exact in every mode.
@@ -15,12 +17,20 @@ namespace zeroset::jit {
 /// Where and how wide code is emitted. Outlives all Lanes made with it.
 struct Emitter {
     llvm::IRBuilder<>& builder;
-    int lanes;
+    VectorKind kind;
 
     [[nodiscard]] llvm::Type* vector_of(llvm::Type* element) const {
-        return llvm::FixedVectorType::get(element, static_cast<unsigned>(lanes));
+        return llvm::FixedVectorType::get(element, static_cast<unsigned>(kind.lanes));
     }
-    [[nodiscard]] llvm::Type* float_vector() const { return vector_of(builder.getFloatTy()); }
+    [[nodiscard]] bool is_float() const { return kind.type == RealType::Float; }
+    [[nodiscard]] llvm::Type* real() const {
+        return is_float() ? builder.getFloatTy() : builder.getDoubleTy();
+    }
+    /// As wide as `real()`.
+    [[nodiscard]] llvm::Type* integer() const {
+        return is_float() ? builder.getInt32Ty() : builder.getInt64Ty();
+    }
+    [[nodiscard]] llvm::Type* real_vector() const { return vector_of(real()); }
     [[nodiscard]] llvm::Value* constrained(llvm::Intrinsic::ID id, llvm::Value* a,
                                            llvm::Value* b) const;
 };
@@ -32,7 +42,7 @@ struct LaneMask {
 
 struct Lanes {
     Emitter* emitter;
-    llvm::Value* value;  ///< <lanes x float>
+    llvm::Value* value;  ///< <lanes x float> or <lanes x double>
 };
 
 Lanes operator+(const Lanes& a, const Lanes& b);
@@ -64,10 +74,6 @@ Lanes round_down(const Lanes& a);
 Lanes elementary(Elementary function, const Lanes& a);
 Lanes elementary(Elementary function, const Lanes& a, const Lanes& b);
 
-// The numbers of float.
-bool representable(double value, const Lanes& kind);
-double relative_gap(const Lanes& kind);
-double smallest_normal(const Lanes& kind);
-double largest_finite(const Lanes& kind);
+const Format& format_of(const Lanes& kind);
 
 }  // namespace zeroset::jit

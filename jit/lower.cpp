@@ -17,8 +17,9 @@ namespace {
 /// items: `entry` runs once, `body` for each vector of items.
 class BatchFunction {
 public:
-    BatchFunction(llvm::Module& module, const char* name, int lanes, std::size_t size_offset)
-        : builder_(module.getContext()), emitter_{builder_, lanes} {
+    BatchFunction(llvm::Module& module, const char* name, const VectorKind& kind,
+                  std::size_t size_offset)
+        : builder_(module.getContext()), emitter_{builder_, kind} {
         auto* const type = llvm::FunctionType::get(
             builder_.getVoidTy(), {builder_.getPtrTy(), builder_.getPtrTy()}, false);
         function_ = llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
@@ -38,7 +39,7 @@ public:
         llvm::BasicBlock* const done =
             llvm::BasicBlock::Create(builder_.getContext(), "done", function_);
         llvm::Value* const next = builder_.CreateAdd(
-            item_, builder_.getInt64(static_cast<std::uint64_t>(emitter_.lanes)));
+            item_, builder_.getInt64(static_cast<std::uint64_t>(emitter_.kind.lanes)));
         builder_.CreateCondBr(builder_.CreateICmpULT(next, size_), body_, done);
         item_->addIncoming(next, builder_.GetInsertBlock());
         builder_.SetInsertPoint(done);
@@ -71,28 +72,26 @@ public:
         return builder_.CreateLoad(builder_.getPtrTy(), member(offset));
     }
     Lanes load(llvm::Value* array) {
-        llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
-        return {&emitter_, builder_.CreateAlignedLoad(emitter_.float_vector(), address,
-                                                      llvm::Align(sizeof(float)))};
+        llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
+        return {&emitter_,
+                builder_.CreateAlignedLoad(emitter_.real_vector(), address, alignment())};
     }
-    /// The same float, `array[index]`, in all lanes.
+    /// The same number, `array[index]`, in all lanes.
     Lanes load_uniform(llvm::Value* array, std::size_t index) {
-        llvm::Value* const address =
-            builder_.CreateConstGEP1_64(builder_.getFloatTy(), array, index);
-        llvm::Value* const one = builder_.CreateLoad(builder_.getFloatTy(), address);
-        return {&emitter_, builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.lanes), one)};
+        llvm::Value* const address = builder_.CreateConstGEP1_64(emitter_.real(), array, index);
+        llvm::Value* const one = builder_.CreateLoad(emitter_.real(), address);
+        return {&emitter_,
+                builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.kind.lanes), one)};
     }
     void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
     /// All ones where the mask holds.
     void store(llvm::Value* array, const LaneMask& mask) {
         store_vector(array,
-                     builder_.CreateSExt(mask.value, emitter_.vector_of(builder_.getInt32Ty())));
+                     builder_.CreateSExt(mask.value, emitter_.vector_of(emitter_.integer())));
     }
 
-    Lanes splat(float value) {
-        return {&emitter_,
-                llvm::ConstantFP::get(emitter_.float_vector(), static_cast<double>(value))};
-    }
+    /// Of a number of the vectors' type.
+    Lanes splat(double value) { return like(Lanes{&emitter_, nullptr}, value); }
     LaneMask everywhere() {
         return {&emitter_,
                 llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
@@ -103,8 +102,11 @@ private:
         return builder_.CreateConstGEP1_64(builder_.getInt8Ty(), function_->getArg(1), offset);
     }
     void store_vector(llvm::Value* array, llvm::Value* vector) {
-        llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
-        builder_.CreateAlignedStore(vector, address, llvm::Align(sizeof(float)));
+        llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
+        builder_.CreateAlignedStore(vector, address, alignment());
+    }
+    [[nodiscard]] llvm::Align alignment() const {
+        return llvm::Align(emitter_.is_float() ? sizeof(float) : sizeof(double));
     }
 
     llvm::IRBuilder<> builder_;
@@ -120,23 +122,27 @@ private:
     llvm::BasicBlock* nowhere_ = nullptr;  ///< where an empty batch would go
 };
 
-void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm::Module& module) {
-    BatchFunction function(module, range_symbol, lanes, offsetof(RangeBatch, size));
+template <class Real>
+void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                 llvm::Module& module) {
+    using Batch = RangeBatchOf<Real>;
+    BatchFunction function(module, range_symbol, kind, offsetof(Batch, size));
     std::array<llvm::Value*, 3> neg_lo{};
     std::array<llvm::Value*, 3> hi{};
     for (std::size_t i = 0; i < 3; ++i) {
-        neg_lo[i] = function.array(offsetof(RangeBatch, neg_lo) + i * sizeof(float*));
-        hi[i] = function.array(offsetof(RangeBatch, hi) + i * sizeof(float*));
+        neg_lo[i] = function.array(offsetof(Batch, neg_lo) + i * sizeof(Real*));
+        hi[i] = function.array(offsetof(Batch, hi) + i * sizeof(Real*));
     }
-    llvm::Value* const uniforms = function.array(offsetof(RangeBatch, uniforms));
-    llvm::Value* const f_neg_lo = function.array(offsetof(RangeBatch, f_neg_lo));
-    llvm::Value* const f_hi = function.array(offsetof(RangeBatch, f_hi));
-    llvm::Value* const continuous = function.array(offsetof(RangeBatch, continuous));
+    llvm::Value* const uniforms = function.array(offsetof(Batch, uniforms));
+    llvm::Value* const f_neg_lo = function.array(offsetof(Batch, f_neg_lo));
+    llvm::Value* const f_hi = function.array(offsetof(Batch, f_hi));
+    llvm::Value* const continuous = function.array(offsetof(Batch, continuous));
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Enclosure<Lanes> {
         if (fact.constant) {
-            return {{function.splat(float_above(fact.constant->neg_lo)),
-                     function.splat(float_above(fact.constant->hi))}};
+            const auto box = fact.constant_box<Real>();
+            return {{function.splat(static_cast<double>(box.neg_lo)),
+                     function.splat(static_cast<double>(box.hi))}};
         }
         const auto v = static_cast<std::size_t>(node.number);
         if (v < 3) return {{function.load(neg_lo[v]), function.load(hi[v])}};
@@ -147,7 +153,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
     Enclosure<Lanes> f = evaluate(
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
     if (f.somewhere) {
-        const Lanes nowhere = function.splat(static_cast<float>(-infinity));
+        const Lanes nowhere = function.splat(-infinity);
         f.range = select(*f.somewhere, f.range, Interval<Lanes>{nowhere, nowhere});
     }
     function.store(f_neg_lo, f.range.neg_lo);
@@ -157,23 +163,28 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
     function.finish();
 }
 
-void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm::Module& module) {
-    BatchFunction function(module, value_symbol, lanes, offsetof(ValueBatch, size));
+template <class Real>
+void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                 llvm::Module& module) {
+    using Batch = ValueBatchOf<Real>;
+    BatchFunction function(module, value_symbol, kind, offsetof(Batch, size));
     std::array<llvm::Value*, 3> x{};
     std::array<llvm::Value*, 3> gradient{};
     for (std::size_t i = 0; i < 3; ++i) {
-        x[i] = function.array(offsetof(ValueBatch, x) + i * sizeof(float*));
-        gradient[i] = function.array(offsetof(ValueBatch, gradient) + i * sizeof(float*));
+        x[i] = function.array(offsetof(Batch, x) + i * sizeof(Real*));
+        gradient[i] = function.array(offsetof(Batch, gradient) + i * sizeof(Real*));
     }
-    llvm::Value* const uniforms = function.array(offsetof(ValueBatch, uniforms));
-    llvm::Value* const value = function.array(offsetof(ValueBatch, f));
+    llvm::Value* const uniforms = function.array(offsetof(Batch, uniforms));
+    llvm::Value* const value = function.array(offsetof(Batch, f));
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
-        if (fact.constant) return {function.splat(fact.middle_float), {}};
+        if (fact.constant) {
+            return {function.splat(static_cast<double>(fact.constant_point<Real>())), {}};
+        }
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{function.load(x[v]), {}};
-        variable.slope[v] = function.splat(1.0F);
+        variable.slope[v] = function.splat(1.0);
         return variable;
     };
     DualAlgebra<Lanes> algebra;
@@ -181,18 +192,24 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, int lanes, llvm
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
     function.store(value, f.value);
     for (std::size_t i = 0; i < 3; ++i) {
-        function.store(gradient[i], f.slope[i].value_or(function.splat(0.0F)));
+        function.store(gradient[i], f.slope[i].value_or(function.splat(0.0)));
     }
     function.finish();
 }
 
 }  // namespace
 
-std::unique_ptr<llvm::Module> lower(const Expr& expr, int lanes, llvm::LLVMContext& context) {
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
+                                    llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("zeroset", context);
     const std::vector<Facts> facts = facts_of(expr);
-    lower_range(expr, facts, lanes, *module);
-    lower_value(expr, facts, lanes, *module);
+    if (kind.type == RealType::Float) {
+        lower_range<float>(expr, facts, kind, *module);
+        lower_value<float>(expr, facts, kind, *module);
+    } else {
+        lower_range<double>(expr, facts, kind, *module);
+        lower_value<double>(expr, facts, kind, *module);
+    }
     return module;
 }
 

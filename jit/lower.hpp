@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
+#include "engine/num/format.hpp"
 
 #include <memory>
 
@@ -14,8 +15,15 @@ namespace zeroset::jit {
 inline constexpr const char* range_symbol = "zeroset_range";
 inline constexpr const char* value_symbol = "zeroset_value";
 
-/// A module with the batch functions of kernel.hpp over vectors of `lanes` floats. Each is one
-/// loop: what depends on w and the parameters only is computed before it.
-std::unique_ptr<llvm::Module> lower(const Expr& expr, int lanes, llvm::LLVMContext& context);
+/// The vectors that code works on.
+struct VectorKind {
+    RealType type;
+    int lanes;
+};
+
+/// A module with the batch functions of kernel.hpp over such vectors. Each is one loop: what
+/// depends on w and the parameters only is computed before it.
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
+                                    llvm::LLVMContext& context);
 
 }  // namespace zeroset::jit

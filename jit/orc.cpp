@@ -1,7 +1,5 @@
 #include "jit/orc.hpp"
 
-#include "jit/lower.hpp"
-
 #include <llvm/ADT/SmallVector.h>
 #include <llvm/ExecutionEngine/Orc/LLJIT.h>
 #include <llvm/IR/LegacyPassManager.h>
@@ -47,22 +45,22 @@ private:
 };
 
 /// The module for this machine, or an error of LLVM's.
-llvm::Expected<std::unique_ptr<llvm::Module>> host_module(const Expr& expr, int lanes,
+llvm::Expected<std::unique_ptr<llvm::Module>> host_module(const Expr& expr, const VectorKind& kind,
                                                           llvm::TargetMachine& machine,
                                                           llvm::LLVMContext& context) {
-    std::unique_ptr<llvm::Module> module = lower(expr, lanes, context);
+    std::unique_ptr<llvm::Module> module = lower(expr, kind, context);
     module->setDataLayout(machine.createDataLayout());
     module->setTargetTriple(machine.getTargetTriple().str());
     return module;
 }
 
-llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, int lanes) {
+llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const VectorKind& kind) {
     auto target = host_target();
     if (!target) return target.takeError();
     auto jit = orc::LLJITBuilder().setJITTargetMachineBuilder(*target).create();
     if (!jit) return jit.takeError();
     auto context = std::make_unique<llvm::LLVMContext>();
-    std::unique_ptr<llvm::Module> module = lower(expr, lanes, *context);
+    std::unique_ptr<llvm::Module> module = lower(expr, kind, *context);
     module->setDataLayout((*jit)->getDataLayout());
     if (auto error =
             (*jit)->addIRModule(orc::ThreadSafeModule(std::move(module), std::move(context)))) {
@@ -78,26 +76,26 @@ llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, int la
 }  // namespace
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
-                                                                          int lanes) {
-    auto code = link(expr, lanes);
+                                                                          const VectorKind& kind) {
+    auto code = link(expr, kind);
     if (!code) return std::unexpected(message_of(code.takeError()));
     return *code;
 }
 
-std::expected<std::string, CompileError> print_ir(const Expr& expr, int lanes) {
+std::expected<std::string, CompileError> print_ir(const Expr& expr, const VectorKind& kind) {
     llvm::LLVMContext context;
     std::string text;
-    llvm::raw_string_ostream(text) << *lower(expr, lanes, context);
+    llvm::raw_string_ostream(text) << *lower(expr, kind, context);
     return text;
 }
 
-std::expected<std::string, CompileError> print_assembly(const Expr& expr, int lanes) {
+std::expected<std::string, CompileError> print_assembly(const Expr& expr, const VectorKind& kind) {
     auto target = host_target();
     if (!target) return std::unexpected(message_of(target.takeError()));
     auto machine = target->createTargetMachine();
     if (!machine) return std::unexpected(message_of(machine.takeError()));
     llvm::LLVMContext context;
-    auto module = host_module(expr, lanes, **machine, context);
+    auto module = host_module(expr, kind, **machine, context);
     if (!module) return std::unexpected(message_of(module.takeError()));
     llvm::SmallVector<char> text;
     llvm::raw_svector_ostream stream(text);

@@ -2,6 +2,7 @@
 
 #include "engine/expr/expr.hpp"
 #include "jit/compile.hpp"
+#include "jit/lower.hpp"
 
 #include <cstdint>
 #include <expected>
@@ -26,9 +27,9 @@ protected:
 };
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
-                                                                          int lanes);
-std::expected<std::string, CompileError> print_ir(const Expr& expr, int lanes);
-std::expected<std::string, CompileError> print_assembly(const Expr& expr, int lanes);
+                                                                          const VectorKind& kind);
+std::expected<std::string, CompileError> print_ir(const Expr& expr, const VectorKind& kind);
+std::expected<std::string, CompileError> print_assembly(const Expr& expr, const VectorKind& kind);
 
 /// Runs `work` on a thread with a stack large enough for LLVM on a deep graph.
 void run_on_large_stack(void (*work)(void*), void* argument);

@@ -13,7 +13,8 @@
 namespace zeroset {
 namespace {
 
-static_assert(batch_multiple % block_lanes == 0);
+static_assert(batch_multiple % Block<float>::lanes == 0 &&
+              batch_multiple % Block<double>::lanes == 0);
 
 struct Program {
     Expr expr;
@@ -32,17 +33,21 @@ std::vector<Value>& scratch(std::size_t slots) {
     return values;
 }
 
-Block load(const float* lanes) {
-    Block block;
+template <class Real>
+Block<Real> load(const Real* lanes) {
+    Block<Real> block;
     std::memcpy(&block, lanes, sizeof block);
     return block;
 }
-void store(float* lanes, const Block& block) { std::memcpy(lanes, &block, sizeof block); }
+template <class Real>
+void store(Real* lanes, const Block<Real>& block) {
+    std::memcpy(lanes, &block, sizeof block);
+}
 
-/// Evaluates the graph over `size` items by blocks. `leaf(node, facts, item)` makes the value of a
-/// variable or a constant subexpression, for a uniform one whatever the item; `finish(root, item)`
-/// takes the results.
-template <class Algebra, class Leaf, class Finish>
+/// Evaluates the graph over `size` items by blocks of some lanes. `leaf(node, facts, item)` makes
+/// the value of a variable or a constant subexpression, for a uniform one whatever the item;
+/// `finish(root, item)` takes the results.
+template <class Algebra, std::size_t lanes, class Leaf, class Finish>
 void interpret_blocks(const Program& code, std::size_t size, Leaf leaf, Finish finish) {
     using Value = typename Algebra::Value;
     static_assert(std::is_trivially_destructible_v<Value>);
@@ -66,7 +71,7 @@ void interpret_blocks(const Program& code, std::size_t size, Leaf leaf, Finish f
     for (NodeId id = 0; id <= root; ++id) {
         if (code.facts[id].uniform) compute(id, 0);
     }
-    for (std::size_t item = 0; item < size; item += block_lanes) {
+    for (std::size_t item = 0; item < size; item += lanes) {
         for (NodeId id = 0; id <= root; ++id) {
             if (!code.facts[id].uniform) compute(id, item);
         }
@@ -74,50 +79,55 @@ void interpret_blocks(const Program& code, std::size_t size, Leaf leaf, Finish f
     }
 }
 
-void interpret_range(const void* code, const RangeBatch* batch) {
-    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Enclosure<Block> {
+template <class Real>
+void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
+    using Lanes = Block<Real>;
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Enclosure<Lanes> {
         if (facts.constant) {
-            return {{Block::splat(float_above(facts.constant->neg_lo)),
-                     Block::splat(float_above(facts.constant->hi))}};
+            const auto box = facts.constant_box<Real>();
+            return {{Lanes::splat(box.neg_lo), Lanes::splat(box.hi)}};
         }
         const auto v = static_cast<std::size_t>(node.number);
         if (v < 3) return {{load(batch->neg_lo[v] + i), load(batch->hi[v] + i)}};
-        return {{Block::splat(batch->uniforms[2 * (v - 3)]),
-                 Block::splat(batch->uniforms[2 * (v - 3) + 1])}};
+        return {{Lanes::splat(batch->uniforms[2 * (v - 3)]),
+                 Lanes::splat(batch->uniforms[2 * (v - 3) + 1])}};
     };
-    const auto finish = [&](const Enclosure<Block>& f, std::size_t i) {
-        Interval<Block> range = f.range;
+    const auto finish = [&](const Enclosure<Lanes>& f, std::size_t i) {
+        Interval<Lanes> range = f.range;
         if (f.somewhere) {
-            const Block nowhere = Block::splat(-static_cast<float>(infinity));
-            range = select(*f.somewhere, range, Interval<Block>{nowhere, nowhere});
+            const Lanes nowhere = Lanes::splat(-static_cast<Real>(infinity));
+            range = select(*f.somewhere, range, Interval<Lanes>{nowhere, nowhere});
         }
         store(batch->f_neg_lo + i, range.neg_lo);
         store(batch->f_hi + i, range.hi);
         const std::optional<BlockMask> proved = conjunction(f.everywhere, f.continuous);
         const unsigned bits = proved ? proved->bits : ~0U;
-        for (std::size_t lane = 0; lane < block_lanes; ++lane)
-            batch->continuous[i + lane] = (bits >> lane & 1U) != 0 ? ~0U : 0U;
+        const auto all_ones = static_cast<ContinuityMask<Real>>(-1);
+        for (std::size_t lane = 0; lane < Lanes::lanes; ++lane)
+            batch->continuous[i + lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
     };
-    interpret_blocks<IntervalAlgebra<Block>>(*static_cast<const Program*>(code), batch->size, leaf,
-                                             finish);
+    interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Program*>(code),
+                                                           batch->size, leaf, finish);
 }
 
-void interpret_value(const void* code, const ValueBatch* batch) {
-    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Block> {
-        if (facts.constant) return {Block::splat(facts.middle_float), {}};
+template <class Real>
+void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
+    using Lanes = Block<Real>;
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Lanes> {
+        if (facts.constant) return {Lanes::splat(facts.constant_point<Real>()), {}};
         const auto v = static_cast<std::size_t>(node.number);
-        if (v >= 3) return {Block::splat(batch->uniforms[v - 3]), {}};
-        Dual<Block> variable{load(batch->x[v] + i), {}};
-        variable.slope[v] = Block::splat(1.0F);
+        if (v >= 3) return {Lanes::splat(batch->uniforms[v - 3]), {}};
+        Dual<Lanes> variable{load(batch->x[v] + i), {}};
+        variable.slope[v] = Lanes::splat(1);
         return variable;
     };
-    const auto finish = [&](const Dual<Block>& f, std::size_t i) {
+    const auto finish = [&](const Dual<Lanes>& f, std::size_t i) {
         store(batch->f + i, f.value);
         for (std::size_t k = 0; k < 3; ++k)
-            store(batch->gradient[k] + i, f.slope[k].value_or(Block::splat(0.0F)));
+            store(batch->gradient[k] + i, f.slope[k].value_or(Lanes::splat(0)));
     };
-    interpret_blocks<DualAlgebra<Block>>(*static_cast<const Program*>(code), batch->size, leaf,
-                                         finish);
+    interpret_blocks<DualAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Program*>(code),
+                                                       batch->size, leaf, finish);
 }
 
 }  // namespace
@@ -131,9 +141,12 @@ Kernel kernel_without_code(const Expr& expr) {
 
 Kernel interpret(const Expr& expr) {
     Kernel kernel = kernel_without_code(expr);
-    kernel.range_function = interpret_range;
-    kernel.value_function = interpret_value;
+    kernel.range_function = interpret_range<float>;
+    kernel.value_function = interpret_value<float>;
     kernel.code = std::make_shared<Program>(expr);
+    kernel.range_function_double = interpret_range<double>;
+    kernel.value_function_double = interpret_value<double>;
+    kernel.code_double = kernel.code;
     return kernel;
 }
 

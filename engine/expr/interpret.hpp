@@ -9,7 +9,8 @@
 
 namespace zeroset {
 
-/// The reference kernel: evaluates the graph block by block in C++. Bit-equal to the JIT's.
+/// The reference kernel, in float and double: evaluates the graph block by block in C++. Bit-equal
+/// to the JIT's.
 Kernel interpret(const Expr& expr);
 
 /// f and its gradient in double at (x, y, z, w), not rounded outward; parameters that are not given

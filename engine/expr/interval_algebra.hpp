@@ -111,14 +111,14 @@ private:
     static std::optional<Interval<Real>> scaled(In a, In factor) {
         if (!factor.facts.constant) return std::nullopt;
         const Interval<double>& c = *factor.facts.constant;
-        const bool exact = factor.facts.exact() && representable(c.hi, range(a).hi);
+        const Format& format = format_of(range(a).hi);
+        const bool exact = factor.facts.exact() && representable(c.hi, format);
         if (exact && c.hi != 0) return scale(range(a), c.hi);
-        const double largest = largest_finite(range(a).hi);
-        const double smallest = smallest_normal(range(a).hi);
-        if (-c.neg_lo >= smallest && c.hi <= largest) {
+        const double smallest = format.smallest_normal;
+        if (-c.neg_lo >= smallest && c.hi <= format.largest_finite) {
             return scale(range(a), range(factor), a.facts.nonnegative);
         }
-        if (-c.hi >= smallest && c.neg_lo <= largest) {
+        if (-c.hi >= smallest && c.neg_lo <= format.largest_finite) {
             return -scale(range(a), -range(factor), a.facts.nonnegative);
         }
         return std::nullopt;

@@ -8,10 +8,15 @@ void Uniforms::set(std::size_t item, double lo, double hi) {
     if (middle.size() <= item) {
         middle.resize(item + 1, 0.0F);
         neg_lo_hi.resize(2 * (item + 1), 0.0F);
+        middle_double.resize(item + 1, 0.0);
+        neg_lo_hi_double.resize(2 * (item + 1), 0.0);
     }
     neg_lo_hi[2 * item] = float_above(-lo);
     neg_lo_hi[2 * item + 1] = float_above(hi);
-    middle[item] = static_cast<float>(0.5 * (lo + hi));
+    neg_lo_hi_double[2 * item] = -lo;
+    neg_lo_hi_double[2 * item + 1] = hi;
+    middle_double[item] = 0.5 * (lo + hi);
+    middle[item] = static_cast<float>(middle_double[item]);
 }
 
 }  // namespace zeroset

@@ -146,17 +146,15 @@ Dual<Real> log(const Dual<Real>& a) {
     return chain(elementary(Elementary::Log, a.value), like(a.value, 1.0) / a.value, a);
 }
 
-// 1 / ln(10) and 1 / ln(2), each as a sum of two floats.
-
 template <class Real>
 Dual<Real> log10(const Dual<Real>& a) {
-    const Real scale = like(a.value, 0x1.bcb7b2p-2) + like(a.value, -0x1.5b235ep-27);
+    const Real scale = like(a.value, format_of(a.value).per_ln10);
     return chain(elementary(Elementary::Log10, a.value), scale / a.value, a);
 }
 
 template <class Real>
 Dual<Real> log2(const Dual<Real>& a) {
-    const Real scale = like(a.value, 0x1.715476p+0) + like(a.value, 0x1.4ae0cp-26);
+    const Real scale = like(a.value, format_of(a.value).per_ln2);
     return chain(elementary(Elementary::Log2, a.value), scale / a.value, a);
 }
 

@@ -3,8 +3,6 @@
 #include "engine/num/enclosure.hpp"
 #include "engine/num/sleef.hpp"
 
-#include <numbers>
-
 // Intervals of elementary functions over any carrier, in upward rounding. Library results are
 // taken in round-to-nearest and widened by their error bound. A partial function's range is the
 // image of the part of the box inside its domain.
@@ -14,14 +12,16 @@ namespace zeroset {
 /// Bound of |true - result| for a library result, denormals included.
 template <class Real>
 Real library_error(Elementary function, const Real& result) {
-    const double relative = elementary_bound_ulp(function) * 0.5 * relative_gap(result);
-    return magnitude(result) * like(result, relative) + like(result, smallest_normal(result));
+    const Format& format = format_of(result);
+    const double relative = elementary_bound_ulp(function, format.type) * 0.5 * format.relative_gap;
+    return magnitude(result) * like(result, relative) + like(result, format.smallest_normal);
 }
 
 /// [a, b] for library results a <= b up to their errors.
 template <class Real>
 Interval<Real> widened(Elementary function, const Real& a, const Real& b) {
-    const Real finite = minimum(a, like(a, largest_finite(a)));  // exp may round a finite value up
+    // exp may round a finite value up.
+    const Real finite = minimum(a, like(a, format_of(a).largest_finite));
     return {library_error(function, finite) - finite, b + library_error(function, b)};
 }
 
@@ -30,17 +30,15 @@ Interval<Real> clamped(const Interval<Real>& a, double lo, double hi) {
     return {minimum(a.neg_lo, like(a.hi, -lo)), minimum(a.hi, like(a.hi, hi))};
 }
 
-// Floats around pi and its half.
-inline constexpr double pi_lo = 0x1.921fb4p+1, pi_hi = 0x1.921fb6p+1;
-static_assert(pi_lo < std::numbers::pi && std::numbers::pi < pi_hi);
-
 /// An upper bound of the odd increasing library function at `a`. That of its lower end at `lo` is,
 /// negated, this one at -lo.
 template <class Real>
 Real odd_up(Elementary function, const Real& a) {
     const Real result = elementary(function, a);
-    const auto too_low = result < like(result, -largest_finite(result));
-    const Real finite = select(too_low, like(result, -elementary_overflow(function)), result);
+    const Format& format = format_of(result);
+    const auto too_low = result < like(result, -format.largest_finite);
+    const Real overflow = like(result, -elementary_overflow(function, format.type));
+    const Real finite = select(too_low, overflow, result);
     return finite + library_error(function, finite);
 }
 
@@ -52,8 +50,9 @@ Interval<Real> odd_increasing(Elementary function, const Interval<Real>& a) {
 /// As `widened`, for a function whose results overflow before its values do.
 template <class Real>
 Interval<Real> widened_over(Elementary function, const Real& a, const Real& b) {
-    const auto too_high = a > like(a, largest_finite(a));
-    const Real finite = select(too_high, like(a, elementary_overflow(function)), a);
+    const Format& format = format_of(a);
+    const auto too_high = a > like(a, format.largest_finite);
+    const Real finite = select(too_high, like(a, elementary_overflow(function, format.type)), a);
     return widened(function, finite, b);
 }
 
@@ -84,8 +83,8 @@ template <class Real>
 Enclosure<Real> asin(const Interval<Real>& a) {
     const Real one = like(a.hi, 1.0);
     const Interval<Real> inside{minimum(a.neg_lo, one), minimum(a.hi, one)};
-    const Interval<Real> value =
-        clamped(odd_increasing(Elementary::Asin, inside), -0.5 * pi_hi, 0.5 * pi_hi);
+    const double most = 0.5 * format_of(one).pi_hi;
+    const Interval<Real> value = clamped(odd_increasing(Elementary::Asin, inside), -most, most);
     return {value, both(a.hi >= -one, a.neg_lo >= -one), both(a.neg_lo <= one, a.hi <= one)};
 }
 
@@ -96,13 +95,14 @@ Enclosure<Real> acos(const Interval<Real>& a) {
     const Real hi = minimum(a.hi, one);
     const Interval<Real> value = clamped(widened(Elementary::Acos, elementary(Elementary::Acos, hi),
                                                  elementary(Elementary::Acos, lo)),
-                                         0.0, pi_hi);
+                                         0.0, format_of(one).pi_hi);
     return {value, both(lo <= one, hi >= -one), both(a.neg_lo <= one, a.hi <= one)};
 }
 
 template <class Real>
 Interval<Real> atan(const Interval<Real>& a) {
-    return clamped(odd_increasing(Elementary::Atan, a), -0.5 * pi_hi, 0.5 * pi_hi);
+    const double most = 0.5 * format_of(a.hi).pi_hi;
+    return clamped(odd_increasing(Elementary::Atan, a), -most, most);
 }
 
 template <class Real>

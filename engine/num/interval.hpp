@@ -188,7 +188,7 @@ Interval<Real> square_root(const Interval<Real>& a) {
     const Real up = square_root(lo);
     // up is rounded upward: it is exact when its square, rounded upward, is lo again; otherwise
     // one part in 2^22 (float) or 2^51 (double) below it is below the root.
-    const Real below = up * like(up, -(1.0 - relative_gap(up)));
+    const Real below = up * like(up, -(1.0 - format_of(up).relative_gap));
     const Real neg_lo = select(up * up == lo, -up, below);
     return {neg_lo, square_root(maximum(a.hi, zero))};
 }

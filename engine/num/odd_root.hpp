@@ -9,14 +9,15 @@ namespace zeroset {
 /// Encloses the n-th root of a > 0, for n >= 3.
 //
 // R = exp(log(a) / n) is an enclosure by construction, but wide: the error of log(a), a few ulp of
-// up to 104, becomes a relative error of the root. One step of Newton's method in intervals makes
-// it a few ulp: with f(r) = r^n - a and any m, the mean value theorem puts every root r of f in R
-// on r = m - f(m) / f'(s) for an s between m and r; with m in R, s is in R, too. So the root is in
-// m + (a - m^n) / (n R^(n-1)), each operation rounded outward, and in R.
+// up to 104 (float) or 745 (double), becomes a relative error of the root. One step of Newton's
+// method in intervals makes it a few ulp: with f(r) = r^n - a and any m, the mean value theorem
+// puts every root r of f in R on r = m - f(m) / f'(s) for an s between m and r; with m in R, s is
+// in R, too. So the root is in m + (a - m^n) / (n R^(n-1)), each operation rounded outward, and in
+// R.
 //
 // Its width is that of m^n, 2 (n-1) roundings, divided by n, plus the product of the relative
-// widths of R and of R^(n-1), for floats below 2^-15 and 2^-14. Where a power leaves the normal
-// range, R alone is left.
+// widths of R and of R^(n-1): for floats below 2^-15 and 2^-14, for doubles 2^-41 and 2^-40. Where
+// a power leaves the normal range, R alone is left.
 template <class Real>
 Interval<Real> positive_odd_root(const Real& a, int n) {
     const Real log_a = elementary(Elementary::Log, a);

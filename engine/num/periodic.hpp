@@ -6,14 +6,19 @@
 
 namespace zeroset {
 
-inline constexpr double turns_per_radian = 0x1.45f306p-3;  // the float nearest to 1 / (2 pi)
-
 /// Whether (conservatively) some phase + k / frequency lies in a, for a whole number k.
-/// `phase_lo <= phase <= phase_hi`; the frequency is 1 or 2 times `turns_per_radian`.
+/// `phase_lo <= phase <= phase_hi`, numbers of the format; the frequency is `periods_a_turn`, 1
+/// or 2, for each turn.
+//
+// Both ends, measured from the phase in turns, and then their distance from the whole number below
+// the upper one, are sums and products rounded upward: each is too high, which is the safe side.
+// The frequency alone may be too low where the factor is positive, or too high where it is
+// negative, by less than the slack.
 template <class Real>
-auto meets_phase(const Interval<Real>& a, double frequency, double phase_lo, double phase_hi) {
-    const Real turns = like(a.hi, frequency);
-    const Real slack = like(a.hi, 0x1p-21);  // above the error of turns and of both products
+auto meets_phase(const Interval<Real>& a, int periods_a_turn, double phase_lo, double phase_hi) {
+    const Format& format = format_of(a.hi);
+    const Real turns = like(a.hi, periods_a_turn * format.turns_per_radian);
+    const Real slack = like(a.hi, format.turns_slack);
     const Real above = a.hi + like(a.hi, -phase_lo);
     const Real below = a.neg_lo + like(a.hi, phase_hi);
     const Real turns_above = above * turns + magnitude(above) * slack;
@@ -21,15 +26,15 @@ auto meets_phase(const Interval<Real>& a, double frequency, double phase_lo, dou
     return round_down(turns_above) + turns_neg_below >= like(a.hi, 0.0);
 }
 
-/// Where phases are told apart: beyond, a period is a few hundred thousand ulp or less.
+/// Where phases are told apart.
 template <class Real>
 auto near_zero(const Interval<Real>& a) {
-    const Real far = like(a.hi, 0x1p20);
+    const Real far = like(a.hi, format_of(a.hi).far);
     return both(a.neg_lo <= far, a.hi <= far);
 }
 
 /// sin or cos, whose maxima are at `phase` + 2 pi k and minima half a turn away; the phases are
-/// given as float-representable enclosures.
+/// given as enclosures by numbers of the format.
 template <class Real>
 Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo, double max_hi,
                     double min_lo, double min_hi) {
@@ -39,31 +44,32 @@ Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo,
     const Real one = like(a.hi, 1.0);
     const auto near = near_zero(a);
     const Interval<Real> bounded = clamped(ends, -1.0, 1.0);
-    return {
-        select(both(near, no(meets_phase(a, turns_per_radian, min_lo, min_hi))), bounded.neg_lo,
-               one),
-        select(both(near, no(meets_phase(a, turns_per_radian, max_lo, max_hi))), bounded.hi, one)};
+    return {select(both(near, no(meets_phase(a, 1, min_lo, min_hi))), bounded.neg_lo, one),
+            select(both(near, no(meets_phase(a, 1, max_lo, max_hi))), bounded.hi, one)};
 }
 
 template <class Real>
 Interval<Real> sin(const Interval<Real>& a) {
-    return wave(Elementary::Sin, a, 0.5 * pi_lo, 0.5 * pi_hi, -0.5 * pi_hi, -0.5 * pi_lo);
+    const double lo = 0.5 * format_of(a.hi).pi_lo;
+    const double hi = 0.5 * format_of(a.hi).pi_hi;
+    return wave(Elementary::Sin, a, lo, hi, -hi, -lo);
 }
 
 template <class Real>
 Interval<Real> cos(const Interval<Real>& a) {
-    return wave(Elementary::Cos, a, 0.0, 0.0, pi_lo, pi_hi);
+    return wave(Elementary::Cos, a, 0.0, 0.0, format_of(a.hi).pi_lo, format_of(a.hi).pi_hi);
 }
 
 /// Where no pole of tan or cot, at `phase` + pi k, is met for sure.
 template <class Real>
 auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
-    return both(near_zero(a), no(meets_phase(a, 2 * turns_per_radian, phase_lo, phase_hi)));
+    return both(near_zero(a), no(meets_phase(a, 2, phase_lo, phase_hi)));
 }
 
 template <class Real>
 Enclosure<Real> tan(const Interval<Real>& a) {
-    const auto smooth = between_poles(a, 0.5 * pi_lo, 0.5 * pi_hi);
+    const Format& format = format_of(a.hi);
+    const auto smooth = between_poles(a, 0.5 * format.pi_lo, 0.5 * format.pi_hi);
     return {select(smooth, odd_increasing(Elementary::Tan, a), whole_line(a.hi)), {}, smooth};
 }
 
@@ -121,6 +127,7 @@ template <class Real>
 Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x) {
     const auto cases = angle_cases(y, x);
     const auto cut = either(cases.around_origin, cases.across_cut);
+    const double pi_hi = format_of(x.hi).pi_hi;
     const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
     const Interval<Real> value = select(cut, circle, angle_from_corners(y, x));
     return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut)};
@@ -133,9 +140,10 @@ Enclosure<Real> angle(const Interval<Real>& y, const Interval<Real>& x) {
     const auto cut = cases.across_cut;
     const Interval<Real> turned = angle_from_corners(select(cut, -y, y), select(cut, -x, x));
     const Real zero = like(x.hi, 0.0);
-    const Interval<Real> half_turn{select(cut, like(zero, -pi_lo), zero),
-                                   select(cut, like(zero, pi_hi), zero)};
-    const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
+    const Format& format = format_of(zero);
+    const Interval<Real> half_turn{select(cut, like(zero, -format.pi_lo), zero),
+                                   select(cut, like(zero, format.pi_hi), zero)};
+    const Interval<Real> circle{like(zero, format.pi_hi), like(zero, format.pi_hi)};
     const Interval<Real> value = select(cases.around_origin, circle, turned + half_turn);
     const auto beside_origin = no(cases.around_origin);
     return {value, {}, beside_origin, beside_origin};

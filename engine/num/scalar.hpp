@@ -1,24 +1,21 @@
 #pragma once
 
+#include "engine/num/format.hpp"
+
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
 // The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) asks of its carrier,
-// for float and double. jit/lanes.hpp has the same for vectors of an IR under construction. The
-// two must agree to the bit: each comment names the machine instruction's meaning that they share.
+// for float and double; format_of (engine/num/format.hpp) is one of them. jit/lanes.hpp has the
+// same for vectors of an IR under construction. The two must agree to the bit: each comment names
+// the machine instruction's meaning that they share.
 
 namespace zeroset {
 
 /// `value` as the type of the first argument; `value` must be representable in it.
 inline float like(float /*kind*/, double value) { return static_cast<float>(value); }
 inline double like(double /*kind*/, double value) { return value; }
-
-/// Whether `value` is a number of the first argument's type.
-inline bool representable(double value, float /*kind*/) {
-    return static_cast<double>(static_cast<float>(value)) == value;
-}
-inline bool representable(double /*value*/, double /*kind*/) { return true; }
 
 /// The smallest float that is not below `value`, in any rounding mode.
 inline float float_above(double value) {
@@ -27,18 +24,9 @@ inline float float_above(double value) {
     return std::nextafter(near, std::numeric_limits<float>::infinity());
 }
 
-/// Two units in the last place of 1: more than the relative distance of two neighbours.
-inline double relative_gap(float /*kind*/) { return 0x1p-22; }
-inline double relative_gap(double /*kind*/) { return 0x1p-51; }
-
-inline double smallest_normal(float /*kind*/) {
-    return static_cast<double>(std::numeric_limits<float>::min());
-}
-inline double smallest_normal(double /*kind*/) { return std::numeric_limits<double>::min(); }
-inline double largest_finite(float /*kind*/) {
-    return static_cast<double>(std::numeric_limits<float>::max());
-}
-inline double largest_finite(double /*kind*/) { return std::numeric_limits<double>::max(); }
+/// The least enclosure's end in a carrier's type: not below `value`.
+inline float upper_end(float /*kind*/, double value) { return float_above(value); }
+inline double upper_end(double /*kind*/, double value) { return value; }
 
 /// The second argument where the two are equal or unordered (x86 MAXPS, MINPS).
 template <class Real>

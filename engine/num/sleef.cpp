@@ -13,12 +13,14 @@ namespace {
 
 struct Row {
     int arity;
-    double bound_ulp;
-    double overflow;
+    double bound_ulp[2];  ///< by RealType
+    double overflow[2];
 };
 
 constexpr Row rows[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) {arity, bound_ulp, overflow},
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    {arity, {float_ulp, double_ulp}, {float_overflow, double_overflow}},
 #include "engine/num/sleef_functions.def"
 #undef ZEROSET_SLEEF
 };
@@ -70,7 +72,8 @@ int call(mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b) {
 /// Writes the function's value and returns MPFR's ternary value.
 int computed(Elementary function, mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b) {
     switch (function) {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) \
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
     case Elementary::id: return call<mpfr_##name>(result, a, b);
 #include "engine/num/sleef_functions.def"
 #undef ZEROSET_SLEEF
@@ -78,20 +81,50 @@ int computed(Elementary function, mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b)
     return 0;
 }
 
+/// Code over a register of `bits`; 0 for a plain number.
+template <class Real>
+const void* code_of_width(Elementary function, int bits) {
+    // SLEEF's "finz" functions (with fused multiply-add) give the same bits at every width, and so
+    // do its "cinz" ones (without); the machine decides the family once for all widths.
+    static const bool fma = machine_has_avx2_fma();
+    switch (bits) {
+        case 0: return fma ? sleef_fma<Real>(function) : sleef_plain<Real>(function);
+        case 128: return fma ? sleef_avx2_128<Real>(function) : sleef_sse2<Real>(function);
+        case 256: return fma ? sleef_avx2_256<Real>(function) : nullptr;
+        case 512: return machine_has_avx512() ? sleef_avx512<Real>(function) : nullptr;
+        default: return nullptr;
+    }
+}
+
+template <class Real>
+Real one_lane_of(Elementary function, Real a, Real b) {
+    const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
+    const void* const code = code_of_width<Real>(function, 0);
+    if (row(function).arity == 1) return std::bit_cast<Real (*)(Real)>(code)(a);
+    return std::bit_cast<Real (*)(Real, Real)>(code)(a, b);
+}
+
 }  // namespace
 
 int elementary_arity(Elementary function) { return row(function).arity; }
-double elementary_bound_ulp(Elementary function) { return row(function).bound_ulp; }
-double elementary_overflow(Elementary function) { return row(function).overflow; }
-
-float elementary(Elementary function, float a, float b) {
-    const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
-    const void* const code = elementary_code(function, 1);
-    if (row(function).arity == 1) return std::bit_cast<float (*)(float)>(code)(a);
-    return std::bit_cast<float (*)(float, float)>(code)(a, b);
+double elementary_bound_ulp(Elementary function, RealType type) {
+    return row(function).bound_ulp[static_cast<std::size_t>(type)];
+}
+double elementary_overflow(Elementary function, RealType type) {
+    return row(function).overflow[static_cast<std::size_t>(type)];
 }
 
-double elementary(Elementary function, double a, double b) {
+const void* elementary_code(Elementary function, int lanes, RealType type) {
+    if (lanes < 1 || lanes > 16) return nullptr;
+    const bool is_float = type == RealType::Float;
+    const int bits = lanes == 1 ? 0 : lanes * (is_float ? 32 : 64);
+    return is_float ? code_of_width<float>(function, bits) : code_of_width<double>(function, bits);
+}
+
+float one_lane(Elementary function, float a, float b) { return one_lane_of(function, a, b); }
+double one_lane(Elementary function, double a, double b) { return one_lane_of(function, a, b); }
+
+double correctly_rounded(Elementary function, double a, double b) {
     const NearestRounding nearest;
     const DoubleExponents exponents;
     const DoubleNumber x(a);
@@ -100,19 +133,6 @@ double elementary(Elementary function, double a, double b) {
     const int rounded = computed(function, result.value, x.value, y.value);
     mpfr_subnormalize(result.value, rounded, MPFR_RNDN);
     return mpfr_get_d(result.value, MPFR_RNDN);
-}
-
-// SLEEF's "finz" functions (with fused multiply-add) give the same bits at every width, and so do
-// its "cinz" ones (without); the machine decides the family once for all widths.
-const void* elementary_code(Elementary function, int lanes) {
-    static const bool fma = machine_has_avx2_fma();
-    switch (lanes) {
-        case 1: return fma ? sleef_fma_1(function) : sleef_plain_1(function);
-        case 4: return fma ? sleef_avx2_4(function) : sleef_sse2_4(function);
-        case 8: return fma ? sleef_avx2_8(function) : nullptr;
-        case 16: return machine_has_avx512() ? sleef_avx512_16(function) : nullptr;
-        default: return nullptr;
-    }
 }
 
 }  // namespace zeroset

@@ -2,7 +2,8 @@
 
 #include "engine/num/sleef.hpp"
 
-// Private to engine/num: one translation unit per instruction set defines these.
+// Private to engine/num: one translation unit per instruction set defines these for float and
+// double.
 
 namespace zeroset {
 
@@ -14,11 +15,17 @@ inline bool machine_has_avx512() {
            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 }
 
-const void* sleef_plain_1(Elementary function);
-const void* sleef_fma_1(Elementary function);
-const void* sleef_sse2_4(Elementary function);
-const void* sleef_avx2_4(Elementary function);
-const void* sleef_avx2_8(Elementary function);
-const void* sleef_avx512_16(Elementary function);
+template <class Real>
+const void* sleef_plain(Elementary function);
+template <class Real>
+const void* sleef_fma(Elementary function);
+template <class Real>
+const void* sleef_sse2(Elementary function);
+template <class Real>
+const void* sleef_avx2_128(Elementary function);
+template <class Real>
+const void* sleef_avx2_256(Elementary function);
+template <class Real>
+const void* sleef_avx512(Elementary function);
 
 }  // namespace zeroset

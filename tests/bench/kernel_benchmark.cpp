@@ -9,10 +9,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // What a kernel costs, for each surface of the benchmark suite: ns for 8 boxes, ns for 8 points,
-// and the time from graph to machine code.
+// in float and in double, and the time from graph to machine code.
 
 namespace zeroset {
 namespace {
@@ -21,10 +22,11 @@ constexpr std::size_t items = 1024;  // fits the nearest cache with all arrays
 constexpr double items_of_8 = items / 8.0;
 
 /// Boxes of a 64th of the clip box, and points in them, spread over all of it.
+template <class Real>
 struct Samples {
-    std::array<std::vector<float>, 3> neg_lo;
-    std::array<std::vector<float>, 3> hi;
-    std::array<std::vector<float>, 3> x;
+    std::array<std::vector<Real>, 3> neg_lo;
+    std::array<std::vector<Real>, 3> hi;
+    std::array<std::vector<Real>, 3> x;
     Uniforms uniforms;
 
     explicit Samples(const GalleryItem& item) {
@@ -39,21 +41,21 @@ struct Samples {
                 double part = static_cast<double>(i) * irrational.at(axis);
                 part -= static_cast<double>(static_cast<std::size_t>(part));
                 const double lo = static_cast<double>(item.clip.lo[k]) + part * size;
-                neg_lo.at(axis).push_back(static_cast<float>(-lo));
-                hi.at(axis).push_back(static_cast<float>(lo + size / 64));
-                x.at(axis).push_back(static_cast<float>(lo));
+                neg_lo.at(axis).push_back(static_cast<Real>(-lo));
+                hi.at(axis).push_back(static_cast<Real>(lo + size / 64));
+                x.at(axis).push_back(static_cast<Real>(lo));
             }
         }
     }
 };
 
-Kernel kernel_of(const GalleryItem& item, benchmark::State& state) {
+Kernel kernel_of(const GalleryItem& item, benchmark::State& state, bool with_double) {
     const auto expr = parse(item.equation);
     if (!expr) {
         state.SkipWithError(expr.error().reason.c_str());
         return {};
     }
-    auto kernel = jit::compile(*expr);
+    auto kernel = jit::compile(*expr, {.with_double = with_double});
     if (!kernel) {
         state.SkipWithError(kernel.error().message.c_str());
         return {};
@@ -67,20 +69,21 @@ void report_per_8(benchmark::State& state) {
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+template <class Real>
 void time_range(benchmark::State& state, const GalleryItem& item) {
-    const Kernel kernel = kernel_of(item, state);
+    const Kernel kernel = kernel_of(item, state, std::is_same_v<Real, double>);
     if (!kernel) return;
-    const Samples in(item);
-    std::vector<float> f_neg_lo(items);
-    std::vector<float> f_hi(items);
-    std::vector<std::uint32_t> continuous(items);
-    const RangeBatch batch{items,
-                           {in.neg_lo[0].data(), in.neg_lo[1].data(), in.neg_lo[2].data()},
-                           {in.hi[0].data(), in.hi[1].data(), in.hi[2].data()},
-                           in.uniforms.neg_lo_hi.data(),
-                           f_neg_lo.data(),
-                           f_hi.data(),
-                           continuous.data()};
+    const Samples<Real> in(item);
+    std::vector<Real> f_neg_lo(items);
+    std::vector<Real> f_hi(items);
+    std::vector<ContinuityMask<Real>> continuous(items);
+    const RangeBatchOf<Real> batch{items,
+                                   {in.neg_lo[0].data(), in.neg_lo[1].data(), in.neg_lo[2].data()},
+                                   {in.hi[0].data(), in.hi[1].data(), in.hi[2].data()},
+                                   in.uniforms.template boxes<Real>(),
+                                   f_neg_lo.data(),
+                                   f_hi.data(),
+                                   continuous.data()};
     const UpwardRounding upward;
     for (auto _ : state) {
         kernel.range(batch);
@@ -89,18 +92,19 @@ void time_range(benchmark::State& state, const GalleryItem& item) {
     report_per_8(state);
 }
 
+template <class Real>
 void time_value(benchmark::State& state, const GalleryItem& item) {
-    const Kernel kernel = kernel_of(item, state);
+    const Kernel kernel = kernel_of(item, state, std::is_same_v<Real, double>);
     if (!kernel) return;
-    const Samples in(item);
-    std::array<std::vector<float>, 4> out;
+    const Samples<Real> in(item);
+    std::array<std::vector<Real>, 4> out;
     for (auto& values : out)
         values.resize(items);
-    const ValueBatch batch{items,
-                           {in.x[0].data(), in.x[1].data(), in.x[2].data()},
-                           in.uniforms.middle.data(),
-                           out[0].data(),
-                           {out[1].data(), out[2].data(), out[3].data()}};
+    const ValueBatchOf<Real> batch{items,
+                                   {in.x[0].data(), in.x[1].data(), in.x[2].data()},
+                                   in.uniforms.template points<Real>(),
+                                   out[0].data(),
+                                   {out[1].data(), out[2].data(), out[3].data()}};
     const UpwardRounding upward;
     for (auto _ : state) {
         kernel.value(batch);
@@ -110,14 +114,14 @@ void time_value(benchmark::State& state, const GalleryItem& item) {
 }
 
 /// Each time another graph, so that none comes from the cache.
-void time_compile(benchmark::State& state, const GalleryItem& item) {
+void time_compile(benchmark::State& state, const GalleryItem& item, bool with_double) {
     static int number = 0;
     for (auto _ : state) {
         state.PauseTiming();
         const auto expr = parse("(" + item.equation.substr(0, item.equation.find('=')) + ") + " +
                                 std::to_string(++number));
         state.ResumeTiming();
-        if (!expr || !jit::compile(*expr)) {
+        if (!expr || !jit::compile(*expr, {.with_double = with_double})) {
             state.SkipWithError("does not compile");
             return;
         }
@@ -132,10 +136,18 @@ void register_benchmarks() {
                 (item.name + "/" + what).c_str(),
                 [function, &item](benchmark::State& state) { function(state, item); });
         };
-        add("range", time_range);
-        add("value", time_value);
+        add("range", time_range<float>);
+        add("value", time_value<float>);
+        add("range_double", time_range<double>);
+        add("value_double", time_value<double>);
         // Compiling has a thread of its own, which CPU time would miss.
-        add("compile", time_compile)->Unit(benchmark::kMillisecond)->UseRealTime();
+        const auto compile = [](bool with_double) {
+            return [with_double](benchmark::State& state, const GalleryItem& each) {
+                time_compile(state, each, with_double);
+            };
+        };
+        add("compile", compile(false))->Unit(benchmark::kMillisecond)->UseRealTime();
+        add("compile_both", compile(true))->Unit(benchmark::kMillisecond)->UseRealTime();
     }
 }
 

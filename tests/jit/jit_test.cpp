@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cinttypes>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -40,8 +41,8 @@ Expr parsed(std::string_view text) {
     return *expr;
 }
 
-Kernel compiled(const Expr& expr, int lanes) {
-    auto kernel = jit::compile(expr, {.lanes = lanes});
+Kernel compiled(const Expr& expr, int lanes, bool with_double = false) {
+    auto kernel = jit::compile(expr, {.lanes = lanes, .with_double = with_double});
     if (!kernel) {
         ADD_FAILURE() << kernel.error().message;
         return interpret(expr);
@@ -50,24 +51,40 @@ Kernel compiled(const Expr& expr, int lanes) {
 }
 
 /// Where two answers first differ.
-std::string difference(const std::vector<std::uint32_t>& expected,
-                       const std::vector<std::uint32_t>& found) {
+std::string difference(const std::vector<std::uint64_t>& expected,
+                       const std::vector<std::uint64_t>& found) {
     const auto [a, b] = std::ranges::mismatch(expected, found);
     if (a == expected.end()) return "none";
     char text[80];
-    std::snprintf(text, sizeof text, "item %td: expected %08x, found %08x", a - expected.begin(),
-                  *a, *b);
+    std::snprintf(text, sizeof text, "item %td: expected %016" PRIx64 ", found %016" PRIx64,
+                  a - expected.begin(), *a, *b);
     return text;
 }
 
-void expect_same_bits(const Expr& expr, const KernelBatch& batch) {
-    const Bits expected = batch.run(interpret(expr));
+/// Batches for kernels of both types.
+struct Batches {
+    KernelBatch floats;
+    KernelBatchOf<double> doubles;
+
+    Batches(RandomNumbers& random, std::size_t count)
+        : floats(random, count), doubles(random, count) {}
+};
+
+void expect_same(const Bits& expected, const Bits& found, const std::string& what) {
+    EXPECT_EQ("none", difference(expected.range, found.range)) << "range, " << what;
+    EXPECT_EQ("none", difference(expected.value, found.value)) << "value, " << what;
+}
+
+void expect_same_bits(const Expr& expr, const Batches& batches) {
+    const Kernel reference = interpret(expr);
+    const Bits floats = batches.floats.run(reference);
+    const Bits doubles = batches.doubles.run(reference);
     for (const int lanes : machine_lanes()) {
-        const Bits found = batch.run(compiled(expr, lanes));
-        EXPECT_EQ("none", difference(expected.range, found.range))
-            << "range, " << lanes << " lanes, " << expr.canonical();
-        EXPECT_EQ("none", difference(expected.value, found.value))
-            << "value, " << lanes << " lanes, " << expr.canonical();
+        const Kernel kernel = compiled(expr, lanes, true);
+        expect_same(floats, batches.floats.run(kernel),
+                    std::to_string(lanes) + " floats, " + expr.canonical());
+        expect_same(doubles, batches.doubles.run(kernel),
+                    std::to_string(lanes / 2) + " doubles, " + expr.canonical());
     }
 }
 
@@ -75,12 +92,12 @@ class JitOperator : public ::testing::TestWithParam<OpInfo> {};
 
 TEST_P(JitOperator, HasTheInterpretersBits) {
     RandomNumbers random(10 + static_cast<std::uint64_t>(GetParam().op));
-    const KernelBatch batch(random, 4096);
+    const Batches batches(random, 4096);
     std::vector<int> numbers{0};
     if (GetParam().notation == Notation::Power) numbers = {2, 3, 4, 5, 6, 7, 8, 9, 16, 17};
     if (GetParam().notation == Notation::Root) numbers = {3, 5, 7, 9, 17};
     for (const int n : numbers) {
-        expect_same_bits(operator_on_variables(GetParam(), n), batch);
+        expect_same_bits(operator_on_variables(GetParam(), n), batches);
     }
 }
 
@@ -90,14 +107,14 @@ INSTANTIATE_TEST_SUITE_P(All, JitOperator, ::testing::ValuesIn(operators()),
 TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
     RandomNumbers random(11);
     for (int i = 0; i < 400 && !testing::Test::HasFailure(); ++i) {
-        const KernelBatch batch(random, 128);
-        expect_same_bits(random_expression(random, 1 + i % 6), batch);
+        const Batches batches(random, 128);
+        expect_same_bits(random_expression(random, 1 + i % 6), batches);
     }
 }
 
 TEST(Jit, HasTheInterpretersBitsOnFormulasWithConstants) {
     RandomNumbers random(12);
-    const KernelBatch batch(random, 256);
+    const Batches batches(random, 256);
     for (const char* const text : {"0.7*x + 0.3*y - 0.1",
                                    "x*(-0.7) + 2.3e-30",
                                    "x/0.3",
@@ -121,13 +138,13 @@ TEST(Jit, HasTheInterpretersBitsOnFormulasWithConstants) {
                                    "x^1000 - x^-3",
                                    "min(x, 0.7, y)",
                                    "-(-x) + 0"}) {
-        expect_same_bits(parsed(text), batch);
+        expect_same_bits(parsed(text), batches);
     }
 }
 
 TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
     RandomNumbers random(13);
-    const KernelBatch batch(random, 64);
+    const Batches batches(random, 64);
     int count = 0;
     const std::filesystem::path folder(ZEROSET_SOURCE_DIR "/resources/gallery");
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -135,7 +152,7 @@ TEST(Jit, HasTheInterpretersBitsOnTheGallery) {
         const nlohmann::json gallery = nlohmann::json::parse(file);
         for (const auto& item : gallery.at("items")) {
             SCOPED_TRACE(item.at("name"));
-            expect_same_bits(parsed(item.at("equation").get<std::string>()), batch);
+            expect_same_bits(parsed(item.at("equation").get<std::string>()), batches);
             ++count;
         }
     }
@@ -160,8 +177,8 @@ TEST(Jit, ReadsW) {
 
 TEST(Jit, AnswersForASmallestBatchOnly) {
     RandomNumbers random(15);
-    const KernelBatch batch(random, batch_multiple);
-    expect_same_bits(parsed("x^2 + y^2 + z^2 - 1"), batch);
+    const Batches batches(random, batch_multiple);
+    expect_same_bits(parsed("x^2 + y^2 + z^2 - 1"), batches);
 }
 
 TEST(Jit, SharesTheCodeOfEqualGraphs) {
@@ -171,6 +188,17 @@ TEST(Jit, SharesTheCodeOfEqualGraphs) {
     EXPECT_EQ(first.code, second.code);
     EXPECT_EQ(first.range_function, second.range_function);
     EXPECT_NE(first.code, other.code);
+}
+
+TEST(Jit, MakesDoubleWhenAskedAndApart) {
+    const Expr expr = parsed("x^2 + y^2 + z^2 - 1.75");
+    const Kernel floats = compiled(expr, 4);
+    EXPECT_FALSE(floats.has_double());
+    const Kernel both = compiled(expr, 4, true);
+    EXPECT_TRUE(both.has_double());
+    EXPECT_EQ(floats.code, both.code);
+    EXPECT_NE(both.code, both.code_double);
+    EXPECT_EQ(both.code_double, compiled(expr, 4, true).code_double);
 }
 
 TEST(Jit, KeepsLaneCountsApart) {
@@ -207,6 +235,11 @@ TEST(Jit, PrintsItsFunctions) {
             EXPECT_TRUE(assembly->contains(name)) << lanes;
         }
         EXPECT_TRUE(ir->contains("<" + std::to_string(lanes) + " x float>"));
+        EXPECT_FALSE(ir->contains(" x double>"));
+        const auto both = jit::ir(expr, {.lanes = lanes, .with_double = true});
+        ASSERT_TRUE(both.has_value());
+        EXPECT_TRUE(both->starts_with(*ir));
+        EXPECT_TRUE(both->contains("<" + std::to_string(lanes / 2) + " x double>"));
     }
 }
 
@@ -247,8 +280,8 @@ TEST(Jit, CompilesADeepFormula) {
     for (int i = 0; i < 900; ++i)
         text = "(" + text + "+y)";
     RandomNumbers random(18);
-    const KernelBatch batch(random, 16);
-    expect_same_bits(parsed(text), batch);
+    const Batches batches(random, 16);
+    expect_same_bits(parsed(text), batches);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace zeroset::test {
 /// What a kernel answers, as bits. Every NaN is the same, and so is every gradient where f is NaN:
 /// the sign of a NaN decides about the slope of abs, and IEEE 754 leaves it open.
 struct Bits {
-    std::vector<std::uint32_t> range;  ///< -lo, hi, continuous of each box
-    std::vector<std::uint32_t> value;  ///< f, df/dx, df/dy, df/dz of each point
+    std::vector<std::uint64_t> range;  ///< -lo, hi, continuous of each box
+    std::vector<std::uint64_t> value;  ///< f, df/dx, df/dy, df/dz of each point
 
     bool operator==(const Bits&) const = default;
 };
@@ -26,27 +26,30 @@ Bits one_item(const Interval<float>& range, bool continuous, float value,
 Bits item(const Bits& batch, std::size_t item);
 
 /// Boxes, points and one w, the same for every kernel.
-class KernelBatch {
+template <class Real>
+class KernelBatchOf {
 public:
     /// `count` is a multiple of batch_multiple.
-    KernelBatch(RandomNumbers& random, std::size_t count);
+    KernelBatchOf(RandomNumbers& random, std::size_t count);
 
     /// All answers, computed in upward rounding.
     [[nodiscard]] Bits run(const Kernel& kernel) const;
 
-    [[nodiscard]] std::array<Interval<float>, 3> box(std::size_t item) const;
-    [[nodiscard]] std::array<float, 3> point(std::size_t item) const;
+    [[nodiscard]] std::array<Interval<Real>, 3> box(std::size_t item) const;
+    [[nodiscard]] std::array<Real, 3> point(std::size_t item) const;
 
     Uniforms uniforms;
 
 private:
-    void run_range(const Kernel& kernel, std::vector<std::uint32_t>& bits) const;
-    void run_value(const Kernel& kernel, std::vector<std::uint32_t>& bits) const;
+    void run_range(const Kernel& kernel, std::vector<std::uint64_t>& bits) const;
+    void run_value(const Kernel& kernel, std::vector<std::uint64_t>& bits) const;
 
     std::size_t count_;
-    std::vector<float> neg_lo_[3];
-    std::vector<float> hi_[3];
-    std::vector<float> x_[3];
+    std::vector<Real> neg_lo_[3];
+    std::vector<Real> hi_[3];
+    std::vector<Real> x_[3];
 };
+
+using KernelBatch = KernelBatchOf<float>;
 
 }  // namespace zeroset::test

@@ -276,6 +276,63 @@ TEST(Interpret, HasTheValuesOfValueAt) {
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
+/// What double is for: boxes far below the resolution of float.
+TEST(Interpret, TellsTinyBoxesApartInDouble) {
+    const Kernel kernel = interpret(*parse("x^2 + y^2 + z^2 + sin(w)*0 - 0.75"));
+    std::array<double, items> neg_lo{};
+    std::array<double, items> hi{};
+    std::array<double, items> f_neg_lo{};
+    std::array<double, items> f_hi{};
+    std::array<std::uint64_t, items> continuous{};
+    constexpr double size = 1e-12;
+    for (std::size_t i = 0; i < items; ++i) {
+        const double lo = 0.5 + size * (static_cast<double>(i) - 7.5);
+        neg_lo[i] = -lo;
+        hi[i] = lo + size;
+    }
+    Uniforms uniforms;
+    uniforms.set(0, 0.1);
+    const UpwardRounding upward;
+    kernel.range(RangeBatchOf<double>{items,
+                                      {neg_lo.data(), neg_lo.data(), neg_lo.data()},
+                                      {hi.data(), hi.data(), hi.data()},
+                                      uniforms.boxes<double>(),
+                                      f_neg_lo.data(),
+                                      f_hi.data(),
+                                      continuous.data()});
+    for (std::size_t i = 0; i < items; ++i) {
+        const bool holds_zero = f_neg_lo.at(i) >= 0 && f_hi.at(i) >= 0;
+        EXPECT_EQ(holds_zero, i == 7) << i;
+        EXPECT_LT(f_neg_lo.at(i) + f_hi.at(i), 3.01 * size);
+        EXPECT_EQ(continuous.at(i), ~std::uint64_t{0});
+    }
+}
+
+TEST(Interpret, HasTheGradientInDouble) {
+    const Kernel kernel = interpret(*parse("x^3 + log10(y)*log2(z) - w"));
+    std::array<std::array<double, items>, 3> x{};
+    x[0].fill(0.1);
+    x[1].fill(3);
+    x[2].fill(5);
+    std::array<double, items> f{};
+    std::array<std::array<double, items>, 3> gradient{};
+    Uniforms uniforms;
+    uniforms.set(0, 0.2, 0.4);
+    kernel.value(
+        ValueBatchOf<double>{items,
+                             {x[0].data(), x[1].data(), x[2].data()},
+                             uniforms.points<double>(),
+                             f.data(),
+                             {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
+    constexpr double few_ulp = 1e-15;
+    const double ln2 = std::log(2.0);
+    const double ln10 = std::log(10.0);
+    EXPECT_NEAR(f[items - 1], 0.001 + std::log10(3.0) * std::log2(5.0) - 0.3, few_ulp);
+    EXPECT_NEAR(gradient[0][items - 1], 0.03, few_ulp);
+    EXPECT_NEAR(gradient[1][items - 1], std::log2(5.0) / (3 * ln10), few_ulp);
+    EXPECT_NEAR(gradient[2][items - 1], std::log10(3.0) / (5 * ln2), few_ulp);
+}
+
 TEST(Interpret, KnowsWhetherWIsUsed) {
     EXPECT_TRUE(interpret(*parse("x*w")).uses_w);
     EXPECT_FALSE(interpret(*parse("x*y")).uses_w);
@@ -291,6 +348,8 @@ TEST(Uniforms, EncloseTheirNumber) {
     EXPECT_LE(-static_cast<double>(uniforms.neg_lo_hi[2]), 0.1);
     EXPECT_GE(static_cast<double>(uniforms.neg_lo_hi[3]), 0.3);
     EXPECT_FLOAT_EQ(uniforms.middle[1], 0.2F);
+    EXPECT_EQ(uniforms.neg_lo_hi_double, (std::vector<double>{0, 0, -0.1, 0.3}));
+    EXPECT_EQ(uniforms.middle_double, (std::vector<double>{0, 0.2}));
     uniforms.set(0, 0.5);
     EXPECT_EQ(uniforms.neg_lo_hi[0], -0.5F);
     EXPECT_EQ(uniforms.neg_lo_hi[1], 0.5F);

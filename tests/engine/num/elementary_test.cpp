@@ -4,6 +4,7 @@
 #include "engine/num/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_numbers.hpp"
+#include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
 #include <immintrin.h>
@@ -14,11 +15,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 // The library's functions: their greatest measured error stays below the bound by which
@@ -27,21 +30,30 @@
 namespace zeroset::test {
 namespace {
 
-constexpr float largest = std::numeric_limits<float>::max();
-constexpr float smallest = std::numeric_limits<float>::min();
+/// A type so much wider that its C library functions are exact for our purposes.
+template <class Real>
+using Wide = std::conditional_t<sizeof(Real) == 4, double, long double>;
+template <class Real>
+using Pattern = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
+template <class Real>
+constexpr RealType type_of = format_of(Real{}).type;
+
+template <class Real>
 struct Function {
     Elementary id;
     Op op;
     const char* name;
-    double (*close)(double, double);  ///< by the C library, within a few ulp of a double
+    Wide<Real> (*close)(Wide<Real>, Wide<Real>);  ///< by the C library
 };
 
 /// The operator of the same name, which the reference knows.
 Op op_of(Elementary function) {
     if (function == Elementary::Cbrt) return Op::OddRoot;
     static constexpr std::string_view names[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) #id,
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    #id,
 #include "engine/num/sleef_functions.def"
 #undef ZEROSET_SLEEF
     };
@@ -49,137 +61,164 @@ Op op_of(Elementary function) {
         ->op;
 }
 
-const Function functions[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, bound_ulp, overflow) \
-    ZEROSET_FUNCTION_##arity(id, name)
-#define ZEROSET_FUNCTION_1(id, name) \
-    {Elementary::id, op_of(Elementary::id), #name, [](double a, double) { return std::name(a); }},
-#define ZEROSET_FUNCTION_2(id, name)               \
-    {Elementary::id, op_of(Elementary::id), #name, \
-     [](double a, double b) { return std::name(a, b); }},
+template <class Real>
+const std::vector<Function<Real>>& functions() {
+    using W = Wide<Real>;
+    static const std::vector<Function<Real>> all = {
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    {Elementary::id, op_of(Elementary::id), #name, ZEROSET_CLOSE_##arity(name)},
+#define ZEROSET_CLOSE_1(name) [](W a, W) { return std::name(a); }
+#define ZEROSET_CLOSE_2(name) [](W a, W b) { return std::name(a, b); }
 #include "engine/num/sleef_functions.def"
 #undef ZEROSET_SLEEF
-#undef ZEROSET_FUNCTION_1
-#undef ZEROSET_FUNCTION_2
-};
-
-float from_bits(std::uint64_t bits) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+#undef ZEROSET_CLOSE_1
+#undef ZEROSET_CLOSE_2
+    };
+    return all;
 }
 
-/// Calls `visit(a, b)` for about two million operands: all exponents evenly, and where it is hard.
-void visit_operands(Elementary function, const std::function<void(float, float)>& visit) {
+template <class Real>
+Real from_bits(std::uint64_t bits) {
+    return std::bit_cast<Real>(static_cast<Pattern<Real>>(bits));
+}
+
+/// Calls `visit(a, b)` for about two million operands in float, one million in double: all
+/// exponents evenly, and where it is hard.
+template <class Real>
+void visit_operands(Elementary function, const std::function<void(Real, Real)>& visit) {
     RandomNumbers random(30 + static_cast<std::uint64_t>(function));
-    constexpr std::uint64_t stride = 4091;  // over 2^32 patterns: a million of them
-    for (std::uint64_t bits = random.below(stride); bits < (1ULL << 32U); bits += stride) {
-        visit(from_bits(bits), from_bits(random.bits()));
-    }
-    for (int i = 0; i < 300'000; ++i) {
-        const auto k = static_cast<double>(random.below(1U << random.below(24)));
-        const auto quarter_turns = static_cast<float>(k * (0.5 * std::numbers::pi));
-        visit(random.nudged(quarter_turns), random.nudged(static_cast<float>(k)));
-        visit(static_cast<float>(random.uniform(-104, 89)), 1.0F);
-        visit(static_cast<float>(random.uniform(-1, 1)), static_cast<float>(random.uniform(-1, 1)));
-        visit(random.number<float>(), random.number<float>());
+    constexpr bool is_float = sizeof(Real) == 4;
+    const int evenly = is_float ? 1'000'000 : 500'000;
+    const std::uint64_t stride = std::numeric_limits<Pattern<Real>>::max() / evenly;
+    std::uint64_t bits = random.below(stride);
+    for (int i = 0; i < evenly; ++i, bits += stride)
+        visit(from_bits<Real>(bits), from_bits<Real>(random.bits()));
+    // The double that is closest to a multiple of pi / 2 for its size.
+    if constexpr (!is_float) visit(0x1.6ac5b262ca1ffp+849, 1.0);
+    const double lowest = is_float ? -104 : -745;
+    const double highest = is_float ? 89 : 710;
+    for (int i = 0; i < evenly / 4; ++i) {
+        const auto k = static_cast<double>(random.below(1ULL << random.below(is_float ? 24 : 48)));
+        const auto quarter_turns = static_cast<Real>(k * (0.5 * std::numbers::pi));
+        visit(random.nudged(quarter_turns), random.nudged(static_cast<Real>(k)));
+        visit(static_cast<Real>(random.uniform(lowest, highest)), Real(1));
+        visit(static_cast<Real>(random.uniform(-1, 1)), static_cast<Real>(random.uniform(-1, 1)));
+        visit(random.number<Real>(), random.number<Real>());
     }
 }
 
-/// The distance of neighbouring floats at a normal number.
-double ulp(double value) {
+/// The distance of neighbours at a normal number.
+template <class Real>
+Wide<Real> ulp(Wide<Real> value) {
     int exponent = 0;
     std::frexp(value, &exponent);
-    return std::ldexp(1.0, exponent - std::numeric_limits<float>::digits);
+    return std::ldexp(Wide<Real>(1), exponent - std::numeric_limits<Real>::digits);
 }
 
 /// The greatest error of one function over all operands shown to it.
+template <class Real>
 class WorstError {
 public:
-    explicit WorstError(const Function& function) : function_(function) {}
+    explicit WorstError(const Function<Real>& function) : function_(function) {}
 
-    void add(float a, float b) {
-        const float result = elementary(function_.id, a, b);
-        const double close = function_.close(static_cast<double>(a), static_cast<double>(b));
+    void add(Real a, Real b) {
+        const Real result = one_lane(function_.id, a, b);
+        const Wide<Real> close = function_.close(Wide<Real>(a), Wide<Real>(b));
         if (std::isnan(close) || std::isinf(close)) return check_special(a, b, result, close);
         ++count_;
-        const double size = std::abs(close);
-        const double error = std::abs(close - static_cast<double>(result));
-        if (std::isinf(result) && size >= elementary_overflow(function_.id)) return;
-        if (size < static_cast<double>(smallest)) {
-            EXPECT_LE(error, static_cast<double>(smallest)) << place(a, b);
-        } else if (size <= static_cast<double>(largest)) {
-            // The double is off by less than 2^-28 of a float's ulp: it decides what is worth a
-            // look in full precision.
-            const bool look = error / ulp(close) > 0.999 * ulps_ || count_ % 64 == 0;
-            if (look) add_exactly(a, b, result);
+        const Wide<Real> size = std::abs(close);
+        const Wide<Real> error = std::abs(close - Wide<Real>(result));
+        if (std::isinf(result) && size >= Wide<Real>(overflow())) return;
+        if (size < Wide<Real>(smallest)) {
+            EXPECT_LE(error, Wide<Real>(smallest)) << place(a, b);
+        } else if (size <= Wide<Real>(largest)) {
+            // The wider number is off by less than a thousandth of an ulp: it decides what is worth
+            // a look in full precision.
+            const auto ulps = static_cast<double>(error / ulp<Real>(close));
+            if (ulps > 0.999 * ulps_ || count_ % 64 == 0) add_exactly(a, b, result);
         } else if (!std::isinf(result)) {
             EXPECT_EQ(std::abs(result), largest) << place(a, b);
         }
     }
 
     void report() const {
+        const double bound = elementary_bound_ulp(function_.id, type_of<Real>);
         std::printf("%-6s %8llu operands  worst %.4f ulp at (%a, %a)  bound %.1f\n", function_.name,
                     static_cast<unsigned long long>(count_), ulps_, static_cast<double>(a_),
-                    static_cast<double>(b_), elementary_bound_ulp(function_.id));
-        EXPECT_GT(count_, 100'000);
+                    static_cast<double>(b_), bound);
+        EXPECT_GT(count_, 50'000);
         EXPECT_GT(ulps_, 0.5);
-        EXPECT_LT(ulps_, elementary_bound_ulp(function_.id));
+        EXPECT_LT(ulps_, bound);
     }
 
 private:
-    [[nodiscard]] std::string place(float a, float b) const {
+    static constexpr Real largest = std::numeric_limits<Real>::max();
+    static constexpr Real smallest = std::numeric_limits<Real>::min();
+
+    [[nodiscard]] double overflow() const {
+        return elementary_overflow(function_.id, type_of<Real>);
+    }
+
+    [[nodiscard]] std::string place(Real a, Real b) const {
         char text[80];
         std::snprintf(text, sizeof text, "%s(%a, %a)", function_.name, static_cast<double>(a),
                       static_cast<double>(b));
         return text;
     }
 
-    void check_special(float a, float b, float result, double close) const {
+    void check_special(Real a, Real b, Real result, Wide<Real> close) const {
         if (std::isnan(a) || std::isnan(b)) return;
         if (std::isnan(close)) {
             EXPECT_TRUE(std::isnan(result)) << place(a, b);
         } else {
-            EXPECT_EQ(static_cast<double>(result), close) << place(a, b);
+            EXPECT_EQ(Wide<Real>(result), close) << place(a, b);
         }
     }
 
-    void add_exactly(float a, float b, float result) {
+    void add_exactly(Real a, Real b, Real result) {
         const Reference truth = reference(function_.op, 3, MpfrNumber(static_cast<double>(a)),
                                           MpfrNumber(static_cast<double>(b)));
         if (!truth.defined || truth.is_unknown()) return;  // infinite operands, atan2(0, 0)
         const double error =
             std::abs((truth.value - MpfrNumber(static_cast<double>(result))).nearest());
-        const double ulps = error / ulp(truth.value.nearest());
+        const auto size = static_cast<Wide<Real>>(truth.value.nearest());
+        const double ulps = error / static_cast<double>(ulp<Real>(size));
         if (!(ulps > ulps_)) return;
         ulps_ = ulps;
         a_ = a;
         b_ = b;
     }
 
-    Function function_;
+    Function<Real> function_;
     std::uint64_t count_ = 0;
     double ulps_ = 0.0;
-    float a_ = 0.0F;
-    float b_ = 0.0F;
+    Real a_{};
+    Real b_{};
 };
 
-TEST(Elementary, ErrorsStayBelowTheirBounds) {
-    for (const Function& function : functions) {
-        WorstError worst(function);
-        visit_operands(function.id, [&](float a, float b) { worst.add(a, b); });
+template <class Real>
+class ElementaryCode : public ::testing::Test {};
+TYPED_TEST_SUITE(ElementaryCode, RealTypes, RealTypeNames);
+
+TYPED_TEST(ElementaryCode, HasErrorsBelowTheirBounds) {
+    for (const auto& function : functions<TypeParam>()) {
+        WorstError<TypeParam> worst(function);
+        visit_operands<TypeParam>(function.id, [&](TypeParam a, TypeParam b) { worst.add(a, b); });
         worst.report();
     }
 }
 
 // 256 bits hold the nearest double, unless the value is closer than 2^-200 to a midpoint.
-TEST(Elementary, RoundsDoublesCorrectly) {
+TEST(CorrectlyRounded, IsTheNearestDouble) {
     RandomNumbers random(33);
     for (int i = 0; i < 3000; ++i) {
         const auto a = random.number<double>();
         const auto b = random.number<double>();
-        for (const Function& function : functions) {
+        for (const auto& function : functions<double>()) {
             const Reference truth = reference(function.op, 3, MpfrNumber(a), MpfrNumber(b));
             if (truth.is_unknown()) continue;
-            const double found = elementary(function.id, a, b);
+            const double found = correctly_rounded(function.id, a, b);
             if (truth.defined) {
                 ASSERT_EQ(found, truth.value.nearest())
                     << function.name << " at " << a << ", " << b;
@@ -188,29 +227,30 @@ TEST(Elementary, RoundsDoublesCorrectly) {
             }
         }
     }
-    EXPECT_EQ(elementary(Elementary::Exp, -745.0), 0x1p-1074);
-    EXPECT_EQ(elementary(Elementary::Sinh, 1e-320), 1e-320);
-    EXPECT_TRUE(std::isinf(elementary(Elementary::Exp, 710.0)));
+    EXPECT_EQ(correctly_rounded(Elementary::Exp, -745.0), 0x1p-1074);
+    EXPECT_EQ(correctly_rounded(Elementary::Sinh, 1e-320), 1e-320);
+    EXPECT_TRUE(std::isinf(correctly_rounded(Elementary::Exp, 710.0)));
 }
 
-template <int Mode>
-float in_mode(Elementary function, float a, float b) {
+template <int Mode, class Real>
+Real in_mode(Elementary function, Real a, Real b) {
     const RoundingGuard<Mode> guard;
-    return elementary(function, a, b);
+    return one_lane(function, a, b);
 }
 
-bool same(float a, float b) {
+template <class Real>
+bool same(Real a, Real b) {
     return (std::isnan(a) && std::isnan(b)) ||
-           std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+           std::bit_cast<Pattern<Real>>(a) == std::bit_cast<Pattern<Real>>(b);
 }
 
-TEST(Elementary, IgnoresTheCallersRoundingMode) {
+TYPED_TEST(ElementaryCode, IgnoresTheCallersRoundingMode) {
     RandomNumbers random(31);
     for (int i = 0; i < 200'000; ++i) {
-        const auto a = random.number<float>();
-        const auto b = random.number<float>();
-        for (const Function& function : functions) {
-            const float expected = elementary(function.id, a, b);
+        const auto a = random.number<TypeParam>();
+        const auto b = random.number<TypeParam>();
+        for (const auto& function : functions<TypeParam>()) {
+            const TypeParam expected = one_lane(function.id, a, b);
             ASSERT_TRUE(same(expected, in_mode<FE_UPWARD>(function.id, a, b)))
                 << function.name << " at " << a << ", " << b;
             ASSERT_TRUE(same(expected, in_mode<FE_DOWNWARD>(function.id, a, b)))
@@ -219,81 +259,78 @@ TEST(Elementary, IgnoresTheCallersRoundingMode) {
     }
 }
 
-TEST(Elementary, LeavesTheCallersRoundingMode) {
-    for (const Function& function : functions) {
+TYPED_TEST(ElementaryCode, LeavesTheCallersRoundingMode) {
+    for (const auto& function : functions<TypeParam>()) {
         const UpwardRounding upward;
         const unsigned before = _mm_getcsr() & ~0x3FU;  // without the sticky exception flags
-        const volatile float result = elementary(function.id, 0.3F, 0.4F);
-        const volatile double wide = elementary(function.id, 0.3, 0.4);
-        EXPECT_EQ(std::fegetround(), FE_UPWARD) << result << wide;
+        const volatile TypeParam result = one_lane(function.id, TypeParam(0.3), TypeParam(0.4));
+        const volatile double exact = correctly_rounded(function.id, 0.3, 0.4);
+        EXPECT_EQ(std::fegetround(), FE_UPWARD) << result << exact;
         EXPECT_EQ(_mm_getcsr() & ~0x3FU, before);
     }
 }
 
-constexpr std::size_t widest = 16;
-using Caller = void (*)(void* code, int arity, const float* a, const float* b, float* out);
+constexpr std::size_t most_lanes = 16;
+template <class Real>
+using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
 
-void call_4(void* code, int arity, const float* a, const float* b, float* out) {
-    const __m128 x = _mm_loadu_ps(a);
-    const __m128 result =
-        arity == 1 ? reinterpret_cast<__m128 (*)(__m128)>(code)(x)
-                   : reinterpret_cast<__m128 (*)(__m128, __m128)>(code)(x, _mm_loadu_ps(b));
-    _mm_storeu_ps(out, result);
-}
+// Calls code over registers of so many bytes, from a function that has such registers.
+#define ZEROSET_CALLER(name, bytes, attributes)                                                  \
+    template <class Real>                                                                        \
+    attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
+        typedef Real Lanes __attribute__((vector_size(bytes)));                                  \
+        Lanes x;                                                                                 \
+        Lanes y;                                                                                 \
+        std::memcpy(&x, a, bytes);                                                               \
+        std::memcpy(&y, b, bytes);                                                               \
+        const Lanes result = arity == 1 ? reinterpret_cast<Lanes (*)(Lanes)>(code)(x)            \
+                                        : reinterpret_cast<Lanes (*)(Lanes, Lanes)>(code)(x, y); \
+        std::memcpy(out, &result, bytes);                                                        \
+    }
+ZEROSET_CALLER(call_128, 16, )
+ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
+ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))
+#undef ZEROSET_CALLER
 
-__attribute__((target("avx2"))) void call_8(void* code, int arity, const float* a, const float* b,
-                                            float* out) {
-    const __m256 x = _mm256_loadu_ps(a);
-    const __m256 result =
-        arity == 1 ? reinterpret_cast<__m256 (*)(__m256)>(code)(x)
-                   : reinterpret_cast<__m256 (*)(__m256, __m256)>(code)(x, _mm256_loadu_ps(b));
-    _mm256_storeu_ps(out, result);
-}
-
-__attribute__((target("avx512f"))) void call_16(void* code, int arity, const float* a,
-                                                const float* b, float* out) {
-    const __m512 x = _mm512_loadu_ps(a);
-    const __m512 result =
-        arity == 1 ? reinterpret_cast<__m512 (*)(__m512)>(code)(x)
-                   : reinterpret_cast<__m512 (*)(__m512, __m512)>(code)(x, _mm512_loadu_ps(b));
-    _mm512_storeu_ps(out, result);
-}
-
-void compare_with_one_lane(const Function& function, std::size_t lanes, Caller call) {
-    // A pointer to a function has no const to keep.
-    auto* const code = const_cast<void*>(elementary_code(function.id, static_cast<int>(lanes)));
-    if (code == nullptr) return;
+template <class Real>
+void compare_with_one_lane(const Function<Real>& function, std::size_t bytes, Caller<Real> call) {
+    const std::size_t lanes = bytes / sizeof(Real);
+    const void* const address =
+        elementary_code(function.id, static_cast<int>(lanes), type_of<Real>);
+    if (address == nullptr) return;
+    auto* const code = const_cast<void*>(address);  // a pointer to a function has no const to keep
     RandomNumbers random(32);
     for (int i = 0; i < 40'000; ++i) {
-        float a[widest];
-        float b[widest];
-        float found[widest] = {};
+        Real a[most_lanes];
+        Real b[most_lanes];
+        Real found[most_lanes] = {};
         for (std::size_t k = 0; k < lanes; ++k) {
-            a[k] = random.one_in(2) ? from_bits(random.bits()) : random.number<float>();
-            b[k] = random.number<float>();
+            a[k] = random.one_in(2) ? from_bits<Real>(random.bits()) : random.number<Real>();
+            b[k] = random.number<Real>();
         }
         call(code, elementary_arity(function.id), a, b, found);
         for (std::size_t k = 0; k < lanes; ++k) {
-            ASSERT_TRUE(same(elementary(function.id, a[k], b[k]), found[k]))
+            ASSERT_TRUE(same(one_lane(function.id, a[k], b[k]), found[k]))
                 << function.name << " of " << lanes << " lanes at " << a[k] << ", " << b[k];
         }
     }
 }
 
-TEST(Elementary, HasTheSameBitsAtEveryWidth) {
-    for (const Function& function : functions) {
-        compare_with_one_lane(function, 4, call_4);
-        compare_with_one_lane(function, 8, call_8);
-        compare_with_one_lane(function, 16, call_16);
+TYPED_TEST(ElementaryCode, HasTheSameBitsAtEveryWidth) {
+    for (const auto& function : functions<TypeParam>()) {
+        compare_with_one_lane<TypeParam>(function, 16, call_128);
+        compare_with_one_lane<TypeParam>(function, 32, call_256);
+        compare_with_one_lane<TypeParam>(function, 64, call_512);
     }
 }
 
-TEST(Elementary, HasCodeForOneAndFourLanesEverywhere) {
-    for (const Function& function : functions) {
-        EXPECT_NE(elementary_code(function.id, 1), nullptr);
-        EXPECT_NE(elementary_code(function.id, 4), nullptr);
-        for (const int lanes : {-1, 0, 2, 3, 5, 32}) {
-            EXPECT_EQ(elementary_code(function.id, lanes), nullptr);
+TYPED_TEST(ElementaryCode, IsThereForTheLeastRegistersEverywhere) {
+    constexpr int least = 16 / sizeof(TypeParam);
+    for (const auto& function : functions<TypeParam>()) {
+        EXPECT_NE(elementary_code(function.id, 1, type_of<TypeParam>), nullptr);
+        EXPECT_NE(elementary_code(function.id, least, type_of<TypeParam>), nullptr);
+        for (const int lanes : {-1, 0, least / 2 == 1 ? 3 : 2, 5, 8 * least, 128}) {
+            EXPECT_EQ(elementary_code(function.id, lanes, type_of<TypeParam>), nullptr);
         }
         EXPECT_EQ(elementary_arity(function.id), function.id == Elementary::Atan2 ? 2 : 1);
     }

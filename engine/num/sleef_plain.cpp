@@ -4,7 +4,14 @@
 #include <immintrin.h>
 #include <sleef.h>
 
-#define LOOKUP sleef_plain_1
+#define LOOKUP sleef_plain
+
+#define REAL float
 #define VECTOR float
 #define NAME(name, accuracy) Sleef_cinz_##name##f1_##accuracy##purec
+#include "engine/num/sleef_lanes.inc"
+
+#define REAL double
+#define VECTOR double
+#define NAME(name, accuracy) Sleef_cinz_##name##d1_##accuracy##purec
 #include "engine/num/sleef_lanes.inc"

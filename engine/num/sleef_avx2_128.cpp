@@ -4,7 +4,14 @@
 #include <immintrin.h>
 #include <sleef.h>
 
-#define LOOKUP sleef_avx2_4
+#define LOOKUP sleef_avx2_128
+
+#define REAL float
 #define VECTOR __m128
 #define NAME(name, accuracy) Sleef_finz_##name##f4_##accuracy##avx2128
+#include "engine/num/sleef_lanes.inc"
+
+#define REAL double
+#define VECTOR __m128d
+#define NAME(name, accuracy) Sleef_finz_##name##d2_##accuracy##avx2128
 #include "engine/num/sleef_lanes.inc"

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+// What the algebra's error bounds need to know of the carrier's binary format.
+
+namespace zeroset {
+
+enum class RealType : std::uint8_t { Float, Double };
+
+/// Every member but `type` and `far` is a number of the format itself.
+struct Format {
+    RealType type;
+    double relative_gap;  ///< two units in the last place of 1: more than neighbours' distance
+    double smallest_normal;
+    double largest_finite;
+    double pi_lo;  ///< the neighbours around pi
+    double pi_hi;
+    double turns_per_radian;  ///< nearest to 1 / (2 pi)
+    double turns_slack;       ///< above twice the error of turns_per_radian
+    double far;               ///< the size of operand from which no phase of a wave is told
+    double per_ln10;          ///< nearest to 1 / ln(10)
+    double per_ln2;           ///< nearest to 1 / ln(2)
+};
+
+// 1 / (2 pi) is 0x1.45f306dc9c882a53f...p-3: the float is off by 0.87 * 2^-27, the double by
+// 0.36 * 2^-55. At `far`, a period has 50 floats, or 402 doubles.
+inline constexpr Format float_format{.type = RealType::Float,
+                                     .relative_gap = 0x1p-22,
+                                     .smallest_normal = 0x1p-126,
+                                     .largest_finite = 0x1.fffffep+127,
+                                     .pi_lo = 0x1.921fb4p+1,
+                                     .pi_hi = 0x1.921fb6p+1,
+                                     .turns_per_radian = 0x1.45f306p-3,
+                                     .turns_slack = 0x1p-21,
+                                     .far = 0x1p20,
+                                     .per_ln10 = 0x1.bcb7b2p-2,
+                                     .per_ln2 = 0x1.715476p+0};
+inline constexpr Format double_format{.type = RealType::Double,
+                                      .relative_gap = 0x1p-51,
+                                      .smallest_normal = std::numeric_limits<double>::min(),
+                                      .largest_finite = std::numeric_limits<double>::max(),
+                                      .pi_lo = 0x1.921fb54442d18p+1,
+                                      .pi_hi = 0x1.921fb54442d19p+1,
+                                      .turns_per_radian = 0x1.45f306dc9c883p-3,
+                                      .turns_slack = 0x1p-54,
+                                      .far = 0x1p46,
+                                      .per_ln10 = 0x1.bcb7b1526e50ep-2,
+                                      .per_ln2 = 0x1.71547652b82fep+0};
+
+constexpr bool brackets_pi(const Format& format) {
+    constexpr auto more_digits = std::numbers::pi_v<long double>;
+    return static_cast<long double>(format.pi_lo) < more_digits &&
+           more_digits < static_cast<long double>(format.pi_hi);
+}
+static_assert(brackets_pi(float_format) && brackets_pi(double_format));
+
+constexpr const Format& format_of(float /*kind*/) { return float_format; }
+constexpr const Format& format_of(double /*kind*/) { return double_format; }
+
+/// Whether `value` is a number of the format.
+inline bool representable(double value, const Format& format) {
+    return format.type == RealType::Double ||
+           static_cast<double>(static_cast<float>(value)) == value;
+}
+
+}  // namespace zeroset
