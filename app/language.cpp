@@ -54,11 +54,11 @@ negation  = "not" negation | relation
 relation  = sum { ("=" | "<" | ">" | "<=" | ">=") sum }
 sum       = product { ("+" | "-") product }
 product   = signed { ("*" | "/") signed | power }
-signed    = ("+" | "-") signed | power
+signed    = { "+" | "-" } power
 power     = operand { "^" signed | superscript }
 operand   = number | name | "(" logic ")" | "[" logic "]" | "{" logic "}" | "|" logic "|"
           | function [ "^" signed ] ( "(" logic { "," logic } ")" | bare )
-          | "{" logic ":" sum { "," logic ":" sum } "," sum "}"
+          | "{" logic ":" sum { "," logic ":" sum } [ "," sum ] "}"
           | "\frac" part part | "\sqrt" [ "[" logic "]" ] part
 bare      = signed { power of a name }
 part      = operand | digit

@@ -2,7 +2,6 @@
 
 #include "engine/expr/spelling.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace zeroset {
@@ -228,8 +227,7 @@ SyntaxParser::Parsed SyntaxParser::power() {
 }
 
 bool SyntaxParser::next_is_one_of(std::initializer_list<std::string_view> symbols) const {
-    return next().kind == TokenKind::Symbol &&
-           std::ranges::find(symbols, next().text) != symbols.end();
+    return is_symbol(next(), symbols);
 }
 
 SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,

@@ -10,21 +10,8 @@
 #include <utility>
 #include <vector>
 
-// Private to the reading of syntax. Grammar (an implicit product binds like "*"):
-//   text      = statement { (";" | line end) statement }
-//   statement = logic { "," logic | "{" logic { "," logic } "}" }
-//   logic     = both { "or" both }          both = negation { "and" negation }
-//   negation  = "not" negation | relation
-//   relation  = sum { ("=" | "<" | ">" | "<=" | ">=") sum }
-//   sum       = product { ("+" | "-") product }
-//   product   = signed { ("*" | "/") signed | power }
-//   signed    = { "+" | "-" } power
-//   power     = operand { "^" signed | superscript }
-//   operand   = number | name | "(" logic ")" | "[" logic "]" | "{" logic "}" | "|" logic "|"
-//             | function [ "^" signed ] ( "(" logic { "," logic } ")" | bare )
-//             | "{" logic ":" sum { "," logic ":" sum } [ "," sum ] "}"
-//             | "\frac" part part | "\sqrt" [ "[" logic "]" ] part
-//   bare      = signed { power of a name }   (sin 2x, ln xy)
+// Private to the reading of syntax: recursive descent, a function for each rule of the grammar in
+// resources/docs/language.md.
 
 namespace zeroset {
 
