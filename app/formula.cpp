@@ -41,7 +41,7 @@ CodeState code_for(const std::vector<Expr>& surfaces) {
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces) {
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
-        auto kernel = jit::compile(surface);
+        auto kernel = jit::compile(surface, {.with_double = true});
         if (!kernel) {
             return wrong_input("the formula cannot be compiled: " + kernel.error().message);
         }

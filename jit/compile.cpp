@@ -61,12 +61,15 @@ void put_in(Kernel& kernel, RealType type, std::shared_ptr<const MachineCode> co
     if (type == RealType::Float) {
         kernel.range_function = reinterpret_cast<Kernel::RangeFunction>(code->range());
         kernel.value_function = reinterpret_cast<Kernel::ValueFunction>(code->value());
+        kernel.form_function = reinterpret_cast<Kernel::FormFunction>(code->form());
         kernel.code = std::move(code);
     } else {
         kernel.range_function_double =
             reinterpret_cast<Kernel::RangeFunctionOf<double>>(code->range());
         kernel.value_function_double =
             reinterpret_cast<Kernel::ValueFunctionOf<double>>(code->value());
+        kernel.form_function_double =
+            reinterpret_cast<Kernel::FormFunctionOf<double>>(code->form());
         kernel.code_double = std::move(code);
     }
 }

@@ -1,6 +1,7 @@
 #include "jit/lower.hpp"
 
 #include "engine/expr/algebra.hpp"
+#include "engine/expr/frustum.hpp"
 #include "engine/expr/kernel.hpp"
 #include "jit/lanes.hpp"
 
@@ -164,6 +165,59 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
 }
 
 template <class Real>
+void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                llvm::Module& module) {
+    using Batch = FormBatchOf<Real>;
+    BatchFunction function(module, form_symbol, kind, offsetof(Batch, size));
+    const auto array = [&](std::size_t offset) { return function.array(offset); };
+    const std::array in{array(offsetof(Batch, u)), array(offsetof(Batch, v)),
+                        array(offsetof(Batch, s)), array(offsetof(Batch, s_radius))};
+    llvm::Value* const frustum = array(offsetof(Batch, frustum));
+    llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
+    const std::array k{array(offsetof(Batch, k)), array(offsetof(Batch, k) + sizeof(Real*)),
+                       array(offsetof(Batch, k) + 2 * sizeof(Real*))};
+    const std::array out{array(offsetof(Batch, c)),        array(offsetof(Batch, e)),
+                         array(offsetof(Batch, r)),        array(offsetof(Batch, slope_neg_lo)),
+                         array(offsetof(Batch, slope_hi)), array(offsetof(Batch, continuous)),
+                         array(offsetof(Batch, nowhere))};
+    const auto view = frustum_lanes<Lanes>(
+        [&](std::size_t index) { return function.load_uniform(frustum, index); });
+    std::optional<CellLanes<Lanes>> cell;
+
+    const auto leaf = [&](const Node& node, const Facts& fact) -> BeamValue<Lanes> {
+        if (fact.constant) {
+            return constant_form<Lanes>(
+                fact, Real{}, [&](Real x) { return function.splat(static_cast<double>(x)); });
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) {
+            return uniform_form<Lanes>({function.load_uniform(uniforms, 2 * (v - 3)),
+                                        function.load_uniform(uniforms, 2 * (v - 3) + 1)});
+        }
+        return coordinate(view, *cell, v);
+    };
+    BeamAlgebra<Lanes> algebra;
+    const auto varying = [&] {
+        function.go_to_body();
+        cell = {function.load(in[0]), function.load(in[1]), function.load(in[2]),
+                function.load(in[3])};
+    };
+    const BeamValue<Lanes> f =
+        evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    const FormResult<Lanes> result = form_result(f);
+    for (std::size_t i = 0; i < 3; ++i)
+        function.store(k[i], result.k[i]);
+    function.store(out[0], result.c);
+    function.store(out[1], result.e);
+    function.store(out[2], result.r);
+    function.store(out[3], result.slope.neg_lo);
+    function.store(out[4], result.slope.hi);
+    function.store(out[5], result.continuous.value_or(function.everywhere()));
+    function.store(out[6], no(result.somewhere.value_or(function.everywhere())));
+    function.finish();
+}
+
+template <class Real>
 void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                  llvm::Module& module) {
     using Batch = ValueBatchOf<Real>;
@@ -206,9 +260,11 @@ std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
     if (kind.type == RealType::Float) {
         lower_range<float>(expr, facts, kind, *module);
         lower_value<float>(expr, facts, kind, *module);
+        lower_form<float>(expr, facts, kind, *module);
     } else {
         lower_range<double>(expr, facts, kind, *module);
         lower_value<double>(expr, facts, kind, *module);
+        lower_form<double>(expr, facts, kind, *module);
     }
     return module;
 }

@@ -14,6 +14,7 @@ namespace zeroset::jit {
 
 inline constexpr const char* range_symbol = "zeroset_range";
 inline constexpr const char* value_symbol = "zeroset_value";
+inline constexpr const char* form_symbol = "zeroset_form";
 
 /// The vectors that code works on.
 struct VectorKind {

@@ -34,10 +34,12 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
 
 class OrcCode final : public MachineCode {
 public:
-    OrcCode(std::unique_ptr<orc::LLJIT> jit, std::uintptr_t range, std::uintptr_t value)
+    OrcCode(std::unique_ptr<orc::LLJIT> jit, std::uintptr_t range, std::uintptr_t value,
+            std::uintptr_t form)
         : jit_(std::move(jit)) {
         range_ = range;
         value_ = value;
+        form_ = form;
     }
 
 private:
@@ -70,7 +72,10 @@ llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const 
     if (!range) return range.takeError();
     auto value = (*jit)->lookup(value_symbol);
     if (!value) return value.takeError();
-    return std::make_shared<OrcCode>(std::move(*jit), range->getValue(), value->getValue());
+    auto form = (*jit)->lookup(form_symbol);
+    if (!form) return form.takeError();
+    return std::make_shared<OrcCode>(std::move(*jit), range->getValue(), value->getValue(),
+                                     form->getValue());
 }
 
 }  // namespace

@@ -20,10 +20,12 @@ public:
     /// Address of a function; never 0.
     [[nodiscard]] std::uintptr_t range() const { return range_; }
     [[nodiscard]] std::uintptr_t value() const { return value_; }
+    [[nodiscard]] std::uintptr_t form() const { return form_; }
 
 protected:
     std::uintptr_t range_ = 0;
     std::uintptr_t value_ = 0;
+    std::uintptr_t form_ = 0;
 };
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,

@@ -2,6 +2,7 @@
 
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/facts.hpp"
+#include "engine/expr/frustum.hpp"
 #include "engine/expr/slots.hpp"
 #include "engine/num/block.hpp"
 
@@ -42,6 +43,15 @@ Block<Real> load(const Real* lanes) {
 template <class Real>
 void store(Real* lanes, const Block<Real>& block) {
     std::memcpy(lanes, &block, sizeof block);
+}
+
+/// All ones where the mask holds.
+template <class Real>
+void store(ContinuityMask<Real>* items, const std::optional<BlockMask>& mask, bool if_absent) {
+    const unsigned bits = mask ? mask->bits : (if_absent ? ~0U : 0U);
+    const auto all_ones = static_cast<ContinuityMask<Real>>(-1);
+    for (std::size_t lane = 0; lane < Block<Real>::lanes; ++lane)
+        items[lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
 }
 
 /// Evaluates the graph over `size` items by blocks of some lanes. `leaf(node, facts, item)` makes
@@ -100,14 +110,47 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
         }
         store(batch->f_neg_lo + i, range.neg_lo);
         store(batch->f_hi + i, range.hi);
-        const std::optional<BlockMask> proved = conjunction(f.everywhere, f.continuous);
-        const unsigned bits = proved ? proved->bits : ~0U;
-        const auto all_ones = static_cast<ContinuityMask<Real>>(-1);
-        for (std::size_t lane = 0; lane < Lanes::lanes; ++lane)
-            batch->continuous[i + lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
+        store<Real>(batch->continuous + i, conjunction(f.everywhere, f.continuous), true);
     };
     interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Program*>(code),
                                                            batch->size, leaf, finish);
+}
+
+template <class Real>
+void interpret_form(const void* code, const FormBatchOf<Real>* batch) {
+    using Lanes = Block<Real>;
+    const auto view = frustum_lanes<Lanes>(
+        [&](std::size_t index) { return Lanes::splat(batch->frustum[index]); });
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> BeamValue<Lanes> {
+        if (facts.constant) {
+            return constant_form<Lanes>(facts, Real{}, [](Real x) { return Lanes::splat(x); });
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) {
+            return uniform_form<Lanes>({Lanes::splat(batch->uniforms[2 * (v - 3)]),
+                                        Lanes::splat(batch->uniforms[2 * (v - 3) + 1])});
+        }
+        return coordinate<Lanes>(
+            view,
+            {load(batch->u + i), load(batch->v + i), load(batch->s + i), load(batch->s_radius + i)},
+            v);
+    };
+    const auto finish = [&](const BeamValue<Lanes>& f, std::size_t i) {
+        const FormResult<Lanes> result = form_result(f);
+        store(batch->c + i, result.c);
+        for (std::size_t k = 0; k < 3; ++k)
+            store(batch->k[k] + i, result.k[k]);
+        store(batch->e + i, result.e);
+        store(batch->r + i, result.r);
+        store(batch->slope_neg_lo + i, result.slope.neg_lo);
+        store(batch->slope_hi + i, result.slope.hi);
+        store<Real>(batch->continuous + i, result.continuous, true);
+        std::optional<BlockMask> nowhere = result.somewhere;
+        if (nowhere) nowhere = no(*nowhere);
+        store<Real>(batch->nowhere + i, nowhere, false);
+    };
+    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Program*>(code),
+                                                       batch->size, leaf, finish);
 }
 
 template <class Real>
@@ -143,9 +186,11 @@ Kernel interpret(const Expr& expr) {
     Kernel kernel = kernel_without_code(expr);
     kernel.range_function = interpret_range<float>;
     kernel.value_function = interpret_value<float>;
+    kernel.form_function = interpret_form<float>;
     kernel.code = std::make_shared<Program>(expr);
     kernel.range_function_double = interpret_range<double>;
     kernel.value_function_double = interpret_value<double>;
+    kernel.form_function_double = interpret_form<double>;
     kernel.code_double = kernel.code;
     return kernel;
 }

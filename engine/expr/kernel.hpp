@@ -70,8 +70,47 @@ struct ValueBatchOf {
     Real* gradient[3];     ///< out: df/dx, df/dy, df/dz
 };
 
+/// How a batch of cells lies in the world: the point at depth s on the ray of (u, v) is
+///   base + (distance + s) (u right + v up) + s forward.
+/// Only numbers: kernels take it as an array.
+template <class Real>
+struct FrustumOf {
+    Real base[3], right[3], up[3], forward[3];
+    Real distance;            ///< from the eye to the plane s = 0 through `base`
+    Real u_radius, v_radius;  ///< of every cell
+    /// Upper bounds of the coordinates and of the sizes of the terms that make them, and of the
+    /// same for the rays' directions; in any cell of the batch.
+    Real size[3], direction_size[3];
+};
+
+/// Beam forms (engine/num/beam.hpp) of f over `size` cells, |u - u_i| <= u_radius,
+/// |v - v_i| <= v_radius, |s - s_i| <= s_radius_i:
+///   f is in c + k[0] eu + k[1] ev + k[2] et + [-e, e]  for eu, ev, et in [-1, 1].
+/// Where nothing is known of f, c and k are 0 and e is +inf.
+template <class Real>
+struct FormBatchOf {
+    std::size_t size;  ///< a multiple of batch_multiple, not 0
+    const Real* u;
+    const Real* v;
+    const Real* s;
+    const Real* s_radius;
+    const Real* frustum;   ///< a FrustumOf<Real>
+    const Real* uniforms;  ///< Uniforms::boxes
+    Real* c;
+    Real* k[3];
+    Real* e;
+    /// out: an evaluation of f by the value kernel at a point of the cell, its coordinates rounded,
+    /// is off by less than u r, where each operation is off by less than u times its result
+    Real* r;
+    Real* slope_neg_lo;  ///< out: -lo of an enclosure of df/ds where f is continuous; +inf: unknown
+    Real* slope_hi;
+    ContinuityMask<Real>* continuous;  ///< out: as in RangeBatchOf
+    ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
+};
+
 using RangeBatch = RangeBatchOf<float>;
 using ValueBatch = ValueBatchOf<float>;
+using FormBatch = FormBatchOf<float>;
 
 /// What the tracer asks of a formula, whoever made the code (jit/compile or
 /// engine/expr/interpret). A value, cheap to copy; safe to call from any number of threads.
@@ -81,20 +120,26 @@ struct Kernel {
     using RangeFunctionOf = void (*)(const void* code, const RangeBatchOf<Real>* batch);
     template <class Real>
     using ValueFunctionOf = void (*)(const void* code, const ValueBatchOf<Real>* batch);
+    template <class Real>
+    using FormFunctionOf = void (*)(const void* code, const FormBatchOf<Real>* batch);
     using RangeFunction = RangeFunctionOf<float>;
     using ValueFunction = ValueFunctionOf<float>;
+    using FormFunction = FormFunctionOf<float>;
 
     RangeFunction range_function = nullptr;
     ValueFunction value_function = nullptr;
+    FormFunction form_function = nullptr;
     std::shared_ptr<const void> code;  ///< keeps the machine code or the graph alive
     RangeFunctionOf<double> range_function_double = nullptr;
     ValueFunctionOf<double> value_function_double = nullptr;
+    FormFunctionOf<double> form_function_double = nullptr;
     std::shared_ptr<const void> code_double;
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
 
     void range(const RangeBatch& batch) const { range_function(code.get(), &batch); }
     void value(const ValueBatch& batch) const { value_function(code.get(), &batch); }
+    void form(const FormBatch& batch) const { form_function(code.get(), &batch); }
     explicit operator bool() const { return range_function != nullptr; }
 
     // Only where the maker was asked for double.
@@ -103,6 +148,9 @@ struct Kernel {
     }
     void value(const ValueBatchOf<double>& batch) const {
         value_function_double(code_double.get(), &batch);
+    }
+    void form(const FormBatchOf<double>& batch) const {
+        form_function_double(code_double.get(), &batch);
     }
     [[nodiscard]] bool has_double() const { return range_function_double != nullptr; }
 };

@@ -45,10 +45,12 @@ struct TraceSettings {
 struct Counters {
     std::uint64_t range = 0;
     std::uint64_t value = 0;
+    std::uint64_t form = 0;
 
     Counters& operator+=(const Counters& other) {
         range += other.range;
         value += other.value;
+        form += other.form;
         return *this;
     }
 };

@@ -1,6 +1,7 @@
 #include "engine/trace/tracer.hpp"
 
 #include "engine/expr/kernel.hpp"
+#include "engine/trace/beam_tracer.hpp"
 #include "engine/trace/k_bisection.hpp"
 
 #include <algorithm>
@@ -36,6 +37,9 @@ std::span<const Tracer> tracers() {
     static constexpr std::array table{
         Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
                trace_tile_k_bisection},
+        Tracer{"beams",
+               "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
+               trace_tile_beams},
     };
     return table;
 }

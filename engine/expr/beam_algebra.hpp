@@ -1,0 +1,358 @@
+#pragma once
+
+#include "engine/expr/interval_algebra.hpp"
+#include "engine/num/beam_functions.hpp"
+
+#include <optional>
+
+namespace zeroset {
+
+/// f over a cell with its derivative along the ray, and what is known of the domain. An absent
+/// derivative is 0, an absent mask true.
+template <class Real>
+struct BeamValue {
+    using Mask = typename Enclosure<Real>::Mask;
+
+    Beam<Real> f;
+    /// Where f is continuous it is piecewise smooth; encloses the slopes of the pieces.
+    std::optional<Beam<Real>> slope{};
+    std::optional<Mask> somewhere{};  ///< as in Enclosure
+    std::optional<Mask> everywhere{};
+    std::optional<Mask> continuous{};
+};
+
+/// Beam forms of value and derivative, over any carrier, in upward rounding.
+template <class Real>
+class BeamAlgebra {
+public:
+    using Value = BeamValue<Real>;
+    using In = const Operand<Value>&;
+    using Form = Beam<Real>;
+    using Box = Interval<Real>;
+    using Slope = std::optional<Form>;
+
+    Value negate(In a) { return of(-a.value.f, negated(a.value.slope), a); }
+    Value add(In a, In b) {
+        return of(a.value.f + b.value.f, sum(a.value.slope, b.value.slope), a, b);
+    }
+    Value subtract(In a, In b) {
+        return of(a.value.f - b.value.f, sum(a.value.slope, negated(b.value.slope)), a, b);
+    }
+    Value multiply(In a, In b) {
+        if (const auto c = exact_factor(a)) return multiple(b, *c);
+        if (const auto c = exact_factor(b)) return multiple(a, *c);
+        return of(a.value.f * b.value.f,
+                  sum(times(a.value.f, b.value.slope), times(b.value.f, a.value.slope)), a, b);
+    }
+    Value divide(In a, In b) {
+        const Box divisor = box(b);
+        const Form reciprocal = zeroset::reciprocal(b.value.f, divisor);
+        const Form quotient = a.value.f * reciprocal;
+        const Slope rest = sum(a.value.slope, negated(times(quotient, b.value.slope)));
+        Value result = of(quotient, times(reciprocal, rest), a, b);
+        const auto nonzero = no(contains_zero(divisor));
+        result.everywhere = conjunction(result.everywhere, {nonzero});
+        if (b.facts.exact() && b.facts.constant->hi == 0) result.somewhere = {nonzero};
+        return result;
+    }
+    Value int_power(In a, int n) {
+        const Form below = power(a.value.f, n - 1);
+        return of(power(a.value.f, n), times(scale(below, n), a.value.slope), a);
+    }
+    Value odd_root(In a, int n) {
+        const Box x = box(a);
+        const Box root = zeroset::odd_root(x, n);
+        const FunctionBounds<Real> g{root, root / zeroset::scale(x, n),
+                                     zeroset::odd_root(middle(a), n), 16.0};
+        return smooth(g, {g.range}, a);
+    }
+    Value sqrt(In a) {
+        const Box x = box(a);
+        const Enclosure<Real> root = zeroset::sqrt(x);
+        const FunctionBounds<Real> g{root.range, point(number(0.5)) / root.range, {}, 1.0};
+        return of(zeroset::sqrt(a.value.f, g, x), g.slope, root, a);
+    }
+    Value abs(In a) {
+        const Kink<Real> kink = kink_of(box(a));
+        Value result = of(zeroset::abs(a.value.f, kink), std::nullopt, a);
+        if (a.value.slope) {
+            const Form& slope = *a.value.slope;
+            result.slope =
+                select(kink.above, slope, select(kink.below, -slope, hull(slope, -slope)));
+        }
+        return result;
+    }
+    Value sign(In a) { return stepped_form(zeroset::sign(box(a)), a); }
+    Value floor(In a) { return stepped_form(zeroset::floor(box(a)), a); }
+    Value ceil(In a) { return stepped_form(zeroset::ceil(box(a)), a); }
+    Value round(In a) { return stepped_form(zeroset::round(box(a)), a); }
+    Value mod(In a, In b);
+    Value min(In a, In b) { return larger(a, b, -1.0); }
+    Value max(In a, In b) { return larger(a, b, 1.0); }
+
+    Value exp(In a) {
+        const Box range = zeroset::exp(box(a));
+        const Box at = zeroset::exp(middle(a));
+        const FunctionBounds<Real> g{range, range, at, 2.0};
+        return of(by_curvature(a.value.f, g, at, range.hi), g.slope, {g.range}, a);
+    }
+    Value log(In a) { return logarithm(a, Elementary::Log, 1.0, 1.0); }
+    Value log10(In a) {
+        kind_ = &a.value.f.r;
+        return logarithm(a, Elementary::Log10, format().per_ln10, 1.0 - format().relative_gap);
+    }
+    Value log2(In a) {
+        kind_ = &a.value.f.r;
+        return logarithm(a, Elementary::Log2, format().per_ln2, 1.0 - format().relative_gap);
+    }
+    Value sin(In a) { return wave(wave_over(a.value.f, sin_at(a.value.f.f.c)), a); }
+    Value cos(In a) { return wave(wave_over(a.value.f, cos_at(a.value.f.f.c)), a); }
+    Value tan(In a) {
+        const Enclosure<Real> range = zeroset::tan(box(a));
+        return smooth(
+            {range.range, one() + square_of(range.range), zeroset::tan(middle(a)).range, 4.0},
+            range, a);
+    }
+    Value cot(In a) {
+        const Enclosure<Real> range = zeroset::cot(box(a));
+        return smooth(
+            {range.range, -(one() + square_of(range.range)), zeroset::cot(middle(a)).range, 8.0},
+            range, a);
+    }
+    Value asin(In a) {
+        const Enclosure<Real> range = zeroset::asin(box(a));
+        return smooth({range.range, arc_slope(a), zeroset::asin(middle(a)).range, 4.0}, range, a);
+    }
+    Value acos(In a) {
+        const Enclosure<Real> range = zeroset::acos(box(a));
+        return smooth({range.range, -arc_slope(a), zeroset::acos(middle(a)).range, 4.0}, range, a);
+    }
+    Value atan(In a) {
+        const Box range = zeroset::atan(box(a));
+        return smooth({range, one() / (one() + square_of(box(a))), zeroset::atan(middle(a)), 4.0},
+                      {range}, a);
+    }
+    Value atan2(In y, In x) {
+        return turning(zeroset::atan2(box(y), box(x)), zeroset::atan2(middle(y), middle(x)).range,
+                       y, x);
+    }
+    Value angle(In y, In x) {
+        return turning(zeroset::angle(box(y), box(x)), zeroset::angle(middle(y), middle(x)).range,
+                       y, x);
+    }
+    Value sinh(In a) {
+        const Box range = odd_increasing(Elementary::Sinh, box(a));
+        return smooth(
+            {range, zeroset::cosh(box(a)), odd_increasing(Elementary::Sinh, middle(a)), 4.0},
+            {range}, a);
+    }
+    Value cosh(In a) {
+        const Box range = zeroset::cosh(box(a));
+        return smooth(
+            {range, odd_increasing(Elementary::Sinh, box(a)), zeroset::cosh(middle(a)), 4.0},
+            {range}, a);
+    }
+    Value tanh(In a) {
+        const Box range = zeroset::tanh(box(a));
+        return smooth({range, one() - square_of(range), zeroset::tanh(middle(a)), 4.0}, {range}, a);
+    }
+    Value asinh(In a) {
+        const Box range = odd_increasing(Elementary::Asinh, box(a));
+        return smooth({range, one() / square_root(one() + square_of(box(a))),
+                       odd_increasing(Elementary::Asinh, middle(a)), 2.0},
+                      {range}, a);
+    }
+    Value acosh(In a) {
+        const Enclosure<Real> range = zeroset::acosh(box(a));
+        return smooth({range.range, one() / square_root(square_of(box(a)) - one()),
+                       zeroset::acosh(middle(a)).range, 2.0},
+                      range, a);
+    }
+    Value atanh(In a) {
+        const Enclosure<Real> range = zeroset::atanh(box(a));
+        return smooth({range.range, one() / (one() - square_of(box(a))),
+                       zeroset::atanh(middle(a)).range, 2.0},
+                      range, a);
+    }
+
+    Value less(In a, In b) { return decided(zeroset::less(box(a), box(b)), a, b); }
+    Value less_equal(In a, In b) { return decided(zeroset::less_equal(box(a), box(b)), a, b); }
+    Value logic_and(In a, In b) { return decided(stepped(minimum(box(a), box(b))), a, b); }
+    Value logic_or(In a, In b) { return decided(stepped(maximum(box(a), box(b))), a, b); }
+    Value logic_not(In a) { return decided(stepped(one() - box(a)), a); }
+    Value choose(In c, In a, In b);
+    Value where(In a, In c);
+
+private:
+    Real number(double value) { return like(*kind_, value); }
+    const Format& format() { return format_of(*kind_); }
+    Box one() { return point(number(1)); }
+    static Box square_of(const Box& a) { return power_nonnegative(absolute(a), 2); }
+
+    /// The range of the form. Every operator that needs one begins with it.
+    Box box(In a) {
+        kind_ = &a.value.f.r;
+        return a.value.f.range();
+    }
+    static Box middle(In a) { return point(a.value.f.f.c); }
+
+    static Slope negated(const Slope& a) {
+        if (!a) return a;
+        return -*a;
+    }
+    static Slope sum(const Slope& a, const Slope& b) {
+        if (!a) return b;
+        if (!b) return a;
+        return *a + *b;
+    }
+    static Slope times(const Form& a, const Slope& b) {
+        if (!b) return b;
+        return a * *b;
+    }
+
+    /// A function defined and continuous everywhere.
+    template <class... Operands>
+    static Value of(const Form& f, const Slope& slope, const Operands&... operands) {
+        return {f, slope, conjunction_of(operands.value.somewhere...),
+                conjunction_of(operands.value.everywhere...),
+                conjunction_of(operands.value.continuous...)};
+    }
+    template <class Mask>
+    static std::optional<Mask> conjunction_of(const std::optional<Mask>& a) {
+        return a;
+    }
+    template <class Mask>
+    static std::optional<Mask> conjunction_of(const std::optional<Mask>& a,
+                                              const std::optional<Mask>& b) {
+        return conjunction(a, b);
+    }
+    /// A function of one operand with the derivative's range and its own domain.
+    static Value of(const Form& f, const Box& slope, const Enclosure<Real>& domain, In a) {
+        return with_domain(of(f, times(factor(slope), a.value.slope), a), domain);
+    }
+    static Value with_domain(Value f, const Enclosure<Real>& domain) {
+        f.somewhere = conjunction(f.somewhere, domain.somewhere);
+        f.everywhere = conjunction(f.everywhere, domain.everywhere);
+        f.continuous = conjunction(f.continuous, domain.continuous);
+        return f;
+    }
+    static Value smooth(const FunctionBounds<Real>& g, const Enclosure<Real>& domain, In a) {
+        return of(by_slope(a.value.f, g), g.slope, domain, a);
+    }
+    static Value wave(const Wave<Real>& wave, In a) {
+        return of(zeroset::wave(a.value.f, wave), wave.bounds.slope, {wave.bounds.range}, a);
+    }
+    /// Constant where it is continuous.
+    template <class... Operands>
+    static Value stepped_form(const Enclosure<Real>& g, const Operands&... operands) {
+        const Real nothing = like(g.range.hi, 0.0);
+        return with_domain(of(interval_form(g.range, nothing), std::nullopt, operands...), g);
+    }
+    /// A condition: decided, it is continuous even where its operands jump.
+    template <class... Operands>
+    static Value decided(const Enclosure<Real>& g, const Operands&... operands) {
+        Value result = stepped_form(g, operands...);
+        result.continuous = g.continuous;
+        return result;
+    }
+
+    /// A constant factor that is a number of the format.
+    std::optional<double> exact_factor(In a) {
+        kind_ = &a.value.f.r;
+        if (!a.facts.exact() || !representable(a.facts.constant->hi, format())) return {};
+        return a.facts.constant->hi;
+    }
+    static Value multiple(In a, double c) {
+        const Slope slope = a.value.slope ? Slope(scale(*a.value.slope, c)) : Slope();
+        return of(scale(a.value.f, c), slope, a);
+    }
+    /// log a times `scale`, which is known but for a factor from `least` to 1 / `least`.
+    Value logarithm(In a, Elementary function, double scale, double least) {
+        const Box x = box(a);
+        const Enclosure<Real> range = zeroset::logarithm(function, x);
+        const Box factor{number(-scale * least), number(scale * (2.0 - least))};
+        const Box slope = factor / x;
+        const Box at = zeroset::logarithm(function, middle(a)).range;
+        const FunctionBounds<Real> g{range.range, slope, at, 4.0};
+        const Real curvature = slope.hi * (one() / x).hi;
+        return of(by_curvature(a.value.f, g, factor / middle(a), curvature), slope, range, a);
+    }
+    /// 1 / sqrt(1 - a^2)
+    Box arc_slope(In a) {
+        const Box x = box(a);
+        return one() / square_root((one() - x) * (one() + x));
+    }
+    Value turning(const Enclosure<Real>& g, const Box& at, In y, In x) {
+        const Box radius2 = square_of(box(x)) + square_of(box(y));
+        const Box by_y = box(x) / radius2;
+        const Box by_x = -(box(y) / radius2);
+        const Form f =
+            by_slopes(y.value.f, x.value.f, SurfaceBounds<Real>{g.range, by_y, by_x, at, 4.0});
+        const Slope slope =
+            sum(times(factor(by_y), y.value.slope), times(factor(by_x), x.value.slope));
+        return with_domain(of(f, slope, y, x), g);
+    }
+    Value larger(In a, In b, double sign) {
+        const Kink<Real> kink = kink_of((a.value.f - b.value.f).range());
+        Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
+        if (!a.value.slope && !b.value.slope) return result;
+        kind_ = &a.value.f.r;
+        const Form zero = interval_form(point(number(0)), number(0));
+        const Form& slope_a = a.value.slope ? *a.value.slope : zero;
+        const Form& slope_b = b.value.slope ? *b.value.slope : zero;
+        const Form& if_above = sign > 0 ? slope_a : slope_b;
+        const Form& if_below = sign > 0 ? slope_b : slope_a;
+        result.slope =
+            select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
+        return result;
+    }
+
+    const Real* kind_ = nullptr;  ///< any number of the carrier, of the operator at work
+};
+
+/// a - b k where floor(a/b) is k on the whole cell.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
+    const Enclosure<Real> range = zeroset::mod(box(a), box(b));
+    const Real k = round_down((box(a) / box(b)).hi);
+    const Form steps = interval_form(point(k), number(0));
+    const Form line = a.value.f - b.value.f * steps;
+    const Form f = select(*range.continuous, line, interval_form(range.range, number(0)));
+    const Slope slope = sum(a.value.slope, negated(times(steps, b.value.slope)));
+    return with_domain(of(f, slope, a, b), range);
+}
+
+/// a where the condition c holds, b elsewhere; between both where c is undecided.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
+    const Box condition = box(c);
+    const Enclosure<Real> of_c{condition, c.value.somewhere, c.value.everywhere,
+                               c.value.continuous};
+    const auto side = [&](In x) {
+        return Enclosure<Real>{box(x), x.value.somewhere, x.value.everywhere, x.value.continuous};
+    };
+    const Enclosure<Real> both_sides = zeroset::choose(of_c, side(a), side(b));
+    const auto holds = no(may_fail(condition));
+    const auto fails = no(may_hold(condition));
+    const Form undecided = interval_form(both_sides.range, number(0));
+    const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
+    const Form zero = interval_form(point(number(0)), number(0));
+    const Form& slope_a = a.value.slope ? *a.value.slope : zero;
+    const Form& slope_b = b.value.slope ? *b.value.slope : zero;
+    return {f, select(holds, slope_a, slope_b), both_sides.somewhere, both_sides.everywhere,
+            both_sides.continuous};
+}
+
+/// a where the condition c holds, undefined elsewhere.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::where(In a, In c) {
+    Value result = a.value;
+    const Box condition = box(c);
+    result.somewhere =
+        conjunction(conjunction(a.value.somewhere, c.value.somewhere), {may_hold(condition)});
+    result.everywhere =
+        conjunction(conjunction(a.value.everywhere, c.value.everywhere), {no(may_fail(condition))});
+    return result;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,275 @@
+// Cells of a tile of pixels times a slab of depth, and what their forms say of them.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_BEAM_CELLS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_CELLS_INL
+#undef ZEROSET_BEAM_CELLS_INL
+#else
+#define ZEROSET_BEAM_CELLS_INL
+#endif
+
+#include "engine/trace/beam_view.hpp"
+
+#include <hwy/highway.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class Real>
+using LanesOf = hn::CappedTag<Real, 64 / sizeof(Real)>;
+
+inline std::size_t padded(std::size_t size) {
+    return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
+}
+
+/// What a kernel says of a list of cells: FormBatchOf's arrays.
+template <class Real>
+struct Forms {
+    std::vector<Real> c, e, r, slope_neg_lo, slope_hi;
+    std::array<std::vector<Real>, 3> k;
+    std::vector<ContinuityMask<Real>> continuous, nowhere;
+
+    void resize(std::size_t capacity) {
+        for (std::vector<Real>* column :
+             {&c, &e, &r, &slope_neg_lo, &slope_hi, &k[0], &k[1], &k[2]})
+            column->resize(capacity);
+        continuous.resize(capacity);
+        nowhere.resize(capacity);
+    }
+};
+
+/// The first four arguments of FormBatchOf.
+template <class Real>
+struct CellPlaces {
+    std::vector<Real> u, v, s, s_radius;
+
+    void resize(std::size_t capacity) {
+        for (std::vector<Real>* column : {&u, &v, &s, &s_radius})
+            column->resize(capacity);
+    }
+    /// Repeats the last of `size` cells up to a whole batch.
+    void pad(std::size_t size) {
+        for (std::vector<Real>* column : {&u, &v, &s, &s_radius}) {
+            for (std::size_t i = size; i < padded(size); ++i)
+                (*column)[i] = (*column)[size - 1];
+        }
+    }
+};
+
+template <class Real>
+void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, std::size_t size,
+              CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
+    places.pad(size);
+    counters.form += size;
+    frame.kernel.form(FormBatchOf<Real>{padded(size),
+                                        places.u.data(),
+                                        places.v.data(),
+                                        places.s.data(),
+                                        places.s_radius.data(),
+                                        frustum.base,
+                                        frame.scene.uniforms.template boxes<Real>(),
+                                        out.c.data(),
+                                        {out.k[0].data(), out.k[1].data(), out.k[2].data()},
+                                        out.e.data(),
+                                        out.r.data(),
+                                        out.slope_neg_lo.data(),
+                                        out.slope_hi.data(),
+                                        out.continuous.data(),
+                                        out.nowhere.data()});
+}
+
+/// A bit for each lane.
+using LaneBits = std::uint32_t;
+
+/// What is known of the cells of a vector.
+struct CellBits {
+    LaneBits rejected;  ///< hold no root
+    LaneBits smooth;    ///< f is continuous, df/ds not 0: at most one root a ray
+    LaneBits finished;  ///< every ray surely has a root in the slab
+    std::array<LaneBits, 4> child_finished;  ///< the same for a quarter of the tile
+};
+
+/// The cells of one size of a tile, in order: tile by tile, front to back.
+template <class Real>
+struct Cells {
+    std::size_t size = 0;
+    CellPlaces<Real> places;             ///< the slabs a little longer than `from` to `to`
+    std::vector<Real> from, to;          ///< the slabs: neighbours touch
+    std::vector<std::uint8_t> col, row;  ///< first pixel in the tile
+    std::vector<std::uint8_t> inside;    ///< all rays are inside the clip box in the slab
+
+    Forms<Real> forms;
+    std::vector<CellBits> bits;  ///< one for each vector of cells
+    /// Where f may vanish in each quarter of the cell's tile: left top, right top, left bottom,
+    /// right bottom. Empty where lo > hi.
+    std::array<std::vector<Real>, 4> child_from, child_to;
+
+    void resize(std::size_t capacity) {
+        places.resize(capacity);
+        forms.resize(capacity);
+        for (std::vector<Real>* column : {&from, &to})
+            column->resize(capacity);
+        for (std::size_t q = 0; q < 4; ++q) {
+            child_from[q].resize(capacity);
+            child_to[q].resize(capacity);
+        }
+        for (std::vector<std::uint8_t>* column : {&col, &row, &inside})
+            column->resize(capacity);
+        bits.resize(capacity / hn::Lanes(LanesOf<Real>()) + 1);
+    }
+    /// A tile of pixels at (col, row), whose middle is at (u, v).
+    struct Place {
+        Real u, v;
+        int col, row;
+    };
+    void push(const Place& at, Real slab_from, Real slab_to, Real margin, bool is_inside) {
+        if (size + 2 * batch_multiple > from.size()) resize(2 * from.size() + 256);
+        const Real half = Real{0.5};
+        places.u[size] = at.u;
+        places.v[size] = at.v;
+        const Real middle = half * slab_from + half * slab_to;
+        places.s[size] = middle;
+        places.s_radius[size] = std::max(slab_to - middle, middle - slab_from) + margin;
+        from[size] = slab_from;
+        to[size] = slab_to;
+        col[size] = static_cast<std::uint8_t>(at.col);
+        row[size] = static_cast<std::uint8_t>(at.row);
+        inside[size] = is_inside ? 1 : 0;
+        ++size;
+    }
+    [[nodiscard]] bool bit(LaneBits CellBits::* member, std::size_t cell) const {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        return (bits[cell / lanes].*member >> (cell % lanes) & 1U) != 0;
+    }
+    [[nodiscard]] bool child_finished(std::size_t child, std::size_t cell) const {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        return (bits[cell / lanes].child_finished[child] >> (cell % lanes) & 1U) != 0;
+    }
+};
+
+template <class D>
+HWY_INLINE LaneBits bits_of(D d, hn::Mask<D> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return bytes[0] | static_cast<LaneBits>(bytes[1]) << 8U;
+}
+
+/// Judges the cells by their forms, and contracts their slabs for the quarters of their tiles.
+/// `pixels`: the tiles' side.
+template <class Real>
+class CellJudge {
+public:
+    explicit CellJudge(int pixels) {
+        // Middle and radius of a quarter in units of the tile's radius; the radius a little more,
+        // for the roundings of the cells' places.
+        const double half = 0.5 * (pixels - 1);
+        offset_ = static_cast<Real>(0.25 * pixels / half);
+        radius_ = static_cast<Real>((0.5 * (0.5 * pixels - 1) / half) + 0x1p-10);
+    }
+    void judge(Cells<Real>& cells) const {
+        for (std::size_t i = 0; i < cells.size; i += hn::Lanes(d))
+            judge_vector(cells, i);
+    }
+
+private:
+    using D = LanesOf<Real>;
+    using V = hn::Vec<D>;
+    using M = hn::Mask<D>;
+    static constexpr D d{};
+
+    struct Form {
+        V c, ku, kv, kt, e;
+    };
+
+    void judge_vector(Cells<Real>& cells, std::size_t i) const;
+    HWY_INLINE LaneBits contract(Cells<Real>& cells, std::size_t i, std::size_t child,
+                                 const Form& form, V inverse, M usable, V width) const;
+    static M mask_at(const std::vector<ContinuityMask<Real>>& masks, std::size_t i) {
+        const hn::RebindToUnsigned<D> du;
+        return hn::MaskFromVec(hn::BitCast(d, hn::LoadU(du, masks.data() + i)));
+    }
+
+    Real offset_, radius_;
+};
+
+template <class Real>
+void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
+    const auto load = [&](const std::vector<Real>& column) {
+        return hn::LoadU(d, column.data() + i);
+    };
+    const V zero = hn::Zero(d);
+    const Forms<Real>& f = cells.forms;
+    const Form form{load(f.c), load(f.k[0]), load(f.k[1]), load(f.k[2]), load(f.e)};
+    const V aside = hn::Add(hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
+    const V size_c = hn::Abs(form.c);
+    const V size_t_ = hn::Abs(form.kt);
+    const M rejected = hn::Or(hn::Gt(size_c, hn::Add(aside, size_t_)), mask_at(f.nowhere, i));
+    CellBits& bits = cells.bits[i / hn::Lanes(d)];
+    bits.rejected = bits_of(d, rejected);
+    const M continuous = mask_at(f.continuous, i);
+    const M sloped = hn::Or(hn::Lt(load(f.slope_neg_lo), zero), hn::Lt(load(f.slope_hi), zero));
+    bits.smooth = bits_of(d, hn::And(continuous, sloped));
+    LaneBits inside = 0;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+        inside |= static_cast<LaneBits>(cells.inside[i + lane]) << lane;
+    const V steepness = hn::Max(size_t_, hn::Set(d, std::numeric_limits<Real>::min()));
+    const V inverse = hn::Div(hn::Set(d, Real{1}), hn::CopySign(steepness, form.kt));
+    const V radius = hn::Set(d, radius_);
+    const V width = hn::MulAdd(radius, hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
+    const LaneBits may_finish = inside & bits_of(d, continuous);
+    for (std::size_t child = 0; child < 4; ++child) {
+        bits.child_finished[child] =
+            may_finish & contract(cells, i, child, form, inverse, hn::Not(rejected), width);
+    }
+    bits.finished = bits.child_finished[0] & bits.child_finished[1] & bits.child_finished[2] &
+                    bits.child_finished[3];
+}
+
+/// The depths where f may vanish on the rays of a quarter; returns where all rays surely have a
+/// root within the slab.
+template <class Real>
+HWY_INLINE LaneBits CellJudge<Real>::contract(Cells<Real>& cells, std::size_t i, std::size_t child,
+                                              const Form& form, V inverse, M usable,
+                                              V width) const {
+    const V one = hn::Set(d, Real{1});
+    const V right = hn::Set(d, (child & 1U) != 0 ? offset_ : -offset_);
+    const V up = hn::Set(d, (child & 2U) != 0 ? -offset_ : offset_);
+    const V c = hn::MulAdd(form.ku, right, hn::MulAdd(form.kv, up, form.c));
+    const V middle = hn::Neg(hn::Mul(c, inverse));
+    // Eight units for the roundings of middle and radius.
+    const V slack = hn::Mul(hn::Add(hn::Abs(middle), one),
+                            hn::Set(d, 8 * std::numeric_limits<Real>::epsilon()));
+    const V radius = hn::Add(hn::MulAdd(width, hn::Abs(inverse), slack), slack);
+    const V lo = hn::Sub(middle, radius);
+    const V hi = hn::Add(middle, radius);
+    const V from = hn::LoadU(d, cells.from.data() + i);
+    const V to = hn::LoadU(d, cells.to.data() + i);
+    const V s = hn::LoadU(d, cells.places.s.data() + i);
+    const V s_radius = hn::LoadU(d, cells.places.s_radius.data() + i);
+    // -1 and 1 where NaN.
+    const V lo_in = hn::Max(lo, hn::Neg(one));
+    const V hi_in = hn::Min(hi, one);
+    const V rounding = hn::Mul(hn::Add(hn::Abs(s), s_radius),
+                               hn::Set(d, 4 * std::numeric_limits<Real>::epsilon()));
+    const V found_from = hn::Sub(hn::MulAdd(lo_in, s_radius, s), rounding);
+    const V found_to = hn::Add(hn::MulAdd(hi_in, s_radius, s), rounding);
+    const M possible = hn::And(usable, hn::Not(hn::Or(hn::Gt(lo, one), hn::Lt(hi, hn::Neg(one)))));
+    const V empty = hn::Set(d, std::numeric_limits<Real>::infinity());
+    hn::StoreU(hn::IfThenElse(possible, hn::Max(found_from, from), empty), d,
+               cells.child_from[child].data() + i);
+    hn::StoreU(hn::Min(found_to, to), d, cells.child_to[child].data() + i);
+    const M known = hn::And(hn::Gt(lo, hn::Neg(one)), hn::Lt(hi, one));
+    return bits_of(d, hn::And(known, hn::And(hn::Ge(found_from, from), hn::Le(found_to, to))));
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,347 @@
+// The first root on each ray by beams [Florez08, ch. 5; Knoll09; Comba93].
+//   u, v       a pixel's place on the image plane at distance 1 from the eye
+//   s          depth along the view axis, from the plane through the point looked at
+//   cell       a square tile of pixels times a slab [s0, s1] of depth
+//   form       f over a cell: c + ku eu + kv ev + kt et + [-e, e], with (eu, ev, et) in [-1, 1]^3
+//              (engine/num/beam.hpp); comes with an enclosure of df/ds
+// A tile of 64x64 pixels begins with slabs between its entry into the clip box and its exit. Cells
+// are looked at breadth first and front to back, many at a time. The linear part of a cell's form
+// contracts the slab for each quarter of the tile to where f can vanish; a quarter for which
+// nothing is left is gone (Florez's rejection test). A quarter all of whose rays surely have a root
+// in the slab hides its later slabs (his inclusion test). Slabs that contract badly and are long
+// for their tile are halved.
+// Where f is continuous and df/ds excludes 0, a tile of 8x8 pixels is solved ray by ray: the form
+// gives each its stretch, Newton's method the root (beam_roots-inl.hpp). A tile of 4x4 pixels that
+// is not monotone yet goes on ray by ray (beam_rays-inl.hpp).
+//
+// Differs from the papers:
+// - A root is certified by the interval Newton operator in double: f at the guess, with a bound of
+//   its rounding that comes with the form, over the enclosure of df/ds. No evaluation of the ends.
+// - Nothing is rejected by the sign of a value: by enclosures, and by that operator.
+// - Cells are evaluated a margin longer than their slabs, so that the bracket of a root at the end
+//   of a slab is inside one cell.
+// - Rays go on in double where cells in float are not decided.
+
+#include "engine/trace/beam_tracer.hpp"
+
+#include "engine/num/scalar.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/trace/beam_tracer.cpp"
+#include <hwy/foreach_target.h>
+// Highway includes this file again for each instruction set.
+#include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/beam_rays-inl.hpp"
+#include "engine/trace/beam_roots-inl.hpp"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is monotone
+constexpr int least_pixels = 4;  ///< smaller tiles are not made
+constexpr int first_slabs = 8;
+
+/// What a thread keeps from tile to tile.
+template <class Real>
+struct BeamMemory {
+    Cells<Real> cells[2];
+    Found found;
+};
+
+template <class Real>
+class BeamTile {
+public:
+    BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory,
+             Counters& counters)
+        : frame_(frame),
+          tile_(tile),
+          counters_(counters),
+          view_(frame, tile),
+          cells_(&memory.cells[0]),
+          next_(&memory.cells[1]),
+          found_(memory.found),
+          roots_(frame, view_, found_, counters),
+          marcher_(frame, view_, found_, roots_, counters),
+          fine_marcher_(frame, view_, found_, roots_, counters) {}
+
+    void trace(TileHits& hits);
+
+private:
+    using Place = typename Cells<Real>::Place;
+    static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+    /// The first cells; false when no ray meets the clip box.
+    bool start();
+    void descend(int pixels);
+    /// Cells first to last of one tile; its children go to next_.
+    void visit_tile(std::size_t first, std::size_t last, int pixels);
+    void push_children(int pixels);
+    void push_child(const Place& at, int pixels, std::size_t parent, std::size_t child);
+    /// The pixels of a cell: to the root finder where it is smooth, else to the marcher.
+    void visit_pixels(std::size_t cell, int pixels, bool smooth);
+    void march_rays();
+    void hand_on(TileHits& hits);
+
+    [[nodiscard]] Place place(int col, int row, int pixels) const {
+        const double half = 0.5 * (pixels - 1);
+        return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
+                row};
+    }
+
+    const TraceFrame& frame_;
+    const Tile& tile_;
+    Counters& counters_;
+    BeamView view_;
+    Cells<Real>* cells_;
+    Cells<Real>* next_;
+    Found& found_;
+    RootFinder roots_;
+    RayMarcher<Real> marcher_;
+    RayMarcher<double> fine_marcher_;
+    std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
+    DepthRange all_{};               ///< of the tile's rays
+    double s_most_ = 0;
+    Real margin_ = 0;
+};
+
+template <class Real>
+bool BeamTile<Real>::start() {
+    const double half = 0.5 * (tile_size - 1);
+    const double radius = half * view_.pixel();
+    all_ = view_.depths(view_.u(half), view_.v(half), radius, radius);
+    if (all_.empty()) return false;
+    s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
+    const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
+    margin_ = static_cast<Real>(2 * finest);
+    const Place at = place(0, 0, tile_size);
+    const Real near = -upper_end(Real{}, -all_.enter_lo);
+    const Real far = upper_end(Real{}, all_.exit_hi);
+    Real from = near;
+    for (int i = 1; i <= first_slabs; ++i) {
+        const Real part = static_cast<Real>(i) / first_slabs;
+        const Real to = i == first_slabs ? far : near + (far - near) * part;
+        const bool inside =
+            static_cast<double>(from) >= all_.enter_hi && static_cast<double>(to) <= all_.exit_lo;
+        cells_->push(at, from, to, margin_, inside);
+        from = to;
+    }
+    return true;
+}
+
+template <class Real>
+void BeamTile<Real>::trace(TileHits& hits) {
+    found_.clear();
+    cells_->size = 0;
+    if (!start()) return;
+    for (int pixels = tile_size; pixels >= least_pixels && cells_->size > 0; pixels /= 2) {
+        next_->size = 0;
+        descend(pixels);
+        std::swap(cells_, next_);
+    }
+    roots_.solve();
+    march_rays();
+    hand_on(hits);
+}
+
+template <class Real>
+void BeamTile<Real>::descend(int pixels) {
+    evaluate(frame_, view_.frustum<Real>(pixels, s_most_), cells_->size, cells_->places,
+             cells_->forms, counters_);
+    CellJudge<Real>(pixels).judge(*cells_);
+    for (std::size_t first = 0; first < cells_->size;) {
+        std::size_t last = first + 1;
+        while (last < cells_->size && cells_->col[last] == cells_->col[first] &&
+               cells_->row[last] == cells_->row[first]) {
+            ++last;
+        }
+        visit_tile(first, last, pixels);
+        first = last;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels) {
+    open_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+        if (cells_->bit(&CellBits::rejected, i)) continue;
+        const bool smooth = cells_->bit(&CellBits::smooth, i);
+        const bool finished = cells_->bit(&CellBits::finished, i);
+        if (smooth && pixels <= leaf_pixels) {
+            visit_pixels(i, pixels, true);
+        } else if (pixels <= least_pixels) {
+            visit_pixels(i, pixels, false);
+        } else {
+            open_.push_back(i);
+        }
+        if (finished) break;
+    }
+    if (!open_.empty()) push_children(pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::push_children(int pixels) {
+    const int half = pixels / 2;
+    const std::size_t parent = open_.front();
+    for (std::size_t child = 0; child < 4; ++child) {
+        const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
+        const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
+        if (col >= tile_.cols || row >= tile_.rows) continue;
+        const Place at = place(col, row, half);
+        for (const std::size_t cell : open_) {
+            push_child(at, half, cell, child);
+            if (cells_->child_finished(child, cell)) break;
+        }
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::push_child(const Place& at, int pixels, std::size_t parent,
+                                std::size_t child) {
+    const Real from = cells_->child_from[child][parent];
+    const Real to = cells_->child_to[child][parent];
+    if (!(from <= to)) return;
+    const bool inside =
+        cells_->inside[parent] != 0 ||
+        (static_cast<double>(from) >= all_.enter_hi && static_cast<double>(to) <= all_.exit_lo);
+    const Real length = to - from;
+    const Real parent_length = cells_->to[parent] - cells_->from[parent];
+    const Real width = 2 * static_cast<Real>((view_.distance() + static_cast<double>(from)) *
+                                             view_.pixel() * pixels);
+    int parts = 1;
+    if (length > width && length > static_cast<Real>(0.6) * parent_length) {
+        parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
+    }
+    Real begin = from;
+    for (int i = 1; i <= parts; ++i) {
+        const Real end =
+            i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
+        next_->push(at, begin, end, margin_, inside);
+        begin = end;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::visit_pixels(std::size_t cell, int pixels, bool smooth) {
+    const Forms<Real>& f = cells_->forms;
+    const auto number = [cell](const std::vector<Real>& column) {
+        return static_cast<double>(column[cell]);
+    };
+    const double half = 0.5 * (pixels - 1);
+    const double c = number(f.c);
+    const double ku = number(f.k[0]) / half;
+    const double kv = number(f.k[1]) / half;
+    const double kt = number(f.k[2]);
+    const double e = number(f.e) + 0x1p-10 * half * (std::abs(ku) + std::abs(kv));
+    const double s = number(cells_->places.s);
+    const double reach = number(cells_->places.s_radius);
+    const double scale = std::abs(kt) > 0 ? reach / kt : 0;
+    const double radius = std::abs(kt) > 0 ? e * std::abs(scale) + 4 * view_.depth_error()
+                                           : std::numeric_limits<double>::infinity();
+    const double from = number(cells_->from);
+    const double to = number(cells_->to);
+    for (int row = 0; row < pixels && cells_->row[cell] + row < tile_.rows; ++row) {
+        for (int col = 0; col < pixels && cells_->col[cell] + col < tile_.cols; ++col) {
+            const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
+            const double ray_from = std::max(from, middle - radius);
+            const double ray_to = std::min(to, middle + radius);
+            if (!(ray_from <= ray_to)) continue;
+            const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
+                                                          cells_->col[cell] + col);
+            if (ray_from > found_.depth[pixel]) continue;
+            if (smooth) {
+                roots_.push({pixel, cells_->inside[cell] != 0, ray_from, ray_to, s - reach,
+                             s + reach, std::clamp(middle, ray_from, ray_to),
+                             -number(f.slope_neg_lo), number(f.slope_hi), number(f.r)});
+            } else {
+                const Real begin = -upper_end(Real{}, -ray_from);
+                const Real end = upper_end(Real{}, ray_to);
+                marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
+            }
+        }
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::march_rays() {
+    // Cells in this type are decided down to some hundred of its units.
+    const double rough = std::max(view_.tolerance(), 256 * s_most_ * unit);
+    const bool final = rough <= view_.tolerance();
+    const auto stop = [&](std::uint32_t pixel, double from, double to, bool continuous) {
+        if (!continuous) {
+            found_.pass(pixel, from);
+            return true;
+        }
+        found_.add(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
+        return false;
+    };
+    marcher_.march(static_cast<Real>(rough), margin_, s_most_,
+                   [&](const Segment<Real>& segment, bool continuous) {
+                       const auto from = static_cast<double>(segment.from);
+                       const auto to = static_cast<double>(segment.to);
+                       if (final) return stop(segment.pixel, from, to, continuous);
+                       fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
+                       return true;
+                   });
+    fine_marcher_.march(view_.tolerance(), 0.5 * view_.tolerance(), s_most_,
+                        [&](const Segment<double>& segment, bool continuous) {
+                            return stop(segment.pixel, segment.from, segment.to, continuous);
+                        });
+}
+
+template <class Real>
+void BeamTile<Real>::hand_on(TileHits& hits) {
+    const ViewFrame& axes = view_.axes();
+    for (int row = 0; row < tile_.rows; ++row) {
+        for (int col = 0; col < tile_.cols; ++col) {
+            const TileHits::Pixel at{static_cast<std::int16_t>(col),
+                                     static_cast<std::int16_t>(row)};
+            const std::size_t pixel = at.index();
+            const double s = found_.depth[pixel];
+            const double gap = found_.unsettled[pixel];
+            if (std::isinf(s) && std::isinf(gap)) continue;
+            const double u = view_.u(col);
+            const double v = view_.v(row);
+            const double stretch = std::sqrt(1.0 + u * u + v * v);
+            if (!std::isinf(gap)) {
+                const double depth = (view_.distance() + gap) * stretch * (1.0 - 0x1p-20);
+                hits.unsettled.push_back({at, -float_above(-std::max(depth, 0.0))});
+            }
+            if (std::isinf(s)) continue;
+            std::array<float, 3> where{};
+            for (int k = 0; k < 3; ++k) {
+                const double across = u * axes.right[k] + v * axes.up[k];
+                where[static_cast<std::size_t>(k)] = static_cast<float>(
+                    view_.base()[k] + view_.distance() * across + s * (axes.forward[k] + across));
+            }
+            const bool settled = gap > s;
+            hits.push(at, where, static_cast<float>((view_.distance() + s) * stretch),
+                      settled ? found_.certificate[pixel] : Certificate::Undecided);
+        }
+    }
+}
+
+void trace_beam_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                     Counters& counters) {
+    thread_local BeamMemory<float> memory;
+    BeamTile<float>(frame, tile, memory, counters).trace(hits);
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace zeroset {
+
+HWY_EXPORT(trace_beam_tile);
+
+void trace_tile_beams(const TraceFrame& frame, const Tile& tile, TileHits& hits,
+                      Counters& counters) {
+    HWY_DYNAMIC_DISPATCH(trace_beam_tile)(frame, tile, hits, counters);
+}
+
+}  // namespace zeroset
+
+#endif

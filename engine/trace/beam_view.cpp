@@ -1,0 +1,103 @@
+#include "engine/trace/beam_view.hpp"
+
+#include "engine/num/scalar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Where rays of slopes d0 to d1, from `eye`, are between the planes lo and hi: distances along
+/// the view axis.
+DepthRange between_planes(double eye, double lo, double hi, double d0, double d1) {
+    if (d0 <= 0 && d1 >= 0) {
+        if (!(lo < eye && eye < hi)) return {-unbounded, unbounded, -unbounded, unbounded};
+        const double steepest = std::max({-d0, d1, std::numeric_limits<double>::min()});
+        return {-unbounded, 0.0, std::min(hi - eye, eye - lo) / steepest, unbounded};
+    }
+    const double near = (d0 > 0 ? lo : hi) - eye;
+    const double far = (d0 > 0 ? hi : lo) - eye;
+    const auto [enter_lo, enter_hi] = std::minmax({near / d0, near / d1});
+    const auto [exit_lo, exit_hi] = std::minmax({far / d0, far / d1});
+    return {enter_lo, enter_hi, exit_lo, exit_hi};
+}
+
+double tolerance_of(const TraceFrame& frame) {
+    const double size = frame.scene.clip.size();
+    switch (frame.stop.rule) {
+        case StopRule::DStop: return std::ldexp(size, -static_cast<int>(frame.stop.value));
+        case StopRule::Epsilon: return frame.stop.value;
+        case StopRule::Delta: break;
+    }
+    return std::ldexp(size, -max_d_stop);
+}
+
+}  // namespace
+
+BeamView::BeamView(const TraceFrame& frame, const Tile& tile)
+    : view_(frame.view),
+      clip_(frame.scene.clip),
+      base_(view_.eye + view_.look_distance * view_.forward),
+      pixel_(view_.pixel_size(frame.height)),
+      u_first_((tile.col + 0.5 - 0.5 * frame.width) * pixel_),
+      v_first_((0.5 * frame.height - tile.row - 0.5) * pixel_),
+      u_most_(std::max(std::abs(u_first_), std::abs(u(tile_size)))),
+      v_most_(std::max(std::abs(v_first_), std::abs(v(tile_size)))),
+      tolerance_(tolerance_of(frame)) {
+    const glm::dvec3 eye = glm::abs(view_.eye);
+    const glm::dvec3 box = glm::max(glm::abs(clip_.lo), glm::abs(clip_.hi));
+    const double largest = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z});
+    depth_error_ = 0x1p-46 * (largest + view_.look_distance);
+}
+
+DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {
+    DepthRange all{0.0, 0.0, unbounded, unbounded};
+    for (int i = 0; i < 3; ++i) {
+        const double d = view_.forward[i] + u * view_.right[i] + v * view_.up[i];
+        const double across =
+            std::abs(view_.right[i]) * u_radius + std::abs(view_.up[i]) * v_radius + 0x1p-48;
+        const DepthRange one =
+            between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across, d + across);
+        all = {std::max(all.enter_lo, one.enter_lo), std::max(all.enter_hi, one.enter_hi),
+               std::min(all.exit_lo, one.exit_lo), std::min(all.exit_hi, one.exit_hi)};
+    }
+    const double from_eye = view_.look_distance;
+    return {all.enter_lo - from_eye - depth_error_, all.enter_hi - from_eye + depth_error_,
+            all.exit_lo - from_eye - depth_error_, all.exit_hi - from_eye + depth_error_};
+}
+
+template <class Real>
+FrustumOf<Real> BeamView::frustum(int pixels, double s_most) const {
+    constexpr double unit = std::numeric_limits<Real>::epsilon();
+    const auto number = [](double value) { return static_cast<Real>(value); };
+    FrustumOf<Real> frustum{};
+    const double radius = 0.5 * (pixels - 1) * pixel_;
+    // The middle of a cell is off by half a unit of |u|.
+    frustum.u_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * u_most_);
+    frustum.v_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * v_most_);
+    frustum.distance = number(view_.look_distance);
+    const double from_eye = view_.look_distance + s_most;
+    for (int i = 0; i < 3; ++i) {
+        frustum.base[i] = number(base_[i]);
+        frustum.right[i] = number(view_.right[i]);
+        frustum.up[i] = number(view_.up[i]);
+        frustum.forward[i] = number(view_.forward[i]);
+        const double across = std::abs(view_.right[i]) * u_most_ + std::abs(view_.up[i]) * v_most_;
+        const double direction = std::abs(view_.forward[i]) + across;
+        // What making `base` in double has cost, in units of this format.
+        const double base_error = 0x1p-50 / unit * (std::abs(view_.eye[i]) + view_.look_distance);
+        const double size = std::abs(base_[i]) + from_eye * across + s_most * direction;
+        frustum.size[i] = upper_end(Real{}, (size + base_error) * (1.0 + 0x1p-20));
+        frustum.direction_size[i] = upper_end(Real{}, direction * (1.0 + 0x1p-20));
+    }
+    return frustum;
+}
+
+template FrustumOf<float> BeamView::frustum(int pixels, double s_most) const;
+template FrustumOf<double> BeamView::frustum(int pixels, double s_most) const;
+
+}  // namespace zeroset

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "engine/trace/tracer.hpp"
+
+namespace zeroset {
+
+/// Where the rays of a tile, or of one pixel, are inside the clip box and in front of the eye, as
+/// depths s: they enter between enter_lo and enter_hi, and leave between exit_lo and exit_hi.
+struct DepthRange {
+    double enter_lo, enter_hi, exit_lo, exit_hi;
+
+    /// Whether no ray is inside at any depth.
+    [[nodiscard]] bool empty() const { return !(enter_lo <= exit_hi); }
+};
+
+/// The rays of a tile as beams see them: the point at depth s on the ray of a pixel at (u, v) of
+/// the image plane is
+///   base + (distance + s) (u right + v up) + s forward
+/// with s measured along the view axis from the plane through the point looked at, where floats
+/// are finest.
+class BeamView {
+public:
+    BeamView(const TraceFrame& frame, const Tile& tile);
+
+    /// Of a pixel's centre, in the tile.
+    [[nodiscard]] double u(double col) const { return u_first_ + col * pixel_; }
+    [[nodiscard]] double v(double row) const { return v_first_ - row * pixel_; }
+    [[nodiscard]] double pixel() const { return pixel_; }
+    [[nodiscard]] double distance() const { return view_.look_distance; }
+    [[nodiscard]] const glm::dvec3& base() const { return base_; }
+    [[nodiscard]] const ViewFrame& axes() const { return view_; }
+
+    /// Of all rays within the radii of (u, v).
+    [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
+
+    /// The cells of `pixels` x `pixels` pixels at depths up to `s_most` from the plane s = 0.
+    template <class Real>
+    [[nodiscard]] FrustumOf<Real> frustum(int pixels, double s_most) const;
+
+    /// Above the rounding errors of a few operations in double on depths.
+    [[nodiscard]] double depth_error() const { return depth_error_; }
+    /// Where a root is known well enough: the width wanted of a bracket.
+    [[nodiscard]] double tolerance() const { return tolerance_; }
+
+private:
+    const ViewFrame& view_;
+    const Box& clip_;
+    glm::dvec3 base_;
+    double pixel_, u_first_, v_first_;
+    double u_most_, v_most_;  ///< of |u| and |v| in the tile
+    double depth_error_, tolerance_;
+};
+
+}  // namespace zeroset
