@@ -25,20 +25,39 @@ struct Found {
     std::vector<double> depth;      ///< s of the nearest root; +inf: none
     std::vector<double> unsettled;  ///< s of the first cell that could not be decided; +inf: none
     std::vector<Certificate> certificate;
+    std::array<std::vector<float>, 3> gradient;  ///< of f at the root
+    bool any_unsettled = false;
+    std::vector<std::uint32_t> without_gradient;  ///< pixels with a root but no gradient
 
-    Found() : depth(tile_pixels), unsettled(tile_pixels), certificate(tile_pixels) {}
+    Found() : depth(tile_pixels), unsettled(tile_pixels), certificate(tile_pixels) {
+        for (std::vector<float>& axis : gradient)
+            axis.resize(tile_pixels);
+        std::ranges::fill(unsettled, std::numeric_limits<double>::infinity());
+    }
 
     void clear() {
         std::ranges::fill(depth, std::numeric_limits<double>::infinity());
-        std::ranges::fill(unsettled, std::numeric_limits<double>::infinity());
-        std::ranges::fill(certificate, Certificate::Miss);
+        if (any_unsettled) std::ranges::fill(unsettled, std::numeric_limits<double>::infinity());
+        any_unsettled = false;
+        without_gradient.clear();
     }
-    void add(std::size_t pixel, double s, Certificate known) {
+    void add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
         if (!(s < depth[pixel])) return;
         depth[pixel] = s;
         certificate[pixel] = known;
+        for (std::size_t k = 0; k < 3; ++k)
+            gradient[k][pixel] = slope[k];
     }
-    void pass(std::size_t pixel, double s) { unsettled[pixel] = std::min(unsettled[pixel], s); }
+    /// A root that may be there.
+    void add_undecided(std::uint32_t pixel, double s) {
+        if (!(s < depth[pixel])) return;
+        add(pixel, s, Certificate::Undecided, {});
+        without_gradient.push_back(pixel);
+    }
+    void pass(std::size_t pixel, double s) {
+        unsettled[pixel] = std::min(unsettled[pixel], s);
+        any_unsettled = true;
+    }
 };
 
 /// A stretch of a ray on which f is continuous and monotone, and so has at most one root.
@@ -52,11 +71,22 @@ struct Stretch {
     double r;                   ///< see FormBatchOf
 };
 
+/// How far f is off where it was evaluated in double; `r`: see FormBatchOf.
+inline double value_error(double r) {
+    return std::numeric_limits<double>::epsilon() * (1.0 + 0x1p-20) * r;
+}
+
 /// Solves stretches in batches.
 class RootFinder {
 public:
-    RootFinder(const TraceFrame& frame, const BeamView& view, Found& found, Counters& counters)
-        : frame_(frame), view_(view), found_(found), counters_(counters) {}
+    /// `float_steps`: steps in float before those in double.
+    RootFinder(const TraceFrame& frame, const BeamView& view, Found& found, int float_steps,
+               Counters& counters)
+        : frame_(frame),
+          view_(view),
+          found_(found),
+          float_steps_(float_steps),
+          counters_(counters) {}
 
     void push(const Stretch& stretch) {
         stretches_[size_++] = stretch;
@@ -68,7 +98,6 @@ public:
 private:
     static constexpr std::size_t capacity = 256;
     static constexpr int most_steps = 40;
-    static constexpr int float_steps = 2;
 
     using D = LanesOf<double>;
     using V = hn::Vec<D>;
@@ -84,6 +113,7 @@ private:
     const TraceFrame& frame_;
     const BeamView& view_;
     Found& found_;
+    int float_steps_;
     Counters& counters_;
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
@@ -167,17 +197,18 @@ inline void RootFinder::finish(std::size_t i, double lo, double hi, double s, bo
         if (hi < box.enter_lo || lo > box.exit_hi) return;
         proved = proved && lo >= box.enter_hi && hi <= box.exit_lo;
     }
-    found_.add(stretch.pixel, s, proved ? Certificate::Certified : Certificate::Undecided);
+    found_.add(stretch.pixel, s, proved ? Certificate::Certified : Certificate::Undecided,
+               {static_cast<float>(gradient_[0][i]), static_cast<float>(gradient_[1][i]),
+                static_cast<float>(gradient_[2][i])});
 }
 
 /// The interval Newton operator: f is within `error` of the value computed, and the root, if any,
 /// is at the guess less f over the slope at some place between.
 inline void RootFinder::step_in_double(bool last) {
-    constexpr double unit = std::numeric_limits<double>::epsilon();
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
-        const double error = unit * (1.0 + 0x1p-20) * stretch.r;
+        const double error = value_error(stretch.r);
         const bool falling = stretch.slope_hi < 0;
         const double f = falling ? -f_[i] : f_[i];
         const double least = falling ? -stretch.slope_hi : stretch.slope_lo;
@@ -220,7 +251,7 @@ inline void RootFinder::step_in_double(bool last) {
 inline void RootFinder::solve() {
     if (size_ == 0) return;
     make_rays();
-    for (int step = 0; step < float_steps; ++step)
+    for (int step = 0; step < float_steps_; ++step)
         step_in_float();
     for (int step = 1; size_ > 0 && step <= most_steps; ++step) {
         evaluate_in_double();

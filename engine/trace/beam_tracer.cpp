@@ -31,6 +31,7 @@
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
 #include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/beam_leaf-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 
@@ -62,7 +63,9 @@ public:
           cells_(&memory.cells[0]),
           next_(&memory.cells[1]),
           found_(memory.found),
-          roots_(frame, view_, found_, counters),
+          roots_(frame, view_, found_, is_float ? 2 : 0, counters),
+          leaves_(frame, tile, view_, found_, roots_, counters),
+          small_leaves_(frame, tile, view_, found_, roots_, counters),
           marcher_(frame, view_, found_, roots_, counters),
           fine_marcher_(frame, view_, found_, roots_, counters) {}
 
@@ -70,6 +73,13 @@ public:
 
 private:
     using Place = typename Cells<Real>::Place;
+    /// A quarter of the tile at work.
+    struct Child {
+        Place place;
+        std::size_t index;
+        DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
+    };
+    static constexpr bool is_float = std::is_same_v<Real, float>;
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
     /// The first cells; false when no ray meets the clip box.
@@ -78,12 +88,25 @@ private:
     /// Cells first to last of one tile; its children go to next_.
     void visit_tile(std::size_t first, std::size_t last, int pixels);
     void push_children(int pixels);
-    void push_child(const Place& at, int pixels, std::size_t parent, std::size_t child);
-    /// The pixels of a cell: to the root finder where it is smooth, else to the marcher.
+    void push_child(const Child& tile, int pixels, std::size_t parent);
+    /// The pixels of a smooth cell.
+    void solve_leaf(std::size_t cell, int pixels);
+    /// The pixels of a cell one by one: to the root finder where it is smooth, else to the marcher.
     void visit_pixels(std::size_t cell, int pixels, bool smooth);
     void march_rays();
+    void add_gradients();
     void hand_on(TileHits& hits);
+    void hand_on_row(int row, TileHits& hits);
+    void hand_on_unsettled(TileHits& hits);
 
+    [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
+        const bool needed =
+            std::ranges::any_of(open_, [&](std::size_t cell) { return cells_->inside[cell] == 0; });
+        if (!needed) return {};
+        const double half = 0.5 * (pixels - 1);
+        return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
+                            half * view_.pixel());
+    }
     [[nodiscard]] Place place(int col, int row, int pixels) const {
         const double half = 0.5 * (pixels - 1);
         return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
@@ -98,6 +121,8 @@ private:
     Cells<Real>* next_;
     Found& found_;
     RootFinder roots_;
+    LeafSolver<leaf_pixels> leaves_;
+    LeafSolver<least_pixels> small_leaves_;
     RayMarcher<Real> marcher_;
     RayMarcher<double> fine_marcher_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
@@ -142,6 +167,7 @@ void BeamTile<Real>::trace(TileHits& hits) {
     }
     roots_.solve();
     march_rays();
+    add_gradients();
     hand_on(hits);
 }
 
@@ -169,7 +195,7 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         const bool smooth = cells_->bit(&CellBits::smooth, i);
         const bool finished = cells_->bit(&CellBits::finished, i);
         if (smooth && pixels <= leaf_pixels) {
-            visit_pixels(i, pixels, true);
+            solve_leaf(i, pixels);
         } else if (pixels <= least_pixels) {
             visit_pixels(i, pixels, false);
         } else {
@@ -188,23 +214,26 @@ void BeamTile<Real>::push_children(int pixels) {
         const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
         const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
-        const Place at = place(col, row, half);
+        const Child tile{place(col, row, half), child, depths_of(col, row, half)};
         for (const std::size_t cell : open_) {
-            push_child(at, half, cell, child);
+            push_child(tile, half, cell);
             if (cells_->child_finished(child, cell)) break;
         }
     }
 }
 
 template <class Real>
-void BeamTile<Real>::push_child(const Place& at, int pixels, std::size_t parent,
-                                std::size_t child) {
-    const Real from = cells_->child_from[child][parent];
-    const Real to = cells_->child_to[child][parent];
+void BeamTile<Real>::push_child(const Child& tile, int pixels, std::size_t parent) {
+    Real from = cells_->child_from[tile.index][parent];
+    Real to = cells_->child_to[tile.index][parent];
+    bool inside = cells_->inside[parent] != 0;
+    if (!inside) {
+        from = std::max(from, -upper_end(Real{}, -tile.depths.enter_lo));
+        to = std::min(to, upper_end(Real{}, tile.depths.exit_hi));
+        inside = static_cast<double>(from) >= tile.depths.enter_hi &&
+                 static_cast<double>(to) <= tile.depths.exit_lo;
+    }
     if (!(from <= to)) return;
-    const bool inside =
-        cells_->inside[parent] != 0 ||
-        (static_cast<double>(from) >= all_.enter_hi && static_cast<double>(to) <= all_.exit_lo);
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
     const Real width = 2 * static_cast<Real>((view_.distance() + static_cast<double>(from)) *
@@ -217,8 +246,38 @@ void BeamTile<Real>::push_child(const Place& at, int pixels, std::size_t parent,
     for (int i = 1; i <= parts; ++i) {
         const Real end =
             i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(at, begin, end, margin_, inside);
+        next_->push(tile.place, begin, end, margin_, inside);
         begin = end;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
+    if constexpr (is_float) {
+        const Forms<float>& f = cells_->forms;
+        const float half = 0.5F * static_cast<float>(pixels - 1);
+        const Leaf leaf{cells_->col[cell],
+                        cells_->row[cell],
+                        cells_->inside[cell] != 0,
+                        f.c[cell],
+                        f.k[0][cell] / half,
+                        f.k[1][cell] / half,
+                        f.k[2][cell],
+                        f.e[cell],
+                        cells_->places.s[cell],
+                        cells_->places.s_radius[cell],
+                        cells_->from[cell],
+                        cells_->to[cell],
+                        -f.slope_neg_lo[cell],
+                        f.slope_hi[cell],
+                        f.r[cell]};
+        if (pixels == leaf_pixels) {
+            leaves_.solve(leaf);
+        } else {
+            small_leaves_.solve(leaf);
+        }
+    } else {
+        visit_pixels(cell, pixels, true);
     }
 }
 
@@ -273,7 +332,7 @@ void BeamTile<Real>::march_rays() {
             found_.pass(pixel, from);
             return true;
         }
-        found_.add(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
+        found_.add_undecided(pixel, 0.5 * from + 0.5 * to);
         return false;
     };
     marcher_.march(static_cast<Real>(rough), margin_, s_most_,
@@ -292,33 +351,97 @@ void BeamTile<Real>::march_rays() {
 
 template <class Real>
 void BeamTile<Real>::hand_on(TileHits& hits) {
+    hits.has_gradient = true;
+    for (int row = 0; row < tile_.rows; ++row)
+        hand_on_row(row, hits);
+    if (found_.any_unsettled) hand_on_unsettled(hits);
+}
+
+/// Places, distances and gradients of a row's roots, packed.
+template <class Real>
+void BeamTile<Real>::hand_on_row(int row, TileHits& hits) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> d_narrow;
     const ViewFrame& axes = view_.axes();
+    const auto first = static_cast<std::size_t>(row) * tile_size;
+    const double v = view_.v(row);
+    for (int col = 0; col < tile_.cols; col += static_cast<int>(hn::Lanes(d))) {
+        const std::size_t at = first + static_cast<std::size_t>(col);
+        const auto s = hn::LoadU(d, &found_.depth[at]);
+        const auto hit = hn::Lt(hn::DemoteTo(d_narrow, s), hn::Inf(d_narrow));
+        if (hn::AllFalse(d_narrow, hit)) continue;
+        const auto u = hn::MulAdd(hn::Iota(d, static_cast<double>(col)),
+                                  hn::Set(d, view_.pixel()), hn::Set(d, view_.u(0)));
+        const std::size_t size = hits.size;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<int>(k);
+            const auto across = hn::MulAdd(u, hn::Set(d, axes.right[axis]),
+                                           hn::Set(d, v * axes.up[axis]));
+            const auto origin = hn::MulAdd(across, hn::Set(d, view_.distance()),
+                                           hn::Set(d, view_.base()[axis]));
+            const auto x =
+                hn::MulAdd(s, hn::Add(across, hn::Set(d, axes.forward[axis])), origin);
+            hn::CompressStore(hn::DemoteTo(d_narrow, x), hit, d_narrow, &hits.position[k][size]);
+            hn::CompressStore(hn::LoadU(d_narrow, &found_.gradient[k][at]), hit, d_narrow,
+                              &hits.gradient[k][size]);
+        }
+        const auto stretch = hn::Sqrt(hn::MulAdd(u, u, hn::Set(d, 1.0 + v * v)));
+        const auto depth = hn::Mul(hn::Add(s, hn::Set(d, view_.distance())), stretch);
+        hn::CompressStore(hn::DemoteTo(d_narrow, depth), hit, d_narrow, &hits.depth[size]);
+        for (LaneBits bits = bits_of(d_narrow, hit); bits != 0; bits &= bits - 1) {
+            const int lane = std::countr_zero(bits);
+            const std::size_t pixel = at + static_cast<std::size_t>(lane);
+            const bool settled = found_.unsettled[pixel] > found_.depth[pixel];
+            hits.pixel[hits.size] = {static_cast<std::int16_t>(col + lane),
+                                     static_cast<std::int16_t>(row)};
+            hits.certificate[hits.size++] =
+                settled ? found_.certificate[pixel] : Certificate::Undecided;
+        }
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::hand_on_unsettled(TileHits& hits) {
     for (int row = 0; row < tile_.rows; ++row) {
         for (int col = 0; col < tile_.cols; ++col) {
             const TileHits::Pixel at{static_cast<std::int16_t>(col),
                                      static_cast<std::int16_t>(row)};
-            const std::size_t pixel = at.index();
-            const double s = found_.depth[pixel];
-            const double gap = found_.unsettled[pixel];
-            if (std::isinf(s) && std::isinf(gap)) continue;
+            const double s = found_.unsettled[at.index()];
+            if (std::isinf(s)) continue;
             const double u = view_.u(col);
             const double v = view_.v(row);
-            const double stretch = std::sqrt(1.0 + u * u + v * v);
-            if (!std::isinf(gap)) {
-                const double depth = (view_.distance() + gap) * stretch * (1.0 - 0x1p-20);
-                hits.unsettled.push_back({at, -float_above(-std::max(depth, 0.0))});
-            }
-            if (std::isinf(s)) continue;
-            std::array<float, 3> where{};
-            for (int k = 0; k < 3; ++k) {
-                const double across = u * axes.right[k] + v * axes.up[k];
-                where[static_cast<std::size_t>(k)] = static_cast<float>(
-                    view_.base()[k] + view_.distance() * across + s * (axes.forward[k] + across));
-            }
-            const bool settled = gap > s;
-            hits.push(at, where, static_cast<float>((view_.distance() + s) * stretch),
-                      settled ? found_.certificate[pixel] : Certificate::Undecided);
+            const double depth =
+                (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
+            hits.unsettled.push_back({at, -float_above(-std::max(depth, 0.0))});
         }
+    }
+}
+
+/// The gradient where roots are that no evaluation has proved.
+template <class Real>
+void BeamTile<Real>::add_gradients() {
+    std::array<std::vector<double>, 7> columns;  // x, f, gradient
+    const std::vector<std::uint32_t>& pixels = found_.without_gradient;
+    if (pixels.empty()) return;
+    for (std::vector<double>& column : columns)
+        column.resize(padded(pixels.size()));
+    for (std::size_t i = 0; i < padded(pixels.size()); ++i) {
+        const std::uint32_t pixel = pixels[std::min(i, pixels.size() - 1)];
+        const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size, found_.depth[pixel]);
+        for (std::size_t k = 0; k < 3; ++k)
+            columns[k][i] = x[static_cast<int>(k)];
+    }
+    counters_.value += pixels.size();
+    frame_.kernel.value(ValueBatchOf<double>{
+        padded(pixels.size()),
+        {columns[0].data(), columns[1].data(), columns[2].data()},
+        frame_.scene.uniforms.points<double>(),
+        columns[3].data(),
+        {columns[4].data(), columns[5].data(), columns[6].data()}});
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (found_.certificate[pixels[i]] != Certificate::Undecided) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+            found_.gradient[k][pixels[i]] = static_cast<float>(columns[4 + k][i]);
     }
 }
 

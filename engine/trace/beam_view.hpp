@@ -30,6 +30,11 @@ public:
     [[nodiscard]] const glm::dvec3& base() const { return base_; }
     [[nodiscard]] const ViewFrame& axes() const { return view_; }
 
+    /// On the ray of a pixel of the tile, at depth s.
+    [[nodiscard]] glm::dvec3 point(double col, double row, double s) const {
+        const glm::dvec3 across = u(col) * view_.right + v(row) * view_.up;
+        return base_ + distance() * across + s * (view_.forward + across);
+    }
     /// Of all rays within the radii of (u, v).
     [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
 

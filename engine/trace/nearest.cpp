@@ -38,8 +38,9 @@ void NearestSurfaces::keep_nearest(TileHits& hits, std::uint8_t surface) const {
         const TileHits::Pixel pixel = hits.pixel[i];
         if (surface_[pixel.index()] != surface) continue;
         const bool settled = unsettled_[pixel.index()] > hits.depth[i];
-        hits.push(pixel, {hits.position[0][i], hits.position[1][i], hits.position[2][i]},
-                  hits.depth[i], settled ? hits.certificate[i] : Certificate::Undecided);
+        hits.move(i, hits.size);
+        if (!settled) hits.certificate[hits.size] = Certificate::Undecided;
+        ++hits.size;
     }
 }
 

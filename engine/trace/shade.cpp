@@ -87,8 +87,8 @@ void shade_hits(const ViewFrame& view, const SurfaceColors& colors, const TileHi
             forward);
         const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
         const V3 outward = normalized(
-            {hn::LoadU(d, &buffers.gradient[0][i]), hn::LoadU(d, &buffers.gradient[1][i]),
-             hn::LoadU(d, &buffers.gradient[2][i])},
+            {hn::LoadU(d, &hits.gradient[0][i]), hn::LoadU(d, &hits.gradient[1][i]),
+             hn::LoadU(d, &hits.gradient[2][i])},
             to_viewer);
         const V facing = dot(outward, to_viewer);
         const auto front = hn::Ge(facing, zero);
@@ -162,8 +162,6 @@ void clear_tile(const Tile& tile, Framebuffer& out) {
 ShadeBuffers::ShadeBuffers() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
     f.resize(capacity);
-    for (std::vector<float>& axis : gradient)
-        axis.resize(capacity);
     color.resize(capacity);
 }
 
@@ -175,6 +173,23 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
+/// Of `size` hits, padded with copies of the first.
+static void evaluate_gradient(const TraceFrame& frame, std::size_t size, TileHits& hits,
+                              ShadeBuffers& buffers, Counters& counters) {
+    for (std::vector<float>& axis : hits.position) {
+        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
+                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
+    }
+    frame.kernel.value({size,
+                        {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
+                        frame.scene.uniforms.middle.data(),
+                        buffers.f.data(),
+                        {hits.gradient[0].data(), hits.gradient[1].data(),
+                         hits.gradient[2].data()}});
+    hits.has_gradient = true;
+    counters.value += hits.size;
+}
+
 void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
                 ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
     for (const auto& [at, depth] : hits.unsettled) {
@@ -183,17 +198,7 @@ void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
     }
     if (hits.size == 0) return;
     const std::size_t size = padded(hits.size);
-    for (std::vector<float>& axis : hits.position) {
-        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
-                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
-    }
-    frame.kernel.value(
-        {size,
-         {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
-         frame.scene.uniforms.middle.data(),
-         buffers.f.data(),
-         {buffers.gradient[0].data(), buffers.gradient[1].data(), buffers.gradient[2].data()}});
-    counters.value += hits.size;
+    if (!hits.has_gradient) evaluate_gradient(frame, size, hits, buffers, counters);
     HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), hits, size, buffers);
     for (std::size_t i = 0; i < hits.size; ++i) {
         const std::size_t pixel =

@@ -11,7 +11,6 @@ namespace zeroset {
 /// Working arrays of the shading of one tile; kept between tiles to save allocations.
 struct ShadeBuffers {
     std::vector<float> f;
-    std::array<std::vector<float>, 3> gradient;
     std::vector<std::uint32_t> color;
 
     ShadeBuffers();

@@ -57,12 +57,16 @@ struct TileHits {
     std::vector<float> depth;                    ///< distance from the eye along the ray
     std::vector<Pixel> pixel;
     std::vector<Certificate> certificate;
+    std::array<std::vector<float>, 3> gradient;  ///< of f, if has_gradient
+    bool has_gradient = false;  ///< whether the tracer knows it
     /// One item a ray, whether it hit something afterwards or not; such a hit is not certified.
     std::vector<Unsettled> unsettled;
 
     TileHits();
     void clear();
     void push(Pixel at, const std::array<float, 3>& where, float distance, Certificate known);
+    /// Moves item `from` to `to`, which is not behind it.
+    void move(std::size_t from, std::size_t to);
 };
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
