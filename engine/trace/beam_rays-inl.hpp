@@ -24,11 +24,12 @@ struct Segment {
 };
 
 /// Marches along rays in cells that shrink where they cannot be decided and grow behind.
-template <class Real>
+/// `Cell`: the type of the tile's cells.
+template <class Real, class Cell>
 class RayMarcher {
 public:
-    RayMarcher(const TraceFrame& frame, const BeamView& view, Found& found, RootFinder& roots,
-               Counters& counters)
+    RayMarcher(const TraceFrame& frame, const BeamView& view, Found<Cell>& found,
+               RootFinder<Cell>& roots, Counters& counters)
         : frame_(frame), view_(view), found_(found), roots_(roots), counters_(counters) {
         places_.resize(capacity);
         forms_.resize(capacity);
@@ -53,16 +54,16 @@ private:
 
     const TraceFrame& frame_;
     const BeamView& view_;
-    Found& found_;
-    RootFinder& roots_;
+    Found<Cell>& found_;
+    RootFinder<Cell>& roots_;
     Counters& counters_;
     std::vector<Segment<Real>> segments_;
     CellPlaces<Real> places_;
     Forms<Real> forms_;
 };
 
-template <class Real>
-void RayMarcher<Real>::place(std::span<const Segment<Real>> segments, Real margin) {
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real margin) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment<Real>& segment = segments[i];
         const Real end = std::min(segment.to, segment.from + segment.step);
@@ -74,11 +75,11 @@ void RayMarcher<Real>::place(std::span<const Segment<Real>> segments, Real margi
     }
 }
 
-template <class Real>
+template <class Real, class Cell>
 template <class Undecided>
-bool RayMarcher<Real>::advance(Segment<Real>& segment, std::size_t i, Real finest,
-                               Undecided undecided) {
-    if (static_cast<double>(segment.from) > found_.depth[segment.pixel]) return false;
+bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real finest,
+                                     Undecided undecided) {
+    if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) return false;
     const Real end = std::min(segment.to, segment.from + segment.step);
     const auto go_behind = [&] {
         segment.from = end;
@@ -124,9 +125,9 @@ bool RayMarcher<Real>::advance(Segment<Real>& segment, std::size_t i, Real fines
     return true;
 }
 
-template <class Real>
+template <class Real, class Cell>
 template <class Undecided>
-void RayMarcher<Real>::march(Real finest, Real margin, double s_most, Undecided undecided) {
+void RayMarcher<Real, Cell>::march(Real finest, Real margin, double s_most, Undecided undecided) {
     const FrustumOf<Real> frustum = view_.frustum<Real>(1, s_most);
     while (!segments_.empty()) {
         std::size_t kept = 0;

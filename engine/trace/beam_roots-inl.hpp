@@ -21,9 +21,12 @@ namespace zeroset::HWY_NAMESPACE {
 constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 /// What is known of the tile's rays so far, one item a pixel, in rows of tile_size.
+template <class Real>
 struct Found {
-    std::vector<double> depth;      ///< s of the nearest root; +inf: none
-    std::vector<double> unsettled;  ///< s of the first cell that could not be decided; +inf: none
+    static constexpr Real none = std::numeric_limits<Real>::infinity();
+
+    std::vector<Real> depth;      ///< s of the nearest root; +inf: none
+    std::vector<Real> unsettled;  ///< s of the first cell that could not be decided; +inf: none
     std::vector<Certificate> certificate;
     std::array<std::vector<float>, 3> gradient;  ///< of f at the root
     bool any_unsettled = false;
@@ -32,30 +35,30 @@ struct Found {
     Found() : depth(tile_pixels), unsettled(tile_pixels), certificate(tile_pixels) {
         for (std::vector<float>& axis : gradient)
             axis.resize(tile_pixels);
-        std::ranges::fill(unsettled, std::numeric_limits<double>::infinity());
+        std::ranges::fill(unsettled, none);
     }
 
     void clear() {
-        std::ranges::fill(depth, std::numeric_limits<double>::infinity());
-        if (any_unsettled) std::ranges::fill(unsettled, std::numeric_limits<double>::infinity());
+        std::ranges::fill(depth, none);
+        if (any_unsettled) std::ranges::fill(unsettled, none);
         any_unsettled = false;
         without_gradient.clear();
     }
     void add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
-        if (!(s < depth[pixel])) return;
-        depth[pixel] = s;
+        if (!(s < static_cast<double>(depth[pixel]))) return;
+        depth[pixel] = static_cast<Real>(s);
         certificate[pixel] = known;
         for (std::size_t k = 0; k < 3; ++k)
             gradient[k][pixel] = slope[k];
     }
     /// A root that may be there.
     void add_undecided(std::uint32_t pixel, double s) {
-        if (!(s < depth[pixel])) return;
+        if (!(s < static_cast<double>(depth[pixel]))) return;
         add(pixel, s, Certificate::Undecided, {});
         without_gradient.push_back(pixel);
     }
     void pass(std::size_t pixel, double s) {
-        unsettled[pixel] = std::min(unsettled[pixel], s);
+        unsettled[pixel] = std::min(unsettled[pixel], static_cast<Real>(s));
         any_unsettled = true;
     }
 };
@@ -76,17 +79,14 @@ inline double value_error(double r) {
     return std::numeric_limits<double>::epsilon() * (1.0 + 0x1p-20) * r;
 }
 
-/// Solves stretches in batches.
+/// Solves stretches in batches. `Real`: of the tile's cells; where it is float, the first steps
+/// are.
+template <class Real>
 class RootFinder {
 public:
-    /// `float_steps`: steps in float before those in double.
-    RootFinder(const TraceFrame& frame, const BeamView& view, Found& found, int float_steps,
+    RootFinder(const TraceFrame& frame, const BeamView& view, Found<Real>& found,
                Counters& counters)
-        : frame_(frame),
-          view_(view),
-          found_(found),
-          float_steps_(float_steps),
-          counters_(counters) {}
+        : frame_(frame), view_(view), found_(found), counters_(counters) {}
 
     void push(const Stretch& stretch) {
         stretches_[size_++] = stretch;
@@ -98,10 +98,7 @@ public:
 private:
     static constexpr std::size_t capacity = 256;
     static constexpr int most_steps = 40;
-
-    using D = LanesOf<double>;
-    using V = hn::Vec<D>;
-    static constexpr D d{};
+    static constexpr int float_steps = std::is_same_v<Real, float> ? 2 : 0;
 
     void make_rays();
     void step_in_float();
@@ -112,8 +109,7 @@ private:
 
     const TraceFrame& frame_;
     const BeamView& view_;
-    Found& found_;
-    int float_steps_;
+    Found<Real>& found_;
     Counters& counters_;
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
@@ -127,7 +123,8 @@ private:
     alignas(64) float gradient_float_[3][capacity];
 };
 
-inline void RootFinder::make_rays() {
+template <class Real>
+void RootFinder<Real>::make_rays() {
     const ViewFrame& axes = view_.axes();
     for (std::size_t i = 0; i < size_; ++i) {
         const std::uint32_t pixel = stretches_[i].pixel;
@@ -148,7 +145,8 @@ inline void RootFinder::make_rays() {
 }
 
 /// Moves the guesses closer, in float: a help only, nothing rests on it.
-inline void RootFinder::step_in_float() {
+template <class Real>
+void RootFinder<Real>::step_in_float() {
     const std::size_t count = padded(size_);
     for (int k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -172,7 +170,8 @@ inline void RootFinder::step_in_float() {
     }
 }
 
-inline void RootFinder::evaluate_in_double() {
+template <class Real>
+void RootFinder<Real>::evaluate_in_double() {
     const std::size_t count = padded(size_);
     for (int k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -189,7 +188,8 @@ inline void RootFinder::evaluate_in_double() {
 }
 
 /// A root in [lo, hi], or one that may be there.
-inline void RootFinder::finish(std::size_t i, double lo, double hi, double s, bool proved) {
+template <class Real>
+void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, bool proved) {
     const Stretch& stretch = stretches_[i];
     if (!stretch.inside) {
         const DepthRange box = view_.depths(view_.u(stretch.pixel % tile_size),
@@ -204,7 +204,8 @@ inline void RootFinder::finish(std::size_t i, double lo, double hi, double s, bo
 
 /// The interval Newton operator: f is within `error` of the value computed, and the root, if any,
 /// is at the guess less f over the slope at some place between.
-inline void RootFinder::step_in_double(bool last) {
+template <class Real>
+void RootFinder<Real>::step_in_double(bool last) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
@@ -248,10 +249,11 @@ inline void RootFinder::step_in_double(bool last) {
     size_ = kept;
 }
 
-inline void RootFinder::solve() {
+template <class Real>
+void RootFinder<Real>::solve() {
     if (size_ == 0) return;
     make_rays();
-    for (int step = 0; step < float_steps_; ++step)
+    for (int step = 0; step < float_steps; ++step)
         step_in_float();
     for (int step = 1; size_ > 0 && step <= most_steps; ++step) {
         evaluate_in_double();

@@ -44,11 +44,20 @@ constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is m
 constexpr int least_pixels = 4;  ///< smaller tiles are not made
 constexpr int first_slabs = 8;
 
+template <class D>
+HWY_INLINE hn::Vec<D> load_wide(D d, const float* from) {
+    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
+}
+template <class D>
+HWY_INLINE hn::Vec<D> load_wide(D d, const double* from) {
+    return hn::LoadU(d, from);
+}
+
 /// What a thread keeps from tile to tile.
 template <class Real>
 struct BeamMemory {
     Cells<Real> cells[2];
-    Found found;
+    Found<Real> found;
 };
 
 template <class Real>
@@ -63,7 +72,7 @@ public:
           cells_(&memory.cells[0]),
           next_(&memory.cells[1]),
           found_(memory.found),
-          roots_(frame, view_, found_, is_float ? 2 : 0, counters),
+          roots_(frame, view_, found_, counters),
           leaves_(frame, tile, view_, found_, roots_, counters),
           small_leaves_(frame, tile, view_, found_, roots_, counters),
           marcher_(frame, view_, found_, roots_, counters),
@@ -119,12 +128,12 @@ private:
     BeamView view_;
     Cells<Real>* cells_;
     Cells<Real>* next_;
-    Found& found_;
-    RootFinder roots_;
+    Found<Real>& found_;
+    RootFinder<Real> roots_;
     LeafSolver<leaf_pixels> leaves_;
     LeafSolver<least_pixels> small_leaves_;
-    RayMarcher<Real> marcher_;
-    RayMarcher<double> fine_marcher_;
+    RayMarcher<Real, Real> marcher_;
+    RayMarcher<double, Real> fine_marcher_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
     DepthRange all_{};               ///< of the tile's rays
     double s_most_ = 0;
@@ -259,7 +268,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
         const Leaf leaf{cells_->col[cell],
                         cells_->row[cell],
                         cells_->inside[cell] != 0,
-                        f.c[cell],
+                        f.c[cell] - f.k[0][cell] + f.k[1][cell],
                         f.k[0][cell] / half,
                         f.k[1][cell] / half,
                         f.k[2][cell],
@@ -308,7 +317,7 @@ void BeamTile<Real>::visit_pixels(std::size_t cell, int pixels, bool smooth) {
             if (!(ray_from <= ray_to)) continue;
             const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
                                                           cells_->col[cell] + col);
-            if (ray_from > found_.depth[pixel]) continue;
+            if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
             if (smooth) {
                 roots_.push({pixel, cells_->inside[cell] != 0, ray_from, ray_to, s - reach,
                              s + reach, std::clamp(middle, ray_from, ray_to),
@@ -367,20 +376,19 @@ void BeamTile<Real>::hand_on_row(int row, TileHits& hits) {
     const double v = view_.v(row);
     for (int col = 0; col < tile_.cols; col += static_cast<int>(hn::Lanes(d))) {
         const std::size_t at = first + static_cast<std::size_t>(col);
-        const auto s = hn::LoadU(d, &found_.depth[at]);
+        const auto s = load_wide(d, &found_.depth[at]);
         const auto hit = hn::Lt(hn::DemoteTo(d_narrow, s), hn::Inf(d_narrow));
         if (hn::AllFalse(d_narrow, hit)) continue;
-        const auto u = hn::MulAdd(hn::Iota(d, static_cast<double>(col)),
-                                  hn::Set(d, view_.pixel()), hn::Set(d, view_.u(0)));
+        const auto u = hn::MulAdd(hn::Iota(d, static_cast<double>(col)), hn::Set(d, view_.pixel()),
+                                  hn::Set(d, view_.u(0)));
         const std::size_t size = hits.size;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<int>(k);
-            const auto across = hn::MulAdd(u, hn::Set(d, axes.right[axis]),
-                                           hn::Set(d, v * axes.up[axis]));
-            const auto origin = hn::MulAdd(across, hn::Set(d, view_.distance()),
-                                           hn::Set(d, view_.base()[axis]));
-            const auto x =
-                hn::MulAdd(s, hn::Add(across, hn::Set(d, axes.forward[axis])), origin);
+            const auto across =
+                hn::MulAdd(u, hn::Set(d, axes.right[axis]), hn::Set(d, v * axes.up[axis]));
+            const auto origin =
+                hn::MulAdd(across, hn::Set(d, view_.distance()), hn::Set(d, view_.base()[axis]));
+            const auto x = hn::MulAdd(s, hn::Add(across, hn::Set(d, axes.forward[axis])), origin);
             hn::CompressStore(hn::DemoteTo(d_narrow, x), hit, d_narrow, &hits.position[k][size]);
             hn::CompressStore(hn::LoadU(d_narrow, &found_.gradient[k][at]), hit, d_narrow,
                               &hits.gradient[k][size]);
@@ -406,7 +414,7 @@ void BeamTile<Real>::hand_on_unsettled(TileHits& hits) {
         for (int col = 0; col < tile_.cols; ++col) {
             const TileHits::Pixel at{static_cast<std::int16_t>(col),
                                      static_cast<std::int16_t>(row)};
-            const double s = found_.unsettled[at.index()];
+            const auto s = static_cast<double>(found_.unsettled[at.index()]);
             if (std::isinf(s)) continue;
             const double u = view_.u(col);
             const double v = view_.v(row);
@@ -427,17 +435,18 @@ void BeamTile<Real>::add_gradients() {
         column.resize(padded(pixels.size()));
     for (std::size_t i = 0; i < padded(pixels.size()); ++i) {
         const std::uint32_t pixel = pixels[std::min(i, pixels.size() - 1)];
-        const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size, found_.depth[pixel]);
+        const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
+                                         static_cast<double>(found_.depth[pixel]));
         for (std::size_t k = 0; k < 3; ++k)
             columns[k][i] = x[static_cast<int>(k)];
     }
     counters_.value += pixels.size();
-    frame_.kernel.value(ValueBatchOf<double>{
-        padded(pixels.size()),
-        {columns[0].data(), columns[1].data(), columns[2].data()},
-        frame_.scene.uniforms.points<double>(),
-        columns[3].data(),
-        {columns[4].data(), columns[5].data(), columns[6].data()}});
+    frame_.kernel.value(
+        ValueBatchOf<double>{padded(pixels.size()),
+                             {columns[0].data(), columns[1].data(), columns[2].data()},
+                             frame_.scene.uniforms.points<double>(),
+                             columns[3].data(),
+                             {columns[4].data(), columns[5].data(), columns[6].data()}});
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (found_.certificate[pixels[i]] != Certificate::Undecided) continue;
         for (std::size_t k = 0; k < 3; ++k)
