@@ -46,7 +46,8 @@ bool contains(const Interval<Real>& range, const MpfrNumber& value) {
     if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
     const bool below = value < -static_cast<double>(range.neg_lo);
     const bool above = value > static_cast<double>(range.hi);
-    return !below && !above;
+    const bool two_parts = range.neg_lo < 0 && range.hi < 0;  // as RangeBatch says
+    return two_parts ? !(below && above) : !below && !above;
 }
 
 inline std::string hex(double value) {
