@@ -56,6 +56,7 @@ struct UiShotCommand {
     std::string scale = "1";
     std::string theme = "dark";
     std::string output;
+    bool mark_undecided = false;
 };
 int run_ui_shot(const UiShotCommand& command);
 

@@ -74,6 +74,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     state_.stop = options.settings.stop;
     state_.theme = options.theme;
     state_.focus_equation = options.takes_keyboard;
+    state_.mark_undecided = options.mark_undecided;
     state_.reset_view = true;
     state_.language_help = language_help();
     for (const GalleryItem& item : gallery()) {
@@ -159,14 +160,18 @@ void Desktop::take_frame() {
             state_.picture = {!newest, frame_->width, frame_->height, result->frame_ms,
                               result->counts};
         }
-    } else if (frame_ != nullptr && state_.theme != uploaded_theme_) {
+    } else if (frame_ != nullptr &&
+               (state_.theme != uploaded_theme_ || state_.mark_undecided != uploaded_marks_)) {
         upload_frame();
     }
 }
 
 void Desktop::upload_frame() {
-    texture_.upload(*frame_, ui::behind_picture(state_.theme));
+    const auto tint =
+        state_.mark_undecided ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
+    texture_.upload(*frame_, ui::behind_picture(state_.theme), tint);
     uploaded_theme_ = state_.theme;
+    uploaded_marks_ = state_.mark_undecided;
 }
 
 void Desktop::follow_edits() {

@@ -27,6 +27,7 @@ struct DesktopOptions {
     TraceSettings settings;
     ui::Theme theme = ui::Theme::Dark;
     bool takes_keyboard = true;  ///< the equation can be typed over at once
+    bool mark_undecided = false;
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -84,6 +85,7 @@ private:
     std::uint64_t request_ = 0;
     std::shared_ptr<const Framebuffer> frame_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
+    bool uploaded_marks_ = false;
 
     FormulaJob formulas_;
     RenderJob pictures_;

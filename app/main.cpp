@@ -66,6 +66,7 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
               "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
     add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
     add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
     add_view_options(*shot_app, shot.view);
     add_trace_options(*shot_app, shot.trace);
     return shot_app;

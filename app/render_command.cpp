@@ -3,6 +3,7 @@
 #include "engine/image/file.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/render.hpp"
+#include "engine/trace/tolerance.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -75,6 +76,7 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
     for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
         surfaces.push_back({{"pixels", pixels}});
     const CertificateCounts counts = count_certificates(frame);
+    const auto width = certified_width(scene.clip, plan.settings.stop);
     const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();
     return {{"width", frame.width},
             {"height", frame.height},
@@ -90,6 +92,8 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
             {"certified", counts.certified},
             {"undecided", counts.undecided},
             {"miss", counts.miss},
+            {"undecided_not_drawn", counts.not_drawn},
+            {"certified_width", width ? Json(*width) : Json()},
             {"surfaces", surfaces},
             {"evaluations", {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
 }

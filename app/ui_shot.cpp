@@ -59,6 +59,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (!desktop) return std::unexpected(desktop.error());
     desktop->theme = *theme;
     desktop->takes_keyboard = false;  // nothing selected, no text cursor
+    desktop->mark_undecided = command.mark_undecided;
     return UiShotPlan{*desktop, *window};
 }
 

@@ -151,14 +151,11 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
                  function.load_uniform(uniforms, 2 * (v - 3) + 1)}};
     };
     IntervalAlgebra<Lanes> algebra;
-    Enclosure<Lanes> f = evaluate(
+    const Enclosure<Lanes> f = evaluate(
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
-    if (f.somewhere) {
-        const Lanes nowhere = function.splat(-infinity);
-        f.range = select(*f.somewhere, f.range, Interval<Lanes>{nowhere, nowhere});
-    }
-    function.store(f_neg_lo, f.range.neg_lo);
-    function.store(f_hi, f.range.hi);
+    const Interval<Lanes> range = answer(f);
+    function.store(f_neg_lo, range.neg_lo);
+    function.store(f_hi, range.hi);
     function.store(continuous,
                    conjunction(f.everywhere, f.continuous).value_or(function.everywhere()));
     function.finish();

@@ -13,5 +13,7 @@ void draw_screen(UiState& state, const Texture& picture);
 
 /// The colour (as in Framebuffer::color) that missed pixels show on average.
 std::uint32_t behind_picture(Theme theme);
+/// How undecided pixels are marked in the picture.
+Texture::Tint undecided_tint(Theme theme);
 
 }  // namespace zeroset::ui

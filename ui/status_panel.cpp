@@ -59,7 +59,11 @@ void draw_figures(const PictureStatus& picture, const Palette& colors) {
     add_text(colors.quiet,
              std::to_string(picture.width_px) + " \xC3\x97 " + std::to_string(picture.height_px));
     add_text(colors.quiet, grouped(picture.counts.certified) + " certified");
-    add_text(undecided > 0 ? colors.warning : colors.quiet, grouped(undecided) + " undecided");
+    std::string undecided_text = grouped(undecided) + " undecided";
+    if (picture.counts.not_drawn > 0) {
+        undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
+    }
+    add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
     const bool empty = picture.counts.certified + undecided == 0;
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }

@@ -10,6 +10,16 @@
 #include <cstdint>
 
 namespace zeroset::ui {
+namespace {
+
+/// Diagonal stripes, each half of the period.
+bool is_on_stripe(std::size_t pixel, int width) {
+    constexpr std::size_t period_px = 8;
+    const auto columns = static_cast<std::size_t>(width);
+    return (pixel % columns + pixel / columns) % period_px < period_px / 2;
+}
+
+}  // namespace
 
 Texture::Texture() {
     gl().gen_textures(1, &name_);
@@ -21,12 +31,16 @@ Texture::Texture() {
 
 Texture::~Texture() { gl().delete_textures(1, &name_); }
 
-void Texture::upload(const Framebuffer& frame, std::uint32_t behind) {
+void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
+                     const std::optional<Tint>& undecided) {
     constexpr std::uint32_t opaque = 0xFF000000U;
     pixels_.resize(frame.color.size());
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const bool drawn = std::isfinite(frame.depth[i]);
         pixels_[i] = drawn ? frame.color[i] | opaque : behind & ~opaque;
+        if (!undecided || frame.certificate[i] != Certificate::Undecided) continue;
+        const bool pale = drawn && !is_on_stripe(i, frame.width);
+        pixels_[i] = (pale ? undecided->pale : undecided->solid) | opaque;
     }
     gl().bind_texture(GL_TEXTURE_2D, name_);
     gl().pixel_store(GL_UNPACK_ALIGNMENT, 4);

@@ -3,6 +3,7 @@
 #include "engine/image/framebuffer.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace zeroset::ui {
@@ -13,6 +14,13 @@ enum class Filter : std::uint8_t { Nearest, Linear };
 /// window's thread.
 class Texture {
 public:
+    /// Colours for undecided pixels, as in Palette: `solid` where nothing is drawn, stripes of both
+    /// where something is.
+    struct Tint {
+        std::uint32_t solid;
+        std::uint32_t pale;
+    };
+
     Texture();
     ~Texture();
     Texture(const Texture&) = delete;
@@ -20,7 +28,8 @@ public:
 
     /// Missed pixels become transparent, so that the theme's background shows through them; they
     /// keep the colour `behind` (as in Palette) so that a stretched picture has no fringe.
-    void upload(const Framebuffer& frame, std::uint32_t behind);
+    void upload(const Framebuffer& frame, std::uint32_t behind,
+                const std::optional<Tint>& undecided = std::nullopt);
     void set_filter(Filter filter) const;
 
     /// OpenGL's name of it.

@@ -33,6 +33,8 @@ constexpr Palette dark{
     .selection = rgba(0x3E6CB0B0),
     .warning = rgba(0xEBC06DFF),
     .error = rgba(0xFF8B86FF),
+    .undecided = rgba(0xE0218AFF),
+    .undecided_pale = rgba(0xFFE3F2FF),
 };
 
 constexpr Palette light{
@@ -52,6 +54,8 @@ constexpr Palette light{
     .selection = rgba(0x9CC3FAC0),
     .warning = rgba(0x8F5B00FF),
     .error = rgba(0xC42B33FF),
+    .undecided = rgba(0xC9106FFF),
+    .undecided_pale = rgba(0xFFDCEEFF),
 };
 
 void set_shape(ImGuiStyle& style) {

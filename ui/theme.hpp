@@ -24,6 +24,10 @@ struct Palette {
     std::uint32_t selection;
     std::uint32_t warning;
     std::uint32_t error;
+    /// Undecided pixels: one colour where nothing is drawn; stripes of both where something is. Far
+    /// from the surfaces' colours in hue, and the two from each other in lightness.
+    std::uint32_t undecided;
+    std::uint32_t undecided_pale;
 };
 
 const Palette& palette(Theme theme);

@@ -69,6 +69,7 @@ struct UiState {
     std::vector<ParameterSlider> parameters;  ///< the owner chooses the names
     StopCriterion stop;
     Theme theme = Theme::Dark;
+    bool mark_undecided = false;  ///< tint the pixels of which too little is proved
     bool show_help = false;
     std::string help_filter;
 

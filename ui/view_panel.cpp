@@ -48,6 +48,38 @@ void draw_box(Box& clip) {
     }
 }
 
+/// A square as the marked pixels look.
+void draw_swatch(const Palette& colors, bool striped) {
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const ImVec2 hi(lo.x + size, lo.y + size);
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.PushClipRect(lo, hi, true);
+    canvas.AddRectFilled(lo, hi, striped ? colors.undecided_pale : colors.undecided);
+    const float step = em(0.5F);
+    for (float at = step; striped && at < 2.0F * size; at += 2.0F * step) {
+        canvas.AddLine(ImVec2(lo.x + at, lo.y - 1.0F), ImVec2(lo.x + at - size - 1.0F, hi.y),
+                       colors.undecided, 0.7F * step);
+    }
+    canvas.PopClipRect();
+    ImGui::Dummy(ImVec2(size, size));
+    ImGui::SameLine(0.0F, em(0.4F));
+}
+
+void draw_undecided(UiState& state) {
+    ImGui::Checkbox("Mark undecided###undecided", &state.mark_undecided);
+    draw_tooltip(
+        "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
+        "place where f jumps or ends. A larger d_stop decides more of them.");
+    if (!state.mark_undecided) return;
+    const Palette& colors = palette(state.theme);
+    draw_swatch(colors, true);
+    ImGui::TextDisabled("drawn");
+    ImGui::SameLine(0.0F, em(1.2F));
+    draw_swatch(colors, false);
+    ImGui::TextDisabled("not drawn");
+}
+
 void draw_buttons(UiState& state) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
@@ -88,11 +120,12 @@ void draw_view_panel(UiState& state) {
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, room));
     if (ImGui::Begin("##view", nullptr, flags)) {
         const ImGuiStyle& style = ImGui::GetStyle();
-        constexpr float rows_below = 3.0F;
+        const float rows_below = state.mark_undecided ? 5.0F : 4.0F;
         const float below = rows_below * ImGui::GetFrameHeightWithSpacing();
         draw_parameters(state, room - below - 2.0F * style.WindowPadding.y);
         draw_d_stop(state.stop);
         draw_box(state.clip);
+        draw_undecided(state);
         draw_buttons(state);
     }
     ImGui::End();

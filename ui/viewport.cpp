@@ -73,12 +73,13 @@ PointerMotion pointer_motion(const Area& area) {
     return motion;
 }
 
-/// By the typed letter, so that the place of R on the keyboard does not matter.
-bool is_reset_typed() {
+/// By the typed letter, so that its place on the keyboard does not matter.
+bool is_typed(char lower, char upper) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return false;
-    return std::ranges::any_of(io.InputQueueCharacters,
-                               [](ImWchar typed) { return typed == 'r' || typed == 'R'; });
+    return std::ranges::any_of(io.InputQueueCharacters, [=](ImWchar typed) {
+        return typed == static_cast<ImWchar>(lower) || typed == static_cast<ImWchar>(upper);
+    });
 }
 
 }  // namespace
@@ -116,7 +117,8 @@ void draw_viewport(UiState& state, const Texture& picture) {
             "##picture", ImGui::GetContentRegionAvail(),
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
         state.camera = steer(state.camera, pointer_motion(area));
-        if (is_reset_typed()) state.reset_view = true;
+        if (is_typed('r', 'R')) state.reset_view = true;
+        if (is_typed('u', 'U')) state.mark_undecided = !state.mark_undecided;
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -22,7 +22,8 @@ struct PointerMotion {
 Camera steer(const Camera& camera, const PointerMotion& motion);
 
 /// Fills the window between the bars with the picture, stretched if it is coarse; the pointer and
-/// the key R change the view. Draw it before the panels. Sets `state.viewport_px`.
+/// the key R change the view, U whether undecided pixels are marked. Draw it before the panels.
+/// Sets `state.viewport_px`.
 void draw_viewport(UiState& state, const Texture& picture);
 
 }  // namespace zeroset::ui

@@ -30,8 +30,8 @@ double fraction(std::uint64_t n) { return static_cast<double>(mixed(n) >> 11U) *
 Interval<float> float_interval(double lo, double hi) { return {float_above(-lo), float_above(hi)}; }
 
 bool is_rejected(const Enclosure<float>& f) {
-    const bool may_be_zero = f.range.neg_lo >= 0 && f.range.hi >= 0;
-    return !may_be_zero || !f.somewhere.value_or(true);
+    const Interval<float> range = answer(f);
+    return range.neg_lo < 0 || range.hi < 0;
 }
 
 float width_of(const Enclosure<float>& f) {

@@ -103,11 +103,7 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
                  Lanes::splat(batch->uniforms[2 * (v - 3) + 1])}};
     };
     const auto finish = [&](const Enclosure<Lanes>& f, std::size_t i) {
-        Interval<Lanes> range = f.range;
-        if (f.somewhere) {
-            const Lanes nowhere = Lanes::splat(-static_cast<Real>(infinity));
-            range = select(*f.somewhere, range, Interval<Lanes>{nowhere, nowhere});
-        }
+        const Interval<Lanes> range = answer(f);
         store(batch->f_neg_lo + i, range.neg_lo);
         store(batch->f_hi + i, range.hi);
         store<Real>(batch->continuous + i, conjunction(f.everywhere, f.continuous), true);

@@ -16,13 +16,35 @@ public:
     using Value = Enclosure<Real>;
     using In = const Operand<Value>&;
 
-    Value negate(In a) { return total(-range(a), a); }
-    Value add(In a, In b) { return total(range(a) + range(b), a, b); }
-    Value subtract(In a, In b) { return total(range(a) - range(b), a, b); }
-    Value multiply(In a, In b) { return total(product(a, b), a, b); }
+    Value negate(In a) {
+        Value g{-range(a)};
+        if (a.value.apart) g.apart = -*a.value.apart;
+        return composed(g, a.value);
+    }
+    Value add(In a, In b) {
+        Value g{range(a) + range(b)};
+        g.apart = sharper(moved(a.value.apart, range(b)), moved(b.value.apart, range(a)));
+        return composed(g, a.value, b.value);
+    }
+    Value subtract(In a, In b) {
+        Value g{range(a) - range(b)};
+        Apart minus_b;
+        if (b.value.apart) minus_b = -*b.value.apart;
+        g.apart = sharper(moved(a.value.apart, -range(b)), moved(minus_b, range(a)));
+        return composed(g, a.value, b.value);
+    }
+    Value multiply(In a, In b) {
+        Value g{product(a, b)};
+        g.apart = sharper(multiplied(a.value.apart, range(b)), multiplied(b.value.apart, range(a)));
+        return composed(g, a.value, b.value);
+    }
     Value divide(In a, In b) {
         const auto nonzero = no(contains_zero(range(b)));
-        return with_divisor({range(a) / range(b), {}, nonzero}, a, b);
+        Value g{range(a) / range(b), {}, nonzero};
+        const Interval<Real> inverse = point(like(range(b).hi, 1.0)) / range(b);
+        g.apart =
+            sharper(Apart(quotient_apart(range(a), range(b))), multiplied(a.value.apart, inverse));
+        return with_divisor(g, a, b);
     }
     Value int_power(In a, int n) { return total(power(range(a), n, a.facts.nonnegative), a); }
     Value odd_root(In a, int n) { return total(zeroset::odd_root(range(a), n), a); }
@@ -72,7 +94,15 @@ public:
     Value where(In a, In c) { return zeroset::where(a.value, c.value); }
 
 private:
+    using Apart = std::optional<Interval<Real>>;
+
     static const Interval<Real>& range(In a) { return a.value.range; }
+    static Apart moved(const Apart& apart, const Interval<Real>& by) {
+        return apart ? Apart(*apart + by) : std::nullopt;
+    }
+    static Apart multiplied(const Apart& apart, const Interval<Real>& by) {
+        return apart ? Apart(multiply_apart(*apart, by)) : std::nullopt;
+    }
 
     /// A function defined and continuous everywhere.
     template <class... Operands>

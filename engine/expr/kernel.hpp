@@ -54,8 +54,10 @@ struct RangeBatchOf {
     const Real* neg_lo[3];  ///< -lo of x, y, z
     const Real* hi[3];      ///< hi of x, y, z
     const Real* uniforms;   ///< Uniforms::boxes
-    Real* f_neg_lo;         ///< out: -lo of an enclosure of f over the box; -inf: f undefined
-    Real* f_hi;             ///< out: hi of it; -inf: f undefined in the whole box
+    /// out: -lo and hi of an enclosure of f over the box. Where both are below 0, f is at most hi
+    /// or at least lo there, and so never 0; where both are -inf, f is nowhere defined.
+    Real* f_neg_lo;
+    Real* f_hi;
     /// out: all ones where f is proved defined and continuous, else 0
     ContinuityMask<Real>* continuous;
 };

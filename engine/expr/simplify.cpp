@@ -163,6 +163,13 @@ NodeId make_multiply(ExprBuilder& builder, NodeId a, NodeId b) {
 
 NodeId make_divide(ExprBuilder& builder, NodeId a, NodeId b) {
     if (is_constant(builder, b, 1.0)) return a;
+    if (a == b && builder.node(a).op != Op::Constant) {
+        // An enclosure of the quotient is wide in boxes beside 0, however small they are.
+        const NodeId zero = builder.constant(0.0);
+        const NodeId below = builder.apply(Op::Less, a, zero);
+        const NodeId above = builder.apply(Op::Less, zero, a);
+        return builder.apply(Op::Where, builder.constant(1.0), builder.apply(Op::Or, below, above));
+    }
     return builder.apply(Op::Divide, a, b);
 }
 

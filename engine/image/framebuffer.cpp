@@ -32,11 +32,14 @@ Framebuffer certificate_picture(const Framebuffer& frame) {
 
 CertificateCounts count_certificates(const Framebuffer& frame) {
     CertificateCounts counts;
-    for (const Certificate certificate : frame.certificate) {
-        switch (certificate) {
+    for (std::size_t i = 0; i < frame.certificate.size(); ++i) {
+        switch (frame.certificate[i]) {
             case Certificate::Miss: ++counts.miss; break;
             case Certificate::Certified: ++counts.certified; break;
-            case Certificate::Undecided: ++counts.undecided; break;
+            case Certificate::Undecided:
+                ++counts.undecided;
+                if (!std::isfinite(frame.depth[i])) ++counts.not_drawn;
+                break;
         }
     }
     return counts;

@@ -40,6 +40,7 @@ Framebuffer certificate_picture(const Framebuffer& frame);
 
 struct CertificateCounts {
     std::size_t certified = 0, undecided = 0, miss = 0;
+    std::size_t not_drawn = 0;  ///< of the undecided ones, those that show nothing
 };
 
 CertificateCounts count_certificates(const Framebuffer& frame);

@@ -18,6 +18,9 @@ struct Enclosure {
     std::optional<Mask> somewhere{};   ///< false: undefined on the whole box
     std::optional<Mask> everywhere{};  ///< true: proved defined on the whole box
     std::optional<Mask> continuous{};  ///< true: proved continuous where it is defined
+    /// Every value is at most apart->hi or at least -apart->neg_lo: what lies between is no value,
+    /// as beside a jump or a pole. Absent: nothing is known.
+    std::optional<Interval<Real>> apart{};
 };
 
 /// Where all hold. Equal masks, as of shared operands, cost nothing.
@@ -38,7 +41,44 @@ template <class Real, class... Operands>
 Enclosure<Real> composed(const Enclosure<Real>& g, const Operands&... operands) {
     return {g.range, conjunction(g.somewhere, operands.somewhere...),
             conjunction(g.everywhere, operands.everywhere...),
-            conjunction(g.continuous, operands.continuous...)};
+            conjunction(g.continuous, operands.continuous...), g.apart};
+}
+
+/// Of two statements about the same values that hold, the one that leaves something out.
+template <class Real>
+std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
+                                      const std::optional<Interval<Real>>& b) {
+    if (!a || !b) return a ? a : b;
+    return select(a->neg_lo + a->hi < like(a->hi, 0.0), *a, *b);
+}
+
+/// `apart` of v c, for `apart` of v and c in the interval. An interval with 0 inside says nothing.
+template <class Real>
+Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>& c) {
+    const auto falls = c.hi <= like(c.hi, 0.0);
+    const Interval<Real> v = select(falls, -apart, apart);
+    const Interval<Real> size = select(falls, -c, c);
+    const Real size_lo = -size.neg_lo;
+    const Interval<Real> product{v.neg_lo * select_negative(v.neg_lo, size_lo, size.hi),
+                                 v.hi * select_negative(v.hi, size_lo, size.hi)};
+    return select(size.neg_lo <= like(c.hi, 0.0), product, whole_line(c.hi));
+}
+
+/// What a kernel answers for the box: the range, or, with both members below 0, the values that
+/// there are none between where that leaves out 0. Both are -inf where nothing is defined.
+template <class Real>
+Interval<Real> answer(const Enclosure<Real>& f) {
+    const Real zero = like(f.range.hi, 0.0);
+    Interval<Real> result = f.range;
+    if (f.apart) {
+        const auto excludes_zero = both(f.apart->neg_lo < zero, f.apart->hi < zero);
+        result = select(excludes_zero, *f.apart, result);
+    }
+    if (f.somewhere) {
+        const Real nowhere = like(zero, -infinity);
+        result = select(*f.somewhere, result, Interval<Real>{nowhere, nowhere});
+    }
+    return result;
 }
 
 }  // namespace zeroset

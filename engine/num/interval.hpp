@@ -180,6 +180,21 @@ Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     return select(unbounded, whole_line(zero), without_nan(quotient));
 }
 
+/// For a / b where b has zeros inside: every quotient is at most hi or at least -neg_lo, as far as
+/// a has none.
+template <class Real>
+Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real neg_size = minimum(a.neg_lo, a.hi);  // -|a| at least, where a has no zero
+    const Real behind = neg_size / b.hi;
+    const Real before = neg_size / b.neg_lo;
+    const auto positive = a.neg_lo < like(a.hi, 0.0);
+    const auto inside = both(b.neg_lo > like(a.hi, 0.0), b.hi > like(a.hi, 0.0));
+    const auto usable = both(inside, neg_size < like(a.hi, 0.0));
+    return select(
+        usable, Interval<Real>{select(positive, behind, before), select(positive, before, behind)},
+        whole_line(a.hi));
+}
+
 /// sqrt of the part of a that is not negative.
 template <class Real>
 Interval<Real> square_root(const Interval<Real>& a) {

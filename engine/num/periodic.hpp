@@ -66,43 +66,70 @@ auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
     return both(near_zero(a), no(meets_phase(a, 2, phase_lo, phase_hi)));
 }
 
+/// tan or cot from its values at the ends, where it is smooth; across one pole it takes none
+/// between those of `apart`.
+template <class Mask, class Real>
+Enclosure<Real> branched(const Interval<Real>& a, const Mask& smooth, const Interval<Real>& ends,
+                         const Interval<Real>& apart) {
+    constexpr double below_pi = 3.0;
+    const auto narrow = both(near_zero(a), a.neg_lo + a.hi < like(a.hi, below_pi));
+    const Interval<Real> unbounded = whole_line(a.hi);
+    return {select(smooth, ends, unbounded), {}, smooth, {}, select(narrow, apart, unbounded)};
+}
+
 template <class Real>
 Enclosure<Real> tan(const Interval<Real>& a) {
     const Format& format = format_of(a.hi);
     const auto smooth = between_poles(a, 0.5 * format.pi_lo, 0.5 * format.pi_hi);
-    return {select(smooth, odd_increasing(Elementary::Tan, a), whole_line(a.hi)), {}, smooth};
+    const Interval<Real> ends = odd_increasing(Elementary::Tan, a);
+    return branched(a, smooth, ends, ends);
 }
 
-/// An upper bound of 1 / t for the library result t of tan; +inf where the true t may be 0.
+/// An upper bound of 1 / t for the library result t of tan; `at_zero` where the true t may be 0.
 template <class Real>
-Real cot_up(const Real& t) {
+Real cot_up(const Real& t, const Real& at_zero) {
     const Real zero = like(t, 0.0);
     const Real error = library_error(Elementary::Tan, t);
     const Real neg_lo = error - t;
-    const auto unbounded = both(neg_lo >= zero, t + error >= zero);
-    return select(unbounded, like(t, infinity), like(t, -1.0) / neg_lo);
+    const auto may_be_zero = both(neg_lo >= zero, t + error >= zero);
+    return select(may_be_zero, at_zero, like(t, -1.0) / neg_lo);
+}
+
+/// The same for the values on the other side of the pole at 0, which are below 0 where the true t
+/// may be 0.
+template <class Real>
+Real cot_up_behind_pole(const Real& t) {
+    const Real largest = magnitude(t) + library_error(Elementary::Tan, t);
+    return cot_up(t, like(t, -1.0) / largest);
 }
 
 template <class Real>
 Enclosure<Real> cot(const Interval<Real>& a) {
     const auto smooth = between_poles(a, 0.0, 0.0);
-    const Interval<Real> falling{cot_up(-elementary(Elementary::Tan, a.hi)),
-                                 cot_up(elementary(Elementary::Tan, -a.neg_lo))};
-    return {select(smooth, falling, whole_line(a.hi)), {}, smooth};
+    const Real neg_t_hi = -elementary(Elementary::Tan, a.hi);
+    const Real t_lo = elementary(Elementary::Tan, -a.neg_lo);
+    const Real unbounded = like(a.hi, infinity);
+    const Interval<Real> falling{cot_up(neg_t_hi, unbounded), cot_up(t_lo, unbounded)};
+    const Interval<Real> apart{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
+    return branched(a, smooth, falling, apart);
 }
 
 /// The angle of (x, y) from the corners where it is extreme, for a box of the right half plane or
-/// one that does not meet the x axis.
+/// one that does not meet the x axis. For a box across the cut: from the least angle above it to
+/// the largest one below it.
 template <class Real>
 Interval<Real> angle_from_corners(const Interval<Real>& y, const Interval<Real>& x) {
     const Real zero = like(x.hi, 0.0);
     const Real x_lo = -x.neg_lo;
-    const Real y_lo = -y.neg_lo;
+    // At the cut a zero counts to the other part of a box, whatever its sign.
+    const Real y_lo = -(y.neg_lo + zero);
+    const Real y_hi = y.hi + zero;
     // Above the x axis the angle falls with x, below it grows; it grows with y where x > 0.
-    const Real x_at_max = select(y.hi <= zero, x.hi, x_lo);
-    const Real y_at_max = select(x_at_max > zero, y.hi, y_lo);
-    const Real x_at_min = select(y_lo >= zero, x.hi, x_lo);
-    const Real y_at_min = select(x_at_min > zero, y_lo, y.hi);
+    const auto left = x.hi < zero;
+    const Real x_at_max = select(either(y_hi <= zero, both(left, y_lo < zero)), x.hi, x_lo);
+    const Real y_at_max = select(x_at_max > zero, y_hi, y_lo);
+    const Real x_at_min = select(either(y_lo >= zero, both(left, y_hi >= zero)), x.hi, x_lo);
+    const Real y_at_min = select(x_at_min > zero, y_lo, y_hi);
     return widened(Elementary::Atan2, elementary(Elementary::Atan2, y_at_min, x_at_min),
                    elementary(Elementary::Atan2, y_at_max, x_at_max));
 }
@@ -129,8 +156,10 @@ Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x) {
     const auto cut = either(cases.around_origin, cases.across_cut);
     const double pi_hi = format_of(x.hi).pi_hi;
     const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
-    const Interval<Real> value = select(cut, circle, angle_from_corners(y, x));
-    return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut)};
+    const Interval<Real> corners = angle_from_corners(y, x);
+    const Interval<Real> value = select(cut, circle, corners);
+    const Interval<Real> apart = select(cases.across_cut, corners, whole_line(x.hi));
+    return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut), apart};
 }
 
 /// atan2(y, x) up to a multiple of 2 pi: continuous across the cut, where it goes on above pi.

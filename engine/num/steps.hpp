@@ -14,6 +14,16 @@ Enclosure<Real> stepped(const Interval<Real>& range) {
     return {range, {}, {}, range.neg_lo == -range.hi};
 }
 
+/// The same, as a number: it takes no value between two neighbours.
+template <class Real>
+Enclosure<Real> jumping(const Interval<Real>& range) {
+    Enclosure<Real> result = stepped(range);
+    const auto neighbours = range.neg_lo + range.hi <= like(range.hi, 1.0);
+    result.apart =
+        select(neighbours, Interval<Real>{-range.hi, -range.neg_lo}, whole_line(range.hi));
+    return result;
+}
+
 template <class Real>
 Real sign_of(const Real& a) {
     const Real zero = like(a, 0.0);
@@ -31,33 +41,39 @@ Real nearest_integer(const Real& a) {
 
 template <class Real>
 Enclosure<Real> sign(const Interval<Real>& a) {
-    return stepped<Real>({sign_of(a.neg_lo), sign_of(a.hi)});
+    return jumping<Real>({sign_of(a.neg_lo), sign_of(a.hi)});
 }
 template <class Real>
 Enclosure<Real> floor(const Interval<Real>& a) {
-    return stepped<Real>({-round_down(-a.neg_lo), round_down(a.hi)});
+    return jumping<Real>({-round_down(-a.neg_lo), round_down(a.hi)});
 }
 template <class Real>
 Enclosure<Real> ceil(const Interval<Real>& a) {
-    return stepped<Real>({round_down(a.neg_lo), -round_down(-a.hi)});
+    return jumping<Real>({round_down(a.neg_lo), -round_down(-a.hi)});
 }
 template <class Real>
 Enclosure<Real> round(const Interval<Real>& a) {
-    return stepped<Real>({-nearest_integer(-a.neg_lo), nearest_integer(a.hi)});
+    return jumping<Real>({-nearest_integer(-a.neg_lo), nearest_integer(a.hi)});
 }
 
-/// a - b floor(a/b): from 0 to b, and a - b k where floor(a/b) is the same k on the whole box.
+/// a - b floor(a/b): from 0 to b, and a - b k where floor(a/b) is the same k on the whole box. If
+/// it is k or k - 1, the values are those of a - b k or of a - b (k - 1).
 template <class Real>
 Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b) {
     const Real zero = like(a.hi, 0.0);
     const Interval<Real> quotient = a / b;
     const Real k = round_down(quotient.hi);
-    const auto one_step = k == round_down(-quotient.neg_lo);
+    const Real first_k = round_down(-quotient.neg_lo);
+    const auto one_step = k == first_k;
     const Interval<Real> from_zero{maximum(b.neg_lo, zero), maximum(b.hi, zero)};
     const Interval<Real> shifted = a - b * point(k);
     const Interval<Real> tight{minimum(shifted.neg_lo, from_zero.neg_lo),
                                minimum(shifted.hi, from_zero.hi)};
-    return {select(one_step, tight, from_zero), {}, no(contains_zero(b)), one_step};
+    const Interval<Real> before = a - b * point(first_k);
+    const auto one_jump = both(k - first_k <= like(k, 1.0), no(contains_zero(b)));
+    const Interval<Real> apart =
+        select(one_jump, Interval<Real>{before.neg_lo, shifted.hi}, whole_line(zero));
+    return {select(one_step, tight, from_zero), {}, no(contains_zero(b)), one_step, apart};
 }
 
 /// A condition that holds for sure, or fails for sure.
@@ -107,6 +123,13 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
     const Interval<Real> hull{maximum(a.range.neg_lo, b.range.neg_lo),
                               maximum(a.range.hi, b.range.hi)};
     Enclosure<Real> result{select(use_a, select(use_b, hull, a.range), b.range)};
+    const Interval<Real> a_first{b.range.neg_lo, a.range.hi};
+    const Interval<Real> b_first{a.range.neg_lo, b.range.hi};
+    const Interval<Real> anything = whole_line(a.range.hi);
+    const Interval<Real> taken =
+        select(use_a, a.apart.value_or(anything), b.apart.value_or(anything));
+    result.apart =
+        select(both(use_a, use_b), select(a.range.hi < -b.range.neg_lo, a_first, b_first), taken);
     result.somewhere = c.somewhere;
     if (a.somewhere || b.somewhere) {
         result.somewhere = conjunction(c.somewhere, {either(use_a, use_b)});

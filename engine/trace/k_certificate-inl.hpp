@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/trace/k_batch-inl.hpp"
+#include "engine/trace/tolerance.hpp"
 
 #include <array>
 #include <bit>

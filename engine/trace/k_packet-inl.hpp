@@ -39,9 +39,7 @@ constexpr int block_rows = static_cast<int>(lanes) / block_cols;
 constexpr unsigned all_lanes = (1U << lanes) - 1U;
 
 constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
-/// How many further slices a certificate looks at behind the one where the search stopped.
-constexpr int extra_slices = 3;
-constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
+constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
 constexpr std::size_t batch_capacity = 2 * group_size * lanes;
 
 /// The mask of the rays whose bits are set.

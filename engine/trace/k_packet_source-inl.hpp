@@ -10,6 +10,7 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/k_packet-inl.hpp"
+#include "engine/trace/tolerance.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -98,11 +99,7 @@ inline void PacketSource::make_axes(Axes& axes, int k, const glm::bvec3& negativ
             axes.lane_offset[i][lane] = sign * (col * step_col_[world] + row * step_row_[world]);
         }
     }
-    // No finer than two ulp of the largest coordinate.
-    const double finest = std::ldexp(1.0, std::ilogb(axes.k_size) + 2 - 23);
-    const bool by_d_stop = frame_.stop.rule == StopRule::DStop;
-    const int wanted = by_d_stop ? static_cast<int>(frame_.stop.value) : max_d_stop;
-    const int depth = std::max(1, std::min(wanted, std::ilogb(clip.size() / finest)));
+    const int depth = bisections(clip, axes.k_size, frame_.stop);
     const int top_depth = std::min(max_top_depth, depth - 1);
     axes.unit = float_above(std::ldexp(clip.size(), -depth));
     axes.origin = -float_above(-(axes.to_lo[0] + axes.eye[0]));

@@ -13,7 +13,8 @@ __all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "frame_ms",
-              "certified", "undecided", "miss", "surfaces", "evaluations"}
+              "certified", "undecided", "miss", "undecided_not_drawn", "certified_width",
+              "surfaces", "evaluations"}
 
 
 class RenderTest(ProgramTest):
@@ -56,7 +57,7 @@ class RenderTest(ProgramTest):
         self.assertEqual((stats["width"], stats["height"], stats["threads"]), (50, 40, 1))
         self.assertEqual(stats["tracer"], "k-bisection")
         self.assertEqual(stats["certified"] + stats["undecided"] + stats["miss"], 50 * 40)
-        hits = stats["certified"] + stats["undecided"]
+        hits = stats["certified"] + stats["undecided"] - stats["undecided_not_drawn"]
         self.assertEqual(stats["surfaces"], [{"pixels": hits}])
         self.assertGreater(stats["certified"], 50)
         self.assertGreater(stats["compile_ms"], 0)
@@ -65,6 +66,13 @@ class RenderTest(ProgramTest):
         self.assertEqual(set(stats["evaluations"]), {"range", "value"})
         self.assertGreater(stats["evaluations"]["range"], stats["certified"])
         self.assertGreaterEqual(stats["evaluations"]["value"], stats["certified"])
+
+    def test_certified_width(self):
+        """Four cells of the finest bisection; unknown where the criterion is no width."""
+        small = (SPHERE, "--size", 8, "--box", 2)
+        self.assertEqual(self.stats(*small, "--dstop", 10)["certified_width"], 4 * 4 / 1024)
+        self.assertEqual(self.stats(*small, "--dstop", 12)["certified_width"], 4 * 4 / 4096)
+        self.assertIsNone(self.stats(*small, "--delta", 0.1)["certified_width"])
 
     def test_stats_in_a_file_agree_with_the_depths(self):
         self.run_ok("render", SPHERE, "--size", "40x30", "--stats", "s.json", "--depth", "d.pfm")
@@ -76,13 +84,15 @@ class RenderTest(ProgramTest):
 
     def test_certificates_in_colours(self):
         """Green, amber, red and black pixels are as many as the statistics say."""
-        stats = self.stats("z = 1/x", "--size", "60x60", "--dstop", 12, "--certificate", "c.png")
+        stats = self.stats("z = sign(x)", "--size", "60x60", "--dstop", 12, "--certificate",
+                           "c.png")
         image = read_png(self.folder / "c.png")
         counts = Counter(image.at(col, row) for row in range(60) for col in range(60))
         self.assertEqual(counts[(60, 168, 82)], stats["certified"])
         undecided = counts[(242, 169, 31)] + counts[(224, 59, 59)]
         self.assertEqual(undecided, stats["undecided"])
-        self.assertGreater(counts[(224, 59, 59)], 0, "the pole of 1/x is undecided, not drawn")
+        self.assertEqual(counts[(224, 59, 59)], stats["undecided_not_drawn"])
+        self.assertGreater(counts[(224, 59, 59)], 0, "the jump of sign is undecided, not drawn")
         self.assertEqual(counts[(0, 0, 0)], stats["miss"])
 
     def test_repeat(self):

@@ -225,6 +225,20 @@ class WindowTest(unittest.TestCase):
         self.wait_for(lambda: self.red_pixels() == 0, "the equation without its )")
         self.quit_by_key()
 
+    def marked_pixels(self, image):
+        """Pixels of the colour of what is undecided and not drawn."""
+        return sum(r > 190 and g < 60 and 100 < b < 170
+                   for r, g, b in zip(image.rgb[0::3], image.rgb[1::3], image.rgb[2::3]))
+
+    def test_u_marks_undecided_pixels(self):
+        first = self.start(f"{TORUS}; sign(x) = y")
+        self.assertEqual(self.marked_pixels(first), 0)
+        self.display.xdotool("key", "Escape", "u")
+        self.rest(lambda image: self.marked_pixels(image) > 2000, "the jump marked")
+        self.display.xdotool("key", "u")
+        self.rest(lambda image: self.marked_pixels(image) == 0, "no marks any more")
+        self.quit_by_key()
+
     def test_a_parameter_has_a_slider(self):
         """The first row of the card at the left, below the text of one line."""
         self.start("x^2 + y^2 + z^2 = a")

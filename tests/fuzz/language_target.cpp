@@ -161,7 +161,9 @@ Complaint about_inclusion(const BoxesAndPoints::Ranges& wide,
         if (wide.nowhere(box)) return "claimed undefined where a point is defined";
         const bool below = narrow.hi.at(point) < -wide.neg_lo.at(box);
         const bool above = -narrow.neg_lo.at(point) > wide.hi.at(box);
-        if (below || above) return "a point's value lies outside its box's range";
+        const bool two_sides = wide.neg_lo.at(box) < 0 && wide.hi.at(box) < 0;
+        const bool outside = two_sides ? below && above : below || above;
+        if (outside) return "a point's value lies outside its box's range";
     }
     return std::nullopt;
 }

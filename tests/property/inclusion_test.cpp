@@ -34,10 +34,17 @@ struct Input {
     Interval<Real> box;
     Facts facts;
     bool condition = false;
+    std::optional<Interval<Real>> apart{};
 
     [[nodiscard]] double point(RandomNumbers& random) const {
         if (condition) return random.one_in(2) ? static_cast<double>(box.hi) : -double(box.neg_lo);
-        return facts.constant ? random.point_in(*facts.constant) : random.point_in(box);
+        if (facts.constant) return random.point_in(*facts.constant);
+        const double inside = random.point_in(box);
+        if (!apart) return inside;
+        const auto lower = static_cast<double>(apart->hi);
+        const double upper = -static_cast<double>(apart->neg_lo);
+        if (!(inside > lower && inside < upper)) return inside;
+        return random.one_in(2) ? lower : upper;
     }
 };
 
@@ -60,11 +67,22 @@ Input<Real> nonnegative_input(RandomNumbers& random) {
     return {absolute(random.interval<Real>()), facts};
 }
 
+/// A box with a hole in it.
+template <class Real>
+Input<Real> divided_input(RandomNumbers& random) {
+    Input<Real> input{random.interval<Real>(), {}};
+    const double a = random.point_in(input.box);
+    const double b = random.point_in(input.box);
+    input.apart = {enclosing(Real{}, -std::max(a, b)), enclosing(Real{}, std::min(a, b))};
+    return input;
+}
+
 template <class Real>
 Input<Real> any_input(RandomNumbers& random) {
     switch (random.below(6)) {
         case 0: return constant_input<Real>(random);
         case 1: return nonnegative_input<Real>(random);
+        case 2: return divided_input<Real>(random);
         default: return {random.interval<Real>(), {}};
     }
 }
@@ -110,15 +128,15 @@ struct Inputs {
 template <class Real>
 Outcome<Real> range_of(const Node& node, const Inputs<Real>& in) {
     const auto& [a, b, c] = in.of;
-    const Enclosure<Real> x{a.box};
-    const Enclosure<Real> y{b.box};
-    const Enclosure<Real> z{c.box};
+    const Enclosure<Real> x{a.box, {}, {}, {}, a.apart};
+    const Enclosure<Real> y{b.box, {}, {}, {}, b.apart};
+    const Enclosure<Real> z{c.box, {}, {}, {}, c.apart};
     IntervalAlgebra<Real> algebra;
     const Enclosure<Real> f =
         apply(algebra, node, Operand<Enclosure<Real>>{x, a.facts},
               Operand<Enclosure<Real>>{y, b.facts}, Operand<Enclosure<Real>>{z, c.facts});
     return {f.range, f.somewhere.value_or(true), f.everywhere.value_or(true),
-            f.continuous.value_or(true)};
+            f.continuous.value_or(true), f.apart};
 }
 
 double first_lane(const Block<double>& block) {
@@ -131,7 +149,12 @@ double first_lane(const Block<double>& block) {
 Outcome<double> range_in_block(const Node& node, const Inputs<double>& in) {
     using Lanes = Block<double>;
     const auto enclosure = [](const Input<double>& input) {
-        return Enclosure<Lanes>{{Lanes::splat(input.box.neg_lo), Lanes::splat(input.box.hi)}};
+        const auto splat = [](const Interval<double>& box) {
+            return Interval<Lanes>{Lanes::splat(box.neg_lo), Lanes::splat(box.hi)};
+        };
+        Enclosure<Lanes> result{splat(input.box)};
+        if (input.apart) result.apart = splat(*input.apart);
+        return result;
     };
     const auto& [a, b, c] = in.of;
     const auto x = enclosure(a);
@@ -144,10 +167,13 @@ Outcome<double> range_in_block(const Node& node, const Inputs<double>& in) {
     const auto holds = [](const std::optional<BlockMask>& mask) {
         return !mask || (mask->bits & 1U) != 0;
     };
-    return {{first_lane(f.range.neg_lo), first_lane(f.range.hi)},
-            holds(f.somewhere),
-            holds(f.everywhere),
-            holds(f.continuous)};
+    const auto first = [](const Interval<Lanes>& box) {
+        return Interval<double>{first_lane(box.neg_lo), first_lane(box.hi)};
+    };
+    Outcome<double> outcome{first(f.range), holds(f.somewhere), holds(f.everywhere),
+                            holds(f.continuous)};
+    if (f.apart) outcome.apart = first(*f.apart);
+    return outcome;
 }
 
 template <class Real>
@@ -155,6 +181,7 @@ std::string described(const Input<Real>& input) {
     std::string text = hex(input.box);
     if (input.facts.constant) text += " (constant " + hex(*input.facts.constant) + ")";
     if (input.facts.nonnegative) text += " (known not to be negative)";
+    if (input.apart) text += " (with sides " + hex(*input.apart) + ")";
     return text;
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 // What the inclusion tests share. Intervals are computed inside `in_tested_mode` only, everything
@@ -39,6 +40,7 @@ struct Outcome {
     bool somewhere = true;   ///< false: nowhere defined
     bool everywhere = true;  ///< proved defined everywhere
     bool continuous = true;  ///< proved continuous where defined
+    std::optional<Interval<Real>> apart{};
 };
 
 template <class Real>
@@ -46,7 +48,14 @@ bool contains(const Interval<Real>& range, const MpfrNumber& value) {
     if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
     const bool below = value < -static_cast<double>(range.neg_lo);
     const bool above = value > static_cast<double>(range.hi);
-    return !below && !above;
+    const bool two_parts = range.neg_lo < 0 && range.hi < 0;  // as RangeBatch says
+    return two_parts ? !(below && above) : !below && !above;
+}
+
+/// Whether the value is on one of the sides of Enclosure::apart.
+template <class Real>
+bool is_beside(const Interval<Real>& apart, const MpfrNumber& value) {
+    return !(value > static_cast<double>(apart.hi) && value < -static_cast<double>(apart.neg_lo));
 }
 
 inline std::string hex(double value) {
@@ -81,6 +90,10 @@ protected:
         }
         if (!outcome.somewhere) {
             return ::testing::AssertionFailure() << "defined there, but claimed undefined";
+        }
+        if (outcome.apart && !is_beside(*outcome.apart, truth.value)) {
+            return ::testing::AssertionFailure() << "not enclosed: " << truth.value.text()
+                                                 << " between the sides " << hex(*outcome.apart);
         }
         if (contains(outcome.value, truth.value)) return ::testing::AssertionSuccess();
         if (whole_turns) {

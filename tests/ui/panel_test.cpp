@@ -68,6 +68,58 @@ TEST_P(Panels, ShowTheNoteInTheStatusLine) {
     EXPECT_GT(note.right, px(200));
 }
 
+TEST_P(Panels, SayHowManyUndecidedPixelsAreNotDrawn) {
+    const auto warnings = [this](const Framebuffer& frame) {
+        const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
+        const Rectangle text = bounds(frame, colors().warning, line);
+        return text.right - text.left;
+    };
+    state_.picture.frame_ms = 1.0;
+    state_.picture.counts = {1, 20, 3};
+    const int short_text = warnings(draw());
+    state_.picture.counts.not_drawn = 7;
+    EXPECT_GT(warnings(draw()), short_text + px(60));
+}
+
+TEST_P(Panels, MarkUndecidedPixels) {
+    const ImVec2 size(static_cast<float>(px(GetParam().window.width)),
+                      static_cast<float>(px(GetParam().window.height)));
+    const auto solid = [&](const Framebuffer& frame) {
+        return count(frame, colors().undecided, ImRect(ImVec2(0, 0), size));
+    };
+    Framebuffer picture = disc();
+    for (int row = 0; row < picture.height; ++row) {
+        for (int col = 0; col < picture.width / 2; ++col)
+            picture.certificate[picture.index(col, row)] = Certificate::Undecided;
+    }
+    picture_->upload(picture, behind_picture(GetParam().theme));
+    EXPECT_EQ(solid(draw()), 0);
+    picture_->upload(picture, behind_picture(GetParam().theme), undecided_tint(GetParam().theme));
+    const int marked = solid(draw());
+    const int half = static_cast<int>(size.x * size.y) / 2;
+    EXPECT_GT(marked, half / 5) << "all of the left that is not drawn, and half the rest";
+    EXPECT_LT(marked, half);
+}
+
+TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
+    const auto legend = [this](const Framebuffer& frame) {
+        return count(frame, colors().undecided, panel("##view").Rect());
+    };
+    EXPECT_EQ(legend(draw()), 0);
+    const ImRect closed = panel("##view").Rect();
+    const float row = ImGui::GetFrameHeightWithSpacing();
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    // The last line but one.
+    const ImVec2 box(closed.Min.x + padding.x + 0.5F * row, closed.Max.y - padding.y - 1.5F * row);
+    click_at(glm::vec2(box.x, box.y));
+    EXPECT_TRUE(state_.mark_undecided);
+    OffscreenWindow::point({-1, -1}, false);
+    EXPECT_GT(legend(draw()), px(8) * px(8));
+    EXPECT_GT(panel("##view").Rect().GetHeight(), closed.GetHeight());
+    click_at(glm::vec2(box.x, box.y));
+    EXPECT_FALSE(state_.mark_undecided);
+}
+
 TEST_P(Panels, OpenTheGallery) {
     draw();
     click(GetParam().window.width - 90, 26);

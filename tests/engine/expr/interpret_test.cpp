@@ -221,11 +221,10 @@ Bits of_one_lane(const Expr& expr, const std::array<Interval<float>, 3>& box,
         return variable;
     };
     const Dual<float> value = evaluate(expr, facts, duals, point_leaf, [] {});
-    const bool somewhere = f.somewhere.value_or(true);
+    const Interval<float> range = answer(f);
     const bool proved = f.everywhere.value_or(true) && f.continuous.value_or(true);
     return one_item(
-        {somewhere ? f.range.neg_lo : nowhere, somewhere ? f.range.hi : nowhere}, proved,
-        value.value,
+        range, proved, value.value,
         {value.slope[0].value_or(0), value.slope[1].value_or(0), value.slope[2].value_or(0)});
 }
 

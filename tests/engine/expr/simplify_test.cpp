@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 namespace zeroset {
 namespace {
@@ -22,6 +23,14 @@ bool has_op(const char* text, Op op) {
         if (node.op == op) return true;
     }
     return false;
+}
+
+TEST(Simplify, MakesAQuotientOfEqualsOneButAtZero) {
+    EXPECT_FALSE(has_op("(x - y)/(x - y)", Op::Divide));
+    const Expr quotient = *parse("x/x");
+    EXPECT_EQ(value_at(quotient, {-0.25, 0, 0, 0}, {}).value, 1.0);
+    EXPECT_EQ(value_at(quotient, {3, 0, 0, 0}, {}).value, 1.0);
+    EXPECT_TRUE(std::isnan(value_at(quotient, {0, 0, 0, 0}, {}).value));
 }
 
 TEST(Simplify, DropsWhatChangesNothing) {

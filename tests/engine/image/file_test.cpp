@@ -154,10 +154,12 @@ TEST(CountCertificates, CountsEachKind) {
     Framebuffer frame(3, 2);
     frame.certificate = {Certificate::Miss,      Certificate::Certified, Certificate::Undecided,
                          Certificate::Certified, Certificate::Certified, Certificate::Undecided};
+    frame.depth[2] = 1.0F;
     const CertificateCounts counts = count_certificates(frame);
     EXPECT_EQ(counts.miss, 1U);
     EXPECT_EQ(counts.certified, 3U);
     EXPECT_EQ(counts.undecided, 2U);
+    EXPECT_EQ(counts.not_drawn, 1U);
 }
 
 }  // namespace

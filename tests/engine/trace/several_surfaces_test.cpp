@@ -202,9 +202,9 @@ CertificateCounts middle_of(const Framebuffer& frame) {
     return counts;
 }
 
-// A pole and the edge of a domain: no root, but neither can be settled.
-const std::string unsettled_in_front[] = {"1/(y + 0.9)", "sqrt(y + 0.9)"};
-const std::string unsettled_behind[] = {"1/(y - 0.9)", "sqrt(0.9 - y)"};
+// A pole within another function, and the edge of a domain: neither can be settled.
+const std::string unsettled_in_front[] = {"sinh(1/(y + 0.9))", "sqrt(y + 0.9)"};
+const std::string unsettled_behind[] = {"sinh(1/(y - 0.9))", "sqrt(0.9 - y)"};
 
 TEST(SeveralSurfaces, AnUnsettledCellInFrontTakesTheCertificate) {
     const std::string plane = "y = 0.1";
@@ -227,7 +227,7 @@ TEST(SeveralSurfaces, AnUnsettledCellInFrontTakesTheCertificate) {
 
 TEST(SeveralSurfaces, UnsettledCellsCountPixelByPixel) {
     // The pole y = z is in front of the plane y = 0.1 where z < 0.1.
-    const Framebuffer frame = picture_of({"y = 0.1", "1/(y - z)"});
+    const Framebuffer frame = picture_of({"y = 0.1", "sinh(1/(y - z))"});
     constexpr int col = image_size / 2;
     for (int row = 0; row < image_size; ++row) {
         const std::size_t pixel = frame.index(col, row);
@@ -242,7 +242,7 @@ TEST(SeveralSurfaces, UnsettledCellsCountPixelByPixel) {
 }
 
 TEST(SeveralSurfaces, AnUnsettledCellWithoutAHitIsUndecided) {
-    const Framebuffer frame = picture_of({"x = 8", "1/(y - 0.9)", "x = 9"});
+    const Framebuffer frame = picture_of({"x = 8", "sinh(1/(y - 0.9))", "x = 9"});
     EXPECT_EQ(middle_of(frame).undecided, static_cast<std::size_t>(image_size / 3));
     EXPECT_EQ(count_surfaces(frame, 3), std::vector<std::size_t>(3));
     EXPECT_EQ(std::ranges::count(frame.depth, std::numeric_limits<float>::infinity()),

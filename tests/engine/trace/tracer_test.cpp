@@ -1,8 +1,7 @@
 #include "engine/trace/tracer.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
 #include "engine/trace/render.hpp"
+#include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,52 +19,8 @@
 namespace zeroset::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A tracer may look for the opposite sign a few cells behind the one where it stopped.
 constexpr double bracket_cells = 4.0;
-
-Scene scene_of(const std::string& text, const Box& clip) {
-    const auto expr = parse(text);
-    if (!expr) {
-        ADD_FAILURE() << text << ": " << expr.error().reason;
-        return {};
-    }
-    Scene scene{{interpret(*expr)}, clip, {}};
-    scene.uniforms.set(0, 0.0);
-    return scene;
-}
-
-TraceSettings settings_at(const std::string& tracer, double d_stop) {
-    TraceSettings settings;
-    settings.tracer = tracer;
-    settings.stop.value = d_stop;
-    settings.threads = 2;
-    return settings;
-}
-
-struct Ray {
-    glm::dvec3 eye, direction;        ///< of length 1
-    double t_in = 0.0, t_out = -1.0;  ///< the part in the clip box and in front of the eye
-
-    Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame)
-        : eye(camera.eye),
-          direction(glm::normalize(
-              ViewFrame(camera).direction(col + 0.5, row + 0.5, frame.width, frame.height))) {
-        t_out = infinity;
-        for (int i = 0; i < 3; ++i) {
-            const double a = (clip.lo[i] - eye[i]) / direction[i];
-            const double b = (clip.hi[i] - eye[i]) / direction[i];
-            t_in = std::max(t_in, std::min(a, b));
-            t_out = std::min(t_out, std::max(a, b));
-        }
-    }
-    [[nodiscard]] glm::dvec3 at(double t) const { return eye + t * direction; }
-    /// Distance along the ray for 1 along its dominant axis.
-    [[nodiscard]] double stretch() const {
-        const glm::dvec3 size = glm::abs(direction);
-        return 1.0 / std::max({size.x, size.y, size.z});
-    }
-};
 
 /// The first root at or behind `from`, or infinity.
 using FirstRoot = std::function<double(const Ray& ray, double from)>;
@@ -305,19 +260,8 @@ TEST_P(TracerTest, StopsWhenCancelled) {
     EXPECT_EQ(count_certificates(frame).miss, frame.color.size());
 }
 
-std::vector<std::string> tracer_names() {
-    std::vector<std::string> names;
-    for (const Tracer& tracer : tracers())
-        names.emplace_back(tracer.name);
-    return names;
-}
-
 INSTANTIATE_TEST_SUITE_P(AllTracers, TracerTest, ::testing::ValuesIn(tracer_names()),
-                         [](const auto& tracer) {
-                             std::string name = tracer.param;
-                             std::ranges::replace(name, '-', '_');
-                             return name;
-                         });
+                         [](const auto& tracer) { return test_name(tracer.param); });
 
 TEST(FindTracer, KnowsItsNames) {
     for (const std::string& name : tracer_names())

@@ -1,0 +1,114 @@
+#include "engine/num/elementary.hpp"
+#include "engine/num/enclosure.hpp"
+#include "engine/num/periodic.hpp"
+#include "engine/num/rounding.hpp"
+#include "engine/num/steps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+// The two sides of a jump or a pole: what lies between them is no value. That they hold is checked
+// in tests/property; here, that they are as far apart as they are.
+
+namespace zeroset {
+namespace {
+
+using Range = Interval<float>;
+
+Range range(float lo, float hi) { return {-lo, hi}; }
+
+class ApartCases : public ::testing::Test {
+protected:
+    /// Values are at most `below` or at least `above`.
+    static void expect_sides(const std::optional<Range>& apart, double below, double above,
+                             double error = 0.0) {
+        ASSERT_TRUE(apart.has_value());
+        EXPECT_NEAR(static_cast<double>(apart->hi), below, error);
+        EXPECT_NEAR(-static_cast<double>(apart->neg_lo), above, error);
+    }
+    static void expect_nothing(const std::optional<Range>& apart) {
+        ASSERT_TRUE(apart.has_value());
+        EXPECT_EQ(apart->hi, static_cast<float>(infinity));
+        EXPECT_EQ(apart->neg_lo, static_cast<float>(infinity));
+    }
+
+private:
+    UpwardRounding upward_;
+};
+
+TEST_F(ApartCases, StepsHaveNoValueBetweenNeighbours) {
+    expect_sides(floor(range(0.5F, 1.5F)).apart, 0, 1);
+    expect_sides(ceil(range(0.5F, 1.5F)).apart, 1, 2);
+    expect_sides(round(range(-0.7F, 0.2F)).apart, -1, 0);
+    expect_sides(sign(range(0, 2)).apart, 0, 1);
+    expect_nothing(floor(range(0.5F, 2.5F)).apart);
+    expect_nothing(sign(range(-1, 1)).apart);
+}
+
+TEST_F(ApartCases, RemaindersJumpByTheDivisor) {
+    expect_sides(mod(range(0.75F, 1.25F), range(1, 1)).apart, 0.25, 0.75);
+    expect_sides(mod(range(3.5F, 4.5F), range(2, 2)).apart, 0.5, 1.5);
+    expect_nothing(mod(range(0.75F, 2.25F), range(1, 1)).apart);
+    expect_nothing(mod(range(1, 2), range(-1, 1)).apart);
+}
+
+TEST_F(ApartCases, QuotientsAreLargeBesideAPole) {
+    expect_sides(quotient_apart(range(1, 2), range(-0.5F, 0.25F)), -2, 4);
+    expect_sides(quotient_apart(range(-2, -1), range(-0.5F, 0.25F)), -4, 2);
+    expect_nothing(quotient_apart(range(-1, 2), range(-0.5F, 0.25F)));
+    expect_nothing(quotient_apart(range(1, 2), range(0.25F, 0.5F)));
+}
+
+TEST_F(ApartCases, TangentsAreLargeBesideAPole) {
+    const auto pole = static_cast<float>(0.5 * std::numbers::pi);
+    const float step = 0.25F;
+    const double cot_step = 1.0 / std::tan(0.25);
+    expect_sides(tan(range(pole - step, pole + step)).apart, -cot_step, cot_step, 1e-5);
+    expect_sides(cot(range(-step, step)).apart, -cot_step, cot_step, 1e-5);
+    expect_nothing(tan(range(pole - step, pole + 3)).apart);
+    // With the pole at an end there is nothing on its other side.
+    EXPECT_LT(cot(range(0, step)).apart->hi, -1e37F);
+    EXPECT_LT(cot(range(-step, 0)).apart->neg_lo, -1e37F);
+}
+
+TEST_F(ApartCases, AnglesAreAWholeTurnApartAtTheCut) {
+    const double least = std::atan2(0.5, -1.0);
+    expect_sides(atan2(range(-0.5F, 0.5F), range(-2, -1)).apart, -least, least, 1e-5);
+    for (const float zero : {0.0F, -0.0F}) {
+        const Range above = *atan2(range(zero, 0.5F), range(-2, -1)).apart;
+        expect_sides(above, -std::numbers::pi, least, 1e-5);
+        const Range below = *atan2(Range{0.5F, zero}, range(-2, -1)).apart;
+        expect_sides(below, -least, std::numbers::pi, 1e-5);
+    }
+    expect_nothing(atan2(range(-0.5F, 0.5F), range(-2, 1)).apart);
+}
+
+TEST_F(ApartCases, ChoicesTakeOneSideOrTheOther) {
+    const Enclosure<float> open{range(0, 1)};
+    const Enclosure<float> low{range(-3, -2)};
+    const Enclosure<float> high{range(5, 6)};
+    expect_sides(choose(open, low, high).apart, -2, 5);
+    expect_sides(choose(open, high, low).apart, -2, 5);
+    expect_nothing(choose(Enclosure<float>{range(1, 1)}, low, high).apart);
+}
+
+TEST_F(ApartCases, MultiplesKeepTheSides) {
+    const Range apart = range(4, -2);  // at most -2 or at least 4
+    expect_sides(multiply_apart(apart, range(2, 3)), -4, 8);
+    expect_sides(multiply_apart(apart, range(-3, -2)), -8, 4);
+    expect_nothing(multiply_apart(apart, range(-1, 1)));
+}
+
+TEST_F(ApartCases, AnswersLeaveOutZero) {
+    const Range two_sides = answer(Enclosure<float>{range(-9, 9), {}, {}, {}, range(4, -2)});
+    EXPECT_EQ(two_sides.hi, -2.0F);
+    EXPECT_EQ(two_sides.neg_lo, -4.0F);
+    const Range one = answer(Enclosure<float>{range(-9, 9), {}, {}, {}, range(4, 2)});
+    EXPECT_EQ(one.hi, 9.0F);
+    EXPECT_EQ(one.neg_lo, 9.0F);
+}
+
+}  // namespace
+}  // namespace zeroset
