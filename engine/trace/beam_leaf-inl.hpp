@@ -151,7 +151,7 @@ bool LeafSolver<pixels>::place(const Leaf& leaf) {
     const float steepness = std::max(std::abs(leaf.kt), std::numeric_limits<float>::min());
     const float scale = leaf.reach / std::copysign(steepness, leaf.kt);
     const float error =
-        leaf.e + 0x1p-10F * static_cast<float>(side) * (std::abs(leaf.ku) + std::abs(leaf.kv));
+        leaf.e + 0x1p-10F * static_cast<float>(tile_size) * (std::abs(leaf.ku) + std::abs(leaf.kv));
     const float rounding =
         8 * std::numeric_limits<float>::epsilon() * (std::abs(leaf.s) + leaf.reach);
     const VF radius = hn::Set(df, error * std::abs(scale) + rounding);

@@ -98,6 +98,7 @@ private:
     void visit_tile(std::size_t first, std::size_t last, int pixels);
     void push_children(int pixels);
     void push_child(const Child& tile, int pixels, std::size_t parent);
+    [[nodiscard]] bool is_accurate(std::size_t cell) const;
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels);
     /// The pixels of a cell one by one: to the root finder where it is smooth, else to the marcher.
@@ -138,6 +139,7 @@ private:
     DepthRange all_{};               ///< of the tile's rays
     double s_most_ = 0;
     Real margin_ = 0;
+    Real fair_guess_ = 0;
 };
 
 template <class Real>
@@ -149,6 +151,7 @@ bool BeamTile<Real>::start() {
     s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
+    fair_guess_ = static_cast<Real>(0.005 * frame_.scene.clip.size());
     const Place at = place(0, 0, tile_size);
     const Real near = -upper_end(Real{}, -all_.enter_lo);
     const Real far = upper_end(Real{}, all_.exit_hi);
@@ -203,7 +206,8 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         if (cells_->bit(&CellBits::rejected, i)) continue;
         const bool smooth = cells_->bit(&CellBits::smooth, i);
         const bool finished = cells_->bit(&CellBits::finished, i);
-        if (smooth && pixels <= leaf_pixels) {
+        const bool good = finished && open_.empty() && is_accurate(i);
+        if (smooth && (pixels <= leaf_pixels || good)) {
             solve_leaf(i, pixels);
         } else if (pixels <= least_pixels) {
             visit_pixels(i, pixels, false);
@@ -260,30 +264,47 @@ void BeamTile<Real>::push_child(const Child& tile, int pixels, std::size_t paren
     }
 }
 
+/// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
+template <class Real>
+bool BeamTile<Real>::is_accurate(std::size_t cell) const {
+    const Forms<Real>& f = cells_->forms;
+    return f.e[cell] * cells_->places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
+}
+
 template <class Real>
 void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
     if constexpr (is_float) {
         const Forms<float>& f = cells_->forms;
         const float half = 0.5F * static_cast<float>(pixels - 1);
-        const Leaf leaf{cells_->col[cell],
-                        cells_->row[cell],
-                        cells_->inside[cell] != 0,
-                        f.c[cell] - f.k[0][cell] + f.k[1][cell],
-                        f.k[0][cell] / half,
-                        f.k[1][cell] / half,
-                        f.k[2][cell],
-                        f.e[cell],
-                        cells_->places.s[cell],
-                        cells_->places.s_radius[cell],
-                        cells_->from[cell],
-                        cells_->to[cell],
-                        -f.slope_neg_lo[cell],
-                        f.slope_hi[cell],
-                        f.r[cell]};
-        if (pixels == leaf_pixels) {
-            leaves_.solve(leaf);
-        } else {
+        const float ku = f.k[0][cell] / half;
+        const float kv = f.k[1][cell] / half;
+        const float first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
+        Leaf leaf{cells_->col[cell],
+                  cells_->row[cell],
+                  cells_->inside[cell] != 0,
+                  first,
+                  ku,
+                  kv,
+                  f.k[2][cell],
+                  f.e[cell],
+                  cells_->places.s[cell],
+                  cells_->places.s_radius[cell],
+                  cells_->from[cell],
+                  cells_->to[cell],
+                  -f.slope_neg_lo[cell],
+                  f.slope_hi[cell],
+                  f.r[cell]};
+        if (pixels < leaf_pixels) {
             small_leaves_.solve(leaf);
+            return;
+        }
+        for (int row = 0; row < pixels; row += leaf_pixels) {
+            for (int col = 0; col < pixels; col += leaf_pixels) {
+                leaf.col = cells_->col[cell] + col;
+                leaf.row = cells_->row[cell] + row;
+                leaf.c = first + ku * static_cast<float>(col) - kv * static_cast<float>(row);
+                if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.solve(leaf);
+            }
         }
     } else {
         visit_pixels(cell, pixels, true);
