@@ -21,8 +21,10 @@ public:
     Value subtract(In a, In b) { return total(range(a) - range(b), a, b); }
     Value multiply(In a, In b) { return total(product(a, b), a, b); }
     Value divide(In a, In b) {
-        const auto nonzero = no(contains_zero(range(b)));
-        return with_divisor({range(a) / range(b), {}, nonzero}, a, b);
+        const auto nonzero = excludes_zero(range(b));
+        const auto value =
+            b.facts.nonnegative ? divide_by_nonnegative(range(a), range(b)) : range(a) / range(b);
+        return with_divisor({value, {}, nonzero}, a, b);
     }
     Value int_power(In a, int n) { return total(power(range(a), n, a.facts.nonnegative), a); }
     Value odd_root(In a, int n) { return total(zeroset::odd_root(range(a), n), a); }
@@ -89,7 +91,7 @@ private:
     }
     /// An odd increasing function: not negative where its operand is not.
     static Value odd(Value g, In a) {
-        if (a.facts.nonnegative) g.range.neg_lo = minimum(g.range.neg_lo, like(g.range.hi, 0.0));
+        if (a.facts.nonnegative) g.range.neg_lo = minimum(like(g.range.hi, 0.0), g.range.neg_lo);
         return composed(g, a.value);
     }
     /// Nowhere defined for the divisor 0.

@@ -237,8 +237,7 @@ private:
         if (error <= (found.ulps + least_progress) * least_ulp) return;
         const Reference truth = exactly(a);
         const auto exponent = static_cast<int>(mpfr_get_exp(truth.value.get()));
-        const double exact_error =
-            std::abs((truth.value - MpfrNumber(double{result})).nearest());
+        const double exact_error = std::abs((truth.value - MpfrNumber(double{result})).nearest());
         const double ulps = std::ldexp(exact_error, 24 - exponent);
         if (!(ulps > found.ulps)) return;
         found.ulps = ulps;
