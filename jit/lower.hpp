@@ -1,9 +1,11 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
+#include "engine/expr/facts.hpp"
 #include "engine/num/format.hpp"
 
 #include <memory>
+#include <span>
 
 namespace llvm {
 class LLVMContext;
@@ -26,5 +28,9 @@ struct VectorKind {
 /// depends on w and the parameters only is computed before it.
 std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
                                     llvm::LLVMContext& context);
+
+/// Only the function over points.
+void add_value_function(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                        llvm::Module& module);
 
 }  // namespace zeroset::jit

@@ -56,13 +56,14 @@ llvm::Expected<std::unique_ptr<llvm::Module>> host_module(const Expr& expr, cons
     return module;
 }
 
-llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const VectorKind& kind) {
+llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const VectorKind& kind,
+                                                        Lowering lowering) {
     auto target = host_target();
     if (!target) return target.takeError();
     auto jit = orc::LLJITBuilder().setJITTargetMachineBuilder(*target).create();
     if (!jit) return jit.takeError();
     auto context = std::make_unique<llvm::LLVMContext>();
-    std::unique_ptr<llvm::Module> module = lower(expr, kind, *context);
+    std::unique_ptr<llvm::Module> module = lowering(expr, kind, *context);
     module->setDataLayout((*jit)->getDataLayout());
     if (auto error =
             (*jit)->addIRModule(orc::ThreadSafeModule(std::move(module), std::move(context)))) {
@@ -81,8 +82,9 @@ llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const 
 }  // namespace
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
-                                                                          const VectorKind& kind) {
-    auto code = link(expr, kind);
+                                                                          const VectorKind& kind,
+                                                                          Lowering lowering) {
+    auto code = link(expr, kind, lowering);
     if (!code) return std::unexpected(message_of(code.takeError()));
     return *code;
 }

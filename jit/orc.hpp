@@ -28,8 +28,12 @@ protected:
     std::uintptr_t form_ = 0;
 };
 
-std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
-                                                                          const VectorKind& kind);
+/// Makes the module of a graph; `lower` makes that of kernels.
+using Lowering = std::unique_ptr<llvm::Module> (*)(const Expr&, const VectorKind&,
+                                                   llvm::LLVMContext&);
+
+std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(
+    const Expr& expr, const VectorKind& kind, Lowering lowering = lower);
 std::expected<std::string, CompileError> print_ir(const Expr& expr, const VectorKind& kind);
 std::expected<std::string, CompileError> print_assembly(const Expr& expr, const VectorKind& kind);
 

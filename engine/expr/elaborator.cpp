@@ -218,8 +218,7 @@ std::expected<Program, ParseError> Elaborator::result() {
     Program program;
     std::size_t nodes = 0;
     // A text of many surfaces shares the time for the readings.
-    const std::size_t longest =
-        std::min<std::size_t>(ProgramLimits::text, 1'000'000 / surfaces_.size());
+    const std::size_t longest = std::min<std::size_t>(longest_text, 1'000'000 / surfaces_.size());
     for (const Surface& surface : surfaces_) {
         Expr expr = builder_.finish(surface.root, parameters_);
         nodes += expr.nodes().size();

@@ -39,8 +39,11 @@ public:
         return composed(g, a.value, b.value);
     }
     Value divide(In a, In b) {
-        const auto nonzero = no(contains_zero(range(b)));
-        Value g{range(a) / range(b), {}, nonzero};
+        const auto nonzero = excludes_zero(range(b));
+        Value g{b.facts.nonnegative ? divide_by_nonnegative(range(a), range(b))
+                                    : range(a) / range(b),
+                {},
+                nonzero};
         const Interval<Real> inverse = point(like(range(b).hi, 1.0)) / range(b);
         g.apart =
             sharper(Apart(quotient_apart(range(a), range(b))), multiplied(a.value.apart, inverse));
@@ -119,7 +122,7 @@ private:
     }
     /// An odd increasing function: not negative where its operand is not.
     static Value odd(Value g, In a) {
-        if (a.facts.nonnegative) g.range.neg_lo = minimum(g.range.neg_lo, like(g.range.hi, 0.0));
+        if (a.facts.nonnegative) g.range.neg_lo = minimum(like(g.range.hi, 0.0), g.range.neg_lo);
         return composed(g, a.value);
     }
     /// Nowhere defined for the divisor 0.

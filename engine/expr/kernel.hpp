@@ -1,5 +1,8 @@
 #pragma once
 
+#include "engine/num/rounding.hpp"
+
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -20,7 +23,8 @@ struct Uniforms {
     std::vector<double> neg_lo_hi_double;
     std::vector<double> middle_double;
 
-    /// The item's enclosures become [lo, hi] in double and the floats around it.
+    /// The item's enclosures become [lo, hi] in double and the floats around it: NaN is unknown, an
+    /// end beyond all numbers the largest of them and all above.
     void set(std::size_t item, double lo, double hi);
     void set(std::size_t item, double value) { set(item, value, value); }
 
@@ -51,11 +55,12 @@ using ContinuityMask = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std:
 template <class Real>
 struct RangeBatchOf {
     std::size_t size;       ///< a multiple of batch_multiple, not 0
-    const Real* neg_lo[3];  ///< -lo of x, y, z
+    const Real* neg_lo[3];  ///< -lo of x, y, z: of whatever boxes (engine/num/interval.hpp)
     const Real* hi[3];      ///< hi of x, y, z
     const Real* uniforms;   ///< Uniforms::boxes
     /// out: -lo and hi of an enclosure of f over the box. Where both are below 0, f is at most hi
-    /// or at least lo there, and so never 0; where both are -inf, f is nowhere defined.
+    /// or at least lo there, and so never 0; where both are -inf, f is nowhere defined; NaN:
+    /// unknown.
     Real* f_neg_lo;
     Real* f_hi;
     /// out: all ones where f is proved defined and continuous, else 0
@@ -139,19 +144,31 @@ struct Kernel {
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
 
-    void range(const RangeBatch& batch) const { range_function(code.get(), &batch); }
-    void value(const ValueBatch& batch) const { value_function(code.get(), &batch); }
-    void form(const FormBatch& batch) const { form_function(code.get(), &batch); }
+    void range(const RangeBatch& batch) const {
+        assert(rounds_upward());
+        range_function(code.get(), &batch);
+    }
+    void value(const ValueBatch& batch) const {
+        assert(rounds_upward());
+        value_function(code.get(), &batch);
+    }
+    void form(const FormBatch& batch) const {
+        assert(rounds_upward());
+        form_function(code.get(), &batch);
+    }
     explicit operator bool() const { return range_function != nullptr; }
 
     // Only where the maker was asked for double.
     void range(const RangeBatchOf<double>& batch) const {
+        assert(rounds_upward());
         range_function_double(code_double.get(), &batch);
     }
     void value(const ValueBatchOf<double>& batch) const {
+        assert(rounds_upward());
         value_function_double(code_double.get(), &batch);
     }
     void form(const FormBatchOf<double>& batch) const {
+        assert(rounds_upward());
         form_function_double(code_double.get(), &batch);
     }
     [[nodiscard]] bool has_double() const { return range_function_double != nullptr; }

@@ -1,6 +1,5 @@
 #include "engine/expr/op.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -25,13 +24,5 @@ const OpInfo& op_info(Op op) {
 }
 
 int arity(Op op) { return op == Op::Constant || op == Op::Variable ? 0 : op_info(op).arity; }
-
-std::optional<Op> function_named(std::string_view name) {
-    const auto* const found = std::ranges::find_if(table, [&](const OpInfo& info) {
-        return info.notation == Notation::Call && info.spelling == name;
-    });
-    if (found == table.end()) return std::nullopt;
-    return found->op;
-}
 
 }  // namespace zeroset

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -33,7 +32,5 @@ std::span<const OpInfo> operators();
 const OpInfo& op_info(Op op);
 /// How many operands; a leaf has none.
 int arity(Op op);
-/// The function that is typed as `name`, e.g. "sqrt".
-std::optional<Op> function_named(std::string_view name);
 
 }  // namespace zeroset

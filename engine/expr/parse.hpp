@@ -37,7 +37,6 @@ struct Program {
 
 /// A text that asks for more is refused.
 struct ProgramLimits {
-    static constexpr std::size_t text = longest_text;  ///< bytes
     static constexpr std::size_t statements = 1'000;
     static constexpr std::size_t surfaces = 100;
     static constexpr std::size_t parameters = 200;

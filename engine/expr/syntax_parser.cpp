@@ -326,10 +326,10 @@ bool SyntaxParser::close(const Token& opener) {
 }
 
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text) {
-    if (text.size() > ProgramLimits::text) {
+    if (text.size() > longest_text) {
         return std::unexpected(
-            ParseError{ProgramLimits::text,
-                       "the text is longer than " + std::to_string(ProgramLimits::text) + " bytes",
+            ParseError{longest_text,
+                       "the text is longer than " + std::to_string(longest_text) + " bytes",
                        {}});
     }
     auto tokens = tokenize(text);

@@ -5,7 +5,8 @@
 
 // Intervals of elementary functions over any carrier, in upward rounding. Library results are
 // taken in round-to-nearest and widened by their error bound. A partial function's range is the
-// image of the part of the box inside its domain.
+// image of the part of the box inside its domain. Masks that say where something surely is not are
+// negations of comparisons: an unknown operand (interval.hpp) leaves them open.
 
 namespace zeroset {
 
@@ -17,12 +18,13 @@ Real library_error(Elementary function, const Real& result) {
     return magnitude(result) * like(result, relative) + like(result, format.smallest_normal);
 }
 
-/// [a, b] for library results a <= b up to their errors.
+/// [a, b] for library results a <= b up to their errors; the whole line where one is NaN.
 template <class Real>
 Interval<Real> widened(Elementary function, const Real& a, const Real& b) {
     // exp may round a finite value up.
-    const Real finite = minimum(a, like(a, format_of(a).largest_finite));
-    return {library_error(function, finite) - finite, b + library_error(function, b)};
+    const Real finite = minimum(like(a, format_of(a).largest_finite), a);
+    return without_nan<Real>(
+        {library_error(function, finite) - finite, b + library_error(function, b)});
 }
 
 template <class Real>
@@ -70,13 +72,13 @@ Enclosure<Real> logarithm(Elementary function, const Interval<Real>& a) {
     const Real lo = maximum(-a.neg_lo, zero);
     const Interval<Real> value =
         widened(function, elementary(function, lo), elementary(function, maximum(a.hi, zero)));
-    return {without_nan(value), a.hi > zero, a.neg_lo < zero};
+    return {value, no(a.hi <= zero), a.neg_lo < zero};
 }
 
 template <class Real>
 Enclosure<Real> sqrt(const Interval<Real>& a) {
     const Real zero = like(a.hi, 0.0);
-    return {square_root(a), a.hi >= zero, a.neg_lo <= zero};
+    return {square_root(a), no(a.hi < zero), a.neg_lo <= zero};
 }
 
 template <class Real>
@@ -85,7 +87,7 @@ Enclosure<Real> asin(const Interval<Real>& a) {
     const Interval<Real> inside{minimum(a.neg_lo, one), minimum(a.hi, one)};
     const double most = 0.5 * format_of(one).pi_hi;
     const Interval<Real> value = clamped(odd_increasing(Elementary::Asin, inside), -most, most);
-    return {value, both(a.hi >= -one, a.neg_lo >= -one), both(a.neg_lo <= one, a.hi <= one)};
+    return {value, no(either(a.hi < -one, a.neg_lo < -one)), both(a.neg_lo <= one, a.hi <= one)};
 }
 
 template <class Real>
@@ -123,16 +125,16 @@ template <class Real>
 Enclosure<Real> acosh(const Interval<Real>& a) {
     const Real one = like(a.hi, 1.0);
     const Interval<Real> value =
-        widened_over(Elementary::Acosh, elementary(Elementary::Acosh, maximum(-a.neg_lo, one)),
-                     elementary(Elementary::Acosh, maximum(a.hi, one)));
-    return {{minimum(value.neg_lo, like(a.hi, 0.0)), value.hi}, a.hi >= one, a.neg_lo <= -one};
+        widened_over(Elementary::Acosh, elementary(Elementary::Acosh, maximum(one, -a.neg_lo)),
+                     elementary(Elementary::Acosh, maximum(one, a.hi)));
+    return {{minimum(value.neg_lo, like(a.hi, 0.0)), value.hi}, no(a.hi < one), a.neg_lo <= -one};
 }
 
 template <class Real>
 Enclosure<Real> atanh(const Interval<Real>& a) {
     const Real one = like(a.hi, 1.0);
     const Interval<Real> inside{minimum(a.neg_lo, one), minimum(a.hi, one)};
-    return {odd_increasing(Elementary::Atanh, inside), both(a.hi > -one, a.neg_lo > -one),
+    return {odd_increasing(Elementary::Atanh, inside), no(either(a.hi <= -one, a.neg_lo <= -one)),
             both(a.neg_lo < one, a.hi < one)};
 }
 

@@ -7,9 +7,21 @@
 // Interval arithmetic, written once for every carrier (float, double, lanes of machine code).
 //
 // An interval [lo, hi] is stored as (-lo, hi). All of this must run in upward rounding: then both
-// members round outward and the result encloses [Lambov08]. Members are never NaN and never -inf;
-// +inf means unbounded. 0 * inf is 0 in the reals meant here (inf stands for any large number);
-// the products below give the whole line instead, which is sound and costs less.
+// members round outward and the result encloses [Lambov08]. 0 * inf is 0 in the reals meant here
+// (inf stands for any large number); the products below give the whole line instead, which is sound
+// and costs less.
+//
+// The contract of every operation here, in elementary.hpp, periodic.hpp, odd_root.hpp, steps.hpp
+// and enclosure.hpp:
+//   proper     lo <= hi; members are numbers or +inf, which means unbounded: half lines and the
+//              whole line are proper, a point at infinity is not. Proper operands give a proper
+//              range wherever the function is defined somewhere.
+//   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
+//              Enclosure::somewhere. Its members mean nothing: any claim holds of no point.
+//   unknown    NaN in both members, or in one beside +inf. Sums, multiples, powers and roots pass
+//              it on; every other operation answers as for the whole line, or wider. So an unknown
+//              operand never lets a box be rejected that the whole line would not: every
+//              comparison with NaN fails.
 //
 // Multiplication by choosing factors by sign follows [Lambov08]; where the structure of the
 // formula proves a factor not negative (engine/expr/facts.hpp) it needs 3 to 5 operations of 12.
@@ -49,16 +61,6 @@ Interval<Real> operator-(const Interval<Real>& a, const Interval<Real>& b) {
     return a + (-b);
 }
 
-template <class Real>
-Interval<Real> minimum(const Interval<Real>& a, const Interval<Real>& b) {
-    return {maximum(a.neg_lo, b.neg_lo), minimum(a.hi, b.hi)};
-}
-
-template <class Real>
-Interval<Real> maximum(const Interval<Real>& a, const Interval<Real>& b) {
-    return {minimum(a.neg_lo, b.neg_lo), maximum(a.hi, b.hi)};
-}
-
 template <class Mask, class Real>
 Interval<Real> select(const Mask& condition, const Interval<Real>& if_true,
                       const Interval<Real>& if_false) {
@@ -72,20 +74,32 @@ Interval<Real> without_nan(const Interval<Real>& a) {
     return select(unordered(a.neg_lo, a.hi), whole_line(a.hi), a);
 }
 
-/// The larger of two products, +inf where one is NaN.
+/// The larger of two upper bounds, +inf where one is NaN.
 template <class Real>
-Real larger_product(const Real& p, const Real& q) {
+Real larger_bound(const Real& p, const Real& q) {
     return select(unordered(p, q), like(p, infinity), maximum(p, q));
+}
+
+template <class Real>
+Interval<Real> minimum(const Interval<Real>& a, const Interval<Real>& b) {
+    // An unknown operand leaves min(a, b) the other's upper bound.
+    const Real hi = minimum(a.hi, b.hi);
+    return {larger_bound(a.neg_lo, b.neg_lo), minimum(hi, like(hi, infinity))};
+}
+
+template <class Real>
+Interval<Real> maximum(const Interval<Real>& a, const Interval<Real>& b) {
+    return -minimum(-a, -b);
 }
 
 template <class Real>
 Interval<Real> operator*(const Interval<Real>& a, const Interval<Real>& b) {
     const Real b_lo = -b.neg_lo;
     const Real b_neg_hi = -b.hi;
-    return {larger_product(a.hi * select_negative(a.hi, b_neg_hi, b.neg_lo),
-                           a.neg_lo * select_negative(a.neg_lo, b_lo, b.hi)),
-            larger_product(a.hi * select_negative(a.hi, b_lo, b.hi),
-                           a.neg_lo * select_negative(a.neg_lo, b_neg_hi, b.neg_lo))};
+    return {larger_bound(a.hi * select_negative(a.hi, b_neg_hi, b.neg_lo),
+                         a.neg_lo * select_negative(a.neg_lo, b_lo, b.hi)),
+            larger_bound(a.hi * select_negative(a.hi, b_lo, b.hi),
+                         a.neg_lo * select_negative(a.neg_lo, b_neg_hi, b.neg_lo))};
 }
 
 /// a * b for a >= 0.
@@ -129,7 +143,8 @@ Interval<Real> square_nonnegative(const Interval<Real>& a) {
 /// |a|: max(|lo|, |hi|) is max(-lo, hi), as lo <= hi.
 template <class Real>
 Interval<Real> absolute(const Interval<Real>& a) {
-    return {minimum(minimum(a.neg_lo, a.hi), like(a.hi, 0.0)), maximum(a.neg_lo, a.hi)};
+    // NaN is the second argument wherever it is one.
+    return {minimum(like(a.hi, 0.0), minimum(a.neg_lo, a.hi)), maximum(a.neg_lo, a.hi)};
 }
 
 /// a^n for a >= 0 and n >= 1.
@@ -140,13 +155,13 @@ Interval<Real> power_nonnegative(const Interval<Real>& a, int n) {
     return n % 2 == 0 ? half : multiply_nonnegative(half, a);
 }
 
-/// An upper bound of h^n for odd n >= 3: |h|^n rounded away from zero when h > 0, towards it
-/// otherwise.
+/// An upper bound of sign(h) |h|^n, whose size rounds away from zero when h > 0, towards it
+/// otherwise: h |h| does, and so does the product of one such bound and the size of another.
 template <class Real>
-Real odd_power_up(const Real& h, int n) {
-    const Real size = magnitude(h);
-    const Interval<Real> even = power_nonnegative(point(size), n - 1);
-    return h * select_negative(h, -even.neg_lo, even.hi);
+Real signed_power_up(const Real& h, int n) {
+    if (n == 1) return h;
+    const Real half = signed_power_up(h * magnitude(h), n / 2);
+    return n % 2 == 0 ? half : half * magnitude(h);
 }
 
 /// a^n for n >= 1; tight at even n.
@@ -155,14 +170,18 @@ Interval<Real> power(const Interval<Real>& a, int n, bool a_nonnegative) {
     if (n == 1) return a;
     if (a_nonnegative) return power_nonnegative(a, n);
     if (n % 2 == 0) return power_nonnegative(absolute(a), n);
-    return {odd_power_up(a.neg_lo, n), odd_power_up(a.hi, n)};
+    return {signed_power_up(a.neg_lo, n), signed_power_up(a.hi, n)};
 }
 
-/// Where 0 is in b, ends included.
+/// Where 0 is surely not in b, ends included.
+template <class Real>
+auto excludes_zero(const Interval<Real>& b) {
+    const Real zero = like(b.hi, 0.0);
+    return either(b.neg_lo < zero, b.hi < zero);
+}
 template <class Real>
 auto contains_zero(const Interval<Real>& b) {
-    const Real zero = like(b.hi, 0.0);
-    return both(b.neg_lo >= zero, b.hi >= zero);
+    return no(excludes_zero(b));
 }
 
 /// a / b. The whole line where b has zeros on both sides; a half line where b only touches 0.
@@ -180,6 +199,17 @@ Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     return select(unbounded, whole_line(zero), without_nan(quotient));
 }
 
+/// a / b for b >= 0.
+template <class Real>
+Interval<Real> divide_by_nonnegative(const Interval<Real>& a, const Interval<Real>& b) {
+    const Real zero = like(b.hi, 0.0);
+    const Real b_lo = maximum(-b.neg_lo, zero);  // +0, never -0
+    const Interval<Real> quotient{a.neg_lo / select_negative(a.neg_lo, b.hi, b_lo),
+                                  a.hi / select_negative(a.hi, b.hi, b_lo)};
+    const auto unbounded = either(unordered(quotient.neg_lo, quotient.hi), b.hi <= zero);
+    return select(unbounded, whole_line(zero), quotient);
+}
+
 /// For a / b where b has zeros inside: every quotient is at most hi or at least -neg_lo, as far as
 /// a has none.
 template <class Real>
@@ -189,7 +219,8 @@ Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) 
     const Real before = neg_size / b.neg_lo;
     const auto positive = a.neg_lo < like(a.hi, 0.0);
     const auto inside = both(b.neg_lo > like(a.hi, 0.0), b.hi > like(a.hi, 0.0));
-    const auto usable = both(inside, neg_size < like(a.hi, 0.0));
+    const auto known = no(unordered(a.neg_lo, a.hi));
+    const auto usable = both(known, both(inside, neg_size < like(a.hi, 0.0)));
     return select(
         usable, Interval<Real>{select(positive, behind, before), select(positive, before, behind)},
         whole_line(a.hi));
@@ -199,13 +230,13 @@ Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) 
 template <class Real>
 Interval<Real> square_root(const Interval<Real>& a) {
     const Real zero = like(a.hi, 0.0);
-    const Real lo = maximum(-a.neg_lo, zero);
+    const Real lo = maximum(zero, -a.neg_lo);  // in this order NaN stays
     const Real up = square_root(lo);
     // up is rounded upward: it is exact when its square, rounded upward, is lo again; otherwise
     // one part in 2^22 (float) or 2^51 (double) below it is below the root.
     const Real below = up * like(up, -(1.0 - format_of(up).relative_gap));
     const Real neg_lo = select(up * up == lo, -up, below);
-    return {neg_lo, square_root(maximum(a.hi, zero))};
+    return {neg_lo, square_root(maximum(zero, a.hi))};
 }
 
 }  // namespace zeroset

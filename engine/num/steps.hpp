@@ -30,6 +30,13 @@ Real sign_of(const Real& a) {
     return select(a > zero, like(a, 1.0), select(a < zero, like(a, -1.0), zero));
 }
 
+/// An upper bound of the sign: 1 where `a` is NaN.
+template <class Real>
+Real sign_up(const Real& a) {
+    const Real zero = like(a, 0.0);
+    return select(a < zero, like(a, -1.0), select(a <= zero, zero, like(a, 1.0)));
+}
+
 /// floor(a + 1/2), exact in any rounding mode: a - floor(a) is exact for a > 0 and where it is at
 /// most 1/2, and rounding never takes it across 1/2.
 template <class Real>
@@ -41,7 +48,7 @@ Real nearest_integer(const Real& a) {
 
 template <class Real>
 Enclosure<Real> sign(const Interval<Real>& a) {
-    return jumping<Real>({sign_of(a.neg_lo), sign_of(a.hi)});
+    return jumping<Real>({sign_up(a.neg_lo), sign_up(a.hi)});
 }
 template <class Real>
 Enclosure<Real> floor(const Interval<Real>& a) {
@@ -65,15 +72,15 @@ Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b) {
     const Real k = round_down(quotient.hi);
     const Real first_k = round_down(-quotient.neg_lo);
     const auto one_step = k == first_k;
-    const Interval<Real> from_zero{maximum(b.neg_lo, zero), maximum(b.hi, zero)};
+    const Interval<Real> from_zero{maximum(zero, b.neg_lo), maximum(zero, b.hi)};
     const Interval<Real> shifted = a - b * point(k);
     const Interval<Real> tight{minimum(shifted.neg_lo, from_zero.neg_lo),
                                minimum(shifted.hi, from_zero.hi)};
     const Interval<Real> before = a - b * point(first_k);
-    const auto one_jump = both(k - first_k <= like(k, 1.0), no(contains_zero(b)));
+    const auto one_jump = both(k - first_k <= like(k, 1.0), excludes_zero(b));
     const Interval<Real> apart =
         select(one_jump, Interval<Real>{before.neg_lo, shifted.hi}, whole_line(zero));
-    return {select(one_step, tight, from_zero), {}, no(contains_zero(b)), one_step, apart};
+    return {select(one_step, tight, from_zero), {}, excludes_zero(b), one_step, apart};
 }
 
 /// A condition that holds for sure, or fails for sure.
@@ -120,8 +127,8 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
     const auto fails = may_fail(c.range);
     const auto use_a = a.somewhere ? both(holds, *a.somewhere) : holds;
     const auto use_b = b.somewhere ? both(fails, *b.somewhere) : fails;
-    const Interval<Real> hull{maximum(a.range.neg_lo, b.range.neg_lo),
-                              maximum(a.range.hi, b.range.hi)};
+    const Interval<Real> hull{larger_bound(a.range.neg_lo, b.range.neg_lo),
+                              larger_bound(a.range.hi, b.range.hi)};
     Enclosure<Real> result{select(use_a, select(use_b, hull, a.range), b.range)};
     const Interval<Real> a_first{b.range.neg_lo, a.range.hi};
     const Interval<Real> b_first{a.range.neg_lo, b.range.hi};

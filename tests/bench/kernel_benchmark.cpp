@@ -2,12 +2,11 @@
 #include "engine/expr/parse.hpp"
 #include "engine/num/rounding.hpp"
 #include "jit/compile.hpp"
+#include "tests/bench/samples.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -15,39 +14,8 @@
 // What a kernel costs, for each surface of the benchmark suite: ns for 8 boxes, ns for 8 points,
 // in float and in double, and the time from graph to machine code.
 
-namespace zeroset {
+namespace zeroset::test {
 namespace {
-
-constexpr std::size_t items = 1024;  // fits the nearest cache with all arrays
-constexpr double items_of_8 = items / 8.0;
-
-/// Boxes of a 64th of the clip box, and points in them, spread over all of it.
-template <class Real>
-struct Samples {
-    std::array<std::vector<Real>, 3> neg_lo;
-    std::array<std::vector<Real>, 3> hi;
-    std::array<std::vector<Real>, 3> x;
-    Uniforms uniforms;
-
-    explicit Samples(const GalleryItem& item) {
-        uniforms.set(0, item.w);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto k = static_cast<glm::length_t>(axis);
-            const double size =
-                static_cast<double>(item.clip.hi[k]) - static_cast<double>(item.clip.lo[k]);
-            for (std::size_t i = 0; i < items; ++i) {
-                // Low-discrepancy: multiples of three irrational numbers.
-                constexpr std::array irrational{0.8191725134, 0.6710436067, 0.5497004779};
-                double part = static_cast<double>(i) * irrational.at(axis);
-                part -= static_cast<double>(static_cast<std::size_t>(part));
-                const double lo = static_cast<double>(item.clip.lo[k]) + part * size;
-                neg_lo.at(axis).push_back(static_cast<Real>(-lo));
-                hi.at(axis).push_back(static_cast<Real>(lo + size / 64));
-                x.at(axis).push_back(static_cast<Real>(lo));
-            }
-        }
-    }
-};
 
 Kernel kernel_of(const GalleryItem& item, benchmark::State& state, bool with_double) {
     const auto expr = parse(item.equation);
@@ -77,13 +45,7 @@ void time_range(benchmark::State& state, const GalleryItem& item) {
     std::vector<Real> f_neg_lo(items);
     std::vector<Real> f_hi(items);
     std::vector<ContinuityMask<Real>> continuous(items);
-    const RangeBatchOf<Real> batch{items,
-                                   {in.neg_lo[0].data(), in.neg_lo[1].data(), in.neg_lo[2].data()},
-                                   {in.hi[0].data(), in.hi[1].data(), in.hi[2].data()},
-                                   in.uniforms.template boxes<Real>(),
-                                   f_neg_lo.data(),
-                                   f_hi.data(),
-                                   continuous.data()};
+    const RangeBatchOf<Real> batch = in.range_batch(f_neg_lo, f_hi, continuous);
     const UpwardRounding upward;
     for (auto _ : state) {
         kernel.range(batch);
@@ -152,10 +114,10 @@ void register_benchmarks() {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::test
 
 int main(int argc, char** argv) {
-    zeroset::register_benchmarks();
+    zeroset::test::register_benchmarks();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     benchmark::RunSpecifiedBenchmarks();

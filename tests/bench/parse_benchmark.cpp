@@ -16,7 +16,7 @@ template <class Part>
 std::string text_of(std::string text, Part part) {
     for (int i = 1;; ++i) {
         const std::string next = part(i);
-        if (text.size() + next.size() > ProgramLimits::text) return text;
+        if (text.size() + next.size() > longest_text) return text;
         text += next;
     }
 }
@@ -32,7 +32,7 @@ std::string polynomial() {
 
 std::string statements() {
     return text_of("x + y + z = 1", [](int i) {
-        if (i >= 999) return std::string(ProgramLimits::text, ' ');
+        if (i >= 999) return std::string(longest_text, ' ');
         const std::string name = "c_" + number(i);
         return "\n" + name + " = " + (i % 10 == 1 ? "2" : "c_" + number(i - 1) + "/3") +
                " + sqrt(" + number(i) + ") # one of the many values of this text, with its reason";

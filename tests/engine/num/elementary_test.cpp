@@ -1,7 +1,7 @@
 #include "engine/num/elementary.hpp"
 
-#include "engine/expr/op.hpp"
 #include "engine/num/rounding.hpp"
+#include "tests/support/elementary_functions.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/real_types.hpp"
@@ -9,79 +9,21 @@
 #include <gtest/gtest.h>
 #include <immintrin.h>
 
-#include <algorithm>
 #include <bit>
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <numbers>
 #include <string>
-#include <string_view>
-#include <type_traits>
-#include <vector>
 
 // The library's functions: their greatest measured error stays below the bound by which
 // enclosures are widened, in any rounding mode of the caller, with the same bits at any width.
 
 namespace zeroset::test {
 namespace {
-
-/// A type so much wider that its C library functions are exact for our purposes.
-template <class Real>
-using Wide = std::conditional_t<sizeof(Real) == 4, double, long double>;
-template <class Real>
-using Pattern = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
-
-template <class Real>
-constexpr RealType type_of = format_of(Real{}).type;
-
-template <class Real>
-struct Function {
-    Elementary id;
-    Op op;
-    const char* name;
-    Wide<Real> (*close)(Wide<Real>, Wide<Real>);  ///< by the C library
-};
-
-/// The operator of the same name, which the reference knows.
-Op op_of(Elementary function) {
-    if (function == Elementary::Cbrt) return Op::OddRoot;
-    static constexpr std::string_view names[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
-                      double_overflow)                                                  \
-    #id,
-#include "engine/num/sleef_functions.def"
-#undef ZEROSET_SLEEF
-    };
-    return std::ranges::find(operators(), names[static_cast<std::size_t>(function)], &OpInfo::name)
-        ->op;
-}
-
-template <class Real>
-const std::vector<Function<Real>>& functions() {
-    using W = Wide<Real>;
-    static const std::vector<Function<Real>> all = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
-                      double_overflow)                                                  \
-    {Elementary::id, op_of(Elementary::id), #name, ZEROSET_CLOSE_##arity(name)},
-#define ZEROSET_CLOSE_1(name) [](W a, W) { return std::name(a); }
-#define ZEROSET_CLOSE_2(name) [](W a, W b) { return std::name(a, b); }
-#include "engine/num/sleef_functions.def"
-#undef ZEROSET_SLEEF
-#undef ZEROSET_CLOSE_1
-#undef ZEROSET_CLOSE_2
-    };
-    return all;
-}
-
-template <class Real>
-Real from_bits(std::uint64_t bits) {
-    return std::bit_cast<Real>(static_cast<Pattern<Real>>(bits));
-}
 
 /// Calls `visit(a, b)` for about two million operands in float, one million in double: all
 /// exponents evenly, and where it is hard.
@@ -270,35 +212,10 @@ TYPED_TEST(ElementaryCode, LeavesTheCallersRoundingMode) {
     }
 }
 
-constexpr std::size_t most_lanes = 16;
 template <class Real>
-using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
-
-// Calls code over registers of so many bytes, from a function that has such registers.
-#define ZEROSET_CALLER(name, bytes, attributes)                                                  \
-    template <class Real>                                                                        \
-    attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
-        typedef Real Lanes __attribute__((vector_size(bytes)));                                  \
-        Lanes x;                                                                                 \
-        Lanes y;                                                                                 \
-        std::memcpy(&x, a, bytes);                                                               \
-        std::memcpy(&y, b, bytes);                                                               \
-        const Lanes result = arity == 1 ? reinterpret_cast<Lanes (*)(Lanes)>(code)(x)            \
-                                        : reinterpret_cast<Lanes (*)(Lanes, Lanes)>(code)(x, y); \
-        std::memcpy(out, &result, bytes);                                                        \
-    }
-ZEROSET_CALLER(call_128, 16, )
-ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
-ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))
-#undef ZEROSET_CALLER
-
-template <class Real>
-void compare_with_one_lane(const Function<Real>& function, std::size_t bytes, Caller<Real> call) {
-    const std::size_t lanes = bytes / sizeof(Real);
-    const void* const address =
-        elementary_code(function.id, static_cast<int>(lanes), type_of<Real>);
-    if (address == nullptr) return;
-    auto* const code = const_cast<void*>(address);  // a pointer to a function has no const to keep
+void compare_with_one_lane(const Function<Real>& function, std::size_t bytes) {
+    const auto [code, lanes, call] = wide_code<Real>(function.id, bytes);
+    if (code == nullptr) return;
     RandomNumbers random(32);
     for (int i = 0; i < 40'000; ++i) {
         Real a[most_lanes];
@@ -318,9 +235,8 @@ void compare_with_one_lane(const Function<Real>& function, std::size_t bytes, Ca
 
 TYPED_TEST(ElementaryCode, HasTheSameBitsAtEveryWidth) {
     for (const auto& function : functions<TypeParam>()) {
-        compare_with_one_lane<TypeParam>(function, 16, call_128);
-        compare_with_one_lane<TypeParam>(function, 32, call_256);
-        compare_with_one_lane<TypeParam>(function, 64, call_512);
+        for (const std::size_t bytes : {16U, 32U, 64U})
+            compare_with_one_lane<TypeParam>(function, bytes);
     }
 }
 

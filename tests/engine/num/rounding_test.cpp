@@ -1,15 +1,18 @@
 #include "engine/num/rounding.hpp"
 
 #include "engine/num/scalar.hpp"
+#include "tests/support/host_control.hpp"
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cfenv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <thread>
 
-namespace zeroset {
+namespace zeroset::test {
 namespace {
 
 /// -1/3 in the current mode; the nearest float is the one below. The volatile numbers keep the
@@ -53,6 +56,54 @@ TEST(RoundingGuard, RestoresTheModeBefore) {
         EXPECT_EQ(std::fegetround(), FE_UPWARD);
     }
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+}
+
+TEST(RoundingGuard, WorksAndRestoresInEveryModeOfTheHost) {
+    for (const int mode : all_modes) {
+        for (const unsigned flush : all_flushes) {
+            const HostControl host(mode, flush);
+            const unsigned before = control();
+            EXPECT_EQ(third_in_mode<FE_UPWARD>(), -0x1.555554p-2F);
+            EXPECT_EQ(third_in_mode<FE_DOWNWARD>(), -0x1.555556p-2F);
+            EXPECT_EQ(control(), before);
+            EXPECT_EQ(std::fegetround(), mode);
+        }
+    }
+}
+
+/// smallest normal / 4 * 2, with a denormal between.
+float through_a_denormal() {
+    const volatile float normal = std::numeric_limits<float>::min();
+    const volatile float quarter = 0.25F;
+    const volatile float denormal = normal * quarter;
+    const volatile float two = 2.0F;
+    const volatile float half = denormal * two;
+    return half;
+}
+
+TEST(RoundingGuard, KeepsDenormalsThatTheHostFlushes) {
+    const HostControl host(FE_TONEAREST, flush_all);
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(through_a_denormal()), 0U);
+    {
+        const UpwardRounding upward;
+        EXPECT_TRUE(rounds_upward());
+        EXPECT_EQ(std::bit_cast<std::uint32_t>(through_a_denormal()), 0x400000U);
+        {
+            const NearestCall call;
+            EXPECT_EQ(std::bit_cast<std::uint32_t>(through_a_denormal()), 0x400000U);
+        }
+        EXPECT_TRUE(rounds_upward());
+    }
+    EXPECT_FALSE(rounds_upward());
+    EXPECT_EQ(std::bit_cast<std::uint32_t>(through_a_denormal()), 0U);
+}
+
+TEST(RoundingGuard, IsNotUpwardWhileTheHostFlushes) {
+    const UpwardRounding upward;
+    for (const unsigned flush : all_flushes) {
+        const HostControl host(FE_UPWARD, flush);
+        EXPECT_EQ(rounds_upward(), flush == 0U);
+    }
 }
 
 TEST(RoundingGuard, RestoresTheModeAfterAnException) {
@@ -108,4 +159,4 @@ TEST(Maximum, TakesTheSecondOfUnordered) {
 }
 
 }  // namespace
-}  // namespace zeroset
+}  // namespace zeroset::test

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "jit/lanes.hpp"
+
+#include <llvm/IR/IRBuilder.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+
+#include <cstddef>
+#include <cstdint>
+
+// The frame of the functions that the JIT makes. Private to jit/ and to what is measured beside it.
+
+namespace zeroset::jit {
+
+/// A function `void name(const void* code, const Batch* batch)` with the loop over the batch's
+/// items: `entry` runs once, `body` for each vector of items.
+class BatchFunction {
+public:
+    BatchFunction(llvm::Module& module, const char* name, const VectorKind& kind,
+                  std::size_t size_offset)
+        : builder_(module.getContext()), emitter_{builder_, kind} {
+        auto* const type = llvm::FunctionType::get(
+            builder_.getVoidTy(), {builder_.getPtrTy(), builder_.getPtrTy()}, false);
+        function_ = llvm::Function::Create(type, llvm::Function::ExternalLinkage, name, module);
+        function_->addFnAttr(llvm::Attribute::StrictFP);
+        function_->addFnAttr(llvm::Attribute::NoUnwind);
+        entry_ = llvm::BasicBlock::Create(module.getContext(), "entry", function_);
+        body_ = llvm::BasicBlock::Create(module.getContext(), "body", function_);
+        builder_.SetInsertPoint(entry_);
+        size_ = builder_.CreateLoad(builder_.getInt64Ty(), member(size_offset), "size");
+        builder_.SetInsertPoint(body_);
+        item_ = builder_.CreatePHI(builder_.getInt64Ty(), 2, "item");
+        builder_.SetInsertPoint(entry_);
+    }
+
+    /// Closes the loop.
+    void finish() {
+        llvm::BasicBlock* const done =
+            llvm::BasicBlock::Create(builder_.getContext(), "done", function_);
+        llvm::Value* const next = builder_.CreateAdd(
+            item_, builder_.getInt64(static_cast<std::uint64_t>(emitter_.kind.lanes)));
+        builder_.CreateCondBr(builder_.CreateICmpULT(next, size_), body_, done);
+        item_->addIncoming(next, builder_.GetInsertBlock());
+        builder_.SetInsertPoint(done);
+        builder_.CreateRetVoid();
+        if (nowhere_ != nullptr) {
+            builder_.SetInsertPoint(nowhere_);
+            builder_.CreateRetVoid();
+        }
+        builder_.SetInsertPoint(entry_);
+        builder_.CreateBr(body_);
+        item_->addIncoming(builder_.getInt64(0), entry_);
+    }
+
+    void go_to_body() { builder_.SetInsertPoint(body_); }
+
+    /// Tells that a node of the body has been emitted. LLVM's time grows with the square of a basic
+    /// block's length, so a long body becomes a chain of blocks; the branches between them, never
+    /// left out, keep LLVM from joining the blocks again.
+    void count_node() {
+        if (++nodes_ % nodes_a_block != 0) return;
+        llvm::LLVMContext& context = builder_.getContext();
+        if (nowhere_ == nullptr) nowhere_ = llvm::BasicBlock::Create(context, "empty", function_);
+        llvm::BasicBlock* const next = llvm::BasicBlock::Create(context, "further", function_);
+        builder_.CreateCondBr(builder_.CreateICmpNE(size_, builder_.getInt64(0)), next, nowhere_);
+        builder_.SetInsertPoint(next);
+    }
+
+    /// An array pointer of the batch; call before go_to_body.
+    llvm::Value* array(std::size_t offset) {
+        return builder_.CreateLoad(builder_.getPtrTy(), member(offset));
+    }
+    Lanes load(llvm::Value* array) {
+        llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
+        return {&emitter_,
+                builder_.CreateAlignedLoad(emitter_.real_vector(), address, alignment())};
+    }
+    /// The same number, `array[index]`, in all lanes.
+    Lanes load_uniform(llvm::Value* array, std::size_t index) {
+        llvm::Value* const address = builder_.CreateConstGEP1_64(emitter_.real(), array, index);
+        llvm::Value* const one = builder_.CreateLoad(emitter_.real(), address);
+        return {&emitter_,
+                builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.kind.lanes), one)};
+    }
+    void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
+    /// All ones where the mask holds.
+    void store(llvm::Value* array, const LaneMask& mask) {
+        store_vector(array,
+                     builder_.CreateSExt(mask.value, emitter_.vector_of(emitter_.integer())));
+    }
+
+    /// Of a number of the vectors' type.
+    Lanes splat(double value) { return like(Lanes{&emitter_, nullptr}, value); }
+    LaneMask everywhere() {
+        return {&emitter_,
+                llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
+    }
+
+private:
+    llvm::Value* member(std::size_t offset) {
+        return builder_.CreateConstGEP1_64(builder_.getInt8Ty(), function_->getArg(1), offset);
+    }
+    void store_vector(llvm::Value* array, llvm::Value* vector) {
+        llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
+        builder_.CreateAlignedStore(vector, address, alignment());
+    }
+    [[nodiscard]] llvm::Align alignment() const {
+        return llvm::Align(emitter_.is_float() ? sizeof(float) : sizeof(double));
+    }
+
+    llvm::IRBuilder<> builder_;
+    Emitter emitter_;
+    llvm::Function* function_ = nullptr;
+    llvm::BasicBlock* entry_ = nullptr;
+    llvm::BasicBlock* body_ = nullptr;
+    llvm::Value* size_ = nullptr;
+    llvm::PHINode* item_ = nullptr;
+
+    static constexpr std::size_t nodes_a_block = 100;
+    std::size_t nodes_ = 0;
+    llvm::BasicBlock* nowhere_ = nullptr;  ///< where an empty batch would go
+};
+
+}  // namespace zeroset::jit

@@ -1,0 +1,205 @@
+#include "app/gallery.hpp"
+#include "engine/expr/algebra.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/num/rounding.hpp"
+#include "jit/batch_function.hpp"
+#include "jit/compile.hpp"
+#include "jit/orc.hpp"
+#include "tests/bench/plain_algebra.hpp"
+#include "tests/bench/samples.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The cost of soundness: the engine's range kernels, (-lo, hi) in upward rounding, against plain
+// ones, (lo, hi) to nearest, of the same graph by the same compiler and of the same lanes, turn by
+// turn in one run. For each algebraic surface of the gallery: ns for 8 boxes of either, their
+// ratio, and at the end the geometric mean of the ratios.
+
+namespace zeroset::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Whether the plain algebra knows the operator.
+bool is_algebraic(Op op) {
+    static constexpr Op known[] = {Op::Constant, Op::Variable, Op::Negate, Op::Add,
+                                   Op::Subtract, Op::Multiply, Op::Divide, Op::IntPower,
+                                   Op::Sqrt,     Op::Abs,      Op::Min,    Op::Max};
+    return std::ranges::find(known, op) != std::end(known);
+}
+
+PlainRange plain_apply(const Node& node, const Operand<PlainRange>& a,
+                       const Operand<PlainRange>& b) {
+    if (node.op == Op::Negate) return PlainAlgebra::negate(a.value);
+    if (node.op == Op::Add) return PlainAlgebra::add(a.value, b.value);
+    if (node.op == Op::Subtract) return PlainAlgebra::subtract(a.value, b.value);
+    if (node.op == Op::Multiply) return PlainAlgebra::multiply(a, b);
+    if (node.op == Op::Divide) return PlainAlgebra::divide(a.value, b.value);
+    if (node.op == Op::IntPower) return PlainAlgebra::int_power(a, node.number);
+    if (node.op == Op::Sqrt) return PlainAlgebra::sqrt(a);
+    if (node.op == Op::Abs) return PlainAlgebra::abs(a);
+    if (node.op == Op::Min) return PlainAlgebra::min(a.value, b.value);
+    return PlainAlgebra::max(a.value, b.value);
+}
+
+/// A batch's arrays called neg_lo are those of lo here.
+std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const jit::VectorKind& kind,
+                                          llvm::LLVMContext& context) {
+    auto module = std::make_unique<llvm::Module>("plain", context);
+    const std::vector<Facts> facts = facts_of(expr);
+    jit::BatchFunction function(*module, jit::range_symbol, kind, offsetof(RangeBatch, size));
+    const auto array = [&](std::size_t offset, std::size_t i) {
+        return function.array(offset + i * sizeof(float*));
+    };
+    llvm::Value* lo[3];
+    llvm::Value* hi[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        lo[i] = array(offsetof(RangeBatch, neg_lo), i);
+        hi[i] = array(offsetof(RangeBatch, hi), i);
+    }
+    llvm::Value* const uniforms = array(offsetof(RangeBatch, uniforms), 0);
+    llvm::Value* const f_lo = array(offsetof(RangeBatch, f_neg_lo), 0);
+    llvm::Value* const f_hi = array(offsetof(RangeBatch, f_hi), 0);
+
+    std::vector<std::optional<PlainRange>> values(expr.nodes().size());
+    const auto leaf = [&](const Node& node, const Facts& fact) -> PlainRange {
+        if (fact.constant) {
+            const auto middle = function.splat(static_cast<double>(fact.middle_float));
+            return {middle, middle};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v < 3) return {function.load(lo[v]), function.load(hi[v])};
+        return {function.load_uniform(uniforms, 2 * (v - 3)),
+                function.load_uniform(uniforms, 2 * (v - 3) + 1)};
+    };
+    const auto compute = [&](NodeId id) -> PlainRange {
+        const Node& node = expr.node(id);
+        if (is_leaf(node, facts[id])) return leaf(node, facts[id]);
+        const NodeId b = arity(node.op) < 2 ? node.a : node.b;
+        return plain_apply(node, {*values[node.a], facts[node.a]}, {*values[b], facts[b]});
+    };
+    for (NodeId id = 0; id <= expr.root(); ++id) {
+        if (facts[id].uniform) values[id] = compute(id);
+    }
+    function.go_to_body();
+    for (NodeId id = 0; id <= expr.root(); ++id) {
+        if (facts[id].uniform) continue;
+        values[id] = compute(id);
+        function.count_node();
+    }
+    function.store(f_lo, values.back()->lo);
+    function.store(f_hi, values.back()->hi);
+    function.finish();
+    jit::add_value_function(expr, facts, kind, *module);
+    return module;
+}
+
+/// Of the plain algebra's boxes, whose lower ends are not negated.
+Samples<float> plain_samples(const GalleryItem& item) {
+    Samples<float> samples(item);
+    for (auto& ends : samples.neg_lo) {
+        for (float& end : ends)
+            end = -end;
+    }
+    for (std::size_t i = 0; i < samples.uniforms.neg_lo_hi.size(); i += 2)
+        samples.uniforms.neg_lo_hi[i] = -samples.uniforms.neg_lo_hi[i];
+    return samples;
+}
+
+/// A kernel of either kind with its boxes and its rounding mode, timed turn by turn.
+template <int Mode>
+class Side {
+public:
+    Side(Kernel::RangeFunction code, Samples<float> samples)
+        : code_(code), samples_(std::move(samples)) {}
+
+    /// Runs the batch some times and keeps the least time.
+    void run() {
+        constexpr int times = 16;
+        const RangeBatch batch = samples_.range_batch(f_neg_lo_, f_hi_, continuous_);
+        const RoundingGuard<Mode> guard;
+        const auto start = Clock::now();
+        for (int i = 0; i < times; ++i) {
+            code_(nullptr, &batch);
+            benchmark::ClobberMemory();
+        }
+        const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
+        least_ = std::min(least_, elapsed.count() / (times * items_of_8));
+    }
+    /// Of 8 boxes.
+    [[nodiscard]] double least_ns() const { return least_; }
+
+private:
+    Kernel::RangeFunction code_;
+    Samples<float> samples_;
+    std::vector<float> f_neg_lo_ = std::vector<float>(items);
+    std::vector<float> f_hi_ = std::vector<float>(items);
+    std::vector<std::uint32_t> continuous_ = std::vector<std::uint32_t>(items);
+    double least_ = infinity;
+};
+
+/// Natural logarithms of the ratios measured, by surface.
+std::map<std::string, double>& log_ratios() {
+    static std::map<std::string, double> all;
+    return all;
+}
+
+void time_both(benchmark::State& state, const GalleryItem& item, const Expr& expr) {
+    const auto sound_kernel = jit::compile(expr);
+    const auto plain_code = jit::make_code(expr, {RealType::Float, jit::host_lanes()}, lower_plain);
+    if (!sound_kernel || !plain_code) return state.SkipWithError("does not compile");
+    Side<FE_UPWARD> sound(sound_kernel->range_function, Samples<float>(item));
+    Side<FE_TONEAREST> plain(reinterpret_cast<Kernel::RangeFunction>((*plain_code)->range()),
+                             plain_samples(item));
+    for (auto _ : state) {
+        sound.run();
+        plain.run();
+    }
+    const double ratio = sound.least_ns() / plain.least_ns();
+    state.counters["sound_ns"] = sound.least_ns();
+    state.counters["plain_ns"] = plain.least_ns();
+    state.counters["ratio"] = ratio;
+    log_ratios()[item.name] = std::log(ratio);
+}
+
+void register_benchmarks() {
+    for (const GalleryItem& item : gallery()) {
+        const auto expr = parse(item.equation);
+        if (!expr) continue;
+        const auto known = [](const Node& node) { return is_algebraic(node.op); };
+        if (!std::ranges::all_of(expr->nodes(), known)) continue;
+        benchmark::RegisterBenchmark(item.name.c_str(), [&item, expr](benchmark::State& state) {
+            time_both(state, item, *expr);
+        })->Iterations(2000);
+    }
+}
+
+void print_mean() {
+    double sum = 0.0;
+    for (const auto& [name, log_ratio] : log_ratios())
+        sum += log_ratio;
+    const auto count = static_cast<double>(log_ratios().size());
+    if (count > 0) std::printf("geometric mean of %g ratios: %.3f\n", count, std::exp(sum / count));
+}
+
+}  // namespace
+}  // namespace zeroset::test
+
+int main(int argc, char** argv) {
+    zeroset::test::register_benchmarks();
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    zeroset::test::print_mean();
+}

@@ -1,0 +1,119 @@
+#pragma once
+
+#include "engine/expr/op.hpp"
+#include "engine/num/format.hpp"
+#include "engine/num/sleef.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+// What the tests of the library's elementary functions share: their names, close values by the C
+// library in a wider type, and calls of their code at every width.
+
+namespace zeroset::test {
+
+/// A type so much wider that its C library functions are exact for our purposes.
+template <class Real>
+using Wide = std::conditional_t<sizeof(Real) == 4, double, long double>;
+template <class Real>
+using Pattern = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
+
+template <class Real>
+constexpr RealType type_of = format_of(Real{}).type;
+
+template <class Real>
+struct Function {
+    Elementary id;
+    Op op;
+    const char* name;
+    Wide<Real> (*close)(Wide<Real>, Wide<Real>);  ///< by the C library
+};
+
+/// The operator of the same name, which the reference knows.
+inline Op op_of(Elementary function) {
+    if (function == Elementary::Cbrt) return Op::OddRoot;
+    static constexpr std::string_view names[] = {
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    #id,
+#include "engine/num/sleef_functions.def"
+#undef ZEROSET_SLEEF
+    };
+    return std::ranges::find(operators(), names[static_cast<std::size_t>(function)], &OpInfo::name)
+        ->op;
+}
+
+template <class Real>
+const std::vector<Function<Real>>& functions() {
+    using W = Wide<Real>;
+    static const std::vector<Function<Real>> all = {
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    {Elementary::id, op_of(Elementary::id), #name, ZEROSET_CLOSE_##arity(name)},
+#define ZEROSET_CLOSE_1(name) [](W a, W) { return std::name(a); }
+#define ZEROSET_CLOSE_2(name) [](W a, W b) { return std::name(a, b); }
+#include "engine/num/sleef_functions.def"
+#undef ZEROSET_SLEEF
+#undef ZEROSET_CLOSE_1
+#undef ZEROSET_CLOSE_2
+    };
+    return all;
+}
+
+template <class Real>
+Real from_bits(std::uint64_t bits) {
+    return std::bit_cast<Real>(static_cast<Pattern<Real>>(bits));
+}
+
+/// Lanes of the widest registers.
+inline constexpr std::size_t most_lanes = 16;
+/// Code of one or two operands over `a` and `b`, one register of it.
+template <class Real>
+using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
+
+// Calls code over registers of so many bytes, from a function that has such registers.
+#define ZEROSET_CALLER(name, bytes, attributes)                                                  \
+    template <class Real>                                                                        \
+    attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
+        typedef Real Lanes __attribute__((vector_size(bytes)));                                  \
+        Lanes x;                                                                                 \
+        Lanes y;                                                                                 \
+        std::memcpy(&x, a, bytes);                                                               \
+        std::memcpy(&y, b, bytes);                                                               \
+        const Lanes result = arity == 1 ? reinterpret_cast<Lanes (*)(Lanes)>(code)(x)            \
+                                        : reinterpret_cast<Lanes (*)(Lanes, Lanes)>(code)(x, y); \
+        std::memcpy(out, &result, bytes);                                                        \
+    }
+ZEROSET_CALLER(call_128, 16, )
+ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
+ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))
+#undef ZEROSET_CALLER
+
+/// The code of a function over registers of so many bytes, and how to call it.
+template <class Real>
+struct WideCode {
+    void* code;  ///< nullptr where this machine has no such registers
+    std::size_t lanes;
+    Caller<Real> call;
+};
+
+/// `bytes` is 16, 32 or 64.
+template <class Real>
+WideCode<Real> wide_code(Elementary function, std::size_t bytes) {
+    const std::size_t lanes = bytes / sizeof(Real);
+    const void* const address = elementary_code(function, static_cast<int>(lanes), type_of<Real>);
+    // A pointer to a function has no const to keep.
+    return {const_cast<void*>(address), lanes,
+            bytes == 16   ? call_128<Real>
+            : bytes == 32 ? call_256<Real>
+                          : call_512<Real>};
+}
+
+}  // namespace zeroset::test

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <immintrin.h>
+
+#include <cfenv>
+
+namespace zeroset::test {
+
+inline constexpr int all_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+/// How a host may treat denormals.
+inline constexpr unsigned all_flushes[] = {0U, _MM_FLUSH_ZERO_ON, _MM_DENORMALS_ZERO_ON,
+                                           _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON};
+inline constexpr unsigned flush_all = all_flushes[3];
+
+/// The control word of vector registers, without what past operations left there.
+inline unsigned control() {
+    constexpr unsigned sticky_flags = 0x3F;
+    return _mm_getcsr() & ~sticky_flags;
+}
+
+/// A host's settings of this thread, for a test's life; then round-to-nearest.
+class HostControl {
+public:
+    HostControl(int mode, unsigned flush) {
+        std::fesetround(mode);
+        _mm_setcsr(_mm_getcsr() | flush);
+    }
+    ~HostControl() {
+        std::fesetround(FE_TONEAREST);
+        _mm_setcsr(before_);
+    }
+    HostControl(const HostControl&) = delete;
+    HostControl& operator=(const HostControl&) = delete;
+
+private:
+    unsigned before_ = _mm_getcsr();
+};
+
+}  // namespace zeroset::test
