@@ -62,7 +62,7 @@ FramePainter::FramePainter(const Scene& scene, const Camera& camera, const Trace
     : tracer_(*find_tracer(settings.tracer)), out_(out), cancel_(cancel) {
     const ViewFrame view(camera);
     for (const Kernel& kernel : scene.surfaces)
-        surfaces_.push_back({scene, kernel, view, out.width, out.height, settings.stop});
+        surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
 }
 
 bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {

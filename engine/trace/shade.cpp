@@ -67,24 +67,22 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
 }
 
-/// Colours of the first `size` hits, from position and gradient; `size` may be rounded up.
-void shade_hits(const ViewFrame& view, const SurfaceColors& colors, const TileHits& hits,
-                std::size_t size, ShadeBuffers& buffers) {
+/// Colours of the first `size` hits, from rays and gradients; `size` may be rounded up.
+void shade_hits(const ViewFrame& view, const SurfaceColors& colors, std::size_t size,
+                ShadeBuffers& buffers) {
     const hn::RebindToUnsigned<D> du;
     const Lights lights(view);
     const V3 key = splat(lights.key);
     const V3 fill = splat(lights.fill);
     const V3 up = splat(view.up);
-    const V3 eye = splat(view.eye);
     const V3 forward = splat(view.forward);
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-        const V3 position{hn::LoadU(d, &hits.position[0][i]), hn::LoadU(d, &hits.position[1][i]),
-                          hn::LoadU(d, &hits.position[2][i])};
-        const V3 ray = normalized(
-            {hn::Sub(position.x, eye.x), hn::Sub(position.y, eye.y), hn::Sub(position.z, eye.z)},
-            forward);
+        const V3 ray =
+            normalized({hn::LoadU(d, &buffers.ray[0][i]), hn::LoadU(d, &buffers.ray[1][i]),
+                        hn::LoadU(d, &buffers.ray[2][i])},
+                       forward);
         const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
         const V3 outward = normalized(
             {hn::LoadU(d, &buffers.gradient[0][i]), hn::LoadU(d, &buffers.gradient[1][i]),
@@ -153,6 +151,36 @@ std::size_t padded(std::size_t size) {
     return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
 }
 
+/// Gradients at the hits, and rays to them, by the kernel's code in the type of `values`.
+template <class Real>
+void look_up(const TraceFrame& frame, const TileHits& hits, HitValues<Real>& values,
+             ShadeBuffers& buffers) {
+    const std::size_t size = padded(hits.size);
+    values.f.resize(std::max(values.f.size(), size));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<Real>& position = values.position[axis];
+        position.resize(values.f.size());
+        values.gradient[axis].resize(values.f.size());
+        const auto eye = static_cast<Real>(frame.view.eye[static_cast<int>(axis)]);
+        for (std::size_t i = 0; i < hits.size; ++i)
+            position[i] = static_cast<Real>(hits.position[axis][i]);
+        std::fill_n(position.begin() + static_cast<std::ptrdiff_t>(hits.size), size - hits.size,
+                    position.front());
+        for (std::size_t i = 0; i < size; ++i)
+            buffers.ray[axis][i] = static_cast<float>(position[i] - eye);
+    }
+    frame.kernel.value(ValueBatchOf<Real>{
+        size,
+        {values.position[0].data(), values.position[1].data(), values.position[2].data()},
+        frame.scene.uniforms.points<Real>(),
+        values.f.data(),
+        {values.gradient[0].data(), values.gradient[1].data(), values.gradient[2].data()}});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < size; ++i)
+            buffers.gradient[axis][i] = static_cast<float>(values.gradient[axis][i]);
+    }
+}
+
 }  // namespace
 
 void clear_tile(const Tile& tile, Framebuffer& out) {
@@ -161,9 +189,10 @@ void clear_tile(const Tile& tile, Framebuffer& out) {
 
 ShadeBuffers::ShadeBuffers() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
-    f.resize(capacity);
-    for (std::vector<float>& axis : gradient)
-        axis.resize(capacity);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ray[axis].resize(capacity);
+        gradient[axis].resize(capacity);
+    }
     color.resize(capacity);
 }
 
@@ -175,26 +204,20 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
-void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
-                ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
+void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
+                const TileHits& hits, ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
     for (const auto& [at, depth] : hits.unsettled) {
         Certificate& certificate = out.certificate[out.index(tile.col + at.col, tile.row + at.row)];
         if (certificate == Certificate::Miss) certificate = Certificate::Undecided;
     }
     if (hits.size == 0) return;
-    const std::size_t size = padded(hits.size);
-    for (std::vector<float>& axis : hits.position) {
-        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
-                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
+    if (frame.precision == Precision::Double) {
+        look_up(frame, hits, buffers.in_double, buffers);
+    } else {
+        look_up(frame, hits, buffers.in_float, buffers);
     }
-    frame.kernel.value(
-        {size,
-         {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
-         frame.scene.uniforms.middle.data(),
-         buffers.f.data(),
-         {buffers.gradient[0].data(), buffers.gradient[1].data(), buffers.gradient[2].data()}});
     counters.value += hits.size;
-    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), hits, size, buffers);
+    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), padded(hits.size), buffers);
     for (std::size_t i = 0; i < hits.size; ++i) {
         const std::size_t pixel =
             out.index(tile.col + hits.pixel[i].col, tile.row + hits.pixel[i].row);

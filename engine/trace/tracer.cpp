@@ -7,10 +7,18 @@
 
 namespace zeroset {
 
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
+                       int height, const StopCriterion& stop) {
+    const Precision precision =
+        kernel.has_double() ? wanted_precision(scene.clip, view, stop) : Precision::Float;
+    return {scene,    kernel, view, width, height, stop, search_depth(scene.clip, view, stop),
+            precision};
+}
+
 TileHits::TileHits() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
     static_assert(capacity % batch_multiple == 0);
-    for (std::vector<float>& axis : position)
+    for (std::vector<double>& axis : position)
         axis.resize(capacity);
     depth.resize(capacity);
     pixel.resize(capacity);
@@ -22,7 +30,7 @@ void TileHits::clear() {
     unsettled.clear();
 }
 
-void TileHits::push(Pixel at, const std::array<float, 3>& where, float distance,
+void TileHits::push(Pixel at, const std::array<double, 3>& where, float distance,
                     Certificate known) {
     for (std::size_t i = 0; i < 3; ++i)
         position[i][size] = where[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <array>
@@ -22,7 +23,14 @@ struct TraceFrame {
     int width;
     int height;
     StopCriterion stop;
+    SearchDepth depth;    ///< what `stop` comes to in this view
+    Precision precision;  ///< of the kernel's code to use; it has it
 };
+
+/// The frame of one of the scene's surfaces: in the precision that the view wants, if the kernel
+/// has it.
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
+                       int height, const StopCriterion& stop);
 
 /// A rectangle of the image, at most tile_size wide and high.
 struct Tile {
@@ -53,8 +61,8 @@ struct TileHits {
     };
 
     std::size_t size = 0;
-    std::array<std::vector<float>, 3> position;  ///< on the surface, world units
-    std::vector<float> depth;                    ///< distance from the eye along the ray
+    std::array<std::vector<double>, 3> position;  ///< on the surface, world units
+    std::vector<float> depth;                     ///< distance from the eye along the ray
     std::vector<Pixel> pixel;
     std::vector<Certificate> certificate;
     /// One item a ray, whether it hit something afterwards or not; such a hit is not certified.
@@ -62,7 +70,7 @@ struct TileHits {
 
     TileHits();
     void clear();
-    void push(Pixel at, const std::array<float, 3>& where, float distance, Certificate known);
+    void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
 };
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
