@@ -6,10 +6,14 @@
 
 namespace zeroset {
 
+const char* name_of(Precision precision) {
+    return precision == Precision::Float ? "float" : "double";
+}
+
 SearchDepth search_depth(const Box& clip, const ViewFrame& view, const StopCriterion& stop) {
     constexpr double deepest = 100.0;  // below the resolution of any type
     const double share = clip.size() / view.look_distance;
-    const double deeper = share > 1.0 ? std::min(std::ceil(std::log2(share)), deepest) : 0.0;
+    const double deeper = share > 1.0 ? std::min(std::floor(std::log2(share)), deepest) : 0.0;
     const double own = stop.rule == StopRule::DStop ? stop.value : max_d_stop;
     return {static_cast<int>(own) + static_cast<int>(deeper), static_cast<int>(deeper)};
 }
@@ -22,8 +26,8 @@ int deepest_halving(const Box& clip, double reach, int digits) {
 Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCriterion& stop) {
     // Halvings that a whole box may fall short of max_d_stop: in float its cells are a few ulp.
     constexpr int most_missed = 2;
-    // The eye is nearer to the point looked at than half the box's edge.
-    constexpr int deep_view = 2;
+    // The eye is no farther from the point looked at than half the box's edge.
+    constexpr int deep_view = 1;
     // Enclosures of f in float are as wide as those of cells of some 2^6 ulp.
     constexpr int lost_bits = 6;
     const glm::dvec3 far = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));

@@ -10,10 +10,13 @@ namespace zeroset {
 /// The type in which a frame is traced.
 enum class Precision : std::uint8_t { Float, Double };
 
+/// "float" or "double".
+const char* name_of(Precision precision);
+
 /// How finely rays are searched. A search stops at cells of the clip box's longest edge times
-/// 2^-wanted near the eye. A view of less than the box wants finer ones: the box's edge is then
-/// replaced by the distance from the eye to the point looked at. Cells farther away than that grow
-/// in proportion to their distance from the eye, up to 2^deeper times.
+/// 2^-wanted near the eye: 2^-d_stop of the edge, or of the distance from the eye to the point
+/// looked at where that is less by a factor of 2 or more (up to less than the double of it). Cells
+/// farther away than that grow in proportion to their distance from the eye, up to 2^deeper times.
 struct SearchDepth {
     int wanted = 0;  ///< halvings of the clip box; a tracer stops before where its type does
     int deeper = 0;  ///< how many of them the view adds to d_stop; 0: it is no smaller than the box

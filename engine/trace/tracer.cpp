@@ -7,12 +7,21 @@
 
 namespace zeroset {
 
+Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
+    const bool has_double = std::ranges::all_of(scene.surfaces, &Kernel::has_double);
+    return has_double ? wanted_precision(scene.clip, view, stop) : Precision::Float;
+}
+
 TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
                        int height, const StopCriterion& stop) {
-    const Precision precision =
-        kernel.has_double() ? wanted_precision(scene.clip, view, stop) : Precision::Float;
-    return {scene,    kernel, view, width, height, stop, search_depth(scene.clip, view, stop),
-            precision};
+    return {scene,
+            kernel,
+            view,
+            width,
+            height,
+            stop,
+            search_depth(scene.clip, view, stop),
+            frame_precision(scene, view, stop)};
 }
 
 TileHits::TileHits() {

@@ -27,8 +27,10 @@ struct TraceFrame {
     Precision precision;  ///< of the kernel's code to use; it has it
 };
 
-/// The frame of one of the scene's surfaces: in the precision that the view wants, if the kernel
-/// has it.
+/// What the view wants, if all of the scene's kernels have code for it; else float.
+Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop);
+
+/// The frame of one of the scene's surfaces, in the scene's precision.
 TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
                        int height, const StopCriterion& stop);
 

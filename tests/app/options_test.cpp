@@ -67,7 +67,7 @@ TEST(ReadBox, RefusesWhatIsNoBox) {
 }
 
 TEST(ReadBox, RefusesBoxesTooSmallForFloatsThere) {
-    expect_refused(surface_of({{&ViewText::box, "1000000,1000001,0,1,0,1"}}), "too small");
+    expect_refused(surface_of({{&ViewText::box, "1,1.0000000000000009,0,1e-16,0,1e-16"}}), "too small");
     expect_refused(surface_of({{&ViewText::box, "1e-31"}}), "too small");
     EXPECT_TRUE(surface_of({{&ViewText::box, "100,101,0,1,0,1"}}));
     EXPECT_TRUE(surface_of({{&ViewText::box, "1e-20"}}));

@@ -179,7 +179,9 @@ TEST(Zoom, KeepsThePointUnderTheCursor) {
                 camera.look_at + view.half_height * view.look_distance *
                                      (cursor.x * view.right + cursor.y * view.up);
             for (const double factor : {0.5, 0.88, 1.3}) {
-                const Camera moved = zoom(camera, factor, cursor.x, cursor.y);
+                const glm::dvec3 fixed = point_under(camera, cursor.x, cursor.y);
+                expect_near(fixed, point, 1e-9);
+                const Camera moved = zoom(camera, factor, fixed);
                 const Projection at = projected(moved, point);
                 EXPECT_NEAR(at.u, cursor.x, 1e-9);
                 EXPECT_NEAR(at.v, cursor.y, 1e-9);
