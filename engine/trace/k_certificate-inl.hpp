@@ -137,7 +137,9 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
     for (int i = 0; i < 2; ++i) {
         const Line<Real>& line = packet.line[i];
         const V<Real> middle = hn::Sub(hn::Load(d<Real>, line.hi), hn::Load(d<Real>, line.neg_lo));
-        const V<Real> u = hn::MulAdd(hn::Load(d<Real>, line.slope), k, hn::Mul(half, middle));
+        const V<Real> slopes =
+            hn::Add(hn::Load(d<Real>, line.slope_lo), hn::Load(d<Real>, line.slope_hi));
+        const V<Real> u = hn::MulAdd(hn::Mul(half, slopes), k, hn::Mul(half, middle));
         hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d<Real>, position[axes.world[i + 1]]);
     }
     const V<Real> along = hn::Sub(k, hn::Set(d<Real>, static_cast<Real>(axes.eye[0])));

@@ -98,10 +98,12 @@ struct Axes {
     [[nodiscard]] double slope_error_share() const { return 6.0 * direction_error; }
 };
 
-/// A coordinate as a function of K on each ray: between -(neg_lo - slope k) and hi + slope k.
+/// A coordinate as a function of K on each ray: between -(neg_lo - slope_lo k) and hi + slope_hi k.
 template <class Real>
 struct Line {
-    alignas(vector_bytes<Real>) Real slope[lanes<Real>];  ///< not negative, on the packet's rays
+    /// Not negative on the packet's rays, but by an error in double; equal in float.
+    alignas(vector_bytes<Real>) Real slope_lo[lanes<Real>];
+    alignas(vector_bytes<Real>) Real slope_hi[lanes<Real>];
     alignas(vector_bytes<Real>) Real neg_lo[lanes<Real>];
     alignas(vector_bytes<Real>) Real hi[lanes<Real>];
 };

@@ -110,7 +110,7 @@ bool PacketSource<Real>::next(Packet<Real>& packet) {
         packet.col = col_;
         packet.row = row_;
         for (std::size_t part = 0; part < parts; ++part)
-            store_part(lines_of(axes, rays[part]), part * part_lanes, packet);
+            store_part(rays[part], part * part_lanes, packet);
         set_up_lanes(packet, mine);
         if (tile_.limits != nullptr) limit_lanes(packet);
         if (set_up_slices(packet)) return true;
@@ -171,8 +171,8 @@ int PacketSource<Real>::epsilon_depth(const Packet<Real>& packet, Real k_min, Re
     Real longest = std::numeric_limits<Real>::min();  // the packet's Delta [Knoll07, eq. 7]
     for (std::size_t lane = 0; lane < lanes<Real>; ++lane) {
         const Real extent = packet.k_out[lane] - packet.k_in[lane];
-        const Real u = packet.line[0].slope[lane];
-        const Real v = packet.line[1].slope[lane];
+        const Real u = packet.line[0].slope_hi[lane];
+        const Real v = packet.line[1].slope_hi[lane];
         longest = std::max(longest, extent * (1 + u * u + v * v));
     }
     const auto packet_share = static_cast<double>((k_max - k_min) / longest);

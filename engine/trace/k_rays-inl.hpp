@@ -107,58 +107,69 @@ HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& block, std
     return rays;
 }
 
-/// Entries, exits and lines of a part, enclosed in numbers of the packet's type.
+/// A coordinate of a part as lines over K, as in Line.
 template <class Real>
-struct PartLines {
-    PartOf<Real> neg_k_in, k_out, stretch;
-    PartOf<Real> slope[2], neg_lo[2], hi[2];
+struct PartLine {
+    PartOf<Real> slope_lo, slope_hi, neg_lo, hi;
 };
 
 // A product that is to be rounded upward is always one that is added: without a fused
 // multiply-add, the product of a - b c would be rounded the wrong way.
-template <class Real>
-HWY_INLINE PartLines<Real> lines_of(const Axes<Real>& axes, const PartRays& rays) {
+
+/// Axis i, not K. In float the slopes' errors widen the lines by the same everywhere in the box:
+/// that of rounding to float, much the largest, is small in the box, not at the eye. In double
+/// those of the direction are left, which are smallest at the eye.
+HWY_INLINE PartLine<float> line_of(const Axes<float>& axes, int i, const PartRays& rays) {
     const V64 k_eye = hn::Set(d64, axes.eye[0]);
-    const V64 neg_k_eye = hn::Neg(k_eye);
-    const V64 bound = hn::Set(d64, axes.direction_error);
-    const V64 neg_k_slowest = hn::Sub(bound, rays.direction[0]);
-    const V64 k_fastest = hn::Add(bound, rays.direction[0]);
-    PartLines<Real> lines{};
-    lines.neg_k_in = narrowed<Real>(hn::MulAdd(hn::Neg(rays.neg_t_in), neg_k_slowest, neg_k_eye));
-    lines.k_out = narrowed<Real>(hn::MulAdd(rays.t_out, k_fastest, k_eye));
-    const V64 exact_error =
+    const V64 eye = hn::Set(d64, axes.eye[i]);
+    // A ray that falls within the error is taken for one that keeps its coordinate.
+    const V64 slope = hn::Max(hn::Mul(rays.direction[i], rays.inverse_k), hn::Zero(d64));
+    const PartOf<float> narrow = narrowed<float>(slope);
+    const V64 narrowing = hn::Sub(widened(narrow), slope);
+    const V64 of_direction =
         hn::Mul(hn::Set(d64, axes.slope_error_share() * axes.k_reach), rays.inverse_k);
-    V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
-    for (int i = 0; i < 2; ++i) {
-        const V64 eye = hn::Set(d64, axes.eye[i + 1]);
-        // A ray that falls within the error is taken for one that keeps its coordinate.
-        const V64 slope = hn::Max(hn::Mul(rays.direction[i + 1], rays.inverse_k), hn::Zero(d64));
-        lines.slope[i] = narrowed<Real>(slope);
-        const V64 slope_error = hn::Sub(widened(lines.slope[i]), slope);
-        const V64 error = hn::MulAdd(slope_error, hn::Set(d64, axes.k_size), exact_error);
-        const V64 hi = hn::MulAdd(slope, neg_k_eye, eye);
-        const V64 neg_lo = hn::MulAdd(slope, k_eye, hn::Neg(eye));
-        lines.hi[i] = narrowed<Real>(hn::Add(hi, error));
-        lines.neg_lo[i] = narrowed<Real>(hn::Add(neg_lo, error));
-        length2 = hn::MulAdd(rays.direction[i + 1], rays.direction[i + 1], length2);
-    }
-    lines.stretch = hn::Div(hn::Sqrt(narrowed<Real>(length2)), narrowed<Real>(rays.direction[0]));
-    return lines;
+    const V64 error = hn::MulAdd(narrowing, hn::Set(d64, axes.k_size), of_direction);
+    const V64 neg_lo = hn::MulAdd(slope, k_eye, hn::Neg(eye));
+    const V64 hi = hn::MulAdd(slope, hn::Neg(k_eye), eye);
+    return {narrow, narrow, narrowed<float>(hn::Add(neg_lo, error)),
+            narrowed<float>(hn::Add(hi, error))};
 }
 
-/// Puts the part from lane `first` on into the packet.
+HWY_INLINE PartLine<double> line_of(const Axes<double>& axes, int i, const PartRays& rays) {
+    const V64 k_eye = hn::Set(d64, axes.eye[0]);
+    const V64 eye = hn::Set(d64, axes.eye[i]);
+    const V64 slope = hn::Mul(rays.direction[i], rays.inverse_k);
+    const V64 error = hn::Mul(hn::Set(d64, axes.slope_error_share()), rays.inverse_k);
+    const V64 slope_hi = hn::Add(slope, error);
+    const V64 slope_lo = hn::Neg(hn::Sub(error, slope));
+    return {slope_lo, slope_hi, hn::MulAdd(slope_lo, k_eye, hn::Neg(eye)),
+            hn::MulAdd(slope_hi, hn::Neg(k_eye), eye)};
+}
+
+/// Puts the part from lane `first` on into the packet, in numbers of its type that enclose it.
 template <class Real>
-HWY_INLINE void store_part(const PartLines<Real>& lines, std::size_t first, Packet<Real>& packet) {
+HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>& packet) {
     const PartTag<Real> tag;
-    hn::Store(hn::Neg(lines.neg_k_in), tag, packet.k_in + first);
-    hn::Store(lines.k_out, tag, packet.k_out + first);
-    hn::Store(lines.stretch, tag, packet.stretch + first);
-    for (int i = 0; i < 2; ++i) {
-        Line<Real>& line = packet.line[i];
-        hn::Store(lines.slope[i], tag, line.slope + first);
-        hn::Store(lines.neg_lo[i], tag, line.neg_lo + first);
-        hn::Store(lines.hi[i], tag, line.hi + first);
+    const Axes<Real>& axes = *packet.axes;
+    const V64 k_eye = hn::Set(d64, axes.eye[0]);
+    const V64 bound = hn::Set(d64, axes.direction_error);
+    const V64 neg_slowest = hn::Sub(bound, rays.direction[0]);
+    const V64 fastest = hn::Add(bound, rays.direction[0]);
+    const V64 neg_k_in = hn::MulAdd(hn::Neg(rays.neg_t_in), neg_slowest, hn::Neg(k_eye));
+    hn::Store(hn::Neg(narrowed<Real>(neg_k_in)), tag, packet.k_in + first);
+    hn::Store(narrowed<Real>(hn::MulAdd(rays.t_out, fastest, k_eye)), tag, packet.k_out + first);
+    V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
+    for (int i = 1; i < 3; ++i) {
+        const PartLine<Real> part = line_of(axes, i, rays);
+        Line<Real>& line = packet.line[i - 1];
+        hn::Store(part.slope_lo, tag, line.slope_lo + first);
+        hn::Store(part.slope_hi, tag, line.slope_hi + first);
+        hn::Store(part.neg_lo, tag, line.neg_lo + first);
+        hn::Store(part.hi, tag, line.hi + first);
+        length2 = hn::MulAdd(rays.direction[i], rays.direction[i], length2);
     }
+    const PartOf<Real> length = hn::Sqrt(narrowed<Real>(length2));
+    hn::Store(hn::Div(length, narrowed<Real>(rays.direction[0])), tag, packet.stretch + first);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
