@@ -36,10 +36,10 @@ class AxesTable {
 public:
     AxesTable(const TraceFrame& frame, const PixelSteps& steps) : frame_(frame), steps_(steps) {}
     /// The axes for a ray; they live as long as the table.
-    const Axes<Real>& of(const glm::dvec3& direction);
+    HWY_INLINE const Axes<Real>& of(const glm::dvec3& direction);
 
 private:
-    void make(Axes<Real>& axes, int k, const glm::bvec3& negative) const;
+    HWY_NOINLINE void make(Axes<Real>& axes, int k, const glm::bvec3& negative) const;
     void set_axis(Axes<Real>& axes, int i, int world, bool mirrored) const;
     void set_grid(Axes<Real>& axes) const;
 
@@ -50,7 +50,7 @@ private:
 };
 
 template <class Real>
-const Axes<Real>& AxesTable<Real>::of(const glm::dvec3& direction) {
+HWY_INLINE const Axes<Real>& AxesTable<Real>::of(const glm::dvec3& direction) {
     const glm::dvec3 size = glm::abs(direction);
     const int longest_of_xy = size.x >= size.y ? 0 : 1;
     const int k = size[longest_of_xy] >= size.z ? longest_of_xy : 2;
@@ -65,7 +65,7 @@ const Axes<Real>& AxesTable<Real>::of(const glm::dvec3& direction) {
 }
 
 template <class Real>
-void AxesTable<Real>::make(Axes<Real>& axes, int k, const glm::bvec3& negative) const {
+HWY_NOINLINE void AxesTable<Real>::make(Axes<Real>& axes, int k, const glm::bvec3& negative) const {
     for (int i = 0; i < 3; ++i) {
         const int world = (k + i) % 3;
         set_axis(axes, i, world, negative[world]);

@@ -67,23 +67,43 @@ struct PartRays {
         return bits[0];
     }
     /// Ends the rays where they leave the slab of an axis of the clip box. Any direction within the
-    /// error may be the exact one.
-    HWY_INLINE void clip(V64 axis_direction, double error, double from_lo, double to_hi);
+    /// error may be the exact one. Returns 1 / (direction - error).
+    HWY_INLINE V64 clip(V64 axis_direction, double error, double from_lo, double to_hi);
+    /// The same where some ray may be parallel to the slab.
+    HWY_NOINLINE void clip_parallel(V64 axis_direction, double error, double from_lo, double to_hi);
 };
 
-HWY_INLINE void PartRays::clip(V64 axis_direction, double error, double from_lo, double to_hi) {
+HWY_INLINE V64 PartRays::clip(V64 axis_direction, double error, double from_lo, double to_hi) {
+    const V64 one = hn::Set(d64, 1.0);
+    const V64 slowest = hn::Neg(hn::Sub(hn::Set(d64, error), axis_direction));
+    if (HWY_UNLIKELY(!hn::AllTrue(d64, hn::Gt(slowest, hn::Zero(d64))))) {
+        clip_parallel(axis_direction, error, from_lo, to_hi);
+        return hn::Div(one, hn::Max(slowest, hn::Set(d64, 1e-300)));
+    }
+    const V64 longest = hn::Div(one, slowest);
+    // 1 / fastest is no less than longest (1 - 2 error longest), but for an ulp.
+    const V64 neg_share =
+        hn::MulAdd(hn::Set(d64, 2.0 * error), longest, hn::Set(d64, 0x1p-50 - 1.0));
+    const V64 neg_shortest = hn::Mul(longest, neg_share);
+    neg_t_in = hn::Min(neg_t_in, hn::Mul(hn::Set(d64, -from_lo), neg_shortest));
+    t_out = hn::Min(t_out, hn::Mul(hn::Set(d64, to_hi), longest));
+    return longest;
+}
+
+HWY_NOINLINE void PartRays::clip_parallel(V64 axis_direction, double error, double from_lo,
+                                          double to_hi) {
     const V64 zero = hn::Zero(d64);
     const V64 tiny = hn::Set(d64, 1e-300);
     const V64 bound = hn::Set(d64, error);
     // Negative directions are of rays that do not fit.
     const V64 fastest = hn::Max(hn::Add(axis_direction, bound), tiny);
-    const V64 neg_slowest = hn::Sub(bound, axis_direction);
-    const V64 slowest = hn::Neg(hn::IfThenElse(hn::Eq(neg_slowest, zero), tiny, neg_slowest));
+    const V64 neg_difference = hn::Sub(bound, axis_direction);
+    const V64 neg_slowest = hn::IfThenElse(hn::Eq(neg_difference, zero), tiny, neg_difference);
     neg_t_in = hn::Min(neg_t_in, hn::Div(hn::Set(d64, from_lo), fastest));
     // A ray that may fall towards the upper end enters there, if it starts behind it.
-    const V64 to_end = hn::Div(hn::Set(d64, to_hi), slowest);
-    const auto rises = hn::Gt(slowest, zero);
-    const V64 neg_to_end = hn::Div(hn::Set(d64, to_hi), hn::Neg(slowest));
+    const auto rises = hn::Lt(neg_slowest, zero);
+    const V64 to_end = hn::Div(hn::Set(d64, to_hi), hn::Neg(neg_slowest));
+    const V64 neg_to_end = hn::Div(hn::Set(d64, to_hi), neg_slowest);
     t_out = hn::IfThenElse(rises, hn::Min(t_out, to_end), t_out);
     neg_t_in = hn::IfThenElse(rises, neg_t_in, hn::Min(neg_t_in, neg_to_end));
 }
@@ -99,11 +119,14 @@ HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& block, std
         const double corner = axes.mirrored[i] ? -block[world] : block[world];
         rays.direction[i] =
             hn::Add(hn::Set(d64, corner), hn::Load(d64, axes.lane_offset[i] + first));
-        rays.clip(rays.direction[i], axes.direction_error, axes.from_lo[i], axes.to_hi[i]);
+        const V64 inverse =
+            rays.clip(rays.direction[i], axes.direction_error, axes.from_lo[i], axes.to_hi[i]);
+        if (i == 0) {
+            // 1 / direction but for the square of the error.
+            const V64 share = hn::Mul(hn::Set(d64, -axes.direction_error), inverse);
+            rays.inverse_k = hn::MulAdd(inverse, share, inverse);
+        }
     }
-    // What does not fit must not divide by 0.
-    const V64 k = hn::Max(rays.direction[0], hn::Set(d64, 1e-300));
-    rays.inverse_k = hn::Div(hn::Set(d64, 1.0), k);
     return rays;
 }
 
