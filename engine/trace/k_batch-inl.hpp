@@ -57,10 +57,11 @@ HWY_INLINE void store_box(const Packet<Real>& packet, V<Real> from, V<Real> to, 
         const Line<Real>& line = packet.line[i - 1];
         const V<Real> slope_lo = hn::Load(tag, line.slope_lo);
         V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, hn::Load(tag, line.neg_lo));
+        V<Real> slope_hi = slope_lo;
         if constexpr (sizeof(Real) == sizeof(double)) {
             neg_lo = hn::Max(neg_lo, hn::MulAdd(slope_lo, hn::Neg(to), hn::Load(tag, line.neg_lo)));
+            slope_hi = hn::Load(tag, line.slope_hi);
         }
-        const V<Real> slope_hi = hn::Load(tag, line.slope_hi);
         hn::Store(neg_lo, tag, at + axes.from_offset[i]);
         hn::Store(hn::MulAdd(slope_hi, to, hn::Load(tag, line.hi)), tag, at + axes.to_offset[i]);
     }

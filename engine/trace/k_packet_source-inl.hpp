@@ -88,29 +88,26 @@ bool PacketSource<Real>::next_block() {
 
 template <class Real>
 bool PacketSource<Real>::next(Packet<Real>& packet) {
-    constexpr std::size_t parts = lanes<Real> / part_lanes;
+    constexpr bool two_parts = lanes<Real> > part_lanes;
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
         const glm::dvec3 block = direction(col_, row_);
         const int first = std::countr_zero(pending_);
         const Axes<Real>& axes =
             axes_for(direction(col_ + first % block_cols<Real>, row_ + first / block_cols<Real>));
-        PartRays rays[parts];
-        unsigned fitting = 1U << first;  // rays that do not share the axes make other packets
-        bool all_miss = true;
-        for (std::size_t part = 0; part < parts; ++part) {
-            rays[part] = part_of(axes, block, part * part_lanes);
-            fitting |= rays[part].fitting() << (part * part_lanes);
-            all_miss = all_miss && rays[part].all_miss();
-        }
-        const unsigned mine = pending_ & fitting;
+        const PartRays low = part_of(axes, block, 0);
+        const PartRays high = two_parts ? part_of(axes, block, part_lanes) : low;
+        const unsigned fitting = low.fitting() | high.fitting() << part_lanes;
+        // The first pending ray always fits; rays that do not share its axes make packets of
+        // their own.
+        const unsigned mine = pending_ & (fitting | 1U << first);
         pending_ &= ~mine;
-        if (all_miss) continue;
+        if (low.all_miss() && high.all_miss()) continue;
         packet.axes = &axes;
         packet.col = col_;
         packet.row = row_;
-        for (std::size_t part = 0; part < parts; ++part)
-            store_part(rays[part], part * part_lanes, packet);
+        store_part(low, 0, packet);
+        if constexpr (two_parts) store_part(high, part_lanes, packet);
         set_up_lanes(packet, mine);
         if (tile_.limits != nullptr) limit_lanes(packet);
         if (set_up_slices(packet)) return true;

@@ -47,14 +47,19 @@ HWY_INLINE PartOf<Real> narrowed(V64 value) {
 HWY_INLINE V64 widened(PartOf<float> value) { return hn::PromoteTo(d64, value); }
 HWY_INLINE V64 widened(V64 value) { return value; }
 
-/// Directions, and where the rays enter and leave the clip box: t from -neg_t_in to t_out.
+/// Where rays enter and leave the clip box: t from -neg_in to out.
+struct PartSpan {
+    V64 neg_in, out;
+};
+
+/// Directions and spans.
 struct PartRays {
     V64 direction[3];
     V64 inverse_k;
-    V64 neg_t_in, t_out;
+    PartSpan span;
 
     [[nodiscard]] HWY_INLINE bool all_miss() const {
-        return hn::AllTrue(d64, hn::Lt(hn::Add(neg_t_in, t_out), hn::Zero(d64)));
+        return hn::AllTrue(d64, hn::Lt(hn::Add(span.neg_in, span.out), hn::Zero(d64)));
     }
     /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
     /// others, none falling.
@@ -66,61 +71,62 @@ struct PartRays {
         hn::StoreMaskBits(d64, hn::And(shallow, rising), bits);
         return bits[0];
     }
-    /// Ends the rays where they leave the slab of an axis of the clip box. Any direction within the
-    /// error may be the exact one. Returns 1 / (direction - error).
-    HWY_INLINE V64 clip(V64 axis_direction, double error, double from_lo, double to_hi);
-    /// The same where some ray may be parallel to the slab.
-    HWY_NOINLINE void clip_parallel(V64 axis_direction, double error, double from_lo, double to_hi);
 };
 
-HWY_INLINE V64 PartRays::clip(V64 axis_direction, double error, double from_lo, double to_hi) {
+/// An axis of the clip box as its rays see it: the slab's ends from the eye, a bound for the error
+/// of directions. Any direction within the error may be the exact one.
+struct Slab {
+    double from_lo, to_hi, error;
+};
+
+/// The spans within the slab, where some ray may be parallel to it.
+HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V64 direction) {
+    const V64 zero = hn::Zero(d64);
+    const V64 tiny = hn::Set(d64, 1e-300);
+    const V64 bound = hn::Set(d64, slab.error);
+    // Negative directions are of rays that do not fit.
+    const V64 fastest = hn::Max(hn::Add(direction, bound), tiny);
+    const V64 neg_difference = hn::Sub(bound, direction);
+    const V64 neg_slowest = hn::IfThenElse(hn::Eq(neg_difference, zero), tiny, neg_difference);
+    const V64 neg_in = hn::Min(span.neg_in, hn::Div(hn::Set(d64, slab.from_lo), fastest));
+    // A ray that may fall towards the upper end enters there, if it starts behind it.
+    const auto rises = hn::Lt(neg_slowest, zero);
+    const V64 to_end = hn::Div(hn::Set(d64, slab.to_hi), hn::Neg(neg_slowest));
+    const V64 neg_to_end = hn::Div(hn::Set(d64, slab.to_hi), neg_slowest);
+    return {hn::IfThenElse(rises, neg_in, hn::Min(neg_in, neg_to_end)),
+            hn::IfThenElse(rises, hn::Min(span.out, to_end), span.out)};
+}
+
+/// Ends the spans where the rays leave the slab. Returns 1 / (direction - error).
+HWY_INLINE V64 clip(PartSpan& span, const Slab& slab, V64 direction) {
     const V64 one = hn::Set(d64, 1.0);
-    const V64 slowest = hn::Neg(hn::Sub(hn::Set(d64, error), axis_direction));
+    const V64 slowest = hn::Neg(hn::Sub(hn::Set(d64, slab.error), direction));
     if (HWY_UNLIKELY(!hn::AllTrue(d64, hn::Gt(slowest, hn::Zero(d64))))) {
-        clip_parallel(axis_direction, error, from_lo, to_hi);
+        span = clip_parallel(span, slab, direction);
         return hn::Div(one, hn::Max(slowest, hn::Set(d64, 1e-300)));
     }
     const V64 longest = hn::Div(one, slowest);
-    // 1 / fastest is no less than longest (1 - 2 error longest), but for an ulp.
+    // The shortest is no less than longest (1 - 2 error longest), but for an ulp.
     const V64 neg_share =
-        hn::MulAdd(hn::Set(d64, 2.0 * error), longest, hn::Set(d64, 0x1p-50 - 1.0));
+        hn::MulAdd(hn::Set(d64, 2.0 * slab.error), longest, hn::Set(d64, 0x1p-50 - 1.0));
     const V64 neg_shortest = hn::Mul(longest, neg_share);
-    neg_t_in = hn::Min(neg_t_in, hn::Mul(hn::Set(d64, -from_lo), neg_shortest));
-    t_out = hn::Min(t_out, hn::Mul(hn::Set(d64, to_hi), longest));
+    span.neg_in = hn::Min(span.neg_in, hn::Mul(hn::Set(d64, -slab.from_lo), neg_shortest));
+    span.out = hn::Min(span.out, hn::Mul(hn::Set(d64, slab.to_hi), longest));
     return longest;
-}
-
-HWY_NOINLINE void PartRays::clip_parallel(V64 axis_direction, double error, double from_lo,
-                                          double to_hi) {
-    const V64 zero = hn::Zero(d64);
-    const V64 tiny = hn::Set(d64, 1e-300);
-    const V64 bound = hn::Set(d64, error);
-    // Negative directions are of rays that do not fit.
-    const V64 fastest = hn::Max(hn::Add(axis_direction, bound), tiny);
-    const V64 neg_difference = hn::Sub(bound, axis_direction);
-    const V64 neg_slowest = hn::IfThenElse(hn::Eq(neg_difference, zero), tiny, neg_difference);
-    neg_t_in = hn::Min(neg_t_in, hn::Div(hn::Set(d64, from_lo), fastest));
-    // A ray that may fall towards the upper end enters there, if it starts behind it.
-    const auto rises = hn::Lt(neg_slowest, zero);
-    const V64 to_end = hn::Div(hn::Set(d64, to_hi), hn::Neg(neg_slowest));
-    const V64 neg_to_end = hn::Div(hn::Set(d64, to_hi), neg_slowest);
-    t_out = hn::IfThenElse(rises, hn::Min(t_out, to_end), t_out);
-    neg_t_in = hn::IfThenElse(rises, neg_t_in, hn::Min(neg_t_in, neg_to_end));
 }
 
 /// The part of a packet from lane `first` on; `block` is the direction of its first pixel.
 template <class Real>
 HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& block, std::size_t first) {
     PartRays rays{};
-    rays.neg_t_in = hn::Zero(d64);
-    rays.t_out = hn::Set(d64, std::numeric_limits<double>::infinity());
+    rays.span = {hn::Zero(d64), hn::Set(d64, std::numeric_limits<double>::infinity())};
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         const double corner = axes.mirrored[i] ? -block[world] : block[world];
         rays.direction[i] =
             hn::Add(hn::Set(d64, corner), hn::Load(d64, axes.lane_offset[i] + first));
-        const V64 inverse =
-            rays.clip(rays.direction[i], axes.direction_error, axes.from_lo[i], axes.to_hi[i]);
+        const Slab slab{axes.from_lo[i], axes.to_hi[i], axes.direction_error};
+        const V64 inverse = clip(rays.span, slab, rays.direction[i]);
         if (i == 0) {
             // 1 / direction but for the square of the error.
             const V64 share = hn::Mul(hn::Set(d64, -axes.direction_error), inverse);
@@ -178,9 +184,9 @@ HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>
     const V64 bound = hn::Set(d64, axes.direction_error);
     const V64 neg_slowest = hn::Sub(bound, rays.direction[0]);
     const V64 fastest = hn::Add(bound, rays.direction[0]);
-    const V64 neg_k_in = hn::MulAdd(hn::Neg(rays.neg_t_in), neg_slowest, hn::Neg(k_eye));
+    const V64 neg_k_in = hn::MulAdd(hn::Neg(rays.span.neg_in), neg_slowest, hn::Neg(k_eye));
     hn::Store(hn::Neg(narrowed<Real>(neg_k_in)), tag, packet.k_in + first);
-    hn::Store(narrowed<Real>(hn::MulAdd(rays.t_out, fastest, k_eye)), tag, packet.k_out + first);
+    hn::Store(narrowed<Real>(hn::MulAdd(rays.span.out, fastest, k_eye)), tag, packet.k_out + first);
     V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
     for (int i = 1; i < 3; ++i) {
         const PartLine<Real> part = line_of(axes, i, rays);

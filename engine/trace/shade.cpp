@@ -67,22 +67,33 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
 }
 
-/// Colours of the first `size` hits, from rays and gradients; `size` may be rounded up.
-void shade_hits(const ViewFrame& view, const SurfaceColors& colors, std::size_t size,
-                ShadeBuffers& buffers) {
+/// a - b, in float.
+void narrow_differences(const double* a, double b, std::size_t size, float* out) {
+    const hn::Repartition<double, D> d64;
+    const hn::Rebind<float, decltype(d64)> narrow;
+    const auto origin = hn::Set(d64, b);
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d64))
+        hn::StoreU(hn::DemoteTo(narrow, hn::Sub(hn::LoadU(d64, a + i), origin)), narrow, out + i);
+}
+
+/// Colours of the first `size` hits, from points, in coordinates where the eye is at
+/// `eye_at`, and gradients; `size` may be rounded up.
+void shade_hits(const ViewFrame& view, const glm::dvec3& eye_at, const SurfaceColors& colors,
+                std::size_t size, ShadeBuffers& buffers) {
     const hn::RebindToUnsigned<D> du;
     const Lights lights(view);
     const V3 key = splat(lights.key);
     const V3 fill = splat(lights.fill);
     const V3 up = splat(view.up);
+    const V3 eye = splat(eye_at);
     const V3 forward = splat(view.forward);
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
     for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-        const V3 ray =
-            normalized({hn::LoadU(d, &buffers.ray[0][i]), hn::LoadU(d, &buffers.ray[1][i]),
-                        hn::LoadU(d, &buffers.ray[2][i])},
-                       forward);
+        const V3 point{hn::LoadU(d, &buffers.point[0][i]), hn::LoadU(d, &buffers.point[1][i]),
+                       hn::LoadU(d, &buffers.point[2][i])};
+        const V3 ray = normalized(
+            {hn::Sub(point.x, eye.x), hn::Sub(point.y, eye.y), hn::Sub(point.z, eye.z)}, forward);
         const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
         const V3 outward = normalized(
             {hn::LoadU(d, &buffers.gradient[0][i]), hn::LoadU(d, &buffers.gradient[1][i]),
@@ -145,40 +156,49 @@ namespace zeroset {
 namespace {
 
 HWY_EXPORT(clear_pixels);
+HWY_EXPORT(narrow_differences);
 HWY_EXPORT(shade_hits);
 
 std::size_t padded(std::size_t size) {
     return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
 }
 
-/// Gradients at the hits, and rays to them, by the kernel's code in the type of `values`.
-template <class Real>
-void look_up(const TraceFrame& frame, const TileHits& hits, HitValues<Real>& values,
-             ShadeBuffers& buffers) {
-    const std::size_t size = padded(hits.size);
-    values.f.resize(std::max(values.f.size(), size));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::vector<Real>& position = values.position[axis];
-        position.resize(values.f.size());
-        values.gradient[axis].resize(values.f.size());
-        const auto eye = static_cast<Real>(frame.view.eye[static_cast<int>(axis)]);
-        for (std::size_t i = 0; i < hits.size; ++i)
-            position[i] = static_cast<Real>(hits.position[axis][i]);
-        std::fill_n(position.begin() + static_cast<std::ptrdiff_t>(hits.size), size - hits.size,
-                    position.front());
-        for (std::size_t i = 0; i < size; ++i)
-            buffers.ray[axis][i] = static_cast<float>(position[i] - eye);
-    }
-    frame.kernel.value(ValueBatchOf<Real>{
+/// Points and gradients of the hits, `size` with the padding, by code in float. Returns the eye in
+/// the points' coordinates.
+glm::dvec3 look_up(const TraceFrame& frame, const TileHits& hits, std::size_t size,
+                   ShadeBuffers& buffers) {
+    const auto narrow = HWY_DYNAMIC_DISPATCH(narrow_differences);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        narrow(hits.position[axis].data(), 0.0, size, buffers.point[axis].data());
+    frame.kernel.value(
+        {size,
+         {buffers.point[0].data(), buffers.point[1].data(), buffers.point[2].data()},
+         frame.scene.uniforms.points<float>(),
+         buffers.f.data(),
+         {buffers.gradient[0].data(), buffers.gradient[1].data(), buffers.gradient[2].data()}});
+    return frame.view.eye;
+}
+
+/// The same by code in double.
+glm::dvec3 look_up_in_double(const TraceFrame& frame, const TileHits& hits, std::size_t size,
+                             ShadeBuffers& buffers) {
+    const auto narrow = HWY_DYNAMIC_DISPATCH(narrow_differences);
+    auto& gradient = buffers.gradient_double;
+    buffers.f_double.resize(buffers.f.size());
+    for (std::vector<double>& axis : gradient)
+        axis.resize(buffers.f.size());
+    frame.kernel.value(ValueBatchOf<double>{
         size,
-        {values.position[0].data(), values.position[1].data(), values.position[2].data()},
-        frame.scene.uniforms.points<Real>(),
-        values.f.data(),
-        {values.gradient[0].data(), values.gradient[1].data(), values.gradient[2].data()}});
+        {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
+        frame.scene.uniforms.points<double>(),
+        buffers.f_double.data(),
+        {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < size; ++i)
-            buffers.gradient[axis][i] = static_cast<float>(values.gradient[axis][i]);
+        const double eye = frame.view.eye[static_cast<int>(axis)];
+        narrow(hits.position[axis].data(), eye, size, buffers.point[axis].data());
+        narrow(gradient[axis].data(), 0.0, size, buffers.gradient[axis].data());
     }
+    return glm::dvec3(0.0);
 }
 
 }  // namespace
@@ -189,8 +209,9 @@ void clear_tile(const Tile& tile, Framebuffer& out) {
 
 ShadeBuffers::ShadeBuffers() {
     constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
+    f.resize(capacity);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        ray[axis].resize(capacity);
+        point[axis].resize(capacity);
         gradient[axis].resize(capacity);
     }
     color.resize(capacity);
@@ -204,20 +225,23 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
-void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
-                const TileHits& hits, ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
+void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
+                ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
     for (const auto& [at, depth] : hits.unsettled) {
         Certificate& certificate = out.certificate[out.index(tile.col + at.col, tile.row + at.row)];
         if (certificate == Certificate::Miss) certificate = Certificate::Undecided;
     }
     if (hits.size == 0) return;
-    if (frame.precision == Precision::Double) {
-        look_up(frame, hits, buffers.in_double, buffers);
-    } else {
-        look_up(frame, hits, buffers.in_float, buffers);
+    const std::size_t size = padded(hits.size);
+    for (std::vector<double>& axis : hits.position) {
+        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
+                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
     }
+    const bool in_double = frame.precision == Precision::Double;
+    const glm::dvec3 eye = in_double ? look_up_in_double(frame, hits, size, buffers)
+                                     : look_up(frame, hits, size, buffers);
     counters.value += hits.size;
-    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), padded(hits.size), buffers);
+    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, eye, colors_of(surface), size, buffers);
     for (std::size_t i = 0; i < hits.size; ++i) {
         const std::size_t pixel =
             out.index(tile.col + hits.pixel[i].col, tile.row + hits.pixel[i].row);
