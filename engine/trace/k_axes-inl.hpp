@@ -112,6 +112,7 @@ void AxesTable<Real>::set_grid(Axes<Real>& axes) const {
     const int possible =
         deepest_halving(frame_.scene.clip, axes.k_size, std::numeric_limits<Real>::digits);
     const int depth = std::max(1, std::min(search.wanted, possible));
+    axes.certifies = search.wanted - depth <= most_missed_halvings;
     const int top_depth = std::min(max_top_depth, depth - 1);
     axes.unit = above<Real>(std::ldexp(size, -depth));
     axes.origin = -axes.neg_lo[0];

@@ -144,7 +144,7 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
     }
     const V<Real> along = hn::Sub(k, hn::Set(d<Real>, static_cast<Real>(axes.eye[0])));
     hn::Store(hn::Mul(along, hn::Load(d<Real>, packet.stretch)), d<Real>, depth);
-    const unsigned settled = bits_of<Real>(certified) & ~packet.unsettled;
+    const unsigned settled = axes.certifies ? bits_of<Real>(certified) & ~packet.unsettled : 0;
     for (unsigned bits = packet.hit; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
         hits.push(packet.pixel(lane),

@@ -91,6 +91,7 @@ struct Axes {
     /// their distance in cells from eye_cell times 2^-near_shift.
     std::int64_t coarsest, eye_cell;
     int near_shift;
+    bool certifies;  ///< the finest slices are near enough to the wanted tolerance to be certified
     alignas(64) double lane_offset[3][lanes<Real>];  ///< directions relative to the first pixel's
 
     /// Times the inverse of a ray's direction along K, a bound for the error of its slope over K,

@@ -24,8 +24,6 @@ int deepest_halving(const Box& clip, double reach, int digits) {
 }
 
 Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCriterion& stop) {
-    // Halvings that a whole box may fall short of max_d_stop: in float its cells are a few ulp.
-    constexpr int most_missed = 2;
     // The eye is no farther from the point looked at than half the box's edge.
     constexpr int deep_view = 1;
     // Enclosures of f in float are as wide as those of cells of some 2^6 ulp.
@@ -34,7 +32,7 @@ Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCri
     const double reach = std::max({far.x, far.y, far.z});
     const int possible = deepest_halving(clip, reach, std::numeric_limits<float>::digits);
     const SearchDepth depth = search_depth(clip, view, stop);
-    const bool whole = depth.deeper < deep_view && possible >= max_d_stop - most_missed;
+    const bool whole = depth.deeper < deep_view && possible >= max_d_stop - most_missed_halvings;
     return !whole && depth.wanted + lost_bits > possible ? Precision::Double : Precision::Float;
 }
 

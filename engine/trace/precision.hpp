@@ -22,6 +22,10 @@ struct SearchDepth {
     int deeper = 0;  ///< how many of them the view adds to d_stop; 0: it is no smaller than the box
 };
 
+/// Halvings that a search may fall short of what is wanted and still certify what it finds: in
+/// float the cells of a whole box at max_d_stop are a few ulp.
+inline constexpr int most_missed_halvings = 2;
+
 SearchDepth search_depth(const Box& clip, const ViewFrame& view, const StopCriterion& stop);
 
 /// How often the clip box can be halved along a ray until its cells are a few ulp of the largest

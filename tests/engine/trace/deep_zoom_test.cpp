@@ -229,6 +229,9 @@ TEST_P(DeepZoom, IsNeverWrongBelowWhatDoubleCanTellApart) {
 TEST(DeepZoomEnd, IsUndecided) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
+        const Tally near = check_view(stand, near_camera(stand, 2e-14));
+        EXPECT_EQ(near.certified, 0) << stand.name;
+        EXPECT_GT(near.undecided, 30) << stand.name;
         const Tally tally = check_view(stand, small_box(stand, 1e-15));
         EXPECT_EQ(tally.certified, 0) << stand.name;
         EXPECT_GT(tally.undecided, 30) << stand.name;
