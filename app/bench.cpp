@@ -115,10 +115,12 @@ struct BenchCell {
 
 OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
                                 const TraceSettings& settings) {
-    const auto formula = compile_formula(item.surface.equation, item.surface.clip);
+    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
+    const Precision precision =
+        wanted_precision(item.surface.clip, ViewFrame(camera), settings.stop);
+    const auto formula = compile_formula(item.surface.equation, item.surface.clip, precision);
     if (!formula) return std::unexpected(formula.error());
     const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
-    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
     cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);

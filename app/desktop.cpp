@@ -8,6 +8,7 @@
 #include "app/options.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/palette.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
 #include "ui/label.hpp"
@@ -84,6 +85,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
 
 void Desktop::draw_frame() {
     take_formula();
+    take_double();
     take_frame();
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
@@ -92,7 +94,8 @@ void Desktop::draw_frame() {
 }
 
 bool Desktop::settled() const {
-    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing);
+    const bool deepens = shown_ != nullptr && deepening_ == shown_;
+    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
     return answered_text_ == state_.equation && drawn && !state_.reset_view;
 }
 
@@ -108,6 +111,14 @@ void Desktop::take_formula() {
         state_.error_at = error.offset;
         state_.unfinished = error.unfinished;
     }
+}
+
+/// The shown formula, now with code in double, too; nothing else changes.
+void Desktop::take_double() {
+    std::shared_ptr<const Formula> formula = formulas_.take_double();
+    if (formula == nullptr || deepening_ != shown_) return;
+    deepening_.reset();
+    shown_ = std::move(formula);
 }
 
 void Desktop::show(std::shared_ptr<const Formula> formula) {
@@ -153,14 +164,14 @@ void Desktop::show_parameters(const ParameterValues& opened) {
 void Desktop::take_frame() {
     std::optional<RenderResult> result = pictures_.take();
     if (result) {
-        frame_ = result->frame;
+        state_.shown = {result->frame, result->camera};
         upload_frame();
         if (result->coarseness == 1) {
             const bool newest = result->request == request_;
-            state_.picture = {!newest, frame_->width, frame_->height, result->frame_ms,
-                              result->counts};
+            state_.picture = {!newest,          result->frame->width, result->frame->height,
+                              result->frame_ms, result->counts,       result->precision};
         }
-    } else if (frame_ != nullptr &&
+    } else if (state_.shown.frame != nullptr &&
                (state_.theme != uploaded_theme_ || state_.mark_undecided != uploaded_marks_)) {
         upload_frame();
     }
@@ -169,7 +180,7 @@ void Desktop::take_frame() {
 void Desktop::upload_frame() {
     const auto tint =
         state_.mark_undecided ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
-    texture_.upload(*frame_, ui::behind_picture(state_.theme), tint);
+    texture_.upload(*state_.shown.frame, ui::behind_picture(state_.theme), tint);
     uploaded_theme_ = state_.theme;
     uploaded_marks_ = state_.mark_undecided;
 }
@@ -200,24 +211,36 @@ void Desktop::reset_view() {
     state_.reset_view = false;
 }
 
-void Desktop::submit_picture() {
+std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     const glm::ivec2 size = state_.viewport_px;
-    if (shown_ == nullptr || state_.reset_view || size.x <= 0 || size.y <= 0) return;
+    if (shown_ == nullptr || state_.reset_view || size.x <= 0 || size.y <= 0) return std::nullopt;
     Wanted wanted{shown_, state_.clip, state_.camera, state_.w, {}, state_.stop, size};
     for (const ui::ParameterSlider& slider : state_.parameters)
         wanted.parameters[slider.name] = slider.value;
-    if (submitted_ && same_picture(*submitted_, wanted)) return;
+    return wanted;
+}
+
+void Desktop::submit_picture() {
+    std::optional<Wanted> next = wanted_picture();
+    if (!next || (submitted_ && same_picture(*submitted_, *next))) return;
+    Wanted& wanted = *next;
+    if (!shown_->has_code(wanted_precision(wanted.clip, ViewFrame(wanted.camera), wanted.stop))) {
+        // The last picture stays until the code is there.
+        if (deepening_ != shown_) formulas_.submit_double(shown_);
+        deepening_ = shown_;
+        return;
+    }
 
     RenderRequest request;
     request.scene = make_scene(*shown_, wanted.clip, wanted.w, wanted.parameters);
     request.camera = wanted.camera;
     request.settings = settings_;
     request.settings.stop = wanted.stop;
-    request.width = size.x;
-    request.height = size.y;
+    request.width = wanted.size_px.x;
+    request.height = wanted.size_px.y;
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
-    submitted_ = std::move(wanted);
+    submitted_ = std::move(next);
     window_.wake();
 }
 

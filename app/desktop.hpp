@@ -64,10 +64,12 @@ private:
     void take_formula();
     void show(std::shared_ptr<const Formula> formula);
     void show_parameters(const ParameterValues& opened);
+    void take_double();
     void take_frame();
     void upload_frame();
     void follow_edits();
     void reset_view();
+    [[nodiscard]] std::optional<Wanted> wanted_picture() const;
     void submit_picture();
 
     ui::Window& window_;
@@ -81,9 +83,9 @@ private:
     std::optional<Camera> home_;  ///< what Reset view goes back to, if it is not the default
     std::map<std::string, ui::ParameterSlider> known_sliders_;  ///< of every text so far
     std::shared_ptr<const Formula> shown_;                      ///< the last good one
+    std::shared_ptr<const Formula> deepening_;  ///< `shown_`, when it waits for code in double
     std::optional<Wanted> submitted_;
     std::uint64_t request_ = 0;
-    std::shared_ptr<const Framebuffer> frame_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;
 

@@ -38,16 +38,38 @@ CodeState code_for(const std::vector<Expr>& surfaces) {
     return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
-std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces) {
+std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
+                                                            Precision precision) {
+    const jit::CompileOptions options{.with_double = precision == Precision::Double};
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
-        auto kernel = jit::compile(surface, {.with_double = true});
+        auto kernel = jit::compile(surface, options);
         if (!kernel) {
             return wrong_input("the formula cannot be compiled: " + kernel.error().message);
         }
         kernels.push_back(std::move(*kernel));
     }
     return kernels;
+}
+
+/// The formula with the interpreter's code, which is always in both types.
+Formula interpreted(Formula formula) {
+    formula.kernels.clear();
+    for (const Expr& surface : formula.drawn)
+        formula.kernels.push_back(interpret(surface));
+    return formula;
+}
+
+/// The formula with machine code, in this type, too.
+std::expected<Formula, InputError> compiled(const Formula& formula, Precision precision) {
+    const auto start = Clock::now();
+    auto kernels = machine_code(formula.drawn, precision);
+    if (!kernels) return std::unexpected(kernels.error());
+    Formula result = formula;
+    result.kernels = std::move(*kernels);
+    result.code = CodeState::Machine;
+    result.compile_ms += ms_since(start);
+    return result;
 }
 
 InputError input_error(const ParseError& error, std::string_view text) {
@@ -59,6 +81,10 @@ InputError input_error(const ParseError& error, std::string_view text) {
 }  // namespace
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
+
+bool Formula::has_code(Precision precision) const {
+    return precision == Precision::Float || std::ranges::all_of(kernels, &Kernel::has_double);
+}
 
 std::expected<Program, InputError> read_formula(std::string_view text) {
     auto program = read_program(text);
@@ -74,33 +100,32 @@ std::expected<Formula, InputError> prepare_formula(std::string_view text, const 
     for (const Expr& surface : formula.program.surfaces)
         formula.drawn.push_back(tightened(surface, sample_region(region)));
     formula.code = code_for(formula.drawn);
-    if (formula.code == CodeState::Machine) {
-        auto kernels = machine_code(formula.drawn);
+    if (formula.code != CodeState::Machine) {
+        formula = interpreted(std::move(formula));
+    } else {
+        auto kernels = machine_code(formula.drawn, Precision::Float);
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
-    } else {
-        for (const Expr& surface : formula.drawn)
-            formula.kernels.push_back(interpret(surface));
     }
     formula.compile_ms = ms_since(start);
     return formula;
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
-    const auto start = Clock::now();
-    auto kernels = machine_code(formula.drawn);
-    if (!kernels) return std::unexpected(kernels.error());
-    Formula result = formula;
-    result.kernels = std::move(*kernels);
-    result.code = CodeState::Machine;
-    result.compile_ms += ms_since(start);
-    return result;
+    return compiled(formula, Precision::Float);
 }
 
-std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region) {
+Formula with_double(const Formula& formula) {
+    if (auto result = compiled(formula, Precision::Double)) return std::move(*result);
+    return interpreted(formula);
+}
+
+std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
+                                                   Precision precision) {
     auto formula = prepare_formula(text, region);
-    if (!formula || formula->code != CodeState::InterpretedFirst) return formula;
-    return with_machine_code(*formula);
+    if (!formula || formula->code == CodeState::Interpreted) return formula;
+    const bool complete = formula->code == CodeState::Machine && formula->has_code(precision);
+    return complete ? formula : compiled(*formula, precision);
 }
 
 Scene make_scene(const Formula& formula, const Box& clip, double w,

@@ -2,6 +2,7 @@
 
 #include "engine/expr/parse.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <cstddef>
@@ -45,6 +46,8 @@ struct Formula {
     double compile_ms = 0.0;  ///< from text to code
 
     [[nodiscard]] bool uses_w() const;
+    /// Whether it has code of this type; always for float.
+    [[nodiscard]] bool has_code(Precision precision) const;
 };
 
 /// Values of parameters, by name.
@@ -60,8 +63,14 @@ std::expected<Formula, InputError> prepare_formula(std::string_view text, const 
 /// The same formula with machine code, for one whose code is InterpretedFirst. Thread-safe.
 std::expected<Formula, InputError> with_machine_code(const Formula& formula);
 
-/// Text to machine code, unless it is too large for that; takes up to a few seconds.
-std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region = {});
+/// The same formula with machine code in double beside that in float, interpreted if that cannot be
+/// made. Takes as long as the code in float did. Thread-safe.
+Formula with_double(const Formula& formula);
+
+/// Text to machine code, unless it is too large for that, also in `precision`; takes up to a few
+/// seconds.
+std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region = {},
+                                                   Precision precision = Precision::Float);
 
 /// What is drawn of the formula; parameters without a value are 1.
 Scene make_scene(const Formula& formula, const Box& clip, double w,

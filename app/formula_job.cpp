@@ -20,7 +20,7 @@ FormulaResult result_of(std::string text, std::expected<Formula, InputError> for
 FormulaJob::FormulaJob(std::function<void()> on_result)
     : on_result_(std::move(on_result)),
       preparing_([this] { prepare_texts(); }),
-      compiling_([this] { compile_large(); }) {}
+      compiling_([this] { compile_more(); }) {}
 
 FormulaJob::~FormulaJob() {
     {
@@ -45,6 +45,19 @@ void FormulaJob::submit(std::string text, const Box& region) {
 std::optional<FormulaResult> FormulaJob::take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(finished_, std::nullopt);
+}
+
+void FormulaJob::submit_double(std::shared_ptr<const Formula> formula) {
+    {
+        const std::scoped_lock lock(mutex_);
+        deep_ = std::move(formula);
+    }
+    wake_.notify_all();
+}
+
+std::shared_ptr<const Formula> FormulaJob::take_double() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(double_, nullptr);
 }
 
 /// Hands the result on, unless a newer text is waiting.
@@ -76,16 +89,32 @@ void FormulaJob::prepare_texts() {
     }
 }
 
-void FormulaJob::compile_large() {
+/// Hands on the formula with code in double, unless another one waits for its own.
+void FormulaJob::publish_double(const Formula& formula) {
+    auto result = std::make_shared<const Formula>(with_double(formula));
+    {
+        const std::scoped_lock lock(mutex_);
+        if (deep_ == nullptr) double_ = std::move(result);
+    }
+    on_result_();
+}
+
+void FormulaJob::compile_more() {
     for (;;) {
-        std::shared_ptr<const Formula> formula;
+        std::shared_ptr<const Formula> large;
+        std::shared_ptr<const Formula> deep;
         {
             std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return stop_ || large_ != nullptr; });
+            wake_.wait(lock, [this] { return stop_ || large_ != nullptr || deep_ != nullptr; });
             if (stop_) return;
-            formula = std::exchange(large_, nullptr);
+            deep = std::exchange(deep_, nullptr);
+            if (deep == nullptr) large = std::exchange(large_, nullptr);
         }
-        publish(result_of(formula->text, with_machine_code(*formula)));
+        if (deep != nullptr) {
+            publish_double(*deep);
+        } else {
+            publish(result_of(large->text, with_machine_code(*large)));
+        }
     }
 }
 

@@ -33,6 +33,10 @@ public:
     void submit(std::string text, const Box& region);
     /// The newest result not yet taken, or nothing.
     std::optional<FormulaResult> take();
+    /// Makes code in double for a formula, unless it is overtaken by another.
+    void submit_double(std::shared_ptr<const Formula> formula);
+    /// The newest formula with code in double not yet taken, or nullptr.
+    std::shared_ptr<const Formula> take_double();
 
 private:
     struct Request {
@@ -41,14 +45,17 @@ private:
     };
 
     void prepare_texts();
-    void compile_large();
+    void compile_more();
+    void publish_double(const Formula& formula);
     void publish(FormulaResult result);
 
     std::function<void()> on_result_;
     std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<Request> pending_;
-    std::shared_ptr<const Formula> large_;  ///< waits for its machine code
+    std::shared_ptr<const Formula> large_;   ///< waits for its machine code
+    std::shared_ptr<const Formula> deep_;    ///< waits for its code in double
+    std::shared_ptr<const Formula> double_;  ///< has it
     std::optional<FormulaResult> finished_;
     std::string newest_text_;
     bool stop_ = false;

@@ -59,12 +59,12 @@ OrInputError<Box> read_box(const std::string& text) {
             return wrong_input("--box " + text + ": stay between -1e9 and 1e9");
         }
     }
-    // The cells of the search must be floats of their own within the box.
+    // Below this nothing can be decided in double, either.
     const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
-    if (box.size() < 1e-4 * reach || box.size() < 1e-30) {
+    if (box.size() < 1e-15 * reach || box.size() < 1e-30) {
         return wrong_input("--box " + text +
                            ": the box is too small for its distance from the origin; " +
-                           "its edge must be at least 1e-4 of it");
+                           "its edge must be at least 1e-15 of it");
     }
     return box;
 }

@@ -4,6 +4,7 @@
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/render.hpp"
 #include "engine/trace/tolerance.hpp"
+#include "engine/trace/tracer.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -72,6 +73,7 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
 
 Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula,
               const FrameTiming& timing, const Framebuffer& frame) {
+    const Precision precision = frame_precision(scene, ViewFrame(plan.camera), plan.settings.stop);
     Json surfaces = Json::array();
     for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
         surfaces.push_back({{"pixels", pixels}});
@@ -84,6 +86,7 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
             {"tracer", plan.settings.tracer},
             {"compile_ms", formula.compile_ms},
             {"machine_code", formula.code == CodeState::Machine},
+            {"precision", name_of(precision)},
             {"frame_ms",
              {{"median", timing.median_ms},
               {"min", timing.min_ms},
@@ -104,10 +107,12 @@ int run_render(const RenderCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
-    const auto formula = compile_formula(plan->surface.equation, plan->surface.clip);
+    const Surface& surface = plan->surface;
+    const Precision precision =
+        wanted_precision(surface.clip, ViewFrame(plan->camera), plan->settings.stop);
+    const auto formula = compile_formula(surface.equation, surface.clip, precision);
     if (!formula) return report(formula.error());
 
-    const Surface& surface = plan->surface;
     if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
         return report(*unknown);
     }

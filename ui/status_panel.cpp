@@ -52,7 +52,20 @@ void add_text(std::uint32_t color, const std::string& text) {
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-void draw_figures(const PictureStatus& picture, const Palette& colors) {
+/// How much is seen at the point looked at, and in which type: "view 3.2e-07 wide, double".
+std::string view_scale(const UiState& state) {
+    const PictureStatus& picture = state.picture;
+    const ViewFrame view(state.camera);
+    const double height = 2.0 * view.half_height * view.look_distance;
+    const double width = height * picture.width_px / picture.height_px;
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "view %.2g wide, %s", width,
+                  name_of(picture.precision));
+    return text.data();
+}
+
+void draw_figures(const UiState& state, const Palette& colors) {
+    const PictureStatus& picture = state.picture;
     if (picture.width_px <= 0) return;
     const std::size_t undecided = picture.counts.undecided;
     add_text(colors.quiet, milliseconds(picture.frame_ms));
@@ -64,6 +77,7 @@ void draw_figures(const PictureStatus& picture, const Palette& colors) {
         undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
     }
     add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
+    add_text(colors.quiet, view_scale(state));
     const bool empty = picture.counts.certified + undecided == 0;
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
@@ -91,7 +105,7 @@ void draw_status_panel(const UiState& state) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
         if (!state.note.empty()) add_text(colors.warning, state.note);
-        draw_figures(state.picture, colors);
+        draw_figures(state, colors);
         if (state.picture.tracing) add_text(colors.accent, "tracing\xE2\x80\xA6");
         draw_keys_hint();
         ImGui::PopFont();

@@ -2,12 +2,14 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <glm/ext/vector_int2.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +57,14 @@ struct PictureStatus {
     int height_px = 0;
     double frame_ms = 0.0;
     CertificateCounts counts;
+    Precision precision = Precision::Float;
+};
+
+/// The picture that is shown, fine or coarse, and the camera that it was taken with; no frame
+/// before the first.
+struct ShownPicture {
+    std::shared_ptr<const Framebuffer> frame;
+    Camera camera;
 };
 
 /// Everything the panels show and edit. Plain data, used by the window's thread only.
@@ -89,6 +99,7 @@ struct UiState {
     std::string note;         ///< for the status line: what is not as it should be; or empty
     bool uses_w = false;
     PictureStatus picture;
+    ShownPicture shown;
 
     /// Size of the area the picture fills, framebuffer pixels; set by draw_viewport.
     glm::ivec2 viewport_px{0};

@@ -22,7 +22,7 @@ namespace zeroset::ui {
 namespace {
 
 constexpr int min_d_stop = 4;
-constexpr double min_half = 1e-4;
+constexpr double min_half = 1e-14;
 constexpr double max_half = 1e6;
 
 void draw_d_stop(StopCriterion& stop) {

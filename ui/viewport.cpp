@@ -91,10 +91,21 @@ Camera steer(const Camera& camera, const PointerMotion& motion) {
     }
     if (motion.pan != glm::dvec2(0.0)) moved = pan(moved, -motion.pan.x, -motion.pan.y);
     if (motion.wheel != 0.0) {
-        moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), 2.0 * motion.cursor.x,
-                     2.0 * motion.cursor.y);
+        const glm::dvec3 plane = point_under(moved, 2.0 * motion.cursor.x, 2.0 * motion.cursor.y);
+        moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), motion.surface.value_or(plane));
     }
     return camera_defect(moved) == nullptr ? moved : camera;
+}
+
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
+    if (shown.frame == nullptr) return std::nullopt;
+    const Framebuffer& frame = *shown.frame;
+    const int col = static_cast<int>(std::floor(0.5 * frame.width + cursor.x * frame.height));
+    const int row = static_cast<int>(std::floor((0.5 - cursor.y) * frame.height));
+    if (col < 0 || col >= frame.width || row < 0 || row >= frame.height) return std::nullopt;
+    const auto distance = static_cast<double>(frame.depth[frame.index(col, row)]);
+    if (!std::isfinite(distance)) return std::nullopt;
+    return point_under(shown.camera, 2.0 * cursor.x, 2.0 * cursor.y, distance);
 }
 
 void draw_viewport(UiState& state, const Texture& picture) {
@@ -116,7 +127,9 @@ void draw_viewport(UiState& state, const Texture& picture) {
         ImGui::InvisibleButton(
             "##picture", ImGui::GetContentRegionAvail(),
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-        state.camera = steer(state.camera, pointer_motion(area));
+        PointerMotion motion = pointer_motion(area);
+        if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
+        state.camera = steer(state.camera, motion);
         if (is_typed('r', 'R')) state.reset_view = true;
         if (is_typed('u', 'U')) state.mark_undecided = !state.mark_undecided;
     }

@@ -5,6 +5,9 @@
 #include "ui/ui_state.hpp"
 
 #include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_double3.hpp>
+
+#include <optional>
 
 namespace zeroset::ui {
 
@@ -15,11 +18,16 @@ struct PointerMotion {
     glm::dvec2 pan{0.0};
     double wheel = 0.0;      ///< notches; positive comes nearer
     glm::dvec2 cursor{0.0};  ///< from the picture's centre
+    /// What the picture shows under the cursor, world units; nothing: the background.
+    std::optional<glm::dvec3> surface = std::nullopt;
 };
 
 /// The camera after the motion: what is grabbed follows the pointer. Keeps the camera if the
 /// motion would lead to one that sees nothing.
 Camera steer(const Camera& camera, const PointerMotion& motion);
+
+/// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);
 
 /// Fills the window between the bars with the picture, stretched if it is coarse; the pointer and
 /// the key R change the view, U whether undecided pixels are marked. Draw it before the panels.

@@ -14,16 +14,17 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// A smooth cell of 8x8 or 4x4 pixels.
+template <class Real>
 struct Leaf {
     int col, row;  ///< first pixel in the tile
     bool inside;   ///< all rays are inside the clip box in the slab
     // f is c + ku x - kv y + kt t + [-e, e] at x pixels right and y below the first pixel, at the
     // depth s + reach t.
-    float c, ku, kv, kt, e;
-    float s, reach;
-    float from, to;            ///< the slab
-    float slope_lo, slope_hi;  ///< of df/ds, of one sign
-    float r;                   ///< see FormBatchOf
+    Real c, ku, kv, kt, e;
+    Real s, reach;
+    Real from, to;            ///< the slab
+    Real slope_lo, slope_hi;  ///< of d/ds, of one sign
+    Real r;                   ///< see FormBatchOf
 };
 
 /// The rays of a row of pixels in a type: origin and direction at a pixel are `base` and `forward`
@@ -57,51 +58,66 @@ struct RowRays {
     }
 };
 
-/// Solves leaves of `pixels` x `pixels` pixels: guesses from the form, Newton's method in float,
-/// then one step in double that certifies. What that leaves open goes to the root finder.
-template <int pixels>
+/// Solves leaves of `pixels` x `pixels` pixels: guesses from the form, Newton's method in the cells'
+/// type, then one step in double that certifies. What that leaves open goes to the root finder.
+template <class Real, int pixels>
 class LeafSolver {
 public:
-    LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view, Found<float>& found,
-               RootFinder<float>& roots, Counters& counters);
-    void solve(const Leaf& leaf);
+    LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view, Found<Real>& found,
+               RootFinder<Real>& roots, Counters& counters);
+    void solve(const Leaf<Real>& leaf);
 
 private:
     static constexpr std::size_t side = pixels;
     static constexpr std::size_t items = side * side;
-    static constexpr int most_float_steps = 4;
-    using DF = hn::CappedTag<float, side>;
+    static constexpr int most_steps = 4;
+    using D = hn::CappedTag<Real, side>;
     using DD = hn::CappedTag<double, 4>;
-    using VF = hn::Vec<DF>;
+    using V = hn::Vec<D>;
     using VD = hn::Vec<DD>;
-    static constexpr DF df{};
+    static constexpr D d{};
     static constexpr DD dd{};
-    static constexpr hn::Rebind<float, DD> d_narrow{};
-    static constexpr int lanes_float = hn::MaxLanes(df);
+    static constexpr hn::Rebind<Real, DD> d_narrow{};
+    static constexpr hn::Rebind<float, DD> d_float{};
+    static constexpr int lanes = hn::MaxLanes(d);
     static constexpr int lanes_double = hn::MaxLanes(dd);
 
     /// Stretches of the rays; rows without any are left out. False when there is none.
-    bool place(const Leaf& leaf);
+    bool place(const Leaf<Real>& leaf);
     /// The largest step taken, or +inf where one was not a number.
-    float step_in_float();
+    Real improve();
     void evaluate_in_double();
-    void certify(const Leaf& leaf);
+    void certify(const Leaf<Real>& leaf);
     /// The rays of a row with roots proved, or that may be there, nearer than what was found.
-    [[nodiscard]] LaneBits wanted(const Leaf& leaf, int slot) const;
+    [[nodiscard]] LaneBits wanted(const Leaf<Real>& leaf, int slot) const;
     /// Hands on the proved roots of one row, all of whose pixels are wanted.
-    void record_row(const Leaf& leaf, int slot);
+    void record_row(const Leaf<Real>& leaf, int slot);
     /// Hands on one row of results, and what they leave open.
-    void record(const Leaf& leaf, int slot);
+    void record(const Leaf<Real>& leaf, int slot);
+    static VD wide(const Real* from) {
+        if constexpr (std::is_same_v<Real, float>) {
+            return hn::PromoteTo(dd, hn::LoadU(d_narrow, from));
+        } else {
+            return hn::LoadU(dd, from);
+        }
+    }
+    static void store_depths(VD s, Real* to) {
+        if constexpr (std::is_same_v<Real, float>) {
+            hn::StoreU(hn::DemoteTo(d_narrow, s), d_narrow, to);
+        } else {
+            hn::StoreU(s, dd, to);
+        }
+    }
     /// The first pixel of a row, in the tile.
-    [[nodiscard]] std::size_t first_pixel(const Leaf& leaf, int row) const {
+    [[nodiscard]] std::size_t first_pixel(const Leaf<Real>& leaf, int row) const {
         return static_cast<std::size_t>((leaf.row + row) * tile_size + leaf.col);
     }
     [[nodiscard]] std::size_t count() const {
         return padded(static_cast<std::size_t>(slots_ * pixels));
     }
     /// Repeats the first row up to a whole batch.
-    template <class Real>
-    void pad(Real (&columns)[3][items]) const {
+    template <class Number>
+    void pad(Number (&columns)[3][items]) const {
         for (std::size_t i = static_cast<std::size_t>(slots_ * pixels); i < count(); ++i) {
             for (auto& column : columns)
                 column[i] = column[0];
@@ -111,31 +127,31 @@ private:
     const TraceFrame& frame_;
     const Tile& tile_;
     const BeamView& view_;
-    Found<float>& found_;
-    RootFinder<float>& roots_;
+    Found<Real>& found_;
+    RootFinder<Real>& roots_;
     Counters& counters_;
-    RowRays<float> rays_;
+    RowRays<Real> rays_;
     RowRays<double> exact_rays_;
-    float small_step_;  ///< a step behind which the next one is below the tolerance
+    Real small_step_;  ///< a step behind which the next one is below the tolerance
 
     int slots_ = 0;  ///< rows that have stretches
     int rows_[side];
     LaneBits valid_[side];    ///< of each such row, the rays that have one
     LaneBits proved_[side];   ///< of each such row, the brackets that prove a root
     double across_[3][side];  ///< of each such row, see RowRays
-    alignas(64) float from_[items], to_[items], guess_[items];
-    alignas(64) float x_[3][items];
-    alignas(64) float f_[items];
-    alignas(64) float gradient_[3][items];
+    alignas(64) Real from_[items], to_[items], guess_[items];
+    alignas(64) Real x_[3][items];
+    alignas(64) Real f_[items];
+    alignas(64) Real gradient_[3][items];
     alignas(64) double exact_x_[3][items];
     alignas(64) double exact_f_[items];
     alignas(64) double exact_gradient_[3][items];
     alignas(64) double lo_[items], hi_[items], next_[items];  ///< brackets, and roots in them
 };
 
-template <int pixels>
-LeafSolver<pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view,
-                               Found<float>& found, RootFinder<float>& roots, Counters& counters)
+template <class Real, int pixels>
+LeafSolver<Real, pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view,
+                               Found<Real>& found, RootFinder<Real>& roots, Counters& counters)
     : frame_(frame),
       tile_(tile),
       view_(view),
@@ -144,38 +160,38 @@ LeafSolver<pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile, const 
       counters_(counters),
       rays_(view),
       exact_rays_(view),
-      small_step_(static_cast<float>(frame.scene.clip.size() * 0x1p-14)) {}
+      small_step_(static_cast<Real>(0x1p-14 * view.extent())) {}
 
-template <int pixels>
-bool LeafSolver<pixels>::place(const Leaf& leaf) {
-    const float steepness = std::max(std::abs(leaf.kt), std::numeric_limits<float>::min());
-    const float scale = leaf.reach / std::copysign(steepness, leaf.kt);
-    const float error =
-        leaf.e + 0x1p-10F * static_cast<float>(tile_size) * (std::abs(leaf.ku) + std::abs(leaf.kv));
-    const float rounding =
-        8 * std::numeric_limits<float>::epsilon() * (std::abs(leaf.s) + leaf.reach);
-    const VF radius = hn::Set(df, error * std::abs(scale) + rounding);
-    const VF from = hn::Set(df, leaf.from);
-    const VF to = hn::Set(df, leaf.to);
+template <class Real, int pixels>
+bool LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
+    const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
+    const Real scale = leaf.reach / std::copysign(steepness, leaf.kt);
+    const Real error =
+        leaf.e + static_cast<Real>(0x1p-10 * tile_size) * (std::abs(leaf.ku) + std::abs(leaf.kv));
+    const Real rounding =
+        8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.reach);
+    const V radius = hn::Set(d, error * std::abs(scale) + rounding);
+    const V from = hn::Set(d, leaf.from);
+    const V to = hn::Set(d, leaf.to);
     const int cols = std::min(pixels, tile_.cols - leaf.col);
     const int rows = std::min(pixels, tile_.rows - leaf.row);
     slots_ = 0;
     for (int row = 0; row < rows; ++row) {
-        const float row_c = leaf.c - leaf.kv * static_cast<float>(row);
+        const Real row_c = leaf.c - leaf.kv * static_cast<Real>(row);
         LaneBits valid = 0;
-        for (int col = 0; col < pixels; col += lanes_float) {
-            const VF x = hn::Iota(df, static_cast<float>(col));
-            const VF c = hn::MulAdd(x, hn::Set(df, leaf.ku), hn::Set(df, row_c));
-            const VF middle = hn::NegMulAdd(c, hn::Set(df, scale), hn::Set(df, leaf.s));
-            const VF ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
-            const VF ray_to = hn::Min(hn::Add(middle, radius), to);
-            const VF found = hn::LoadU(
-                df, &found_.depth[first_pixel(leaf, row) + static_cast<std::size_t>(col)]);
-            valid |= bits_of(df, hn::Le(ray_from, hn::Min(ray_to, found))) << col;
+        for (int col = 0; col < pixels; col += lanes) {
+            const V x = hn::Iota(d, static_cast<Real>(col));
+            const V c = hn::MulAdd(x, hn::Set(d, leaf.ku), hn::Set(d, row_c));
+            const V middle = hn::NegMulAdd(c, hn::Set(d, scale), hn::Set(d, leaf.s));
+            const V ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
+            const V ray_to = hn::Min(hn::Add(middle, radius), to);
+            const V found = hn::LoadU(
+                d, &found_.depth[first_pixel(leaf, row) + static_cast<std::size_t>(col)]);
+            valid |= bits_of(d, hn::Le(ray_from, hn::Min(ray_to, found))) << col;
             const int at = slots_ * pixels + col;
-            hn::Store(ray_from, df, from_ + at);
-            hn::Store(ray_to, df, to_ + at);
-            hn::Store(hn::Min(hn::Max(middle, ray_from), ray_to), df, guess_ + at);
+            hn::Store(ray_from, d, from_ + at);
+            hn::Store(ray_to, d, to_ + at);
+            hn::Store(hn::Min(hn::Max(middle, ray_from), ray_to), d, guess_ + at);
         }
         valid &= (1U << cols) - 1U;
         if (valid == 0) continue;
@@ -189,56 +205,56 @@ bool LeafSolver<pixels>::place(const Leaf& leaf) {
     return slots_ > 0;
 }
 
-template <int pixels>
-float LeafSolver<pixels>::step_in_float() {
+template <class Real, int pixels>
+Real LeafSolver<Real, pixels>::improve() {
     for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; col += lanes_float) {
+        for (int col = 0; col < pixels; col += lanes) {
             const int i = slot * pixels + col;
-            const VF s = hn::Load(df, guess_ + i);
-            const VF x = hn::Iota(df, static_cast<float>(col));
+            const V s = hn::Load(d, guess_ + i);
+            const V x = hn::Iota(d, static_cast<Real>(col));
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto row = static_cast<float>(across_[k][slot]);
-                hn::Store(rays_.point(df, k, row, x, s), df, x_[k] + i);
+                const auto row = static_cast<Real>(across_[k][slot]);
+                hn::Store(rays_.point(d, k, row, x, s), d, x_[k] + i);
             }
         }
     }
     pad(x_);
     counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
-    frame_.kernel.value({count(),
+    frame_.kernel.value(ValueBatchOf<Real>{count(),
                          {x_[0], x_[1], x_[2]},
-                         frame_.scene.uniforms.points<float>(),
+                         frame_.scene.uniforms.template points<Real>(),
                          f_,
                          {gradient_[0], gradient_[1], gradient_[2]}});
-    VF largest = hn::Zero(df);
+    V largest = hn::Zero(d);
     for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; col += lanes_float) {
+        for (int col = 0; col < pixels; col += lanes) {
             const int i = slot * pixels + col;
-            const VF x = hn::Iota(df, static_cast<float>(col));
-            VF slope = hn::Zero(df);
+            const V x = hn::Iota(d, static_cast<Real>(col));
+            V slope = hn::Zero(d);
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto row = static_cast<float>(across_[k][slot]);
-                slope = hn::MulAdd(hn::Load(df, gradient_[k] + i), rays_.direction(df, k, row, x),
+                const auto row = static_cast<Real>(across_[k][slot]);
+                slope = hn::MulAdd(hn::Load(d, gradient_[k] + i), rays_.direction(d, k, row, x),
                                    slope);
             }
-            const VF s = hn::Load(df, guess_ + i);
-            const VF from = hn::Load(df, from_ + i);
-            const VF to = hn::Load(df, to_ + i);
-            const VF newton = hn::Sub(s, hn::Div(hn::Load(df, f_ + i), slope));
-            const VF next = hn::Min(hn::Max(newton, from), to);  // `from` where NaN
-            hn::Store(next, df, guess_ + i);
-            const VF step = hn::IfThenElseZero(hn::Le(from, to), hn::Abs(hn::Sub(next, s)));
+            const V s = hn::Load(d, guess_ + i);
+            const V from = hn::Load(d, from_ + i);
+            const V to = hn::Load(d, to_ + i);
+            const V newton = hn::Sub(s, hn::Div(hn::Load(d, f_ + i), slope));
+            const V next = hn::Min(hn::Max(newton, from), to);  // `from` where NaN
+            hn::Store(next, d, guess_ + i);
+            const V step = hn::IfThenElseZero(hn::Le(from, to), hn::Abs(hn::Sub(next, s)));
             largest = hn::Max(largest, step);
         }
     }
-    return hn::GetLane(hn::MaxOfLanes(df, largest));
+    return hn::GetLane(hn::MaxOfLanes(d, largest));
 }
 
-template <int pixels>
-void LeafSolver<pixels>::evaluate_in_double() {
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::evaluate_in_double() {
     for (int slot = 0; slot < slots_; ++slot) {
         for (int col = 0; col < pixels; col += lanes_double) {
             const int i = slot * pixels + col;
-            const VD s = hn::PromoteTo(dd, hn::Load(d_narrow, guess_ + i));
+            const VD s = wide(guess_ + i);
             const VD x = hn::Iota(dd, static_cast<double>(col));
             for (std::size_t k = 0; k < 3; ++k)
                 hn::Store(exact_rays_.point(dd, k, across_[k][slot], x, s), dd, exact_x_[k] + i);
@@ -255,8 +271,8 @@ void LeafSolver<pixels>::evaluate_in_double() {
 }
 
 /// The interval Newton operator, see RootFinder::step_in_double; both ends rounded outward.
-template <int pixels>
-void LeafSolver<pixels>::certify(const Leaf& leaf) {
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::certify(const Leaf<Real>& leaf) {
     const bool falling = leaf.slope_hi < 0;
     const auto least = static_cast<double>(falling ? -leaf.slope_hi : leaf.slope_lo);
     const auto most = static_cast<double>(falling ? -leaf.slope_lo : leaf.slope_hi);
@@ -276,7 +292,7 @@ void LeafSolver<pixels>::certify(const Leaf& leaf) {
         for (int col = 0; col < pixels; col += lanes_double) {
             const int i = slot * pixels + col;
             const VD f = hn::Mul(hn::Load(dd, exact_f_ + i), sign);
-            const VD s = hn::PromoteTo(dd, hn::Load(d_narrow, guess_ + i));
+            const VD s = wide(guess_ + i);
             const VD neg_lo = hn::Sub(quotient_up(hn::Add(f, error)), s);
             const VD lo = hn::Neg(neg_lo);
             const VD hi = hn::Add(quotient_up(hn::Sub(error, f)), s);
@@ -297,16 +313,15 @@ void LeafSolver<pixels>::certify(const Leaf& leaf) {
     }
 }
 
-template <int pixels>
-LaneBits LeafSolver<pixels>::wanted(const Leaf& leaf, int slot) const {
+template <class Real, int pixels>
+LaneBits LeafSolver<Real, pixels>::wanted(const Leaf<Real>& leaf, int slot) const {
     const std::size_t pixel = first_pixel(leaf, rows_[slot]);
     LaneBits bits = 0;
     for (int col = 0; col < pixels; col += lanes_double) {
         const int i = slot * pixels + col;
-        const VD from = hn::PromoteTo(dd, hn::Load(d_narrow, from_ + i));
-        const VD to = hn::PromoteTo(dd, hn::Load(d_narrow, to_ + i));
-        const VD before = hn::PromoteTo(
-            dd, hn::LoadU(d_narrow, &found_.depth[pixel + static_cast<std::size_t>(col)]));
+        const VD from = wide(from_ + i);
+        const VD to = wide(to_ + i);
+        const VD before = wide(&found_.depth[pixel + static_cast<std::size_t>(col)]);
         // True where the bracket is NaN.
         const auto beside =
             hn::Or(hn::Lt(hn::Load(dd, hi_ + i), from), hn::Gt(hn::Load(dd, lo_ + i), to));
@@ -316,23 +331,23 @@ LaneBits LeafSolver<pixels>::wanted(const Leaf& leaf, int slot) const {
     return bits & valid_[slot];
 }
 
-template <int pixels>
-void LeafSolver<pixels>::record_row(const Leaf& leaf, int slot) {
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::record_row(const Leaf<Real>& leaf, int slot) {
     const std::size_t pixel = first_pixel(leaf, rows_[slot]);
     for (int col = 0; col < pixels; col += lanes_double) {
         const int i = slot * pixels + col;
         const std::size_t at = pixel + static_cast<std::size_t>(col);
-        hn::StoreU(hn::DemoteTo(d_narrow, hn::Load(dd, next_ + i)), d_narrow, &found_.depth[at]);
+        store_depths(hn::Load(dd, next_ + i), &found_.depth[at]);
         for (std::size_t k = 0; k < 3; ++k) {
-            hn::StoreU(hn::DemoteTo(d_narrow, hn::Load(dd, exact_gradient_[k] + i)), d_narrow,
-                       &found_.gradient[k][at]);
+            hn::StoreU(hn::DemoteTo(d_float, hn::Load(dd, exact_gradient_[k] + i)), d_float,
+                       found_.gradients(k, at));
         }
     }
-    std::fill_n(&found_.certificate[pixel], pixels, Certificate::Certified);
+    std::fill_n(found_.certificates(pixel), pixels, Certificate::Certified);
 }
 
-template <int pixels>
-void LeafSolver<pixels>::record(const Leaf& leaf, int slot) {
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::record(const Leaf<Real>& leaf, int slot) {
     constexpr LaneBits all = (1U << pixels) - 1U;
     const LaneBits rays = wanted(leaf, slot);
     const LaneBits proved = leaf.inside ? proved_[slot] & rays : 0;
@@ -367,11 +382,11 @@ void LeafSolver<pixels>::record(const Leaf& leaf, int slot) {
     }
 }
 
-template <int pixels>
-void LeafSolver<pixels>::solve(const Leaf& leaf) {
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::solve(const Leaf<Real>& leaf) {
     if (!place(leaf)) return;
-    for (int step = 0; step < most_float_steps; ++step) {
-        if (step_in_float() <= small_step_) break;
+    for (int step = 0; step < most_steps; ++step) {
+        if (improve() <= small_step_) break;
     }
     evaluate_in_double();
     certify(leaf);

@@ -20,47 +20,54 @@ namespace zeroset::HWY_NAMESPACE {
 
 constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
-/// What is known of the tile's rays so far, one item a pixel, in rows of tile_size.
+/// What is known of the tile's rays so far, in the type of its cells.
 template <class Real>
-struct Found {
+class Found {
+public:
     static constexpr Real none = std::numeric_limits<Real>::infinity();
 
-    std::vector<Real> depth;      ///< s of the nearest root; +inf: none
-    std::vector<Real> unsettled;  ///< s of the first cell that could not be decided; +inf: none
-    std::vector<Certificate> certificate;
-    std::array<std::vector<float>, 3> gradient;  ///< of f at the root
-    bool any_unsettled = false;
-    std::vector<std::uint32_t> without_gradient;  ///< pixels with a root but no gradient
+    Found() : depth(tile_pixels, none) {}
 
-    Found() : depth(tile_pixels), unsettled(tile_pixels), certificate(tile_pixels) {
-        for (std::vector<float>& axis : gradient)
-            axis.resize(tile_pixels);
-        std::ranges::fill(unsettled, none);
-    }
-
-    void clear() {
-        std::ranges::fill(depth, none);
-        if (any_unsettled) std::ranges::fill(unsettled, none);
-        any_unsettled = false;
+    /// Begins a tile whose certificates and gradients go to `hits`, which is clear.
+    void begin(TileHits& hits) {
+        if (any_) std::ranges::fill(depth, none);
+        any_ = false;
+        hits_ = &hits;
         without_gradient.clear();
     }
+    /// A root at s, if it is the nearest so far.
     void add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
         if (!(s < static_cast<double>(depth[pixel]))) return;
+        any_ = true;
         depth[pixel] = static_cast<Real>(s);
-        certificate[pixel] = known;
+        hits_->certificate[pixel] = known;
         for (std::size_t k = 0; k < 3; ++k)
-            gradient[k][pixel] = slope[k];
+            hits_->gradient[k][pixel] = slope[k];
     }
-    /// A root that may be there.
+    /// One that may be there.
     void add_undecided(std::uint32_t pixel, double s) {
         if (!(s < static_cast<double>(depth[pixel]))) return;
         add(pixel, s, Certificate::Undecided, {});
         without_gradient.push_back(pixel);
     }
-    void pass(std::size_t pixel, double s) {
-        unsettled[pixel] = std::min(unsettled[pixel], static_cast<Real>(s));
-        any_unsettled = true;
+    /// Certified roots of a row of pixels, each the nearest so far, are written to `depth` and
+    /// these.
+    Certificate* certificates(std::size_t pixel) {
+        any_ = true;
+        return &hits_->certificate[pixel];
     }
+    float* gradients(std::size_t axis, std::size_t pixel) {
+        return &hits_->gradient[axis][pixel];
+    }
+    [[nodiscard]] bool any() const { return any_; }
+
+    /// s of the nearest root of each pixel, in rows of tile_size; +inf: none.
+    std::vector<Real> depth;
+    std::vector<std::uint32_t> without_gradient;  ///< pixels with a root but no gradient
+
+private:
+    bool any_ = false;
+    TileHits* hits_ = nullptr;
 };
 
 /// A stretch of a ray on which f is continuous and monotone, and so has at most one root.

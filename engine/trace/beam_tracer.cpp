@@ -44,15 +44,6 @@ constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is m
 constexpr int least_pixels = 4;  ///< smaller tiles are not made
 constexpr int first_slabs = 8;
 
-template <class D>
-HWY_INLINE hn::Vec<D> load_wide(D d, const float* from) {
-    return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
-}
-template <class D>
-HWY_INLINE hn::Vec<D> load_wide(D d, const double* from) {
-    return hn::LoadU(d, from);
-}
-
 /// What a thread keeps from tile to tile.
 template <class Real>
 struct BeamMemory {
@@ -63,10 +54,11 @@ struct BeamMemory {
 template <class Real>
 class BeamTile {
 public:
-    BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory,
+    BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
              Counters& counters)
         : frame_(frame),
           tile_(tile),
+          hits_(hits),
           counters_(counters),
           view_(frame, tile),
           cells_(&memory.cells[0]),
@@ -78,7 +70,7 @@ public:
           marcher_(frame, view_, found_, roots_, counters),
           fine_marcher_(frame, view_, found_, roots_, counters) {}
 
-    void trace(TileHits& hits);
+    void trace();
 
 private:
     using Place = typename Cells<Real>::Place;
@@ -88,7 +80,6 @@ private:
         std::size_t index;
         DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
     };
-    static constexpr bool is_float = std::is_same_v<Real, float>;
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
     /// The first cells; false when no ray meets the clip box.
@@ -101,13 +92,12 @@ private:
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels);
-    /// The pixels of a cell one by one: to the root finder where it is smooth, else to the marcher.
-    void visit_pixels(std::size_t cell, int pixels, bool smooth);
+    /// The pixels of a cell one by one.
+    void march_pixels(std::size_t cell, int pixels);
     void march_rays();
-    void add_gradients();
-    void hand_on(TileHits& hits);
-    void hand_on_row(int row, TileHits& hits);
-    void hand_on_unsettled(TileHits& hits);
+    void pass(std::uint32_t pixel, double s);
+    void hand_on();
+    void hand_on_row(int row);
 
     [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
         const bool needed =
@@ -125,14 +115,15 @@ private:
 
     const TraceFrame& frame_;
     const Tile& tile_;
+    TileHits& hits_;
     Counters& counters_;
     BeamView view_;
     Cells<Real>* cells_;
     Cells<Real>* next_;
     Found<Real>& found_;
     RootFinder<Real> roots_;
-    LeafSolver<leaf_pixels> leaves_;
-    LeafSolver<least_pixels> small_leaves_;
+    LeafSolver<Real, leaf_pixels> leaves_;
+    LeafSolver<Real, least_pixels> small_leaves_;
     RayMarcher<Real, Real> marcher_;
     RayMarcher<double, Real> fine_marcher_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
@@ -151,7 +142,7 @@ bool BeamTile<Real>::start() {
     s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
-    fair_guess_ = static_cast<Real>(0.005 * frame_.scene.clip.size());
+    fair_guess_ = static_cast<Real>(0.005 * view_.extent());
     const Place at = place(0, 0, tile_size);
     const Real near = -upper_end(Real{}, -all_.enter_lo);
     const Real far = upper_end(Real{}, all_.exit_hi);
@@ -168,8 +159,8 @@ bool BeamTile<Real>::start() {
 }
 
 template <class Real>
-void BeamTile<Real>::trace(TileHits& hits) {
-    found_.clear();
+void BeamTile<Real>::trace() {
+    found_.begin(hits_);
     cells_->size = 0;
     if (!start()) return;
     for (int pixels = tile_size; pixels >= least_pixels && cells_->size > 0; pixels /= 2) {
@@ -179,8 +170,7 @@ void BeamTile<Real>::trace(TileHits& hits) {
     }
     roots_.solve();
     march_rays();
-    add_gradients();
-    hand_on(hits);
+    hand_on();
 }
 
 template <class Real>
@@ -206,11 +196,11 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         if (cells_->bit(&CellBits::rejected, i)) continue;
         const bool smooth = cells_->bit(&CellBits::smooth, i);
         const bool finished = cells_->bit(&CellBits::finished, i);
-        const bool good = finished && open_.empty() && is_accurate(i);
-        if (smooth && (pixels <= leaf_pixels || good)) {
+        const bool whole = finished && open_.empty() && is_accurate(i);
+        if (smooth && (pixels <= leaf_pixels || whole)) {
             solve_leaf(i, pixels);
         } else if (pixels <= least_pixels) {
-            visit_pixels(i, pixels, false);
+            march_pixels(i, pixels);
         } else {
             open_.push_back(i);
         }
@@ -273,46 +263,42 @@ bool BeamTile<Real>::is_accurate(std::size_t cell) const {
 
 template <class Real>
 void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
-    if constexpr (is_float) {
-        const Forms<float>& f = cells_->forms;
-        const float half = 0.5F * static_cast<float>(pixels - 1);
-        const float ku = f.k[0][cell] / half;
-        const float kv = f.k[1][cell] / half;
-        const float first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
-        Leaf leaf{cells_->col[cell],
-                  cells_->row[cell],
-                  cells_->inside[cell] != 0,
-                  first,
-                  ku,
-                  kv,
-                  f.k[2][cell],
-                  f.e[cell],
-                  cells_->places.s[cell],
-                  cells_->places.s_radius[cell],
-                  cells_->from[cell],
-                  cells_->to[cell],
-                  -f.slope_neg_lo[cell],
-                  f.slope_hi[cell],
-                  f.r[cell]};
-        if (pixels < leaf_pixels) {
-            small_leaves_.solve(leaf);
-            return;
+    const Forms<Real>& f = cells_->forms;
+    const Real half = static_cast<Real>(0.5 * (pixels - 1));
+    const Real ku = f.k[0][cell] / half;
+    const Real kv = f.k[1][cell] / half;
+    const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
+    Leaf<Real> leaf{cells_->col[cell],
+                    cells_->row[cell],
+                    cells_->inside[cell] != 0,
+                    first,
+                    ku,
+                    kv,
+                    f.k[2][cell],
+                    f.e[cell],
+                    cells_->places.s[cell],
+                    cells_->places.s_radius[cell],
+                    cells_->from[cell],
+                    cells_->to[cell],
+                    -f.slope_neg_lo[cell],
+                    f.slope_hi[cell],
+                    f.r[cell]};
+    if (pixels < leaf_pixels) {
+        small_leaves_.solve(leaf);
+        return;
+    }
+    for (int row = 0; row < pixels; row += leaf_pixels) {
+        for (int col = 0; col < pixels; col += leaf_pixels) {
+            leaf.col = cells_->col[cell] + col;
+            leaf.row = cells_->row[cell] + row;
+            leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
+            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.solve(leaf);
         }
-        for (int row = 0; row < pixels; row += leaf_pixels) {
-            for (int col = 0; col < pixels; col += leaf_pixels) {
-                leaf.col = cells_->col[cell] + col;
-                leaf.row = cells_->row[cell] + row;
-                leaf.c = first + ku * static_cast<float>(col) - kv * static_cast<float>(row);
-                if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.solve(leaf);
-            }
-        }
-    } else {
-        visit_pixels(cell, pixels, true);
     }
 }
 
 template <class Real>
-void BeamTile<Real>::visit_pixels(std::size_t cell, int pixels, bool smooth) {
+void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
     const Forms<Real>& f = cells_->forms;
     const auto number = [cell](const std::vector<Real>& column) {
         return static_cast<double>(column[cell]);
@@ -339,15 +325,9 @@ void BeamTile<Real>::visit_pixels(std::size_t cell, int pixels, bool smooth) {
             const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
                                                           cells_->col[cell] + col);
             if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
-            if (smooth) {
-                roots_.push({pixel, cells_->inside[cell] != 0, ray_from, ray_to, s - reach,
-                             s + reach, std::clamp(middle, ray_from, ray_to),
-                             -number(f.slope_neg_lo), number(f.slope_hi), number(f.r)});
-            } else {
-                const Real begin = -upper_end(Real{}, -ray_from);
-                const Real end = upper_end(Real{}, ray_to);
-                marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
-            }
+            const Real begin = -upper_end(Real{}, -ray_from);
+            const Real end = upper_end(Real{}, ray_to);
+            marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
         }
     }
 }
@@ -359,7 +339,7 @@ void BeamTile<Real>::march_rays() {
     const bool final = rough <= view_.tolerance();
     const auto stop = [&](std::uint32_t pixel, double from, double to, bool continuous) {
         if (!continuous) {
-            found_.pass(pixel, from);
+            pass(pixel, from);
             return true;
         }
         found_.add_undecided(pixel, 0.5 * from + 0.5 * to);
@@ -380,105 +360,61 @@ void BeamTile<Real>::march_rays() {
 }
 
 template <class Real>
-void BeamTile<Real>::hand_on(TileHits& hits) {
-    hits.has_gradient = true;
-    for (int row = 0; row < tile_.rows; ++row)
-        hand_on_row(row, hits);
-    if (found_.any_unsettled) hand_on_unsettled(hits);
-}
-
-/// Places, distances and gradients of a row's roots, packed.
-template <class Real>
-void BeamTile<Real>::hand_on_row(int row, TileHits& hits) {
-    const hn::CappedTag<double, 8> d;
-    const hn::Rebind<float, decltype(d)> d_narrow;
-    const ViewFrame& axes = view_.axes();
-    const auto first = static_cast<std::size_t>(row) * tile_size;
-    const double v = view_.v(row);
-    for (int col = 0; col < tile_.cols; col += static_cast<int>(hn::Lanes(d))) {
-        const std::size_t at = first + static_cast<std::size_t>(col);
-        const auto s = load_wide(d, &found_.depth[at]);
-        const auto hit = hn::Lt(hn::DemoteTo(d_narrow, s), hn::Inf(d_narrow));
-        if (hn::AllFalse(d_narrow, hit)) continue;
-        const auto u = hn::MulAdd(hn::Iota(d, static_cast<double>(col)), hn::Set(d, view_.pixel()),
-                                  hn::Set(d, view_.u(0)));
-        const std::size_t size = hits.size;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<int>(k);
-            const auto across =
-                hn::MulAdd(u, hn::Set(d, axes.right[axis]), hn::Set(d, v * axes.up[axis]));
-            const auto origin =
-                hn::MulAdd(across, hn::Set(d, view_.distance()), hn::Set(d, view_.base()[axis]));
-            const auto x = hn::MulAdd(s, hn::Add(across, hn::Set(d, axes.forward[axis])), origin);
-            hn::CompressStore(hn::DemoteTo(d_narrow, x), hit, d_narrow, &hits.position[k][size]);
-            hn::CompressStore(hn::LoadU(d_narrow, &found_.gradient[k][at]), hit, d_narrow,
-                              &hits.gradient[k][size]);
-        }
-        const auto stretch = hn::Sqrt(hn::MulAdd(u, u, hn::Set(d, 1.0 + v * v)));
-        const auto depth = hn::Mul(hn::Add(s, hn::Set(d, view_.distance())), stretch);
-        hn::CompressStore(hn::DemoteTo(d_narrow, depth), hit, d_narrow, &hits.depth[size]);
-        for (LaneBits bits = bits_of(d_narrow, hit); bits != 0; bits &= bits - 1) {
-            const int lane = std::countr_zero(bits);
-            const std::size_t pixel = at + static_cast<std::size_t>(lane);
-            const bool settled = found_.unsettled[pixel] > found_.depth[pixel];
-            hits.pixel[hits.size] = {static_cast<std::int16_t>(col + lane),
-                                     static_cast<std::int16_t>(row)};
-            hits.certificate[hits.size++] =
-                settled ? found_.certificate[pixel] : Certificate::Undecided;
-        }
-    }
-}
-
-template <class Real>
-void BeamTile<Real>::hand_on_unsettled(TileHits& hits) {
-    for (int row = 0; row < tile_.rows; ++row) {
-        for (int col = 0; col < tile_.cols; ++col) {
-            const TileHits::Pixel at{static_cast<std::int16_t>(col),
-                                     static_cast<std::int16_t>(row)};
-            const auto s = static_cast<double>(found_.unsettled[at.index()]);
-            if (std::isinf(s)) continue;
-            const double u = view_.u(col);
-            const double v = view_.v(row);
-            const double depth =
-                (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
-            hits.unsettled.push_back({at, -float_above(-std::max(depth, 0.0))});
-        }
-    }
-}
-
-/// The gradient where roots are that no evaluation has proved.
-template <class Real>
-void BeamTile<Real>::add_gradients() {
-    std::array<std::vector<double>, 7> columns;  // x, f, gradient
-    const std::vector<std::uint32_t>& pixels = found_.without_gradient;
-    if (pixels.empty()) return;
-    for (std::vector<double>& column : columns)
-        column.resize(padded(pixels.size()));
-    for (std::size_t i = 0; i < padded(pixels.size()); ++i) {
-        const std::uint32_t pixel = pixels[std::min(i, pixels.size() - 1)];
+void BeamTile<Real>::hand_on() {
+    hits_.any = found_.any();
+    for (int row = 0; row < tile_.rows && hits_.any; ++row)
+        hand_on_row(row);
+    for (const std::uint32_t pixel : found_.without_gradient) {
+        if (hits_.certificate[pixel] != Certificate::Undecided) continue;
         const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
                                          static_cast<double>(found_.depth[pixel]));
-        for (std::size_t k = 0; k < 3; ++k)
-            columns[k][i] = x[static_cast<int>(k)];
+        hits_.points.push_back({pixel, {x.x, x.y, x.z}});
     }
-    counters_.value += pixels.size();
-    frame_.kernel.value(
-        ValueBatchOf<double>{padded(pixels.size()),
-                             {columns[0].data(), columns[1].data(), columns[2].data()},
-                             frame_.scene.uniforms.points<double>(),
-                             columns[3].data(),
-                             {columns[4].data(), columns[5].data(), columns[6].data()}});
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (found_.certificate[pixels[i]] != Certificate::Undecided) continue;
-        for (std::size_t k = 0; k < 3; ++k)
-            found_.gradient[k][pixels[i]] = static_cast<float>(columns[4 + k][i]);
+    if (!hits_.any_unsettled) return;
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        if (hits_.unsettled[pixel] <= hits_.depth[pixel])
+            hits_.certificate[pixel] = Certificate::Undecided;
     }
+}
+
+/// Depths along the view axis to distances along the rays.
+template <class Real>
+void BeamTile<Real>::hand_on_row(int row) {
+    const double v = view_.v(row);
+    const auto first = static_cast<std::size_t>(row) * tile_size;
+    for (std::size_t col = 0; col < tile_size; ++col) {
+        const double u = view_.u(static_cast<double>(col));
+        const double stretch = std::sqrt(1.0 + u * u + v * v);
+        const double s = static_cast<double>(found_.depth[first + col]);
+        hits_.depth[first + col] = static_cast<float>((view_.distance() + s) * stretch);
+    }
+}
+
+/// A cell on the ray of a pixel, from s on, that was not decided.
+template <class Real>
+void BeamTile<Real>::pass(std::uint32_t pixel, double s) {
+    const double u = view_.u(pixel % tile_size);
+    const double v = view_.v(pixel / tile_size);
+    const double depth =
+        (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
+    hits_.pass({static_cast<std::int16_t>(pixel % tile_size),
+                static_cast<std::int16_t>(pixel / tile_size)},
+               -float_above(-std::max(depth, 0.0)));
+}
+
+template <class Real>
+void trace_in(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
+    thread_local BeamMemory<Real> memory;
+    BeamTile<Real>(frame, tile, memory, hits, counters).trace();
 }
 
 void trace_beam_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                      Counters& counters) {
-    thread_local BeamMemory<float> memory;
-    BeamTile<float>(frame, tile, memory, counters).trace(hits);
+    if (frame.precision == Precision::Double) {
+        trace_in<double>(frame, tile, hits, counters);
+    } else {
+        trace_in<float>(frame, tile, hits, counters);
+    }
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -26,14 +26,17 @@ DepthRange between_planes(double eye, double lo, double hi, double d0, double d1
     return {enter_lo, enter_hi, exit_lo, exit_hi};
 }
 
+/// As wide as wanted, but no finer than double tells apart: somewhat coarser only, or nothing is to
+/// be certified.
 double tolerance_of(const TraceFrame& frame) {
-    const double size = frame.scene.clip.size();
-    switch (frame.stop.rule) {
-        case StopRule::DStop: return std::ldexp(size, -static_cast<int>(frame.stop.value));
-        case StopRule::Epsilon: return frame.stop.value;
-        case StopRule::Delta: break;
-    }
-    return std::ldexp(size, -max_d_stop);
+    if (frame.stop.rule == StopRule::Epsilon) return frame.stop.value;
+    const Box& clip = frame.scene.clip;
+    const glm::dvec3 far = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));
+    const double reach = std::max({far.x, far.y, far.z});
+    const double wanted = std::ldexp(clip.size(), -frame.depth.wanted);
+    const double possible = 16 * std::numeric_limits<double>::epsilon() * reach;
+    return possible <= std::ldexp(wanted, most_missed_halvings) ? std::max(wanted, possible)
+                                                                : wanted;
 }
 
 }  // namespace
@@ -47,6 +50,7 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile)
       v_first_((0.5 * frame.height - tile.row - 0.5) * pixel_),
       u_most_(std::max(std::abs(u_first_), std::abs(u(tile_size)))),
       v_most_(std::max(std::abs(v_first_), std::abs(v(tile_size)))),
+      extent_(std::min(clip_.size(), view_.look_distance)),
       tolerance_(tolerance_of(frame)) {
     const glm::dvec3 eye = glm::abs(view_.eye);
     const glm::dvec3 box = glm::max(glm::abs(clip_.lo), glm::abs(clip_.hi));

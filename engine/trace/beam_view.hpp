@@ -42,6 +42,8 @@ public:
     template <class Real>
     [[nodiscard]] FrustumOf<Real> frustum(int pixels, double s_most) const;
 
+    /// The size of what is seen: the clip box's longest edge, or less in a deep view.
+    [[nodiscard]] double extent() const { return extent_; }
     /// Above the rounding errors of a few operations in double on depths.
     [[nodiscard]] double depth_error() const { return depth_error_; }
     /// Where a root is known well enough: the width wanted of a bracket.
@@ -53,7 +55,7 @@ private:
     glm::dvec3 base_;
     double pixel_, u_first_, v_first_;
     double u_most_, v_most_;  ///< of |u| and |v| in the tile
-    double depth_error_, tolerance_;
+    double extent_, depth_error_, tolerance_;
 };
 
 }  // namespace zeroset

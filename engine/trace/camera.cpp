@@ -103,14 +103,21 @@ Camera pan(const Camera& camera, double dx, double dy) {
     return moved;
 }
 
-Camera zoom(const Camera& camera, double factor, double u, double v) {
-    const ViewFrame frame(camera);
-    const double scale = frame.half_height * frame.look_distance;
-    const glm::dvec3 under_cursor = camera.look_at + scale * (u * frame.right + v * frame.up);
+Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
+    constexpr double nearest = 0x1p-46;  // of the coordinates: 64 ulp and more
     Camera moved = camera;
-    moved.eye = under_cursor + factor * (camera.eye - under_cursor);
-    moved.look_at = under_cursor + factor * (camera.look_at - under_cursor);
-    return moved;
+    moved.eye = fixed + factor * (camera.eye - fixed);
+    moved.look_at = fixed + factor * (camera.look_at - fixed);
+    const double distance = glm::distance(moved.eye, moved.look_at);
+    return factor < 1.0 && distance < nearest * glm::length(moved.look_at) ? camera : moved;
+}
+
+glm::dvec3 point_under(const Camera& camera, double u, double v, std::optional<double> distance) {
+    const ViewFrame frame(camera);
+    const glm::dvec3 direction =
+        frame.forward + frame.half_height * (u * frame.right + v * frame.up);
+    const double t = distance ? *distance / glm::length(direction) : frame.look_distance;
+    return frame.eye + t * direction;
 }
 
 }  // namespace zeroset

@@ -2,6 +2,8 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
+
 namespace zeroset {
 
 /// Axis-aligned clip box in world units; lo < hi in each axis.
@@ -66,8 +68,13 @@ Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad);
 /// Moves eye and point looked at in the image plane; (dx, dy) in heights of the image,
 /// positive to the right and upwards.
 Camera pan(const Camera& camera, double dx, double dy);
-/// Moves the eye towards the point under the cursor by `factor` (< 1 comes nearer) so that what
-/// is under the cursor stays there. (u, v) in half heights of the image from its centre.
-Camera zoom(const Camera& camera, double factor, double u, double v);
+/// Scales the distances of eye and point looked at from `fixed`, a point in world units, by
+/// `factor` (< 1 comes nearer): what is seen at that point stays where it is in the image. Keeps
+/// the camera where it would come nearer than double can tell eye and point looked at apart.
+Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed);
+/// The point under the cursor at `distance` from the eye, or, without one, in the plane through the
+/// point looked at. (u, v) in half heights of the image from its centre.
+glm::dvec3 point_under(const Camera& camera, double u, double v,
+                       std::optional<double> distance = std::nullopt);
 
 }  // namespace zeroset

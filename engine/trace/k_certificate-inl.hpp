@@ -19,78 +19,90 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// The stopped rays of a packet on their way to certificates; other rays are carried along.
+template <class Real>
 struct Brackets {
-    alignas(vector_bytes) float from[lanes];       ///< K; everything before it was rejected
-    alignas(vector_bytes) float to[lanes];         ///< the sign change is looked for up to here
-    alignas(vector_bytes) float before[lanes];     ///< sign of f at the hit's start; 0: unknown
-    alignas(vector_bytes) float open[lanes];       ///< mask: still to be decided
-    alignas(vector_bytes) float certified[lanes];  ///< mask: the sign changes in [from, to]
+    alignas(vector_bytes<Real>) Real from[lanes<Real>];  ///< K; everything before it was rejected
+    alignas(vector_bytes<Real>) Real to[lanes<Real>];  ///< the sign change is looked for up to here
+    alignas(
+        vector_bytes<Real>) Real before[lanes<Real>];  ///< sign of f at the hit's start; 0: unknown
+    alignas(vector_bytes<Real>) Real open[lanes<Real>];  ///< mask: still to be decided
+    alignas(
+        vector_bytes<Real>) Real certified[lanes<Real>];  ///< mask: the sign changes in [from, to]
 };
 
 /// +1 or -1 where the enclosure in the slot proves a sign, else 0 (undefined f too).
-HWY_INLINE V sign_in(const Batch& batch, std::size_t slot) {
-    const V one = hn::Set(d, 1.0F);
-    const V zero = hn::Zero(d);
-    const V above =
-        hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_neg_lo + slot * lanes), zero), one);
-    const V below = hn::IfThenElseZero(hn::Lt(hn::Load(d, batch.f_hi + slot * lanes), zero), one);
+template <class Real>
+HWY_INLINE V<Real> sign_in(const Batch<Real>& batch, std::size_t slot) {
+    const V<Real> one = hn::Set(d<Real>, Real{1});
+    const V<Real> zero = hn::Zero(d<Real>);
+    const V<Real> above = hn::IfThenElseZero(
+        hn::Lt(hn::Load(d<Real>, batch.f_neg_lo + slot * lanes<Real>), zero), one);
+    const V<Real> below =
+        hn::IfThenElseZero(hn::Lt(hn::Load(d<Real>, batch.f_hi + slot * lanes<Real>), zero), one);
     return hn::Sub(above, below);
 }
 
 /// Boxes of the first look: the slice before the hit, which was rejected, so that its sign is that
 /// at the hit's start; and the point at the hit's end. The hit itself is known to be continuous.
-HWY_INLINE void store_first_look(const Packet& packet, Brackets& brackets, std::size_t slot,
-                                 Batch& batch) {
-    const V from = hn::Load(d, packet.hit_from);
-    const V to = hn::Load(d, packet.hit_to);
-    const V k_in = hn::Load(d, packet.k_in);
-    const V before = hn::Max(hn::Sub(from, hn::Set(d, packet.unit)), k_in);
-    hn::Store(from, d, brackets.from);
-    hn::Store(to, d, brackets.to);
-    hn::Store(hn::VecFromMask(d, mask_of(packet.hit)), d, brackets.open);
-    hn::Store(hn::Zero(d), d, brackets.certified);
+template <class Real>
+HWY_INLINE void store_first_look(const Packet<Real>& packet, Brackets<Real>& brackets,
+                                 std::size_t slot, Batch<Real>& batch) {
+    const V<Real> from = hn::Load(d<Real>, packet.hit_from);
+    const V<Real> to = hn::Load(d<Real>, packet.hit_to);
+    const V<Real> k_in = hn::Load(d<Real>, packet.k_in);
+    const V<Real> before = hn::Max(hn::Sub(from, hn::Set(d<Real>, packet.look)), k_in);
+    hn::Store(from, d<Real>, brackets.from);
+    hn::Store(to, d<Real>, brackets.to);
+    hn::Store(hn::VecFromMask(d<Real>, mask_of<Real>(packet.hit)), d<Real>, brackets.open);
+    hn::Store(hn::Zero(d<Real>), d<Real>, brackets.certified);
     store_box(packet, before, from, slot, batch);
     store_box(packet, to, to, slot + 1, batch);
 }
 
 /// Boxes of a further look: the slice behind, and the point at its end.
-HWY_INLINE void store_next_look(const Packet& packet, Brackets& brackets, std::size_t slot,
-                                Batch& batch) {
-    const M open = hn::MaskFromVec(hn::Load(d, brackets.open));
-    const V old_to = hn::Load(d, brackets.to);
-    const V next = hn::Min(hn::Add(old_to, hn::Set(d, packet.unit)), hn::Load(d, packet.k_out));
-    const V from = hn::IfThenElse(open, old_to, hn::Load(d, brackets.from));
-    const V to = hn::IfThenElse(open, next, old_to);
-    hn::Store(from, d, brackets.from);
-    hn::Store(to, d, brackets.to);
+template <class Real>
+HWY_INLINE void store_next_look(const Packet<Real>& packet, Brackets<Real>& brackets,
+                                std::size_t slot, Batch<Real>& batch) {
+    const M<Real> open = hn::MaskFromVec(hn::Load(d<Real>, brackets.open));
+    const V<Real> old_to = hn::Load(d<Real>, brackets.to);
+    const V<Real> next =
+        hn::Min(hn::Add(old_to, hn::Set(d<Real>, packet.look)), hn::Load(d<Real>, packet.k_out));
+    const V<Real> from = hn::IfThenElse(open, old_to, hn::Load(d<Real>, brackets.from));
+    const V<Real> to = hn::IfThenElse(open, next, old_to);
+    hn::Store(from, d<Real>, brackets.from);
+    hn::Store(to, d<Real>, brackets.to);
     store_box(packet, from, to, slot, batch);
     store_box(packet, to, to, slot + 1, batch);
 }
 
 /// Certifies open rays whose sign is opposite behind; false when none is left open.
-HWY_INLINE bool take_look(Brackets& brackets, bool first, std::size_t slot, const Batch& batch) {
-    M usable = hn::MaskFromVec(hn::Load(d, brackets.open));
+template <class Real>
+HWY_INLINE bool take_look(Brackets<Real>& brackets, bool first, std::size_t slot,
+                          const Batch<Real>& batch) {
+    M<Real> usable = hn::MaskFromVec(hn::Load(d<Real>, brackets.open));
     if (first) {
-        hn::Store(sign_in(batch, slot), d, brackets.before);
+        hn::Store(sign_in(batch, slot), d<Real>, brackets.before);
     } else {
-        const M grown = hn::Lt(hn::Load(d, brackets.from), hn::Load(d, brackets.to));
+        const M<Real> grown =
+            hn::Lt(hn::Load(d<Real>, brackets.from), hn::Load(d<Real>, brackets.to));
         usable = hn::And(usable, hn::And(is_continuous(batch, slot), grown));
     }
-    const V before = hn::Load(d, brackets.before);
-    usable = hn::And(usable, hn::Ne(before, hn::Zero(d)));
-    const M opposite = hn::Eq(sign_in(batch, slot + 1), hn::Neg(before));
-    const M now = hn::And(usable, opposite);
-    const M certified = hn::Or(hn::MaskFromVec(hn::Load(d, brackets.certified)), now);
-    const M open = hn::AndNot(now, usable);
-    hn::Store(hn::VecFromMask(d, certified), d, brackets.certified);
-    hn::Store(hn::VecFromMask(d, open), d, brackets.open);
-    return !hn::AllFalse(d, open);
+    const V<Real> before = hn::Load(d<Real>, brackets.before);
+    usable = hn::And(usable, hn::Ne(before, hn::Zero(d<Real>)));
+    const M<Real> opposite = hn::Eq(sign_in(batch, slot + 1), hn::Neg(before));
+    const M<Real> now = hn::And(usable, opposite);
+    const M<Real> certified = hn::Or(hn::MaskFromVec(hn::Load(d<Real>, brackets.certified)), now);
+    const M<Real> open = hn::AndNot(now, usable);
+    hn::Store(hn::VecFromMask(d<Real>, certified), d<Real>, brackets.certified);
+    hn::Store(hn::VecFromMask(d<Real>, open), d<Real>, brackets.open);
+    return !hn::AllFalse(d<Real>, open);
 }
 
 /// Certifies the rays of up to group_size packets that stopped at a root: looks for the opposite
 /// sign at the end of the slice, then slice by slice behind it.
-void certify(const TraceFrame& frame, std::span<Packet* const> packets,
-             std::span<Brackets> brackets, Batch& batch, Counters& counters) {
+template <class Real>
+void certify(const TraceFrame& frame, std::span<Packet<Real>* const> packets,
+             std::span<Brackets<Real>> brackets, Batch<Real>& batch, Counters& counters) {
     for (int step = 0; step <= extra_slices; ++step) {
         for (std::size_t p = 0; p < packets.size(); ++p) {
             if (step == 0) {
@@ -110,39 +122,46 @@ void certify(const TraceFrame& frame, std::span<Packet* const> packets,
 
 /// Hands on the hits of a packet, each at the middle of where its sign changes or its search
 /// stopped.
-void push_hits(const Packet& packet, const Brackets& brackets, TileHits& hits) {
-    const M certified = hn::MaskFromVec(hn::Load(d, brackets.certified));
-    const V from =
-        hn::IfThenElse(certified, hn::Load(d, brackets.from), hn::Load(d, packet.hit_from));
-    const V to = hn::IfThenElse(certified, hn::Load(d, brackets.to), hn::Load(d, packet.hit_to));
-    const V half = hn::Set(d, 0.5F);
-    const V k = hn::MulAdd(half, from, hn::Mul(half, to));
-    alignas(vector_bytes) float position[3][lanes];
-    alignas(vector_bytes) float depth[lanes];
-    const Axes& axes = *packet.axes;
-    hn::Store(axes.mirrored[0] ? hn::Neg(k) : k, d, position[axes.world[0]]);
+template <class Real>
+void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileHits& hits) {
+    const M<Real> certified = hn::MaskFromVec(hn::Load(d<Real>, brackets.certified));
+    const V<Real> from = hn::IfThenElse(certified, hn::Load(d<Real>, brackets.from),
+                                        hn::Load(d<Real>, packet.hit_from));
+    const V<Real> to =
+        hn::IfThenElse(certified, hn::Load(d<Real>, brackets.to), hn::Load(d<Real>, packet.hit_to));
+    const V<Real> half = hn::Set(d<Real>, static_cast<Real>(0.5));
+    const V<Real> k = hn::MulAdd(half, from, hn::Mul(half, to));
+    alignas(vector_bytes<Real>) Real position[3][lanes<Real>];
+    alignas(vector_bytes<Real>) Real depth[lanes<Real>];
+    const Axes<Real>& axes = *packet.axes;
+    hn::Store(axes.mirrored[0] ? hn::Neg(k) : k, d<Real>, position[axes.world[0]]);
     for (int i = 0; i < 2; ++i) {
-        const Line& line = packet.line[i];
-        const V middle = hn::Sub(hn::Load(d, line.hi), hn::Load(d, line.neg_lo));
-        const V u = hn::MulAdd(hn::Load(d, line.slope), k, hn::Mul(half, middle));
-        hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d, position[axes.world[i + 1]]);
+        const Line<Real>& line = packet.line[i];
+        const V<Real> middle = hn::Sub(hn::Load(d<Real>, line.hi), hn::Load(d<Real>, line.neg_lo));
+        const V<Real> slopes =
+            hn::Add(hn::Load(d<Real>, line.slope_lo), hn::Load(d<Real>, line.slope_hi));
+        const V<Real> u = hn::MulAdd(hn::Mul(half, slopes), k, hn::Mul(half, middle));
+        hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d<Real>, position[axes.world[i + 1]]);
     }
-    const V along = hn::Sub(k, hn::Set(d, static_cast<float>(axes.eye[0])));
-    hn::Store(hn::Mul(along, hn::Load(d, packet.stretch)), d, depth);
-    const unsigned settled = Packet::bits_of(certified) & ~packet.unsettled;
+    const V<Real> along = hn::Sub(k, hn::Set(d<Real>, static_cast<Real>(axes.eye[0])));
+    hn::Store(hn::Mul(along, hn::Load(d<Real>, packet.stretch)), d<Real>, depth);
+    const unsigned settled = axes.certifies ? bits_of<Real>(certified) & ~packet.unsettled : 0;
     for (unsigned bits = packet.hit; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
-        hits.push(packet.pixel(lane), {position[0][lane], position[1][lane], position[2][lane]},
-                  depth[lane],
+        hits.push(packet.pixel(lane),
+                  {static_cast<double>(position[0][lane]), static_cast<double>(position[1][lane]),
+                   static_cast<double>(position[2][lane])},
+                  static_cast<float>(depth[lane]),
                   (settled >> lane & 1U) != 0 ? Certificate::Certified : Certificate::Undecided);
     }
 }
 
 /// Certifies finished packets and hands on what they found.
-void finish(const TraceFrame& frame, std::span<Packet* const> packets, Batch& batch, TileHits& hits,
-            Counters& counters) {
-    std::array<Brackets, group_size> brackets;
-    certify(frame, packets, brackets, batch, counters);
+template <class Real>
+void finish(const TraceFrame& frame, std::span<Packet<Real>* const> packets, Batch<Real>& batch,
+            TileHits& hits, Counters& counters) {
+    std::array<Brackets<Real>, group_size> brackets;
+    certify<Real>(frame, packets, brackets, batch, counters);
     for (std::size_t p = 0; p < packets.size(); ++p)
         push_hits(*packets[p], brackets[p], hits);
 }

@@ -1,4 +1,5 @@
-// A packet of rays for K-bisection. Included once for each instruction set, after Highway.
+// A packet of rays for K-bisection, in float or double.
+// Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_K_PACKET_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_K_PACKET_INL
@@ -7,6 +8,7 @@
 #define ZEROSET_K_PACKET_INL
 #endif
 
+#include "engine/expr/kernel.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <hwy/highway.h>
@@ -20,95 +22,137 @@ namespace zeroset::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::CappedTag<float, 16>;
-using DUint = hn::RebindToUnsigned<D>;
-using D64 = hn::Repartition<double, D>;
-using DHalf = hn::Half<D>;
-using V = hn::Vec<D>;
-using V64 = hn::Vec<D64>;
-using VHalf = hn::Vec<DHalf>;
-using M = hn::Mask<D>;
-constexpr D d;
-constexpr DUint du;
-constexpr D64 d64;
-constexpr DHalf d_half;
-constexpr std::size_t lanes = hn::MaxLanes(d);
-constexpr std::size_t vector_bytes = lanes * sizeof(float);
-constexpr int block_cols = lanes == 4 ? 2 : 4;
-constexpr int block_rows = static_cast<int>(lanes) / block_cols;
-constexpr unsigned all_lanes = (1U << lanes) - 1U;
+/// The widest vectors of the machine, up to 64 bytes.
+template <class Real>
+using Tag = hn::CappedTag<Real, 64 / sizeof(Real)>;
+template <class Real>
+using V = hn::Vec<Tag<Real>>;
+template <class Real>
+using M = hn::Mask<Tag<Real>>;
+template <class Real>
+constexpr Tag<Real> d{};
+template <class Real>
+constexpr hn::RebindToUnsigned<Tag<Real>> du{};
+
+template <class Real>
+constexpr std::size_t lanes = hn::MaxLanes(Tag<Real>());
+template <class Real>
+constexpr std::size_t vector_bytes = lanes<Real> * sizeof(Real);
+template <class Real>
+constexpr int block_cols = lanes<Real> <= 4 ? 2 : 4;
+template <class Real>
+constexpr int block_rows = static_cast<int>(lanes<Real>) / block_cols<Real>;
+template <class Real>
+constexpr unsigned all_lanes = (1U << lanes<Real>)-1U;
 
 constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
-constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
-constexpr std::size_t batch_capacity = 2 * group_size * lanes;
+constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
+template <class Real>
+constexpr std::size_t batch_capacity = 2 * group_size * lanes<Real>;
 
 /// The mask of the rays whose bits are set.
-HWY_INLINE M mask_of(unsigned bits) {
-    alignas(vector_bytes) std::uint32_t mask[lanes];
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        mask[lane] = 0U - (bits >> lane & 1U);
-    return hn::MaskFromVec(hn::BitCast(d, hn::Load(du, mask)));
+template <class Real>
+HWY_INLINE M<Real> mask_of(unsigned bits) {
+    using Word = ContinuityMask<Real>;
+    alignas(vector_bytes<Real>) Word mask[lanes<Real>];
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
+        mask[lane] = Word{0} - (bits >> lane & 1U);
+    return hn::MaskFromVec(hn::BitCast(d<Real>, hn::Load(du<Real>, mask)));
+}
+
+template <class Real>
+HWY_INLINE unsigned bits_of(M<Real> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d<Real>, mask, bytes);
+    return bytes[0] | static_cast<unsigned>(bytes[1]) << 8U;
 }
 
 /// The axes of a packet, K first: world axes, negated where `mirrored`, so that no coordinate falls
 /// along the packet's rays; and what follows from them for a frame.
+template <class Real>
 struct Axes {
     int world[3];
     bool mirrored[3];
-    /// Where a batch (-lo of x, y, z, then hi of x, y, z) holds -from and to, in floats.
+    /// Where a batch (-lo of x, y, z, then hi of x, y, z) holds -from and to, in numbers.
     std::size_t from_offset[3], to_offset[3];
     double eye[3];
-    double to_lo[3], to_hi[3];  ///< from the eye to the clip box
-    double error[3];            ///< above the rounding errors of a few operations in double
-    double k_size;              ///< the largest |K| in the clip box
-    float origin;               ///< where the grid of slices starts; not behind the clip box
-    float unit;                 ///< width of the slices at d_stop
-    std::int32_t slice_cells;   ///< of d_stop to a top slice: a power of two, at least 2
-    int slice_count;            ///< top slices that cover the clip box, at most 64
-    alignas(64) double lane_offset[3][lanes];  ///< directions relative to the block's first pixel
+    double from_lo[3], to_hi[3];  ///< between the eye and the clip box, rounded upward
+    Real neg_lo[3], hi[3];        ///< of the clip box, rounded upward
+    double k_size;                ///< the largest |K| in the clip box
+    double k_reach;               ///< the largest distance in K from the eye to the clip box
+    double direction_error;       ///< bound for the error of a direction's component
+    Real origin;                  ///< where the grid of slices starts; not behind the clip box
+    Real unit;                    ///< width of the finest slices
+    std::int64_t slice_cells;     ///< of them to a top slice: a power of two, at least 2
+    int slice_count;              ///< top slices that cover the clip box, at most 64
+    /// Slices of up to `coarsest` cells are not halved where they are no wider than the double of
+    /// their distance in cells from eye_cell times 2^-near_shift.
+    std::int64_t coarsest, eye_cell;
+    int near_shift;
+    bool certifies;  ///< the finest slices are near enough to the wanted tolerance to be certified
+    alignas(64) double lane_offset[3][lanes<Real>];  ///< directions relative to the first pixel's
+
+    /// Times the inverse of a ray's direction along K, a bound for the error of its slope over K,
+    /// of at most 4. The two components, twice as good as their bound, take 2.5; the rest is more
+    /// than rounding takes.
+    [[nodiscard]] double slope_error_share() const { return 4.0 * direction_error; }
 };
 
-/// A coordinate as a function of K on each ray: between -(neg_lo - slope k) and hi + slope k.
+/// A coordinate as a function of K on each ray: between -(neg_lo - slope_lo k) and hi + slope_hi k.
+template <class Real>
 struct Line {
-    alignas(vector_bytes) float slope[lanes];  ///< not negative, on the packet's rays
-    alignas(vector_bytes) float neg_lo[lanes];
-    alignas(vector_bytes) float hi[lanes];
+    /// Not negative on the packet's rays, but by an error in double; equal in float.
+    alignas(vector_bytes<Real>) Real slope_lo[lanes<Real>];
+    alignas(vector_bytes<Real>) Real slope_hi[lanes<Real>];
+    alignas(vector_bytes<Real>) Real neg_lo[lanes<Real>];
+    alignas(vector_bytes<Real>) Real hi[lanes<Real>];
 };
 
 /// Rays that march together along K. They look at slices of a row of binary trees over K, the top
 /// slices: the current one is [cell, cell + size] in units of the finest slice, and is looked at by
 /// halves.
+template <class Real>
 struct Packet {
-    alignas(vector_bytes) float k_in[lanes];      ///< where the ray enters the clip box
-    alignas(vector_bytes) float k_out[lanes];     ///< where it leaves
-    alignas(vector_bytes) float alive[lanes];     ///< mask: rays that still look for their root
-    alignas(vector_bytes) float hit_from[lanes];  ///< the slice where the search stopped
-    alignas(vector_bytes) float hit_to[lanes];
-    alignas(vector_bytes) float stretch[lanes];  ///< distance along the ray for 1 along K
-    Line line[2];                                ///< of U and V
-    const Axes* axes;
+    static constexpr std::size_t bytes = vector_bytes<Real>;
+    using Numbers = Real[lanes<Real>];
+
+    alignas(bytes) Numbers k_in;      ///< where the ray enters the clip box
+    alignas(bytes) Numbers k_out;     ///< where it leaves
+    alignas(bytes) Numbers alive;     ///< mask: rays that still look for their root
+    alignas(bytes) Numbers hit_from;  ///< the slice where the search stopped
+    alignas(bytes) Numbers hit_to;
+    alignas(bytes) Numbers stretch;  ///< distance along the ray for 1 along K
+    Line<Real> line[2];              ///< of U and V
+    const Axes<Real>* axes;
     unsigned hit;        ///< bits of the rays that stopped at a root
     unsigned unsettled;  ///< bits of the rays that have a gap_from
     int col, row;        ///< of the block's first pixel in the tile
-    float origin, unit;
-    std::int32_t slice_cells;
-    std::int32_t cell, size;  ///< size is a power of two, at least 2
-    std::uint32_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
+    Real origin, unit;
+    Real look;  ///< width of the slices that certificates look at: that of the last hit
+    std::int64_t slice_cells;
+    std::int64_t cell, size;  ///< size is a power of two, at least 2
+    std::uint64_t pending;    ///< sizes of the right halves, on the way up, still to be looked at
     std::uint64_t slices;     ///< bits of the top slices still to be looked at
     // Last, and aligned so that each packet begins a cache line.
-    alignas(64) float gap_from[lanes];  ///< the first slice where f is not continuous
+    alignas(64) Numbers gap_from;  ///< the first slice where f is not continuous
 
-    /// The floats that divide K: increasing, and equal for equal indices.
-    [[nodiscard]] float grid(std::int32_t index) const {
-        return origin + static_cast<float>(index) * unit;
+    /// The numbers that divide K: increasing, and equal for equal indices.
+    [[nodiscard]] Real grid(std::int64_t index) const {
+        return origin + static_cast<Real>(index) * unit;
+    }
+
+    /// Whether the halves of the current slice are not halved any more.
+    [[nodiscard]] bool is_finest() const {
+        if (size == 2) return true;
+        return size <= axes->coarsest && size <= 2 * ((cell - axes->eye_cell) >> axes->near_shift);
     }
 
     /// To the nearest slice still to be looked at; false when there is none.
     bool pop() {
         if (pending != 0) {
-            const std::uint32_t lowest = pending & (0U - pending);
+            const std::uint64_t lowest = pending & (0U - pending);
             pending ^= lowest;
-            size = static_cast<std::int32_t>(lowest);
+            size = static_cast<std::int64_t>(lowest);
             cell = (cell & ~(2 * size - 1)) + size;
             return true;
         }
@@ -121,36 +165,34 @@ struct Packet {
     /// Into the halves that may hold a root, the left one first; false when the packet is done.
     bool go_on(bool left, bool right) {
         if (!left && !right) return pop();
-        const std::int32_t half = size / 2;
+        const std::int64_t half = size / 2;
         cell += left ? 0 : half;
-        pending |= left && right ? static_cast<std::uint32_t>(half) : 0U;
+        pending |= left && right ? static_cast<std::uint64_t>(half) : 0U;
         size = half;
         return true;
     }
     /// Rays of `found` end at [from, to].
-    HWY_INLINE void stop_at(M found, V from, V to) {
-        hit |= bits_of(found);
-        hn::Store(hn::IfThenElse(found, from, hn::Load(d, hit_from)), d, hit_from);
-        hn::Store(hn::IfThenElse(found, to, hn::Load(d, hit_to)), d, hit_to);
-        const M others = hn::AndNot(found, hn::MaskFromVec(hn::Load(d, alive)));
-        hn::Store(hn::VecFromMask(d, others), d, alive);
+    HWY_INLINE void stop_at(M<Real> found, V<Real> from, V<Real> to) {
+        constexpr Tag<Real> tag;
+        hit |= bits_of<Real>(found);
+        hn::Store(hn::IfThenElse(found, from, hn::Load(tag, hit_from)), tag, hit_from);
+        hn::Store(hn::IfThenElse(found, to, hn::Load(tag, hit_to)), tag, hit_to);
+        const M<Real> others = hn::AndNot(found, hn::MaskFromVec(hn::Load(tag, alive)));
+        hn::Store(hn::VecFromMask(tag, others), tag, alive);
     }
     /// Rays of `found` go on behind a slice from `from` where f is not continuous.
-    HWY_INLINE void pass_gap(M found, V from) {
-        if (hn::AllFalse(d, found)) return;
-        const unsigned first = bits_of(found) & ~unsettled;
+    HWY_INLINE void pass_gap(M<Real> found, V<Real> from) {
+        constexpr Tag<Real> tag;
+        if (hn::AllFalse(tag, found)) return;
+        const unsigned first = bits_of<Real>(found) & ~unsettled;
         if (first == 0) return;
         unsettled |= first;
-        hn::Store(hn::IfThenElse(mask_of(first), from, hn::Load(d, gap_from)), d, gap_from);
+        hn::Store(hn::IfThenElse(mask_of<Real>(first), from, hn::Load(tag, gap_from)), tag,
+                  gap_from);
     }
     [[nodiscard]] TileHits::Pixel pixel(int lane) const {
-        return {static_cast<std::int16_t>(col + lane % block_cols),
-                static_cast<std::int16_t>(row + lane / block_cols)};
-    }
-    static unsigned bits_of(M mask) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, mask, bytes);
-        return bytes[0] | static_cast<unsigned>(bytes[1]) << 8U;
+        return {static_cast<std::int16_t>(col + lane % block_cols<Real>),
+                static_cast<std::int16_t>(row + lane / block_cols<Real>)};
     }
 };
 

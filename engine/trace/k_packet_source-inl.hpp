@@ -8,8 +8,8 @@
 #define ZEROSET_K_PACKET_SOURCE_INL
 #endif
 
-#include "engine/num/scalar.hpp"
-#include "engine/trace/k_packet-inl.hpp"
+#include "engine/trace/k_axes-inl.hpp"
+#include "engine/trace/k_rays-inl.hpp"
 #include "engine/trace/tolerance.hpp"
 
 #include <algorithm>
@@ -22,207 +22,83 @@ HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
 /// Makes the packets of a tile, block of pixels by block of pixels. Must outlive them.
+template <class Real>
 class PacketSource {
 public:
     PacketSource(const TraceFrame& frame, const Tile& tile);
     /// Sets up the next packet, with the top slices that its rays meet; false when there is none
     /// left.
-    bool next(Packet& packet);
+    bool next(Packet<Real>& packet);
     /// The axes for a ray; they live as long as the source.
-    const Axes& axes_for(const glm::dvec3& direction);
+    const Axes<Real>& axes_for(const glm::dvec3& direction) { return axes_.of(direction); }
     /// The direction of the ray of a pixel of the tile.
     [[nodiscard]] glm::dvec3 direction(int col, int row) const {
-        return corner_ + static_cast<double>(col) * step_col_ +
-               static_cast<double>(row) * step_row_;
+        return corner_ + static_cast<double>(col) * steps_.col +
+               static_cast<double>(row) * steps_.row;
     }
 
 private:
-    struct HalfPacket;
-    struct HalfLines;
-
     bool next_block();
-    void make_axes(Axes& axes, int k, const glm::bvec3& negative) const;
-    HalfPacket half_of(const Axes& axes, const glm::dvec3& block, std::size_t half) const;
-    static HalfLines lines_of(const Axes& axes, const HalfPacket& rays);
     /// Makes the rays of `bits` alive that meet the clip box.
-    static void set_up_lanes(Packet& packet, const HalfLines& low, const HalfLines& high,
-                             unsigned bits);
+    static void set_up_lanes(Packet<Real>& packet, unsigned bits);
+    /// Keeps alive those of the living rays that have anything between `in` and `out`.
+    static void bound_lanes(Packet<Real>& packet, M<Real> alive, V<Real> in, V<Real> out);
     /// Ends the rays at the tile's limits.
-    void limit_lanes(Packet& packet) const;
+    void limit_lanes(Packet<Real>& packet) const;
     /// Chooses the packet's slices; false when no ray is alive.
-    bool set_up_slices(Packet& packet) const;
-    [[nodiscard]] int epsilon_depth(const Packet& packet, float k_min, float k_max) const;
+    bool set_up_slices(Packet<Real>& packet) const;
+    [[nodiscard]] int epsilon_depth(const Packet<Real>& packet, Real k_min, Real k_max) const;
 
     const TraceFrame& frame_;
     Tile tile_;
-    glm::dvec3 step_col_, step_row_, corner_;  ///< directions: per pixel, and of the tile's first
-    int col_ = -block_cols, row_ = 0;
-    unsigned pending_ = 0;    ///< rays of the current block not yet in a packet
-    Axes axes_[24];           ///< by dominant axis and signs of the direction
-    std::uint32_t made_ = 0;  ///< bits of the axes that are made
+    PixelSteps steps_;
+    glm::dvec3 corner_;  ///< direction of the tile's first pixel
+    AxesTable<Real> axes_;
+    int col_ = -block_cols<Real>, row_ = 0;
+    unsigned pending_ = 0;  ///< rays of the current block not yet in a packet
 };
 
-inline PacketSource::PacketSource(const TraceFrame& frame, const Tile& tile)
-    : frame_(frame), tile_(tile) {
-    const ViewFrame& view = frame.view;
-    const double pixel = view.pixel_size(frame.height);
-    step_col_ = pixel * view.right;
-    step_row_ = -pixel * view.up;
-    corner_ = view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height);
-}
+template <class Real>
+PacketSource<Real>::PacketSource(const TraceFrame& frame, const Tile& tile)
+    : frame_(frame),
+      tile_(tile),
+      steps_{frame.view.pixel_size(frame.height) * frame.view.right,
+             -frame.view.pixel_size(frame.height) * frame.view.up},
+      corner_(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
+      axes_(frame, steps_) {}
 
-inline void PacketSource::make_axes(Axes& axes, int k, const glm::bvec3& negative) const {
-    constexpr double tiny = 0x1p-45;
-    constexpr double steepest = 4.0;  // slopes of fitting rays
-    const Box& clip = frame_.scene.clip;
-    for (int i = 0; i < 3; ++i) {
-        const int world = (k + i) % 3;
-        const bool mirrored = negative[world];
-        const double sign = mirrored ? -1.0 : 1.0;
-        const double lo = mirrored ? -clip.hi[world] : clip.lo[world];
-        const double hi = mirrored ? -clip.lo[world] : clip.hi[world];
-        const std::size_t neg_lo_offset = static_cast<std::size_t>(world) * batch_capacity;
-        const std::size_t hi_offset = neg_lo_offset + 3 * batch_capacity;
-        axes.world[i] = world;
-        axes.mirrored[i] = mirrored;
-        axes.from_offset[i] = mirrored ? hi_offset : neg_lo_offset;
-        axes.to_offset[i] = mirrored ? neg_lo_offset : hi_offset;
-        axes.eye[i] = sign * frame_.view.eye[world];
-        axes.to_lo[i] = lo - axes.eye[i];
-        axes.to_hi[i] = hi - axes.eye[i];
-        if (i == 0) axes.k_size = std::max(std::abs(lo), std::abs(hi));
-        axes.error[i] =
-            tiny * (steepest * (std::abs(axes.eye[0]) + axes.k_size) + std::abs(axes.eye[i]));
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const auto col = static_cast<double>(lane % block_cols);
-            const auto row = static_cast<double>(lane / block_cols);
-            axes.lane_offset[i][lane] = sign * (col * step_col_[world] + row * step_row_[world]);
-        }
-    }
-    const int depth = bisections(clip, axes.k_size, frame_.stop);
-    const int top_depth = std::min(max_top_depth, depth - 1);
-    axes.unit = float_above(std::ldexp(clip.size(), -depth));
-    axes.origin = -float_above(-(axes.to_lo[0] + axes.eye[0]));
-    axes.slice_cells = 1 << (depth - top_depth);
-    const float slice = axes.unit * static_cast<float>(axes.slice_cells);
-    const float extent = float_above(axes.to_hi[0] + axes.eye[0]) - axes.origin;
-    axes.slice_count = static_cast<int>(std::floor(extent / slice)) + 1;
-}
-
-inline const Axes& PacketSource::axes_for(const glm::dvec3& direction) {
-    const glm::dvec3 size = glm::abs(direction);
-    const int longest_of_xy = size.x >= size.y ? 0 : 1;
-    const int k = size[longest_of_xy] >= size.z ? longest_of_xy : 2;
-    const glm::bvec3 negative(direction.x < 0, direction.y < 0, direction.z < 0);
-    const int key = 8 * k + (negative.x ? 1 : 0) + (negative.y ? 2 : 0) + (negative.z ? 4 : 0);
-    Axes& axes = axes_[key];
-    if ((made_ >> key & 1U) == 0) {
-        make_axes(axes, k, negative);
-        made_ |= 1U << key;
-    }
-    return axes;
-}
-
-inline bool PacketSource::next_block() {
-    col_ += block_cols;
+template <class Real>
+bool PacketSource<Real>::next_block() {
+    constexpr int cols = block_cols<Real>;
+    constexpr int rows = block_rows<Real>;
+    col_ += cols;
     if (col_ >= tile_.cols) {
         col_ = 0;
-        row_ += block_rows;
+        row_ += rows;
     }
     if (row_ >= tile_.rows) return false;
-    pending_ = all_lanes;
-    if (col_ + block_cols > tile_.cols || row_ + block_rows > tile_.rows) {
-        for (int lane = 0; lane < static_cast<int>(lanes); ++lane) {
-            const bool inside =
-                col_ + lane % block_cols < tile_.cols && row_ + lane / block_cols < tile_.rows;
+    pending_ = all_lanes<Real>;
+    if (col_ + cols > tile_.cols || row_ + rows > tile_.rows) {
+        for (int lane = 0; lane < static_cast<int>(lanes<Real>); ++lane) {
+            const bool inside = col_ + lane % cols < tile_.cols && row_ + lane / cols < tile_.rows;
             if (!inside) pending_ &= ~(1U << lane);
         }
     }
     return true;
 }
 
-/// Half a packet in double: directions, and where the rays enter and leave the clip box.
-struct PacketSource::HalfPacket {
-    V64 direction[3];
-    V64 inverse_k;
-    V64 t_in, t_out;
-
-    [[nodiscard]] HWY_INLINE bool all_miss() const { return hn::AllTrue(d64, hn::Gt(t_in, t_out)); }
-    /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
-    /// others, none falling.
-    [[nodiscard]] HWY_INLINE unsigned fitting() const {
-        const V64 steepest = hn::Mul(hn::Set(d64, 4.0), direction[0]);
-        const auto shallow = hn::Le(hn::Max(direction[1], direction[2]), steepest);
-        const auto rising = hn::Ge(hn::Min(direction[1], direction[2]), hn::Zero(d64));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d64, hn::And(shallow, rising), bits);
-        return bits[0];
-    }
-};
-
-HWY_INLINE PacketSource::HalfPacket PacketSource::half_of(const Axes& axes, const glm::dvec3& block,
-                                                          std::size_t half) const {
-    HalfPacket rays{};
-    V64 inverse[3];
-    for (int i = 0; i < 3; ++i) {
-        const int world = axes.world[i];
-        const double first = axes.mirrored[i] ? -block[world] : block[world];
-        rays.direction[i] = hn::Add(hn::Set(d64, first), hn::Load(d64, axes.lane_offset[i] + half));
-        // Negative directions are of rays that do not fit.
-        inverse[i] = hn::Div(hn::Set(d64, 1.0), hn::Max(rays.direction[i], hn::Set(d64, 1e-300)));
-    }
-    rays.inverse_k = inverse[0];
-    rays.t_in = hn::Mul(hn::Set(d64, axes.to_lo[0]), inverse[0]);
-    rays.t_out = hn::Mul(hn::Set(d64, axes.to_hi[0]), inverse[0]);
-    for (int i = 1; i < 3; ++i) {
-        rays.t_in = hn::Max(rays.t_in, hn::Mul(hn::Set(d64, axes.to_lo[i]), inverse[i]));
-        rays.t_out = hn::Min(rays.t_out, hn::Mul(hn::Set(d64, axes.to_hi[i]), inverse[i]));
-    }
-    rays.t_in = hn::Max(rays.t_in, hn::Zero(d64));
-    return rays;
-}
-
-/// Entries, exits and lines of half a packet: floats that enclose the doubles.
-struct PacketSource::HalfLines {
-    VHalf k_in, k_out, stretch;
-    VHalf slope[2], neg_lo[2], hi[2];
-};
-
-HWY_INLINE PacketSource::HalfLines PacketSource::lines_of(const Axes& axes,
-                                                          const HalfPacket& rays) {
-    const auto demote_up = [](V64 value) { return hn::DemoteTo(d_half, value); };
-    const V64 k_eye = hn::Set(d64, axes.eye[0]);
-    const V64 k_error = hn::Set(d64, axes.error[0]);
-    HalfLines lines{};
-    lines.k_in =
-        hn::Neg(demote_up(hn::Sub(k_error, hn::MulAdd(rays.t_in, rays.direction[0], k_eye))));
-    lines.k_out = demote_up(hn::Add(k_error, hn::MulAdd(rays.t_out, rays.direction[0], k_eye)));
-    V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
-    for (int i = 0; i < 2; ++i) {
-        const V64 slope = hn::Mul(rays.direction[i + 1], rays.inverse_k);
-        lines.slope[i] = demote_up(slope);
-        const V64 slope_error = hn::Abs(hn::Sub(slope, hn::PromoteTo(d64, lines.slope[i])));
-        const V64 base = hn::NegMulAdd(slope, k_eye, hn::Set(d64, axes.eye[i + 1]));
-        const V64 error =
-            hn::MulAdd(slope_error, hn::Set(d64, axes.k_size), hn::Set(d64, axes.error[i + 1]));
-        lines.hi[i] = demote_up(hn::Add(base, error));
-        lines.neg_lo[i] = demote_up(hn::Sub(error, base));
-        length2 = hn::MulAdd(rays.direction[i + 1], rays.direction[i + 1], length2);
-    }
-    lines.stretch = hn::Div(hn::Sqrt(demote_up(length2)), demote_up(rays.direction[0]));
-    return lines;
-}
-
-inline bool PacketSource::next(Packet& packet) {
+template <class Real>
+bool PacketSource<Real>::next(Packet<Real>& packet) {
+    constexpr bool two_parts = lanes<Real> > part_lanes;
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
         const glm::dvec3 block = direction(col_, row_);
         const int first = std::countr_zero(pending_);
-        const Axes& axes =
-            axes_for(direction(col_ + first % block_cols, row_ + first / block_cols));
-        const HalfPacket low = half_of(axes, block, 0);
-        const HalfPacket high = half_of(axes, block, lanes / 2);
-        const unsigned fitting = low.fitting() | high.fitting() << (lanes / 2);
+        const Axes<Real>& axes =
+            axes_for(direction(col_ + first % block_cols<Real>, row_ + first / block_cols<Real>));
+        const PartRays low = part_of(axes, block, 0);
+        const PartRays high = two_parts ? part_of(axes, block, part_lanes) : low;
+        const unsigned fitting = low.fitting() | high.fitting() << part_lanes;
         // The first pending ray always fits; rays that do not share its axes make packets of
         // their own.
         const unsigned mine = pending_ & (fitting | 1U << first);
@@ -231,32 +107,31 @@ inline bool PacketSource::next(Packet& packet) {
         packet.axes = &axes;
         packet.col = col_;
         packet.row = row_;
-        set_up_lanes(packet, lines_of(axes, low), lines_of(axes, high), mine);
+        store_part(low, 0, packet);
+        if constexpr (two_parts) store_part(high, part_lanes, packet);
+        set_up_lanes(packet, mine);
         if (tile_.limits != nullptr) limit_lanes(packet);
         if (set_up_slices(packet)) return true;
     }
 }
 
-HWY_INLINE void PacketSource::set_up_lanes(Packet& packet, const HalfLines& low,
-                                           const HalfLines& high, unsigned bits) {
-    for (int i = 0; i < 2; ++i) {
-        Line& line = packet.line[i];
-        hn::Store(hn::Combine(d, high.slope[i], low.slope[i]), d, line.slope);
-        hn::Store(hn::Combine(d, high.neg_lo[i], low.neg_lo[i]), d, line.neg_lo);
-        hn::Store(hn::Combine(d, high.hi[i], low.hi[i]), d, line.hi);
-    }
-    hn::Store(hn::Combine(d, high.stretch, low.stretch), d, packet.stretch);
-    const V in = hn::Combine(d, high.k_in, low.k_in);
-    const V out = hn::Combine(d, high.k_out, low.k_out);
-    M alive = hn::Le(in, out);
-    if (bits != all_lanes) alive = hn::And(alive, mask_of(bits));
+template <class Real>
+HWY_INLINE void PacketSource<Real>::bound_lanes(Packet<Real>& packet, M<Real> alive, V<Real> in,
+                                                V<Real> out) {
+    alive = hn::And(alive, hn::Le(in, out));
     // The other rays stand still at one place, so that they have finite boxes.
-    const V anywhere = hn::Set(d, packet.axes->origin);
-    hn::Store(hn::VecFromMask(d, alive), d, packet.alive);
-    hn::Store(hn::IfThenElse(alive, in, anywhere), d, packet.k_in);
-    hn::Store(hn::IfThenElse(alive, out, anywhere), d, packet.k_out);
-    hn::Store(hn::Zero(d), d, packet.hit_from);
-    hn::Store(hn::Zero(d), d, packet.hit_to);
+    const V<Real> anywhere = hn::Set(d<Real>, packet.axes->origin);
+    hn::Store(hn::VecFromMask(d<Real>, alive), d<Real>, packet.alive);
+    hn::Store(hn::IfThenElse(alive, in, anywhere), d<Real>, packet.k_in);
+    hn::Store(hn::IfThenElse(alive, out, anywhere), d<Real>, packet.k_out);
+}
+
+template <class Real>
+HWY_INLINE void PacketSource<Real>::set_up_lanes(Packet<Real>& packet, unsigned bits) {
+    bound_lanes(packet, mask_of<Real>(bits), hn::Load(d<Real>, packet.k_in),
+                hn::Load(d<Real>, packet.k_out));
+    hn::Store(hn::Zero(d<Real>), d<Real>, packet.hit_from);
+    hn::Store(hn::Zero(d<Real>), d<Real>, packet.hit_to);
     packet.hit = 0;
     packet.unsettled = 0;
 }
@@ -264,60 +139,67 @@ HWY_INLINE void PacketSource::set_up_lanes(Packet& packet, const HalfLines& low,
 /// Leaves of each ray as many slices behind its limit as its certificate may look at, so that what
 /// is found before the limit does not depend on it. With other rules than d_stop slices follow from
 /// the rays' ends; those stay.
-HWY_NOINLINE void PacketSource::limit_lanes(Packet& packet) const {
+template <class Real>
+HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
     if (frame_.stop.rule != StopRule::DStop) return;
-    const Axes& axes = *packet.axes;
-    alignas(vector_bytes) float limit[lanes];
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        limit[lane] = tile_.limits[packet.pixel(static_cast<int>(lane)).index()];
+    const Axes<Real>& axes = *packet.axes;
+    alignas(vector_bytes<Real>) Real limit[lanes<Real>];
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane) {
+        limit[lane] = static_cast<Real>(tile_.limits[packet.pixel(static_cast<int>(lane)).index()]);
+    }
     // Rounded upward, but for the stretch.
-    const V grow = hn::Set(d, 1.0F + 0x1p-20F);
-    const V along = hn::Mul(hn::Div(hn::Load(d, limit), hn::Load(d, packet.stretch)), grow);
-    const V from_eye = hn::Add(along, hn::Set(d, float_above(axes.eye[0])));
-    const V spare = hn::Set(d, static_cast<float>(1 + extra_slices) * axes.unit);
-    const V in = hn::Load(d, packet.k_in);
-    const V out = hn::Min(hn::Load(d, packet.k_out), hn::Add(from_eye, spare));
-    const M alive = hn::And(hn::MaskFromVec(hn::Load(d, packet.alive)), hn::Le(in, out));
-    const V anywhere = hn::Set(d, axes.origin);
-    hn::Store(hn::VecFromMask(d, alive), d, packet.alive);
-    hn::Store(hn::IfThenElse(alive, in, anywhere), d, packet.k_in);
-    hn::Store(hn::IfThenElse(alive, out, anywhere), d, packet.k_out);
+    const V<Real> grow = hn::Set(d<Real>, static_cast<Real>(1.0 + 0x1p-20));
+    const V<Real> stretch = hn::Load(d<Real>, packet.stretch);
+    const V<Real> along = hn::Mul(hn::Div(hn::Load(d<Real>, limit), stretch), grow);
+    const V<Real> from_eye = hn::Add(along, hn::Set(d<Real>, above<Real>(axes.eye[0])));
+    const V<Real> unit = hn::Set(d<Real>, axes.unit);
+    const V<Real> widest = hn::Set(d<Real>, axes.unit * static_cast<Real>(axes.coarsest / 2));
+    const V<Real> there =
+        hn::Mul(along, hn::Set(d<Real>, static_cast<Real>(std::ldexp(1.0, -axes.near_shift))));
+    const V<Real> slice = hn::Max(unit, hn::Min(there, widest));
+    const V<Real> spare = hn::Mul(hn::Set(d<Real>, static_cast<Real>(1 + extra_slices)), slice);
+    bound_lanes(packet, hn::MaskFromVec(hn::Load(d<Real>, packet.alive)),
+                hn::Load(d<Real>, packet.k_in),
+                hn::Min(hn::Load(d<Real>, packet.k_out), hn::Add(from_eye, spare)));
 }
 
 /// How often a top slice is halved under the epsilon rule.
-inline int PacketSource::epsilon_depth(const Packet& packet, float k_min, float k_max) const {
-    float longest = std::numeric_limits<float>::min();  // the packet's Delta [Knoll07, eq. 7]
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const float extent = packet.k_out[lane] - packet.k_in[lane];
-        const float u = packet.line[0].slope[lane];
-        const float v = packet.line[1].slope[lane];
+template <class Real>
+int PacketSource<Real>::epsilon_depth(const Packet<Real>& packet, Real k_min, Real k_max) const {
+    Real longest = std::numeric_limits<Real>::min();  // the packet's Delta [Knoll07, eq. 7]
+    for (std::size_t lane = 0; lane < lanes<Real>; ++lane) {
+        const Real extent = packet.k_out[lane] - packet.k_in[lane];
+        const Real u = packet.line[0].slope_hi[lane];
+        const Real v = packet.line[1].slope_hi[lane];
         longest = std::max(longest, extent * (1 + u * u + v * v));
     }
     const auto packet_share = static_cast<double>((k_max - k_min) / longest);
     const double width = packet_share * frame_.stop.value;  // eq. 6
-    const Axes& axes = *packet.axes;
-    const auto slice = static_cast<double>(axes.unit * static_cast<float>(axes.slice_cells));
-    const int finest = std::countr_zero(static_cast<std::uint32_t>(axes.slice_cells));
+    const Axes<Real>& axes = *packet.axes;
+    const auto slice = static_cast<double>(axes.unit * static_cast<Real>(axes.slice_cells));
+    const int finest = std::countr_zero(static_cast<std::uint64_t>(axes.slice_cells));
     return std::clamp(static_cast<int>(std::ceil(std::log2(slice / width))), 1, finest);
 }
 
-inline bool PacketSource::set_up_slices(Packet& packet) const {
-    const M alive = hn::MaskFromVec(hn::Load(d, packet.alive));
-    if (hn::AllFalse(d, alive)) return false;
-    const V far = hn::Set(d, std::numeric_limits<float>::infinity());
-    const V in = hn::IfThenElse(alive, hn::Load(d, packet.k_in), far);
-    const V out = hn::IfThenElse(alive, hn::Load(d, packet.k_out), hn::Neg(far));
-    const float k_min = hn::GetLane(hn::MinOfLanes(d, in));
-    const float k_max = hn::GetLane(hn::MaxOfLanes(d, out));
-    const Axes& axes = *packet.axes;
+template <class Real>
+bool PacketSource<Real>::set_up_slices(Packet<Real>& packet) const {
+    const M<Real> alive = hn::MaskFromVec(hn::Load(d<Real>, packet.alive));
+    if (hn::AllFalse(d<Real>, alive)) return false;
+    const V<Real> far = hn::Set(d<Real>, std::numeric_limits<Real>::infinity());
+    const V<Real> in = hn::IfThenElse(alive, hn::Load(d<Real>, packet.k_in), far);
+    const V<Real> out = hn::IfThenElse(alive, hn::Load(d<Real>, packet.k_out), hn::Neg(far));
+    const Real k_min = hn::GetLane(hn::MinOfLanes(d<Real>, in));
+    const Real k_max = hn::GetLane(hn::MaxOfLanes(d<Real>, out));
+    const Axes<Real>& axes = *packet.axes;
     packet.origin = axes.origin;
     packet.unit = axes.unit;
     packet.slice_cells = axes.slice_cells;
-    const float slice = axes.unit * static_cast<float>(axes.slice_cells);
+    const Real slice = axes.unit * static_cast<Real>(axes.slice_cells);
     if (frame_.stop.rule == StopRule::Epsilon) {
-        packet.slice_cells = 1 << epsilon_depth(packet, k_min, k_max);
-        packet.unit = slice / static_cast<float>(packet.slice_cells);
+        packet.slice_cells = std::int64_t{1} << epsilon_depth(packet, k_min, k_max);
+        packet.unit = slice / static_cast<Real>(packet.slice_cells);
     }
+    packet.look = packet.unit;
     int first = static_cast<int>((k_min - axes.origin) / slice);
     int last = std::min(axes.slice_count - 1, static_cast<int>((k_max - axes.origin) / slice));
     while (first > 0 && packet.grid(first * packet.slice_cells) > k_min)

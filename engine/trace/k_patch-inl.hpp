@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -22,22 +24,25 @@ namespace zeroset::HWY_NAMESPACE {
 constexpr int patch_size = 8;  ///< pixels; a multiple of every block's size
 constexpr int patches_a_row = tile_size / patch_size;
 constexpr int patch_slices = 1 << max_top_depth;  ///< slices looked at; any others may hold a root
-static_assert(patch_size % block_cols == 0 && patch_size % block_rows == 0);
-static_assert(patch_slices % lanes == 0 || lanes > patch_slices);
 
 /// A line that bounds a coordinate of all rays of a patch: at k, rounded upward.
+template <class Real>
 struct Edge {
-    float slope, base;
+    Real slope, base;
 };
 
 /// The top slices of the patches of a tile.
+template <class Real>
 class PatchSlices {
+    static_assert(patch_size % block_cols<Real> == 0 && patch_size % block_rows<Real> == 0);
+    static_assert(patch_slices % lanes<Real> == 0);
+
 public:
-    PatchSlices(const TraceFrame& frame, const Tile& tile, PacketSource& source, Batch& batch,
-                Counters& counters);
+    PatchSlices(const TraceFrame& frame, const Tile& tile, PacketSource<Real>& source,
+                Batch<Real>& batch, Counters& counters);
 
     /// Bits of the top slices of the packet's patch that may hold a root for a ray of it.
-    [[nodiscard]] std::uint64_t of(const Packet& packet) const {
+    [[nodiscard]] std::uint64_t of(const Packet<Real>& packet) const {
         const int index = packet.row / patch_size * patches_a_row + packet.col / patch_size;
         const Patch& patch = patches_[static_cast<std::size_t>(index)];
         return patch.axes == packet.axes ? patch.slices : ~0ULL;
@@ -45,41 +50,49 @@ public:
 
 private:
     struct Patch {
-        const Axes* axes = nullptr;  ///< nullptr: its rays do not share axes
+        const Axes<Real>* axes = nullptr;  ///< nullptr: its rays do not share axes
         std::uint64_t slices = ~0ULL;
         /// Of U and V: -lo from the least slope, hi from the greatest.
-        Edge neg_lo[2], hi[2];
+        Edge<Real> neg_lo[2], hi[2];
     };
 
-    static Patch patch_of(const Tile& tile, PacketSource& source, int col, int row);
-    static void store_slices(const Patch& patch, std::size_t at, Batch& batch);
-    static std::uint64_t slices_with_roots(std::size_t at, const Batch& batch);
+    static Patch patch_of(const Tile& tile, PacketSource<Real>& source, int col, int row);
+    static void store_slices(const Patch& patch, std::size_t at, Batch<Real>& batch);
+    static std::uint64_t slices_with_roots(std::size_t at, const Batch<Real>& batch);
 
     std::array<Patch, static_cast<std::size_t>(patches_a_row) * patches_a_row> patches_;
 };
 
-/// The line through the eye with a slope of U over K; `sign` -1 for -U.
-inline Edge edge_of(const Axes& axes, int axis, double slope, double sign) {
-    const float near = float_above(sign * slope);
-    const double error = std::abs(static_cast<double>(near) - sign * slope) * axes.k_size;
-    const double base = sign * (axes.eye[axis] - axes.eye[0] * slope);
-    return {near, float_above(base + error + axes.error[axis])};
+/// The line through the eye with a slope of U over K; `sign` -1 for -U. `slope_error` bounds the
+/// slope's.
+template <class Real>
+Edge<Real> edge_of(const Axes<Real>& axes, int axis, double slope, double sign,
+                   double slope_error) {
+    const auto near = above<Real>(sign * slope);
+    const double narrowing = static_cast<double>(near) - sign * slope;
+    const double error = narrowing * axes.k_size + slope_error * axes.k_reach;
+    const double base = sign * axes.eye[axis] + -axes.eye[0] * (sign * slope);
+    return {near, above<Real>(base + error)};
 }
 
 /// The slopes of U over K are extreme at the corners: they are quotients of affine functions.
-inline PatchSlices::Patch PatchSlices::patch_of(const Tile& tile, PacketSource& source, int col,
-                                                int row) {
+template <class Real>
+typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
+                                                              PacketSource<Real>& source, int col,
+                                                              int row) {
     Patch patch;
     const int last_col = std::min(col + patch_size, tile.cols) - 1;
     const int last_row = std::min(row + patch_size, tile.rows) - 1;
-    const Axes& axes = source.axes_for(source.direction(col, row));
+    const Axes<Real>& axes = source.axes_for(source.direction(col, row));
     double least[2] = {4.0, 4.0};
     double greatest[2] = {0.0, 0.0};
+    double shortest = std::numeric_limits<double>::infinity();
     for (const auto& [c, r] : {std::pair{col, row}, std::pair{last_col, row},
                                std::pair{col, last_row}, std::pair{last_col, last_row}}) {
         const glm::dvec3 direction = source.direction(c, r);
         if (&source.axes_for(direction) != &axes) return patch;
         const double k = std::abs(direction[axes.world[0]]);
+        shortest = std::min(shortest, k);
         for (int i = 0; i < 2; ++i) {
             const double slope = std::abs(direction[axes.world[i + 1]]) / k;
             least[i] = std::min(least[i], slope);
@@ -87,44 +100,48 @@ inline PatchSlices::Patch PatchSlices::patch_of(const Tile& tile, PacketSource& 
         }
     }
     patch.axes = &axes;
+    const double slope_error = axes.slope_error_share() / shortest;
     for (int i = 0; i < 2; ++i) {
-        patch.neg_lo[i] = edge_of(axes, i + 1, least[i], -1.0);
-        patch.hi[i] = edge_of(axes, i + 1, greatest[i], 1.0);
+        patch.neg_lo[i] = edge_of(axes, i + 1, least[i], -1.0, slope_error);
+        patch.hi[i] = edge_of(axes, i + 1, greatest[i], 1.0, slope_error);
     }
     return patch;
 }
 
 /// The boxes of a patch's first slices, clipped, one a lane, from item `at` of the batch on.
-HWY_INLINE void PatchSlices::store_slices(const Patch& patch, std::size_t at, Batch& batch) {
-    const Axes& axes = *patch.axes;
-    float* const ends = batch.ends[0] + at;
-    const V unit = hn::Set(d, axes.unit);
-    const V origin = hn::Set(d, axes.origin);
-    for (std::size_t s = 0; s < patch_slices; s += lanes) {
-        const V index = hn::Mul(hn::Iota(d, static_cast<float>(s)),
-                                hn::Set(d, static_cast<float>(axes.slice_cells)));
-        const V next = hn::Add(index, hn::Set(d, static_cast<float>(axes.slice_cells)));
-        const V from = hn::Add(origin, hn::Mul(index, unit));
-        const V to = hn::Add(origin, hn::Mul(next, unit));
-        hn::StoreU(hn::Neg(from), d, ends + axes.from_offset[0] + s);
-        hn::StoreU(to, d, ends + axes.to_offset[0] + s);
+template <class Real>
+HWY_INLINE void PatchSlices<Real>::store_slices(const Patch& patch, std::size_t at,
+                                                Batch<Real>& batch) {
+    const Axes<Real>& axes = *patch.axes;
+    Real* const ends = batch.ends[0] + at;
+    const V<Real> unit = hn::Set(d<Real>, axes.unit);
+    const V<Real> origin = hn::Set(d<Real>, axes.origin);
+    for (std::size_t s = 0; s < patch_slices; s += lanes<Real>) {
+        const V<Real> index = hn::Mul(hn::Iota(d<Real>, static_cast<Real>(s)),
+                                      hn::Set(d<Real>, static_cast<Real>(axes.slice_cells)));
+        const V<Real> next = hn::Add(index, hn::Set(d<Real>, static_cast<Real>(axes.slice_cells)));
+        const V<Real> from = hn::Add(origin, hn::Mul(index, unit));
+        const V<Real> to = hn::Add(origin, hn::Mul(next, unit));
+        hn::StoreU(hn::Neg(from), d<Real>, ends + axes.from_offset[0] + s);
+        hn::StoreU(to, d<Real>, ends + axes.to_offset[0] + s);
         for (int i = 0; i < 2; ++i) {
-            const Edge& neg_lo = patch.neg_lo[i];
-            const Edge& hi = patch.hi[i];
-            const double clip_lo = axes.to_lo[i + 1] + axes.eye[i + 1] - axes.error[i + 1];
-            const double clip_hi = axes.to_hi[i + 1] + axes.eye[i + 1] + axes.error[i + 1];
-            const V u_neg_lo = hn::MulAdd(hn::Set(d, neg_lo.slope), from, hn::Set(d, neg_lo.base));
-            const V u_hi = hn::MulAdd(hn::Set(d, hi.slope), to, hn::Set(d, hi.base));
-            hn::StoreU(hn::Min(u_neg_lo, hn::Set(d, float_above(-clip_lo))), d,
+            const Edge<Real>& neg_lo = patch.neg_lo[i];
+            const Edge<Real>& hi = patch.hi[i];
+            const V<Real> u_neg_lo =
+                hn::MulAdd(hn::Set(d<Real>, neg_lo.slope), from, hn::Set(d<Real>, neg_lo.base));
+            const V<Real> u_hi =
+                hn::MulAdd(hn::Set(d<Real>, hi.slope), to, hn::Set(d<Real>, hi.base));
+            hn::StoreU(hn::Min(u_neg_lo, hn::Set(d<Real>, axes.neg_lo[i + 1])), d<Real>,
                        ends + axes.from_offset[i + 1] + s);
-            hn::StoreU(hn::Min(u_hi, hn::Set(d, float_above(clip_hi))), d,
+            hn::StoreU(hn::Min(u_hi, hn::Set(d<Real>, axes.hi[i + 1])), d<Real>,
                        ends + axes.to_offset[i + 1] + s);
         }
     }
 }
 
 /// Bits of the slices from item `at` on where the box is not empty and F does not exclude 0.
-inline std::uint64_t PatchSlices::slices_with_roots(std::size_t at, const Batch& batch) {
+template <class Real>
+std::uint64_t PatchSlices<Real>::slices_with_roots(std::size_t at, const Batch<Real>& batch) {
     std::uint64_t bits = ~0ULL << patch_slices;
     for (std::size_t s = 0; s < patch_slices; ++s) {
         bool empty = false;
@@ -137,9 +154,10 @@ inline std::uint64_t PatchSlices::slices_with_roots(std::size_t at, const Batch&
     return bits;
 }
 
-inline PatchSlices::PatchSlices(const TraceFrame& frame, const Tile& tile, PacketSource& source,
-                                Batch& batch, Counters& counters) {
-    constexpr std::size_t at_once = batch_capacity / patch_slices;
+template <class Real>
+PatchSlices<Real>::PatchSlices(const TraceFrame& frame, const Tile& tile,
+                               PacketSource<Real>& source, Batch<Real>& batch, Counters& counters) {
+    constexpr std::size_t at_once = batch_capacity<Real> / patch_slices;
     for (std::size_t first = 0; first < patches_.size(); first += at_once) {
         for (std::size_t i = first; i < first + at_once; ++i) {
             const int col = static_cast<int>(i) % patches_a_row * patch_size;
@@ -149,7 +167,7 @@ inline PatchSlices::PatchSlices(const TraceFrame& frame, const Tile& tile, Packe
             if (patches_[i].axes == nullptr) continue;
             store_slices(patches_[i], (i - first) * patch_slices, batch);
         }
-        batch.evaluate(frame, batch_capacity / lanes, counters);
+        batch.evaluate(frame, batch_capacity<Real> / lanes<Real>, counters);
         for (std::size_t i = first; i < first + at_once; ++i) {
             if (patches_[i].axes == nullptr) continue;
             patches_[i].slices = slices_with_roots((i - first) * patch_slices, batch);

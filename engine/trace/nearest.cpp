@@ -21,26 +21,22 @@ void NearestSurfaces::clear() {
 }
 
 void NearestSurfaces::add(const TileHits& hits, std::uint8_t surface) {
-    for (std::size_t i = 0; i < hits.size; ++i) {
-        const std::size_t at = hits.pixel[i].index();
-        if (!(hits.depth[i] < depth_[at])) continue;
-        depth_[at] = hits.depth[i];
-        surface_[at] = surface;
+    for (std::size_t at = 0; at < depth_.size(); ++at) {
+        if (hits.depth[at] < depth_[at]) {
+            depth_[at] = hits.depth[at];
+            surface_[at] = surface;
+        }
+        unsettled_[at] = std::min(unsettled_[at], hits.unsettled[at]);
     }
-    for (const auto& [pixel, depth] : hits.unsettled)
-        unsettled_[pixel.index()] = std::min(unsettled_[pixel.index()], depth);
 }
 
 void NearestSurfaces::keep_nearest(TileHits& hits, std::uint8_t surface) const {
-    const std::size_t size = hits.size;
-    hits.size = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        const TileHits::Pixel pixel = hits.pixel[i];
-        if (surface_[pixel.index()] != surface) continue;
-        const bool settled = unsettled_[pixel.index()] > hits.depth[i];
-        hits.move(i, hits.size);
-        if (!settled) hits.certificate[hits.size] = Certificate::Undecided;
-        ++hits.size;
+    for (std::size_t at = 0; at < depth_.size(); ++at) {
+        if (surface_[at] != surface) {
+            hits.depth[at] = std::numeric_limits<float>::infinity();
+        } else if (!(unsettled_[at] > hits.depth[at])) {
+            hits.certificate[at] = Certificate::Undecided;
+        }
     }
 }
 

@@ -19,7 +19,6 @@ namespace {
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
-    ShadeBuffers shade;
 };
 
 Tile tile_at(std::size_t index, int width, int height) {
@@ -62,7 +61,7 @@ FramePainter::FramePainter(const Scene& scene, const Camera& camera, const Trace
     : tracer_(*find_tracer(settings.tracer)), out_(out), cancel_(cancel) {
     const ViewFrame view(camera);
     for (const Kernel& kernel : scene.surfaces)
-        surfaces_.push_back({scene, kernel, view, out.width, out.height, settings.stop});
+        surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
 }
 
 bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
@@ -88,8 +87,8 @@ Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
     if (!trace(tile, workspace, counters)) return counters;
     clear_tile(tile, out_);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        shade_tile(surfaces_[i], static_cast<std::uint8_t>(i), tile, workspace.hits[i],
-                   workspace.shade, out_, counters);
+        find_gradients(surfaces_[i], workspace.hits[i], counters);
+        shade_tile(surfaces_[i], static_cast<std::uint8_t>(i), tile, workspace.hits[i], out_);
     }
     return counters;
 }

@@ -1,6 +1,7 @@
 #include "engine/trace/render_job.hpp"
 
 #include "engine/trace/render.hpp"
+#include "engine/trace/tracer.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -68,6 +69,8 @@ void RenderJob::run() {
 }
 
 void RenderJob::draw(const RenderRequest& request, std::uint64_t number) {
+    const Precision precision =
+        frame_precision(request.scene, ViewFrame(request.camera), request.settings.stop);
     for (const int coarseness : coarseness_of_passes) {
         const auto pixels = [&](int full) {
             return std::max(1, (full + coarseness - 1) / coarseness);
@@ -77,7 +80,9 @@ void RenderJob::draw(const RenderRequest& request, std::uint64_t number) {
         render_frame(request.scene, request.camera, request.settings, *frame, &cancel_);
         const std::chrono::duration<double, std::milli> elapsed =
             std::chrono::steady_clock::now() - start;
-        RenderResult result{frame, number, coarseness, elapsed.count(), count_certificates(*frame)};
+        RenderResult result{
+            frame,          number,   coarseness, elapsed.count(), count_certificates(*frame),
+            request.camera, precision};
         {
             const std::scoped_lock lock(mutex_);
             if (cancel_) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <atomic>
@@ -30,6 +31,8 @@ struct RenderResult {
     int coarseness = 1;         ///< pixels of the full picture per pixel of the frame; 1: final
     double frame_ms = 0.0;
     CertificateCounts counts;
+    Camera camera;
+    Precision precision = Precision::Float;
 };
 
 /// Renders the newest request in the background, coarse passes first. All members may be called

@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <limits>
 
@@ -67,55 +68,103 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
 }
 
-/// Colours of the first `size` hits, from position and gradient; `size` may be rounded up.
-void shade_hits(const ViewFrame& view, const SurfaceColors& colors, const TileHits& hits,
-                std::size_t size, ShadeBuffers& buffers) {
+/// What all pixels of a surface share.
+struct Shading {
+    const ViewFrame& view;
+    const SurfaceColors& colors;
+    Lights lights{view};
+};
+
+/// Colours of hits from their rays and gradients.
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const V3& along,
+                                                   const V3& gradient) {
     const hn::RebindToUnsigned<D> du;
-    const Lights lights(view);
-    const V3 key = splat(lights.key);
-    const V3 fill = splat(lights.fill);
-    const V3 up = splat(view.up);
-    const V3 eye = splat(view.eye);
-    const V3 forward = splat(view.forward);
+    const V3 key = splat(shading.lights.key);
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
-    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-        const V3 position{hn::LoadU(d, &hits.position[0][i]), hn::LoadU(d, &hits.position[1][i]),
-                          hn::LoadU(d, &hits.position[2][i])};
-        const V3 ray = normalized(
-            {hn::Sub(position.x, eye.x), hn::Sub(position.y, eye.y), hn::Sub(position.z, eye.z)},
-            forward);
-        const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
-        const V3 outward = normalized(
-            {hn::LoadU(d, &hits.gradient[0][i]), hn::LoadU(d, &hits.gradient[1][i]),
-             hn::LoadU(d, &hits.gradient[2][i])},
-            to_viewer);
-        const V facing = dot(outward, to_viewer);
-        const auto front = hn::Ge(facing, zero);
-        const V3 normal = scaled(outward, hn::CopySign(hn::Set(d, 1.0F), facing));
-        const V key_light = hn::Max(dot(normal, key), zero);
-        const V fill_light = hn::Max(dot(normal, fill), zero);
-        const V sky = hn::MulAdd(dot(normal, up), half, half);
-        const V diffuse =
-            hn::MulAdd(key_light, hn::Set(d, 0.85F),
-                       hn::MulAdd(fill_light, hn::Set(d, 0.26F),
-                                  hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
-        const V3 halfway = normalized(
-            {hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y), hn::Add(key.z, to_viewer.z)},
-            to_viewer);
-        V gloss = hn::Max(dot(normal, halfway), zero);
-        for (int doubling = 0; doubling < 5; ++doubling)
-            gloss = hn::Mul(gloss, gloss);
-        const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
-        auto color = hn::Set(du, 0xFF000000U);
-        for (int channel = 0; channel < 3; ++channel) {
-            const V albedo = hn::IfThenElse(front, hn::Set(d, colors.front[channel]),
-                                            hn::Set(d, colors.back[channel]));
-            const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
-            color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
-        }
-        hn::StoreU(color, du, &buffers.color[i]);
+    const V3 ray = normalized(along, splat(shading.view.forward));
+    const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
+    const V3 outward = normalized(gradient, to_viewer);
+    const V facing = dot(outward, to_viewer);
+    const auto front = hn::Ge(facing, zero);
+    const V3 normal = scaled(outward, hn::CopySign(hn::Set(d, 1.0F), facing));
+    const V key_light = hn::Max(dot(normal, key), zero);
+    const V fill_light = hn::Max(dot(normal, splat(shading.lights.fill)), zero);
+    const V sky = hn::MulAdd(dot(normal, splat(shading.view.up)), half, half);
+    const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
+                                 hn::MulAdd(fill_light, hn::Set(d, 0.26F),
+                                            hn::MulAdd(sky, hn::Set(d, 0.16F),
+                                                       hn::Set(d, 0.10F))));
+    const V3 halfway = normalized(
+        {hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y), hn::Add(key.z, to_viewer.z)},
+        to_viewer);
+    V gloss = hn::Max(dot(normal, halfway), zero);
+    for (int doubling = 0; doubling < 5; ++doubling)
+        gloss = hn::Mul(gloss, gloss);
+    const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
+    auto color = hn::Set(du, 0xFF000000U);
+    for (int channel = 0; channel < 3; ++channel) {
+        const V albedo = hn::IfThenElse(front, hn::Set(d, shading.colors.front[channel]),
+                                        hn::Set(d, shading.colors.back[channel]));
+        const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
+        color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
     }
+    return color;
+}
+
+/// Writes certificate and surface of the pixels whose bits are set.
+void write_labels(const Certificate* known, std::uint8_t surface, unsigned bits,
+                  std::size_t pixel, Framebuffer& out) {
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        out.certificate[pixel + lane] = known[lane];
+        out.surface[pixel + lane] = surface;
+    }
+}
+
+void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t surface,
+               const Tile& tile, int row, const TileHits& hits, Framebuffer& out) {
+    const hn::RebindToUnsigned<D> du;
+    constexpr std::size_t lanes = hn::MaxLanes(d);
+    const double size = shading.view.pixel_size(frame.height);
+    const glm::dvec3 first =
+        shading.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height);
+    const V3 start = splat(first);
+    const V3 step = splat(size * shading.view.right);
+    const auto cols = static_cast<std::size_t>(tile.cols);
+    for (std::size_t col = 0; col < cols; col += lanes) {
+        const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+        const V depth = hn::LoadU(d, &hits.depth[at]);
+        auto hit = hn::Lt(depth, hn::Inf(d));
+        if (hn::AllFalse(d, hit)) continue;
+        hit = hn::And(hit, hn::FirstN(d, cols - col));
+        const V along = hn::Iota(d, static_cast<float>(col));
+        const V3 ray{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
+                     hn::MulAdd(along, step.z, start.z)};
+        const V3 gradient{hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
+                          hn::LoadU(d, &hits.gradient[2][at])};
+        const auto color = shaded(shading, ray, gradient);
+        const std::size_t pixel =
+            out.index(tile.col + static_cast<int>(col), tile.row + row);
+        hn::BlendedStore(color, hn::RebindMask(du, hit), du, &out.color[pixel]);
+        hn::BlendedStore(depth, hit, d, &out.depth[pixel]);
+        if (hn::AllTrue(d, hit)) {
+            std::memcpy(&out.certificate[pixel], &hits.certificate[at], lanes);
+            std::memset(&out.surface[pixel], surface, lanes);
+        } else {
+            std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, hit, bytes);
+            write_labels(&hits.certificate[at], surface,
+                         bytes[0] | static_cast<unsigned>(bytes[1]) << 8U, pixel, out);
+        }
+    }
+}
+
+void shade_hits(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
+                const TileHits& hits, Framebuffer& out) {
+    const Shading shading{frame.view, colors_of(surface)};
+    for (int row = 0; row < tile.rows; ++row)
+        shade_row(frame, shading, surface, tile, row, hits, out);
 }
 
 template <class Tag, class T = hn::TFromD<Tag>>
@@ -149,20 +198,24 @@ namespace {
 HWY_EXPORT(clear_pixels);
 HWY_EXPORT(shade_hits);
 
-std::size_t padded(std::size_t size) {
-    return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
+/// Undecided where a ray is unsettled on pixels that are still misses.
+void mark_unsettled(const Tile& tile, const TileHits& hits, Framebuffer& out) {
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col) {
+            const auto at = static_cast<std::size_t>(row * tile_size + col);
+            Certificate& certificate = out.certificate[out.index(tile.col + col, tile.row + row)];
+            const bool unsettled = hits.unsettled[at] < std::numeric_limits<float>::infinity();
+            if (unsettled && certificate == Certificate::Miss) {
+                certificate = Certificate::Undecided;
+            }
+        }
+    }
 }
 
 }  // namespace
 
 void clear_tile(const Tile& tile, Framebuffer& out) {
     HWY_DYNAMIC_DISPATCH(clear_pixels)(tile, out);
-}
-
-ShadeBuffers::ShadeBuffers() {
-    constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
-    f.resize(capacity);
-    color.resize(capacity);
 }
 
 std::uint32_t background_color(int row, int height) {
@@ -173,41 +226,10 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
-/// Of `size` hits, padded with copies of the first.
-static void evaluate_gradient(const TraceFrame& frame, std::size_t size, TileHits& hits,
-                              ShadeBuffers& buffers, Counters& counters) {
-    for (std::vector<float>& axis : hits.position) {
-        std::fill(axis.begin() + static_cast<std::ptrdiff_t>(hits.size),
-                  axis.begin() + static_cast<std::ptrdiff_t>(size), axis.front());
-    }
-    frame.kernel.value({size,
-                        {hits.position[0].data(), hits.position[1].data(), hits.position[2].data()},
-                        frame.scene.uniforms.middle.data(),
-                        buffers.f.data(),
-                        {hits.gradient[0].data(), hits.gradient[1].data(),
-                         hits.gradient[2].data()}});
-    hits.has_gradient = true;
-    counters.value += hits.size;
-}
-
-void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, TileHits& hits,
-                ShadeBuffers& buffers, Framebuffer& out, Counters& counters) {
-    for (const auto& [at, depth] : hits.unsettled) {
-        Certificate& certificate = out.certificate[out.index(tile.col + at.col, tile.row + at.row)];
-        if (certificate == Certificate::Miss) certificate = Certificate::Undecided;
-    }
-    if (hits.size == 0) return;
-    const std::size_t size = padded(hits.size);
-    if (!hits.has_gradient) evaluate_gradient(frame, size, hits, buffers, counters);
-    HWY_DYNAMIC_DISPATCH(shade_hits)(frame.view, colors_of(surface), hits, size, buffers);
-    for (std::size_t i = 0; i < hits.size; ++i) {
-        const std::size_t pixel =
-            out.index(tile.col + hits.pixel[i].col, tile.row + hits.pixel[i].row);
-        out.color[pixel] = buffers.color[i];
-        out.depth[pixel] = hits.depth[i];
-        out.certificate[pixel] = hits.certificate[i];
-        out.surface[pixel] = surface;
-    }
+void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
+                const TileHits& hits, Framebuffer& out) {
+    if (hits.any_unsettled) mark_unsettled(tile, hits, out);
+    if (hits.any) HWY_DYNAMIC_DISPATCH(shade_hits)(frame, surface, tile, hits, out);
 }
 
 }  // namespace zeroset

@@ -8,43 +8,21 @@
 
 namespace zeroset {
 
-TileHits::TileHits() {
-    constexpr std::size_t capacity = static_cast<std::size_t>(tile_size) * tile_size;
-    static_assert(capacity % batch_multiple == 0);
-    // A vector of spare room: tracers store whole vectors of packed items.
-    for (std::vector<float>& axis : position)
-        axis.resize(capacity + batch_multiple);
-    for (std::vector<float>& axis : gradient)
-        axis.resize(capacity + batch_multiple);
-    depth.resize(capacity + batch_multiple);
-    pixel.resize(capacity);
-    certificate.resize(capacity);
+Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
+    const bool has_double = std::ranges::all_of(scene.surfaces, &Kernel::has_double);
+    return has_double ? wanted_precision(scene.clip, view, stop) : Precision::Float;
 }
 
-void TileHits::clear() {
-    size = 0;
-    has_gradient = false;
-    unsettled.clear();
-}
-
-void TileHits::move(std::size_t from, std::size_t to) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        position[i][to] = position[i][from];
-        gradient[i][to] = gradient[i][from];
-    }
-    depth[to] = depth[from];
-    pixel[to] = pixel[from];
-    certificate[to] = certificate[from];
-}
-
-void TileHits::push(Pixel at, const std::array<float, 3>& where, float distance,
-                    Certificate known) {
-    for (std::size_t i = 0; i < 3; ++i)
-        position[i][size] = where[i];
-    depth[size] = distance;
-    pixel[size] = at;
-    certificate[size] = known;
-    ++size;
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
+                       int height, const StopCriterion& stop) {
+    return {scene,
+            kernel,
+            view,
+            width,
+            height,
+            stop,
+            search_depth(scene.clip, view, stop),
+            frame_precision(scene, view, stop)};
 }
 
 std::span<const Tracer> tracers() {

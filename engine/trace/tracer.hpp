@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
+#include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <array>
@@ -22,7 +23,16 @@ struct TraceFrame {
     int width;
     int height;
     StopCriterion stop;
+    SearchDepth depth;    ///< what `stop` comes to in this view
+    Precision precision;  ///< of the kernel's code to use; it has it
 };
+
+/// What the view wants, if all of the scene's kernels have code for it; else float.
+Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop);
+
+/// The frame of one of the scene's surfaces, in the scene's precision.
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
+                       int height, const StopCriterion& stop);
 
 /// A rectangle of the image, at most tile_size wide and high.
 struct Tile {
@@ -33,41 +43,42 @@ struct Tile {
     const float* limits = nullptr;
 };
 
-/// What a tracer found of one surface in a tile: one item a hit, in no order, at most one a pixel.
-/// Position i of every array belongs together. Arrays are padded so that kernels may read and write
-/// up to a multiple of batch_multiple.
+/// What a tracer found of one surface in a tile. Arrays hold one item a pixel, in rows of
+/// tile_size.
 struct TileHits {
     struct Pixel {
         std::int16_t col, row;  ///< within the tile
 
-        /// In arrays over the tile's pixels, in rows of tile_size.
         [[nodiscard]] std::size_t index() const {
             return static_cast<std::size_t>(row * tile_size + col);
         }
     };
-    /// A ray that passed a cell that could be neither rejected nor drawn: a pole, a jump, the edge
-    /// of a domain.
-    struct Unsettled {
-        Pixel at;
-        float depth;  ///< the first such cell is no nearer to the eye along the ray
+    /// A hit whose gradient is not known yet.
+    struct Point {
+        std::size_t pixel;
+        std::array<double, 3> position;  ///< on the surface, world units
     };
 
-    std::size_t size = 0;
-    std::array<std::vector<float>, 3> position;  ///< on the surface, world units
-    std::vector<float> depth;                    ///< distance from the eye along the ray
-    std::vector<Pixel> pixel;
-    std::vector<Certificate> certificate;
-    std::array<std::vector<float>, 3> gradient;  ///< of f, if has_gradient
-    bool has_gradient = false;  ///< whether the tracer knows it
-    /// One item a ray, whether it hit something afterwards or not; such a hit is not certified.
-    std::vector<Unsettled> unsettled;
+    bool any = false;                        ///< whether there is a hit
+    std::vector<float> depth;                ///< distance from the eye along the ray; +inf: no hit
+    std::vector<Certificate> certificate;    ///< of hits
+    std::array<std::vector<float>, 3> gradient;  ///< of f at hits, but for those among `points`
+    std::vector<Point> points;
+    /// Of rays that passed a cell that could be neither rejected nor drawn (a pole, a jump, the
+    /// edge of a domain): the first such cell is no nearer to the eye; +inf: there is none. Whether
+    /// the ray hit something afterwards or not; such a hit is not certified.
+    std::vector<float> unsettled;
+    bool any_unsettled = false;
 
     TileHits();
     void clear();
-    void push(Pixel at, const std::array<float, 3>& where, float distance, Certificate known);
-    /// Moves item `from` to `to`, which is not behind it.
-    void move(std::size_t from, std::size_t to);
+    /// A hit whose gradient is to be found.
+    void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
+    void pass(Pixel at, float distance);
 };
+
+/// Fills in the gradients of `points`, by the code in the frame's type.
+void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters);
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
 /// kernels, shading and framebuffer are shared.
@@ -75,7 +86,7 @@ struct Tracer {
     std::string_view name;
     std::string_view about;  ///< one line
     /// One surface, one tile. Called in upward rounding, from many threads at once. `hits` is
-    /// empty.
+    /// clear.
     void (*trace_tile)(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
 };

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -20,18 +21,29 @@ class Receiver {
 public:
     /// The result for `text`, or nothing if it does not come.
     std::optional<FormulaResult> result_for(const std::string& text) {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        std::unique_lock lock(mutex_);
-        for (;;) {
+        return first_of<std::optional<FormulaResult>>([&] {
             std::optional<FormulaResult> result = job.take();
-            if (result && result->text == text) return result;
-            woken_.wait_until(lock, end, [this] { return calls_ != seen_; });
-            if (calls_ == seen_) return std::nullopt;
-            seen_ = calls_;
-        }
+            return result && result->text == text ? result : std::nullopt;
+        });
+    }
+    /// The formula with code in double, or nullptr if it does not come.
+    std::shared_ptr<const Formula> deepened() {
+        return first_of<std::shared_ptr<const Formula>>([&] { return job.take_double(); });
     }
 
 private:
+    /// What `take` gives first, asked after each call of the job; empty if it gives nothing.
+    template <class Result, class Take>
+    Result first_of(Take take) {
+        const auto end = std::chrono::steady_clock::now() + patience;
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            if (Result result = take()) return result;
+            woken_.wait_until(lock, end, [this] { return calls_ != seen_; });
+            if (calls_ == seen_) return {};
+            seen_ = calls_;
+        }
+    }
     void wake() {
         const std::scoped_lock lock(mutex_);
         ++calls_;
@@ -89,6 +101,21 @@ TEST(FormulaJob, ALargeFormulaArrivesInterpretedAndThenCompiled) {
     const auto second = receiver.result_for(text);
     ASSERT_TRUE(second && second->formula);
     EXPECT_EQ((*second->formula)->code, CodeState::Machine);
+}
+
+TEST(FormulaJob, MakesCodeInDoubleForAFormula) {
+    Receiver receiver;
+    receiver.job.submit("x^2 + y", {});
+    const auto result = receiver.result_for("x^2 + y");
+    ASSERT_TRUE(result && result->formula);
+    EXPECT_EQ(receiver.job.take_double(), nullptr);
+    receiver.job.submit_double(*result->formula);
+    receiver.job.submit("x + )", {});  // what is shown can be deepened while the text has an error
+    const auto deep = receiver.deepened();
+    ASSERT_NE(deep, nullptr);
+    EXPECT_EQ(deep->text, "x^2 + y");
+    EXPECT_TRUE(deep->has_code(Precision::Double));
+    EXPECT_EQ(receiver.job.take_double(), nullptr) << "a result is taken once";
 }
 
 TEST(FormulaJob, EndsWhileItWorks) {

@@ -45,6 +45,20 @@ TEST(CompileFormula, KnowsWhetherWMatters) {
     EXPECT_TRUE(compile_formula("x*w").value().uses_w());
 }
 
+TEST(CompileFormula, MakesCodeInDoubleOnDemand) {
+    const auto formula = compile_formula("x^2 + y = z; z = 2");
+    ASSERT_TRUE(formula);
+    EXPECT_TRUE(formula->has_code(Precision::Float));
+    EXPECT_FALSE(formula->has_code(Precision::Double));
+    const Formula deep = with_double(*formula);
+    EXPECT_TRUE(deep.has_code(Precision::Double));
+    EXPECT_EQ(deep.code, CodeState::Machine);
+    ASSERT_EQ(deep.kernels.size(), 2);
+    EXPECT_EQ(deep.kernels[1].range_function, formula->kernels[1].range_function);
+    const auto at_once = compile_formula("x^2 + y = z; z = 2", {}, Precision::Double);
+    EXPECT_TRUE(at_once.value().has_code(Precision::Double));
+}
+
 TEST(CompileFormula, RefusesWhatIsNoSurface) {
     for (const char* text : {"", "  ", "1 = 2", "w^2 = 1", "sqrt(2)"}) {
         const auto formula = compile_formula(text);

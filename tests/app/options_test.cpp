@@ -67,7 +67,11 @@ TEST(ReadBox, RefusesWhatIsNoBox) {
 }
 
 TEST(ReadBox, RefusesBoxesTooSmallForFloatsThere) {
-    expect_refused(surface_of({{&ViewText::box, "1000000,1000001,0,1,0,1"}}), "too small");
+    expect_refused(surface_of({{&ViewText::box, "1,1.0000000000000009,0,1e-16,0,1e-16"}}),
+                   "too small");
+    const auto deep = surface_of({{&ViewText::box, "1,1.000000001,-1,-0.999999999,2,2.000000001"}});
+    ASSERT_TRUE(deep) << deep.error().reason;
+    EXPECT_NEAR(deep->clip.size(), 1e-9, 1e-15);
     expect_refused(surface_of({{&ViewText::box, "1e-31"}}), "too small");
     EXPECT_TRUE(surface_of({{&ViewText::box, "100,101,0,1,0,1"}}));
     EXPECT_TRUE(surface_of({{&ViewText::box, "1e-20"}}));

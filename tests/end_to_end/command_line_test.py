@@ -12,9 +12,9 @@ from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, r
 __all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
-STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "frame_ms",
-              "certified", "undecided", "miss", "undecided_not_drawn", "certified_width",
-              "surfaces", "evaluations"}
+STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
+              "frame_ms", "certified", "undecided", "miss", "undecided_not_drawn",
+              "certified_width", "surfaces", "evaluations"}
 
 
 class RenderTest(ProgramTest):

@@ -188,6 +188,11 @@ Reference of_operator(const Node& node, const std::vector<Reference>& values) {
 }  // namespace
 
 Reference reference(const Expr& expr, const std::array<double, 4>& at) {
+    return reference(expr, std::array{MpfrNumber(at[0]), MpfrNumber(at[1]), MpfrNumber(at[2]),
+                                      MpfrNumber(at[3])});
+}
+
+Reference reference(const Expr& expr, const std::array<MpfrNumber, 4>& at) {
     std::vector<Reference> values;
     values.reserve(expr.nodes().size());
     for (const Node& node : expr.nodes()) {
@@ -197,7 +202,7 @@ Reference reference(const Expr& expr, const std::array<double, 4>& at) {
             continue;
         }
         if (node.op == Op::Variable) {
-            values.push_back(defined(MpfrNumber(at.at(static_cast<std::size_t>(node.number)))));
+            values.push_back(defined(at.at(static_cast<std::size_t>(node.number))));
             continue;
         }
         values.push_back(of_operator(node, values));

@@ -70,6 +70,7 @@ inline Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& 
 
 /// The whole formula at (x, y, z, w). A constant that is no double is taken in the middle of its
 /// enclosure.
+Reference reference(const Expr& expr, const std::array<MpfrNumber, 4>& at);
 Reference reference(const Expr& expr, const std::array<double, 4>& at);
 
 }  // namespace zeroset::test

@@ -179,7 +179,9 @@ TEST(Zoom, KeepsThePointUnderTheCursor) {
                 camera.look_at + view.half_height * view.look_distance *
                                      (cursor.x * view.right + cursor.y * view.up);
             for (const double factor : {0.5, 0.88, 1.3}) {
-                const Camera moved = zoom(camera, factor, cursor.x, cursor.y);
+                const glm::dvec3 fixed = point_under(camera, cursor.x, cursor.y);
+                expect_near(fixed, point, 1e-9);
+                const Camera moved = zoom(camera, factor, fixed);
                 const Projection at = projected(moved, point);
                 EXPECT_NEAR(at.u, cursor.x, 1e-9);
                 EXPECT_NEAR(at.v, cursor.y, 1e-9);
@@ -188,6 +190,39 @@ TEST(Zoom, KeepsThePointUnderTheCursor) {
             }
         }
     }
+}
+
+TEST(Zoom, KeepsAPointAtItsDistanceUnderTheCursor) {
+    for (const Camera& camera : cameras()) {
+        const ViewFrame view(camera);
+        const glm::dvec2 cursor(0.4, -0.8);
+        const double distance = 0.7 * view.look_distance;
+        const glm::dvec3 point = point_under(camera, cursor.x, cursor.y, distance);
+        EXPECT_NEAR(glm::distance(point, camera.eye), distance, 1e-9);
+        const Camera moved = zoom(camera, 0.5, point);
+        const Projection at = projected(moved, point);
+        EXPECT_NEAR(at.u, cursor.x, 1e-9);
+        EXPECT_NEAR(at.v, cursor.y, 1e-9);
+        EXPECT_NEAR(glm::distance(point, moved.eye), 0.5 * distance, 1e-9);
+    }
+}
+
+TEST(Zoom, GoesDownToWhatDoubleTellsApart) {
+    const glm::dvec3 point(0.37, -1.21, 0.83);
+    Camera camera{{3, -4, 2}, {0.2, 0.1, 0}, {0, 0, 1}, 0.7};
+    const glm::dvec3 forward = ViewFrame(camera).forward;
+    for (int notch = 0; notch < 1000; ++notch) {
+        camera = zoom(camera, 0.88, point);
+        ASSERT_EQ(camera_defect(camera), nullptr) << notch;
+        const double size = glm::distance(camera.eye, camera.look_at);
+        if (size > 1e-9) expect_near(ViewFrame(camera).forward, forward, 1e-6);
+    }
+    const double size = glm::distance(camera.eye, camera.look_at);
+    EXPECT_LT(size, 1e-12);
+    EXPECT_GT(size, 1e-14);
+    EXPECT_LT(glm::distance(camera.eye, point), 1e-12);
+    const Camera back = zoom(camera, 2.0, point);
+    EXPECT_GT(glm::distance(back.eye, back.look_at), 1.5 * size) << "there is a way back";
 }
 
 TEST(Box, KnowsItsMeasures) {
