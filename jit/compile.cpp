@@ -5,7 +5,10 @@
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
 
+#include <atomic>
 #include <optional>
+#include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -28,63 +31,112 @@ auto on_large_stack(Work work) {
     return std::move(*call.result);
 }
 
-/// The vectors of the code in float and, if wanted, of that in double.
-std::expected<std::vector<VectorKind>, CompileError> usable_vectors(const CompileOptions& options) {
+/// The vectors of the code in float and in double.
+struct Vectors {
+    VectorKind in_float, in_double;
+};
+
+std::expected<Vectors, CompileError> usable_vectors(const CompileOptions& options) {
     const int lanes = options.lanes == 0 ? host_lanes() : options.lanes;
     if (elementary_code(Elementary::Sin, lanes) == nullptr || lanes < 4) {
         return std::unexpected(CompileError{"this machine has no vectors of " +
                                             std::to_string(lanes) + " floats; its widest are of " +
                                             std::to_string(host_lanes())});
     }
-    std::vector<VectorKind> kinds{{RealType::Float, lanes}};
-    if (options.with_double) kinds.push_back({RealType::Double, lanes / 2});
-    return kinds;
+    return Vectors{{RealType::Float, lanes}, {RealType::Double, lanes / 2}};
 }
 
 KernelCache& cache() {
-    static KernelCache instance(64);
+    static KernelCache instance(256);
     return instance;
 }
 
+/// One function to make.
+struct Piece {
+    VectorKind kind;
+    KernelPart part;
+
+    [[nodiscard]] std::string key(const Expr& expr) const {
+        const char* const type = kind.type == RealType::Float ? "f" : "d";
+        return std::to_string(kind.lanes) + type + symbol_of(part) + ":" + expr.key();
+    }
+    [[nodiscard]] Lowering lowering(const Expr& expr) const { return lowering_of(expr, kind, part); }
+};
+
 using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 
-Code cached_code(const Expr& expr, const VectorKind& kind) {
-    const char* const type = kind.type == RealType::Float ? "f:" : "d:";
-    std::string key = std::to_string(kind.lanes) + type + expr.key();
+Code cached_code(const Expr& expr, const Piece& piece) {
+    std::string key = piece.key(expr);
     if (auto known = cache().find(key)) return known;
-    auto code = on_large_stack([&] { return make_code(expr, kind); });
+    auto code = on_large_stack(
+        [&] { return make_code(piece.lowering(expr), symbol_of(piece.part)); });
     if (code) cache().insert(std::move(key), *code);
     return code;
 }
 
-void put_in(Kernel& kernel, RealType type, std::shared_ptr<const MachineCode> code) {
-    if (type == RealType::Float) {
-        kernel.range_function = reinterpret_cast<Kernel::RangeFunction>(code->range());
-        kernel.value_function = reinterpret_cast<Kernel::ValueFunction>(code->value());
-        kernel.form_function = reinterpret_cast<Kernel::FormFunction>(code->form());
-        kernel.code = std::move(code);
-    } else {
-        kernel.range_function_double =
-            reinterpret_cast<Kernel::RangeFunctionOf<double>>(code->range());
-        kernel.value_function_double =
-            reinterpret_cast<Kernel::ValueFunctionOf<double>>(code->value());
-        kernel.form_function_double =
-            reinterpret_cast<Kernel::FormFunctionOf<double>>(code->form());
-        kernel.code_double = std::move(code);
+template <class Batch>
+void put_in(KernelFunction<Batch>& function, std::shared_ptr<const MachineCode> code) {
+    function.call = reinterpret_cast<void (*)(const void*, const Batch*)>(code->entry());
+    function.code = std::move(code);
+}
+
+void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCode> code) {
+    const bool in_float = piece.kind.type == RealType::Float;
+    switch (piece.part) {
+        case KernelPart::Range:
+            return in_float ? put_in(kernel.range_float, std::move(code))
+                            : put_in(kernel.range_double, std::move(code));
+        case KernelPart::Value:
+            return in_float ? put_in(kernel.value_float, std::move(code))
+                            : put_in(kernel.value_double, std::move(code));
+        case KernelPart::Form:
+            return in_float ? put_in(kernel.form_float, std::move(code))
+                            : put_in(kernel.form_double, std::move(code));
     }
 }
 
-using Print = std::expected<std::string, CompileError> (*)(const Expr&, const VectorKind&);
+/// What is made for these options, the longest first.
+std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
+    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form},
+                              {vectors.in_float, KernelPart::Range},
+                              {vectors.in_double, KernelPart::Value},
+                              {vectors.in_float, KernelPart::Value}};
+    if (options.with_double) {
+        pieces.push_back({vectors.in_double, KernelPart::Form});
+        pieces.push_back({vectors.in_double, KernelPart::Range});
+    }
+    return pieces;
+}
+
+/// The codes of the pieces, two at a time.
+std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
+    std::vector<Code> codes(pieces.size());
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < pieces.size(); i = next++)
+            codes[i] = cached_code(expr, pieces[i]);
+    };
+    const std::jthread other(work);
+    work();
+    return codes;
+}
+
+using Print = std::expected<std::string, CompileError> (*)(const Lowering&);
 
 std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
                                                  const CompileOptions& options) {
-    const auto kinds = usable_vectors(options);
-    if (!kinds) return std::unexpected(kinds.error());
+    const auto vectors = usable_vectors(options);
+    if (!vectors) return std::unexpected(vectors.error());
+    std::vector<VectorKind> kinds{vectors->in_float};
+    if (options.with_double) kinds.push_back(vectors->in_double);
     std::string text;
-    for (const VectorKind& kind : *kinds) {
-        const auto part = on_large_stack([&] { return print(expr, kind); });
-        if (!part) return part;
-        text += *part;
+    for (const VectorKind& kind : kinds) {
+        for (const KernelPart part : kernel_parts) {
+            const Piece piece{kind, part};
+            const auto code = on_large_stack([&] { return print(piece.lowering(expr)); });
+            if (!code) return code;
+            text += *code;
+        }
     }
     return text;
 }
@@ -99,14 +151,16 @@ int host_lanes() {
 }
 
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options) {
-    const auto kinds = usable_vectors(options);
-    if (!kinds) return std::unexpected(kinds.error());
+    const auto vectors = usable_vectors(options);
+    if (!vectors) return std::unexpected(vectors.error());
+    const std::vector<Piece> pieces = pieces_of(*vectors, options);
+    const std::vector<Code> codes = codes_of(expr, pieces);
     Kernel kernel = kernel_without_code(expr);
-    for (const VectorKind& kind : *kinds) {
-        auto code = cached_code(expr, kind);
-        if (!code) return std::unexpected(code.error());
-        put_in(kernel, kind.type, std::move(*code));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!codes[i]) return std::unexpected(codes[i].error());
+        put_in(kernel, pieces[i], *codes[i]);
     }
+    if (!options.with_double) kernel.form_double = interpret(expr).form_double;
     return kernel;
 }
 

@@ -10,7 +10,8 @@ namespace zeroset::jit {
 
 struct CompileOptions {
     int lanes = 0;  ///< floats a vector: 4, 8 or 16, half as many doubles; 0: this machine's widest
-    bool with_double = false;  ///< also code in double, made after that in float and as slowly
+    /// Also all code in double; without, only that of points, and the interpreter's forms.
+    bool with_double = false;
 
     bool operator==(const CompileOptions&) const = default;
 };
@@ -19,8 +20,8 @@ struct CompileError {
     std::string message;
 };
 
-/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code, float
-/// and double apart: asking for double later makes that alone. LLVM runs on a thread of its own
+/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code, function
+/// by function: asking for double later makes what is missing. LLVM runs on a thread of its own
 /// with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 

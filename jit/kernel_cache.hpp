@@ -10,7 +10,7 @@
 
 namespace zeroset::jit {
 
-/// The machine code made most recently, by graph and lanes. Thread-safe.
+/// The machine code made most recently, by graph, lanes, type and function. Thread-safe.
 class KernelCache {
 public:
     explicit KernelCache(std::size_t capacity) : capacity_(capacity) {}

@@ -14,7 +14,7 @@ template <class Real>
 void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                  llvm::Module& module) {
     using Batch = RangeBatchOf<Real>;
-    BatchFunction function(module, range_symbol, kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelPart::Range), kind, offsetof(Batch, size));
     std::array<llvm::Value*, 3> neg_lo{};
     std::array<llvm::Value*, 3> hi{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -52,7 +52,7 @@ template <class Real>
 void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                 llvm::Module& module) {
     using Batch = FormBatchOf<Real>;
-    BatchFunction function(module, form_symbol, kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelPart::Form), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, u)), array(offsetof(Batch, v)),
                         array(offsetof(Batch, s)), array(offsetof(Batch, s_radius))};
@@ -105,7 +105,7 @@ template <class Real>
 void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                  llvm::Module& module) {
     using Batch = ValueBatchOf<Real>;
-    BatchFunction function(module, value_symbol, kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelPart::Value), kind, offsetof(Batch, size));
     std::array<llvm::Value*, 3> x{};
     std::array<llvm::Value*, 3> gradient{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -135,29 +135,35 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
     function.finish();
 }
 
-}  // namespace
-
-void add_value_function(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                        llvm::Module& module) {
-    if (kind.type == RealType::Float) {
-        lower_value<float>(expr, facts, kind, module);
-    } else {
-        lower_value<double>(expr, facts, kind, module);
+template <class Real>
+void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm::Module& module) {
+    const std::vector<Facts> facts = facts_of(expr);
+    switch (part) {
+        case KernelPart::Range: return lower_range<Real>(expr, facts, kind, module);
+        case KernelPart::Value: return lower_value<Real>(expr, facts, kind, module);
+        case KernelPart::Form: return lower_form<Real>(expr, facts, kind, module);
     }
 }
 
-std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
+}  // namespace
+
+const char* symbol_of(KernelPart part) {
+    switch (part) {
+        case KernelPart::Range: return "zeroset_range";
+        case KernelPart::Value: return "zeroset_value";
+        case KernelPart::Form: return "zeroset_form";
+    }
+    return "";
+}
+
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelPart part,
                                     llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("zeroset", context);
-    const std::vector<Facts> facts = facts_of(expr);
     if (kind.type == RealType::Float) {
-        lower_range<float>(expr, facts, kind, *module);
-        lower_form<float>(expr, facts, kind, *module);
+        lower_part<float>(expr, kind, part, *module);
     } else {
-        lower_range<double>(expr, facts, kind, *module);
-        lower_form<double>(expr, facts, kind, *module);
+        lower_part<double>(expr, kind, part, *module);
     }
-    add_value_function(expr, facts, kind, *module);
     return module;
 }
 

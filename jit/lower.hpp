@@ -1,11 +1,10 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/expr/facts.hpp"
 #include "engine/num/format.hpp"
 
+#include <cstdint>
 #include <memory>
-#include <span>
 
 namespace llvm {
 class LLVMContext;
@@ -14,9 +13,6 @@ class Module;
 
 namespace zeroset::jit {
 
-inline constexpr const char* range_symbol = "zeroset_range";
-inline constexpr const char* value_symbol = "zeroset_value";
-inline constexpr const char* form_symbol = "zeroset_form";
 
 /// The vectors that code works on.
 struct VectorKind {
@@ -24,13 +20,18 @@ struct VectorKind {
     int lanes;
 };
 
-/// A module with the batch functions of kernel.hpp over such vectors. Each is one loop: what
-/// depends on w and the parameters only is computed before it.
-std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind,
-                                    llvm::LLVMContext& context);
+/// The batch functions of kernel.hpp.
+enum class KernelPart : std::uint8_t { Range, Value, Form };
 
-/// Only the function over points.
-void add_value_function(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                        llvm::Module& module);
+inline constexpr KernelPart kernel_parts[] = {KernelPart::Range, KernelPart::Value,
+                                              KernelPart::Form};
+
+/// The name of its function.
+const char* symbol_of(KernelPart part);
+
+/// A module with one batch function over such vectors: a loop; what depends on w and the parameters
+/// only is computed before it.
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelPart part,
+                                    llvm::LLVMContext& context);
 
 }  // namespace zeroset::jit

@@ -34,76 +34,63 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
 
 class OrcCode final : public MachineCode {
 public:
-    OrcCode(std::unique_ptr<orc::LLJIT> jit, std::uintptr_t range, std::uintptr_t value,
-            std::uintptr_t form)
-        : jit_(std::move(jit)) {
-        range_ = range;
-        value_ = value;
-        form_ = form;
+    OrcCode(std::unique_ptr<orc::LLJIT> jit, std::uintptr_t entry) : jit_(std::move(jit)) {
+        entry_ = entry;
     }
 
 private:
     std::unique_ptr<orc::LLJIT> jit_;
 };
 
-/// The module for this machine, or an error of LLVM's.
-llvm::Expected<std::unique_ptr<llvm::Module>> host_module(const Expr& expr, const VectorKind& kind,
-                                                          llvm::TargetMachine& machine,
-                                                          llvm::LLVMContext& context) {
-    std::unique_ptr<llvm::Module> module = lower(expr, kind, context);
-    module->setDataLayout(machine.createDataLayout());
-    module->setTargetTriple(machine.getTargetTriple().str());
-    return module;
-}
-
-llvm::Expected<std::shared_ptr<const MachineCode>> link(const Expr& expr, const VectorKind& kind,
-                                                        Lowering lowering) {
+llvm::Expected<std::shared_ptr<const MachineCode>> link(const Lowering& lowering,
+                                                        const char* symbol) {
     auto target = host_target();
     if (!target) return target.takeError();
     auto jit = orc::LLJITBuilder().setJITTargetMachineBuilder(*target).create();
     if (!jit) return jit.takeError();
     auto context = std::make_unique<llvm::LLVMContext>();
-    std::unique_ptr<llvm::Module> module = lowering(expr, kind, *context);
+    std::unique_ptr<llvm::Module> module = lowering(*context);
     module->setDataLayout((*jit)->getDataLayout());
     if (auto error =
             (*jit)->addIRModule(orc::ThreadSafeModule(std::move(module), std::move(context)))) {
         return error;
     }
-    auto range = (*jit)->lookup(range_symbol);
-    if (!range) return range.takeError();
-    auto value = (*jit)->lookup(value_symbol);
-    if (!value) return value.takeError();
-    auto form = (*jit)->lookup(form_symbol);
-    if (!form) return form.takeError();
-    return std::make_shared<OrcCode>(std::move(*jit), range->getValue(), value->getValue(),
-                                     form->getValue());
+    auto entry = (*jit)->lookup(symbol);
+    if (!entry) return entry.takeError();
+    return std::make_shared<OrcCode>(std::move(*jit), entry->getValue());
 }
 
 }  // namespace
 
-std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Expr& expr,
-                                                                          const VectorKind& kind,
-                                                                          Lowering lowering) {
-    auto code = link(expr, kind, lowering);
+std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
+                                                                          const char* symbol) {
+    auto code = link(lowering, symbol);
     if (!code) return std::unexpected(message_of(code.takeError()));
     return *code;
 }
 
-std::expected<std::string, CompileError> print_ir(const Expr& expr, const VectorKind& kind) {
+Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part) {
+    return [&expr, kind, part](llvm::LLVMContext& context) {
+        return lower(expr, kind, part, context);
+    };
+}
+
+std::expected<std::string, CompileError> print_ir(const Lowering& lowering) {
     llvm::LLVMContext context;
     std::string text;
-    llvm::raw_string_ostream(text) << *lower(expr, kind, context);
+    llvm::raw_string_ostream(text) << *lowering(context);
     return text;
 }
 
-std::expected<std::string, CompileError> print_assembly(const Expr& expr, const VectorKind& kind) {
+std::expected<std::string, CompileError> print_assembly(const Lowering& lowering) {
     auto target = host_target();
     if (!target) return std::unexpected(message_of(target.takeError()));
     auto machine = target->createTargetMachine();
     if (!machine) return std::unexpected(message_of(machine.takeError()));
     llvm::LLVMContext context;
-    auto module = host_module(expr, kind, **machine, context);
-    if (!module) return std::unexpected(message_of(module.takeError()));
+    const std::unique_ptr<llvm::Module> module = lowering(context);
+    module->setDataLayout((*machine)->createDataLayout());
+    module->setTargetTriple((*machine)->getTargetTriple().str());
     llvm::SmallVector<char> text;
     llvm::raw_svector_ostream stream(text);
     llvm::legacy::PassManager passes;
@@ -111,7 +98,7 @@ std::expected<std::string, CompileError> print_assembly(const Expr& expr, const 
                                         llvm::CodeGenFileType::AssemblyFile)) {
         return std::unexpected(CompileError{"LLVM cannot print assembly for this machine"});
     }
-    passes.run(**module);
+    passes.run(*module);
     return std::string(text.begin(), text.end());
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -17,25 +18,23 @@ namespace zeroset::jit {
 class MachineCode {
 public:
     virtual ~MachineCode() = default;
-    /// Address of a function; never 0.
-    [[nodiscard]] std::uintptr_t range() const { return range_; }
-    [[nodiscard]] std::uintptr_t value() const { return value_; }
-    [[nodiscard]] std::uintptr_t form() const { return form_; }
+    /// Address of the function; never 0.
+    [[nodiscard]] std::uintptr_t entry() const { return entry_; }
 
 protected:
-    std::uintptr_t range_ = 0;
-    std::uintptr_t value_ = 0;
-    std::uintptr_t form_ = 0;
+    std::uintptr_t entry_ = 0;
 };
 
-/// Makes the module of a graph; `lower` makes that of kernels.
-using Lowering = std::unique_ptr<llvm::Module> (*)(const Expr&, const VectorKind&,
-                                                   llvm::LLVMContext&);
+/// Makes a module with one function.
+using Lowering = std::function<std::unique_ptr<llvm::Module>(llvm::LLVMContext&)>;
+
+/// By `lower`; the graph must outlive it.
+Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part);
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(
-    const Expr& expr, const VectorKind& kind, Lowering lowering = lower);
-std::expected<std::string, CompileError> print_ir(const Expr& expr, const VectorKind& kind);
-std::expected<std::string, CompileError> print_assembly(const Expr& expr, const VectorKind& kind);
+    const Lowering& lowering, const char* symbol);
+std::expected<std::string, CompileError> print_ir(const Lowering& lowering);
+std::expected<std::string, CompileError> print_assembly(const Lowering& lowering);
 
 /// Runs `work` on a thread with a stack large enough for LLVM on a deep graph.
 void run_on_large_stack(void (*work)(void*), void* argument);

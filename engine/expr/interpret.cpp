@@ -179,15 +179,14 @@ Kernel kernel_without_code(const Expr& expr) {
 }
 
 Kernel interpret(const Expr& expr) {
+    const std::shared_ptr<const void> code = std::make_shared<Program>(expr);
     Kernel kernel = kernel_without_code(expr);
-    kernel.range_function = interpret_range<float>;
-    kernel.value_function = interpret_value<float>;
-    kernel.form_function = interpret_form<float>;
-    kernel.code = std::make_shared<Program>(expr);
-    kernel.range_function_double = interpret_range<double>;
-    kernel.value_function_double = interpret_value<double>;
-    kernel.form_function_double = interpret_form<double>;
-    kernel.code_double = kernel.code;
+    kernel.range_float = {interpret_range<float>, code};
+    kernel.value_float = {interpret_value<float>, code};
+    kernel.form_float = {interpret_form<float>, code};
+    kernel.range_double = {interpret_range<double>, code};
+    kernel.value_double = {interpret_value<double>, code};
+    kernel.form_double = {interpret_form<double>, code};
     return kernel;
 }
 

@@ -119,59 +119,42 @@ using RangeBatch = RangeBatchOf<float>;
 using ValueBatch = ValueBatchOf<float>;
 using FormBatch = FormBatchOf<float>;
 
-/// What the tracer asks of a formula, whoever made the code (jit/compile or
-/// engine/expr/interpret). A value, cheap to copy; safe to call from any number of threads.
-/// Calls are made in upward rounding (engine/num/rounding.hpp), or the enclosures do not hold.
-struct Kernel {
-    template <class Real>
-    using RangeFunctionOf = void (*)(const void* code, const RangeBatchOf<Real>* batch);
-    template <class Real>
-    using ValueFunctionOf = void (*)(const void* code, const ValueBatchOf<Real>* batch);
-    template <class Real>
-    using FormFunctionOf = void (*)(const void* code, const FormBatchOf<Real>* batch);
-    using RangeFunction = RangeFunctionOf<float>;
-    using ValueFunction = ValueFunctionOf<float>;
-    using FormFunction = FormFunctionOf<float>;
+/// Code over batches of one kind, with what keeps it alive. Cheap to copy; safe to call from any
+/// number of threads, in upward rounding (engine/num/rounding.hpp), or the enclosures do not hold.
+template <class Batch>
+struct KernelFunction {
+    void (*call)(const void* code, const Batch* batch) = nullptr;
+    std::shared_ptr<const void> code;
 
-    RangeFunction range_function = nullptr;
-    ValueFunction value_function = nullptr;
-    FormFunction form_function = nullptr;
-    std::shared_ptr<const void> code;  ///< keeps the machine code or the graph alive
-    RangeFunctionOf<double> range_function_double = nullptr;
-    ValueFunctionOf<double> value_function_double = nullptr;
-    FormFunctionOf<double> form_function_double = nullptr;
-    std::shared_ptr<const void> code_double;
+    void operator()(const Batch& batch) const {
+        assert(rounds_upward());
+        call(code.get(), &batch);
+    }
+    explicit operator bool() const { return call != nullptr; }
+    bool operator==(const KernelFunction&) const = default;
+};
+
+/// What the tracer asks of a formula, whoever made the code (jit/compile or
+/// engine/expr/interpret).
+struct Kernel {
+    KernelFunction<RangeBatchOf<float>> range_float;
+    KernelFunction<ValueBatchOf<float>> value_float;
+    KernelFunction<FormBatchOf<float>> form_float;
+    KernelFunction<RangeBatchOf<double>> range_double;  ///< where the maker was asked for double
+    KernelFunction<ValueBatchOf<double>> value_double;
+    KernelFunction<FormBatchOf<double>> form_double;  ///< slow where the maker was not
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
 
-    void range(const RangeBatch& batch) const {
-        assert(rounds_upward());
-        range_function(code.get(), &batch);
-    }
-    void value(const ValueBatch& batch) const {
-        assert(rounds_upward());
-        value_function(code.get(), &batch);
-    }
-    void form(const FormBatch& batch) const {
-        assert(rounds_upward());
-        form_function(code.get(), &batch);
-    }
-    explicit operator bool() const { return range_function != nullptr; }
-
-    // Only where the maker was asked for double.
-    void range(const RangeBatchOf<double>& batch) const {
-        assert(rounds_upward());
-        range_function_double(code_double.get(), &batch);
-    }
-    void value(const ValueBatchOf<double>& batch) const {
-        assert(rounds_upward());
-        value_function_double(code_double.get(), &batch);
-    }
-    void form(const FormBatchOf<double>& batch) const {
-        assert(rounds_upward());
-        form_function_double(code_double.get(), &batch);
-    }
-    [[nodiscard]] bool has_double() const { return range_function_double != nullptr; }
+    void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
+    void range(const RangeBatchOf<double>& batch) const { range_double(batch); }
+    void value(const ValueBatchOf<float>& batch) const { value_float(batch); }
+    void value(const ValueBatchOf<double>& batch) const { value_double(batch); }
+    void form(const FormBatchOf<float>& batch) const { form_float(batch); }
+    void form(const FormBatchOf<double>& batch) const { form_double(batch); }
+    explicit operator bool() const { return static_cast<bool>(range_float); }
+    /// Whether whole frames can be traced in double.
+    [[nodiscard]] bool has_double() const { return static_cast<bool>(range_double); }
 };
 
 }  // namespace zeroset

@@ -54,7 +54,7 @@ TEST(CompileFormula, MakesCodeInDoubleOnDemand) {
     EXPECT_TRUE(deep.has_code(Precision::Double));
     EXPECT_EQ(deep.code, CodeState::Machine);
     ASSERT_EQ(deep.kernels.size(), 2);
-    EXPECT_EQ(deep.kernels[1].range_function, formula->kernels[1].range_function);
+    EXPECT_EQ(deep.kernels[1].range_float, formula->kernels[1].range_float);
     const auto at_once = compile_formula("x^2 + y = z; z = 2", {}, Precision::Double);
     EXPECT_TRUE(at_once.value().has_code(Precision::Double));
 }

@@ -58,7 +58,7 @@ std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const jit::VectorKin
                                           llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("plain", context);
     const std::vector<Facts> facts = facts_of(expr);
-    jit::BatchFunction function(*module, jit::range_symbol, kind, offsetof(RangeBatch, size));
+    jit::BatchFunction function(*module, jit::symbol_of(jit::KernelPart::Range), kind, offsetof(RangeBatch, size));
     const auto array = [&](std::size_t offset, std::size_t i) {
         return function.array(offset + i * sizeof(float*));
     };
@@ -101,7 +101,6 @@ std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const jit::VectorKin
     function.store(f_lo, values.back()->lo);
     function.store(f_hi, values.back()->hi);
     function.finish();
-    jit::add_value_function(expr, facts, kind, *module);
     return module;
 }
 
@@ -117,12 +116,13 @@ Samples<float> plain_samples(const GalleryItem& item) {
     return samples;
 }
 
+using RangeCode = void (*)(const void* code, const RangeBatch* batch);
+
 /// A kernel of either kind with its boxes and its rounding mode, timed turn by turn.
 template <int Mode>
 class Side {
 public:
-    Side(Kernel::RangeFunction code, Samples<float> samples)
-        : code_(code), samples_(std::move(samples)) {}
+    Side(RangeCode code, Samples<float> samples) : code_(code), samples_(std::move(samples)) {}
 
     /// Runs the batch some times and keeps the least time.
     void run() {
@@ -141,7 +141,7 @@ public:
     [[nodiscard]] double least_ns() const { return least_; }
 
 private:
-    Kernel::RangeFunction code_;
+    RangeCode code_;
     Samples<float> samples_;
     std::vector<float> f_neg_lo_ = std::vector<float>(items);
     std::vector<float> f_hi_ = std::vector<float>(items);
@@ -157,10 +157,14 @@ std::map<std::string, double>& log_ratios() {
 
 void time_both(benchmark::State& state, const GalleryItem& item, const Expr& expr) {
     const auto sound_kernel = jit::compile(expr);
-    const auto plain_code = jit::make_code(expr, {RealType::Float, jit::host_lanes()}, lower_plain);
+    const auto plain_code = jit::make_code(
+        [&](llvm::LLVMContext& context) {
+            return lower_plain(expr, {RealType::Float, jit::host_lanes()}, context);
+        },
+        jit::symbol_of(jit::KernelPart::Range));
     if (!sound_kernel || !plain_code) return state.SkipWithError("does not compile");
-    Side<FE_UPWARD> sound(sound_kernel->range_function, Samples<float>(item));
-    Side<FE_TONEAREST> plain(reinterpret_cast<Kernel::RangeFunction>((*plain_code)->range()),
+    Side<FE_UPWARD> sound(sound_kernel->range_float.call, Samples<float>(item));
+    Side<FE_TONEAREST> plain(reinterpret_cast<RangeCode>((*plain_code)->entry()),
                              plain_samples(item));
     for (auto _ : state) {
         sound.run();

@@ -185,9 +185,9 @@ TEST(Jit, SharesTheCodeOfEqualGraphs) {
     const Kernel first = compiled(parsed("x^2 + y^2 + z^2 - 1.25"), 4);
     const Kernel second = compiled(parsed("x*x + y*y + z*z = 1.25"), 4);
     const Kernel other = compiled(parsed("x*x + y*y + z*z = 1.26"), 4);
-    EXPECT_EQ(first.code, second.code);
-    EXPECT_EQ(first.range_function, second.range_function);
-    EXPECT_NE(first.code, other.code);
+    EXPECT_EQ(first.range_float, second.range_float);
+    EXPECT_EQ(first.form_float, second.form_float);
+    EXPECT_NE(first.range_float, other.range_float);
 }
 
 TEST(Jit, MakesDoubleWhenAskedAndApart) {
@@ -196,18 +196,19 @@ TEST(Jit, MakesDoubleWhenAskedAndApart) {
     EXPECT_FALSE(floats.has_double());
     const Kernel both = compiled(expr, 4, true);
     EXPECT_TRUE(both.has_double());
-    EXPECT_EQ(floats.code, both.code);
-    EXPECT_NE(both.code, both.code_double);
-    EXPECT_EQ(both.code_double, compiled(expr, 4, true).code_double);
+    EXPECT_EQ(floats.range_float, both.range_float);
+    EXPECT_EQ(floats.value_double, both.value_double);
+    EXPECT_NE(floats.form_double, both.form_double);
+    EXPECT_EQ(both.range_double, compiled(expr, 4, true).range_double);
 }
 
 TEST(Jit, KeepsLaneCountsApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
     const std::vector<int> lanes = machine_lanes();
     for (std::size_t i = 1; i < lanes.size(); ++i) {
-        EXPECT_NE(compiled(expr, lanes[i - 1]).code, compiled(expr, lanes[i]).code);
+        EXPECT_NE(compiled(expr, lanes[i - 1]).range_float, compiled(expr, lanes[i]).range_float);
     }
-    EXPECT_EQ(compiled(expr, 0).code, compiled(expr, jit::host_lanes()).code);
+    EXPECT_EQ(compiled(expr, 0).range_float, compiled(expr, jit::host_lanes()).range_float);
     EXPECT_EQ(jit::host_lanes(), lanes.back());
 }
 
@@ -230,7 +231,7 @@ TEST(Jit, PrintsItsFunctions) {
         const auto assembly = jit::assembly(expr, {.lanes = lanes});
         ASSERT_TRUE(ir.has_value());
         ASSERT_TRUE(assembly.has_value());
-        for (const char* const name : {"zeroset_range", "zeroset_value"}) {
+        for (const char* const name : {"zeroset_range", "zeroset_value", "zeroset_form"}) {
             EXPECT_TRUE(ir->contains(name)) << lanes;
             EXPECT_TRUE(assembly->contains(name)) << lanes;
         }

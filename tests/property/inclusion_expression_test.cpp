@@ -53,10 +53,10 @@ Boxes<Real> random_boxes(RandomNumbers& random) {
 
 /// Past the kernel's own check of the mode, which the mutant fails.
 void run(const Kernel& kernel, const RangeBatch& batch) {
-    kernel.range_function(kernel.code.get(), &batch);
+    kernel.range_float.call(kernel.range_float.code.get(), &batch);
 }
 void run(const Kernel& kernel, const RangeBatchOf<double>& batch) {
-    kernel.range_function_double(kernel.code_double.get(), &batch);
+    kernel.range_double.call(kernel.range_double.code.get(), &batch);
 }
 
 template <class Real>

@@ -41,11 +41,7 @@ std::uint64_t boxes_not_finite(double half_edge, double distance) {
     auto watched = std::make_shared<Watched>();
     watched->kernel = interpret(*expr);
     Kernel kernel = watched->kernel;
-    kernel.range_function = watched_range;
-    kernel.code = watched;
-    kernel.value_function = [](const void* code, const ValueBatch* batch) {
-        static_cast<const Watched*>(code)->kernel.value(*batch);
-    };
+    kernel.range_float = {watched_range, watched};
     const auto edge = static_cast<float>(half_edge);
     Scene scene{{kernel}, {glm::vec3(-edge), glm::vec3(edge)}, {}};
     scene.uniforms.set(0, 0.0);

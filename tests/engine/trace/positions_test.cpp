@@ -54,10 +54,9 @@ void range_around(const void* code, const RangeBatchOf<Real>* batch) {
 
 Kernel kernel_of(const Target& target) {
     Kernel kernel;
-    kernel.code = std::make_shared<Target>(target);
-    kernel.code_double = kernel.code;
-    kernel.range_function = range_around<float>;
-    kernel.range_function_double = range_around<double>;
+    const auto code = std::make_shared<Target>(target);
+    kernel.range_float = {range_around<float>, code};
+    kernel.range_double = {range_around<double>, code};
     return kernel;
 }
 
