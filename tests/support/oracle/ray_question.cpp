@@ -31,7 +31,7 @@ std::optional<RayQuestion> ray_question(const ViewFrame& view, const Box& clip, 
             if (to_lo > 0 || to_hi < 0) return std::nullopt;
             continue;
         }
-        const auto [first, last] = std::minmax(to_lo / direction[i], to_hi / direction[i]);
+        const auto [first, last] = std::minmax({to_lo / direction[i], to_hi / direction[i]});
         in = std::max(in, first);
         out = std::min(out, last);
     }
