@@ -26,7 +26,7 @@ MpfiDual MpfiEvaluator::along(std::span<const MpfiDual> variables) {
     for (std::size_t id = 0; id < duals_.size(); ++id) {
         const Node& node = expr_.nodes()[id];
         if (node.op == Op::Constant) {
-            duals_[id] = {{MpfiInterval(node.lo, node.hi)}, MpfiInterval(0.0)};
+            duals_[id] = dual(MpfiInterval(node.lo, node.hi), MpfiInterval(0.0));
         } else if (node.op == Op::Variable) {
             duals_[id] = variables[static_cast<std::size_t>(node.number)];
         } else {

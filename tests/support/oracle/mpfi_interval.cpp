@@ -1,15 +1,14 @@
 #include "tests/support/oracle/mpfi_interval.hpp"
 
 #include <limits>
-#include <utility>
 
 namespace zeroset::test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-MpfiInterval whole_line_for_nan(MpfiInterval a) {
-    return mpfi_nan_p(a.get()) != 0 ? MpfiInterval::whole_line() : a;
+void widen_nan(MpfiInterval& a) {
+    if (mpfi_nan_p(a.get()) != 0) mpfi_interv_d(a.get(), -infinity, infinity);
 }
 
 }  // namespace
@@ -33,13 +32,15 @@ std::string MpfiInterval::text() const {
 MpfiInterval computed(MpfiFunction1 function, const MpfiInterval& a) {
     MpfiInterval result;
     function(result.get(), a.get());
-    return whole_line_for_nan(std::move(result));
+    widen_nan(result);
+    return result;
 }
 
 MpfiInterval computed(MpfiFunction2 function, const MpfiInterval& a, const MpfiInterval& b) {
     MpfiInterval result;
     function(result.get(), a.get(), b.get());
-    return whole_line_for_nan(std::move(result));
+    widen_nan(result);
+    return result;
 }
 
 MpfiInterval operator+(const MpfiInterval& a, const MpfiInterval& b) {

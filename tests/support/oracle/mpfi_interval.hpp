@@ -4,6 +4,7 @@
 #include <mpfr.h>
 
 #include <string>
+#include <utility>
 
 namespace zeroset::test {
 
@@ -36,15 +37,15 @@ public:
         mpfi_init(value_);
         mpfi_set(value_, other.value_);
     }
-    MpfiInterval(MpfiInterval&& other) noexcept {
-        mpfi_init2(value_, MPFR_PREC_MIN);
-        mpfi_swap(value_, other.value_);
-    }
+    /// Leaves the other one fit for assignment and destruction only.
+    MpfiInterval(MpfiInterval&& other) noexcept { *value_ = std::exchange(*other.value_, {}); }
     MpfiInterval& operator=(MpfiInterval other) noexcept {
-        mpfi_swap(value_, other.value_);
+        std::swap(*value_, *other.value_);
         return *this;
     }
-    ~MpfiInterval() { mpfi_clear(value_); }
+    ~MpfiInterval() {
+        if (value_->left._mpfr_d != nullptr) mpfi_clear(value_);
+    }
     static MpfiInterval whole_line();
     static MpfiInterval pi();
 

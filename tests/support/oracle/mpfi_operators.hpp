@@ -29,6 +29,9 @@ struct MpfiDual {
     MpfiInterval slope;
 };
 
+/// Of a function that is defined and continuous everywhere.
+MpfiDual dual(MpfiInterval range, MpfiInterval slope);
+
 /// The slope of the operator at its operands, where its value is `f`.
 MpfiInterval slope_of(const Node& node, const MpfiEnclosure& f, const MpfiDual& a,
                       const MpfiDual& b, const MpfiDual& c);

@@ -1,5 +1,7 @@
 #include "tests/support/oracle/mpfi_operators.hpp"
 
+#include <utility>
+
 // Slopes between any two points, by the mean value theorem: with g' over the operands' ranges.
 
 namespace zeroset::test {
@@ -25,6 +27,13 @@ Box slope_of_power(const Box& a, int n) {
 }
 
 }  // namespace
+
+MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
+    MpfiDual result;
+    result.value.range = std::move(range);
+    result.slope = std::move(slope);
+    return result;
+}
 
 MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDual& a,
                       const MpfiDual& b, const MpfiDual& c) {

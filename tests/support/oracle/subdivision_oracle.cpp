@@ -19,7 +19,7 @@ SubdivisionOracle::SubdivisionOracle(const Expr& expr, std::span<const double> u
     : evaluator_(expr), variables_(3 + uniforms.size()), budget_(budget) {
     const WorkingPrecision precision(working_bits);
     for (std::size_t i = 0; i < uniforms.size(); ++i)
-        variables_[3 + i] = {{MpfiInterval(uniforms[i])}, MpfiInterval(0.0)};
+        variables_[3 + i] = dual(MpfiInterval(uniforms[i]), MpfiInterval(0.0));
 }
 
 MpfiDual SubdivisionOracle::along(double from, double to) {
@@ -27,7 +27,7 @@ MpfiDual SubdivisionOracle::along(double from, double to) {
     const MpfiInterval t(from, to);
     for (std::size_t i = 0; i < 3; ++i) {
         const MpfiInterval step(ray_.direction.at(i));
-        variables_[i] = {{MpfiInterval(ray_.eye.at(i)) + step * t}, step};
+        variables_[i] = dual(MpfiInterval(ray_.eye.at(i)) + step * t, step);
     }
     return evaluator_.along(variables_);
 }
