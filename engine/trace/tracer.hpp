@@ -34,6 +34,11 @@ struct Tile {
 };
 
 /// What a tracer found of one surface in a tile: one item a hit, in no order, at most one a pixel.
+/// A pixel's ray is the one that ViewFrame::direction gives for its centre. With the rule d_stop
+/// the depth of a certified hit differs from that of the first root by at most four cells along
+/// the ray's dominant axis, and 2^-21 of (depth + distance of the eye from the origin) for
+/// rounding; a cell is the clip box's longest edge times 2^-d_stop, but not less than 2^-20 of its
+/// largest coordinate.
 /// Position i of every array belongs together. Arrays are padded so that kernels may read and write
 /// up to a multiple of batch_multiple.
 struct TileHits {

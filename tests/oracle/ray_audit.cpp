@@ -2,17 +2,23 @@
 
 #include "app/formula.hpp"
 #include "app/gallery.hpp"
+#include "engine/expr/parse.hpp"
 #include "engine/trace/render.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
 #include "tests/support/oracle/subdivision_oracle.hpp"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace zeroset::test {
 namespace {
@@ -42,18 +48,6 @@ std::string joined(std::initializer_list<double> numbers) {
 }
 
 std::string joined(const glm::dvec3& a) { return joined({a.x, a.y, a.z}); }
-
-std::string command_line(const AuditSurface& surface, const AuditSettings& settings) {
-    const Box& box = surface.clip;
-    const std::string pixels = std::to_string(settings.size_px);
-    return "zeroset render '" + surface.equation + "' --box " +
-           joined({box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z}) + " --eye " +
-           joined(surface.camera.eye) + " --look-at " + joined(surface.camera.look_at) + " --up " +
-           joined(surface.camera.up) + " --fov " + joined({glm::degrees(surface.camera.fov_rad)}) +
-           " --w " + joined({surface.w}) + " --size " + pixels + "x" + pixels + " --dstop " +
-           joined({settings.d_stop}) + " --tracer " + settings.tracer +
-           " --depth depth.pfm --certificate certificate.png";
-}
 
 /// The exact oracle where the formula is a polynomial, else the other.
 class Oracle {
@@ -114,18 +108,41 @@ std::string judge(const Shown& shown, const RayAnswer& answer, double length, Au
                : "";
 }
 
-Framebuffer drawn(const AuditSurface& surface, const Formula& formula,
-                  const AuditSettings& settings) {
-    TraceSettings trace;
-    trace.tracer = settings.tracer;
-    trace.stop.value = settings.d_stop;
-    trace.threads = 1;
-    Framebuffer frame(settings.size_px, settings.size_px);
-    render_frame(make_scene(formula, surface.clip, surface.w, {}), surface.camera, trace, frame);
-    return frame;
+Oracle oracle_of(const AuditSurface& surface) {
+    const auto program = read_formula(surface.equation);
+    if (!program) {
+        ADD_FAILURE() << surface.equation << ": " << program.error().reason;
+        return {parse("x").value(), std::vector<double>{0.0}};
+    }
+    std::vector<double> uniforms = values_of(*program, {});
+    uniforms.insert(uniforms.begin(), surface.w);
+    return {program->surfaces.front(), uniforms};
+}
+
+std::vector<std::size_t> chosen_pixels(const AuditSettings& settings) {
+    const auto size = static_cast<std::size_t>(settings.size_px);
+    std::vector<std::size_t> pixels(settings.rays == 0 ? size * size : settings.rays);
+    std::iota(pixels.begin(), pixels.end(), 0U);
+    if (settings.rays == 0) return pixels;
+    RandomNumbers random(1);
+    for (std::size_t& pixel : pixels)
+        pixel = random.below(size * size);
+    return pixels;
 }
 
 }  // namespace
+
+std::string command_line(const AuditSurface& surface, const AuditSettings& settings) {
+    const Box& box = surface.clip;
+    const std::string pixels = std::to_string(settings.size_px);
+    return "zeroset render '" + surface.equation + "' --box " +
+           joined({box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z}) + " --eye " +
+           joined(surface.camera.eye) + " --look-at " + joined(surface.camera.look_at) + " --up " +
+           joined(surface.camera.up) + " --fov " + joined({glm::degrees(surface.camera.fov_rad)}) +
+           " --w " + joined({surface.w}) + " --size " + pixels + "x" + pixels + " --dstop " +
+           joined({settings.d_stop}) + " --tracer " + settings.tracer +
+           " --depth depth.pfm --certificate certificate.png";
+}
 
 std::vector<AuditSurface> gallery_surfaces() {
     std::vector<AuditSurface> result;
@@ -181,32 +198,35 @@ std::string AuditReport::text() const {
     return line;
 }
 
-AuditReport audit(const AuditSurface& surface, const AuditSettings& settings) {
-    AuditReport report;
+Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
+    Framebuffer frame(settings.size_px, settings.size_px);
     const auto formula = compile_formula(surface.equation, surface.clip);
     if (!formula) {
-        report.failures.push_back(surface.equation + ": " + formula.error().reason);
-        return report;
+        ADD_FAILURE() << surface.equation << ": " << formula.error().reason;
+        return frame;
     }
-    const Framebuffer frame = drawn(surface, *formula, settings);
-    std::vector<double> uniforms = values_of(formula->program, {});
-    uniforms.insert(uniforms.begin(), surface.w);
-    Oracle oracle(formula->program.surfaces.front(), uniforms);
+    TraceSettings trace;
+    trace.tracer = settings.tracer;
+    trace.stop.value = settings.d_stop;
+    trace.threads = 1;
+    render_frame(make_scene(*formula, surface.clip, surface.w, {}), surface.camera, trace, frame);
+    return frame;
+}
+
+AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
+                  const Framebuffer& frame) {
+    AuditReport report;
+    Oracle oracle = oracle_of(surface);
     const ViewFrame view(surface.camera);
-    const auto size = static_cast<std::size_t>(settings.size_px);
-    RandomNumbers random(1);
-    const std::size_t count = settings.rays == 0 ? size * size : settings.rays;
-    for (std::size_t ray = 0; ray < count; ++ray) {
-        const std::size_t i = settings.rays == 0 ? ray : random.below(size * size);
-        const int col = static_cast<int>(i % size);
-        const int row = static_cast<int>(i / size);
+    for (const std::size_t i : chosen_pixels(settings)) {
+        const int col = static_cast<int>(i) % frame.width;
+        const int row = static_cast<int>(i) / frame.width;
         const glm::dvec3 direction =
-            view.direction(col + 0.5, row + 0.5, settings.size_px, settings.size_px);
+            view.direction(col + 0.5, row + 0.5, frame.width, frame.height);
         const auto depth = static_cast<double>(frame.depth[i]);
         const Shown shown{frame.certificate[i], depth,
                           depth_error(surface, settings.d_stop, direction, depth)};
-        const auto question =
-            ray_question(view, surface.clip, col, row, settings.size_px, settings.size_px);
+        const auto question = ray_question(view, surface.clip, col, row, frame.width, frame.height);
         const std::string wrong =
             judge(shown, oracle.answer(question), glm::length(direction), report);
         if (wrong.empty()) continue;

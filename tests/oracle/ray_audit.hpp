@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/image/framebuffer.hpp"
 #include "engine/trace/camera.hpp"
 
 #include <cstddef>
@@ -31,6 +32,9 @@ struct AuditSettings {
     std::size_t rays = 0;  ///< asks the oracles about so many pixels at random; 0: about all
 };
 
+/// Draws the surface with the same settings and writes depth.pfm and certificate.png.
+std::string command_line(const AuditSurface& surface, const AuditSettings& settings);
+
 struct AuditReport {
     std::size_t rays = 0;
     std::size_t hit = 0;      ///< f surely changes its sign at a known first root
@@ -49,9 +53,16 @@ struct AuditReport {
     [[nodiscard]] std::string text() const;
 };
 
-/// Draws the surface. A failure: a ray that surely holds a root is reported as empty, one that
-/// surely holds none as certified, or a certified depth is farther from the first root than
-/// Certificate::Certified allows.
-AuditReport audit(const AuditSurface& surface, const AuditSettings& settings);
+/// The picture of the tracer.
+Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings);
+
+/// Asks the oracles about pixels of a picture. A failure: a ray that surely holds a root is
+/// reported as empty, one that surely holds none as certified, or a certified depth is farther from
+/// the first root than TileHits allows.
+AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
+                  const Framebuffer& frame);
+inline AuditReport audit(const AuditSurface& surface, const AuditSettings& settings) {
+    return audit(surface, settings, drawn(surface, settings));
+}
 
 }  // namespace zeroset::test

@@ -17,12 +17,13 @@ namespace zeroset::test {
 namespace {
 
 constexpr const char* usage =
-    "usage: ray_checks [--size N] [--dstop N] [--rays N] [--surfaces N] [--seed S] [--gallery "
-    "0|1]\n"
-    "                  [--threads N]\n"
+    "usage: ray_checks [--size N] [--dstop N] [--rays N] [--surfaces N] [--seed S]\n"
+    "                  [--gallery 0|1] [--commands 0|1] [--threads N]\n"
     "  --size      width and height of the pictures, 128 if not given\n"
     "  --rays      of each picture, at random; 0, the default: all\n"
     "  --surfaces  number of random surfaces, 200 if not given\n"
+    "  --gallery   whether the gallery is checked, too; 1 if not given\n"
+    "  --commands  1: only prints the command lines that draw the surfaces\n"
     "  --threads   all cores if not given\n";
 
 struct Options {
@@ -32,6 +33,7 @@ struct Options {
     std::size_t surfaces = 200;
     std::size_t seed = 1;
     std::size_t gallery = 1;
+    std::size_t commands = 0;
     std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
@@ -42,6 +44,7 @@ std::size_t* option_named(Options& options, std::string_view name) {
     if (name == "--surfaces") return &options.surfaces;
     if (name == "--seed") return &options.seed;
     if (name == "--gallery") return &options.gallery;
+    if (name == "--commands") return &options.commands;
     return name == "--threads" ? &options.threads : nullptr;
 }
 
@@ -57,6 +60,11 @@ std::optional<Options> options_of(const std::vector<std::string_view>& arguments
         if (error != std::errc{} || end != value.data() + value.size()) return std::nullopt;
     }
     return options;
+}
+
+void print_commands(const std::vector<AuditSurface>& surfaces, const AuditSettings& settings) {
+    for (const AuditSurface& surface : surfaces)
+        std::printf("%s\n", command_line(surface, settings).c_str());
 }
 
 AuditReport audit_all(const std::vector<AuditSurface>& surfaces, const AuditSettings& settings,
@@ -90,6 +98,10 @@ int check(const Options& options) {
     for (const Tracer& tracer : tracers()) {
         const AuditSettings settings{std::string(tracer.name), static_cast<int>(options.size),
                                      static_cast<double>(options.d_stop), options.rays};
+        if (options.commands != 0) {
+            print_commands(surfaces, settings);
+            continue;
+        }
         const AuditReport report = audit_all(surfaces, settings, options.threads);
         for (const std::string& failure : report.failures)
             std::printf("%s\n", failure.c_str());

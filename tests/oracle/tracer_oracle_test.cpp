@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,31 @@ TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
     EXPECT_GT(report.empty, report.rays / 4);
     EXPECT_LT(report.unknown, report.rays / 10);
     EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
+}
+
+/// Pictures of the sphere that say something false.
+TEST_P(TracerAgainstOracles, FalsePicturesAreFound) {
+    const AuditSurface sphere{"sphere", "x^2 + y^2 + z^2 - 1", Box::cube(1.5), 0.0,
+                              suite_camera(1.5)};
+    const AuditSettings settings{.tracer = GetParam()};
+    const Framebuffer picture = drawn(sphere, settings);
+    const AuditReport truth = audit(sphere, settings, picture);
+    EXPECT_EQ(truth.failures.size(), 0U);
+    ASSERT_GT(truth.hit, 50U);
+
+    Framebuffer all_empty = picture;
+    std::ranges::fill(all_empty.certificate, Certificate::Miss);
+    std::ranges::fill(all_empty.depth, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(audit(sphere, settings, all_empty).failures.size(), truth.hit + truth.touched);
+
+    Framebuffer all_certified = picture;
+    std::ranges::fill(all_certified.certificate, Certificate::Certified);
+    EXPECT_GE(audit(sphere, settings, all_certified).failures.size(), truth.empty);
+
+    Framebuffer moved = picture;  // by ten cells
+    for (float& depth : moved.depth)
+        depth += 10 * 3.0F * 0x1p-14F;
+    EXPECT_EQ(audit(sphere, settings, moved).failures.size(), truth.hit_certified);
 }
 
 std::vector<std::string> tracer_names() {
