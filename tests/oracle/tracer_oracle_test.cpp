@@ -20,7 +20,7 @@ protected:
     static AuditReport checked(const std::vector<AuditSurface>& surfaces) {
         AuditReport total;
         for (const AuditSurface& surface : surfaces)
-            total += audit(surface, {.tracer = GetParam(), .rays = 14});
+            total += audit(surface, {.tracer = GetParam(), .rays = 10});
         for (const std::string& failure : total.failures)
             ADD_FAILURE() << failure;
         std::printf("%s\n", total.text().c_str());
