@@ -45,7 +45,7 @@ protected:
 TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
-TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(compiled, formulas(80), 12); }
+TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(compiled, formulas(30), 12); }
 
 Expr parsed(const char* text) { return parse(text).value(); }
 

@@ -2,7 +2,9 @@
 
 #include "app/formula.hpp"
 #include "app/gallery.hpp"
+#include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "engine/expr/tighten.hpp"
 #include "engine/trace/render.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
@@ -14,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <expected>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -130,6 +133,15 @@ std::vector<std::size_t> chosen_pixels(const AuditSettings& settings) {
     return pixels;
 }
 
+std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
+    auto program = read_formula(surface.equation);
+    if (!program) return std::unexpected(program.error());
+    const Expr drawn = tightened(program->surfaces.front());
+    Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}};
+    formula.code = CodeState::Interpreted;
+    return formula;
+}
+
 }  // namespace
 
 std::string command_line(const AuditSurface& surface, const AuditSettings& settings) {
@@ -200,7 +212,8 @@ std::string AuditReport::text() const {
 
 Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
     Framebuffer frame(settings.size_px, settings.size_px);
-    const auto formula = compile_formula(surface.equation, surface.clip);
+    const auto formula = settings.interpreted ? interpreted(surface)
+                                              : compile_formula(surface.equation, surface.clip);
     if (!formula) {
         ADD_FAILURE() << surface.equation << ": " << formula.error().reason;
         return frame;

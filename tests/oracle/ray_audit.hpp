@@ -30,6 +30,8 @@ struct AuditSettings {
     int size_px = 24;  ///< width and height of the picture
     double d_stop = 14;
     std::size_t rays = 0;  ///< asks the oracles about so many pixels at random; 0: about all
+    /// Draws with the interpreter: for small pictures, where making machine code takes longer.
+    bool interpreted = false;
 };
 
 /// Draws the surface with the same settings and writes depth.pfm and certificate.png.
