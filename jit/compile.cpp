@@ -60,7 +60,9 @@ struct Piece {
         const char* const type = kind.type == RealType::Float ? "f" : "d";
         return std::to_string(kind.lanes) + type + symbol_of(part) + ":" + expr.key();
     }
-    [[nodiscard]] Lowering lowering(const Expr& expr) const { return lowering_of(expr, kind, part); }
+    [[nodiscard]] Lowering lowering(const Expr& expr) const {
+        return lowering_of(expr, kind, part);
+    }
 };
 
 using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
@@ -68,8 +70,8 @@ using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 Code cached_code(const Expr& expr, const Piece& piece) {
     std::string key = piece.key(expr);
     if (auto known = cache().find(key)) return known;
-    auto code = on_large_stack(
-        [&] { return make_code(piece.lowering(expr), symbol_of(piece.part)); });
+    auto code =
+        on_large_stack([&] { return make_code(piece.lowering(expr), symbol_of(piece.part)); });
     if (code) cache().insert(std::move(key), *code);
     return code;
 }

@@ -13,7 +13,6 @@ class Module;
 
 namespace zeroset::jit {
 
-
 /// The vectors that code works on.
 struct VectorKind {
     RealType type;

@@ -31,8 +31,8 @@ using Lowering = std::function<std::unique_ptr<llvm::Module>(llvm::LLVMContext&)
 /// By `lower`; the graph must outlive it.
 Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part);
 
-std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(
-    const Lowering& lowering, const char* symbol);
+std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
+                                                                          const char* symbol);
 std::expected<std::string, CompileError> print_ir(const Lowering& lowering);
 std::expected<std::string, CompileError> print_assembly(const Lowering& lowering);
 

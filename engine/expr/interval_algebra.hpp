@@ -40,10 +40,10 @@ public:
     }
     Value divide(In a, In b) {
         const auto nonzero = excludes_zero(range(b));
-        Value g{b.facts.nonnegative ? divide_by_nonnegative(range(a), range(b))
-                                    : range(a) / range(b),
-                {},
-                nonzero};
+        Value g{
+            b.facts.nonnegative ? divide_by_nonnegative(range(a), range(b)) : range(a) / range(b),
+            {},
+            nonzero};
         const Interval<Real> inverse = point(like(range(b).hi, 1.0)) / range(b);
         g.apart =
             sharper(Apart(quotient_apart(range(a), range(b))), multiplied(a.value.apart, inverse));

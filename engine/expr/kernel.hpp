@@ -143,7 +143,7 @@ struct Kernel {
     KernelFunction<RangeBatchOf<double>> range_double;  ///< where the maker was asked for double
     KernelFunction<ValueBatchOf<double>> value_double;
     KernelFunction<FormBatchOf<double>> form_double;  ///< slow where the maker was not
-    std::vector<std::string> parameters;  ///< names of the uniforms after w
+    std::vector<std::string> parameters;              ///< names of the uniforms after w
     bool uses_w = false;
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }

@@ -58,8 +58,9 @@ struct RowRays {
     }
 };
 
-/// Solves leaves of `pixels` x `pixels` pixels: guesses from the form, Newton's method in the cells'
-/// type, then one step in double that certifies. What that leaves open goes to the root finder.
+/// Solves leaves of `pixels` x `pixels` pixels: guesses from the form, Newton's method in the
+/// cells' type, then one step in double that certifies. What that leaves open goes to the root
+/// finder.
 template <class Real, int pixels>
 class LeafSolver {
 public:
@@ -150,8 +151,9 @@ private:
 };
 
 template <class Real, int pixels>
-LeafSolver<Real, pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view,
-                               Found<Real>& found, RootFinder<Real>& roots, Counters& counters)
+LeafSolver<Real, pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile,
+                                     const BeamView& view, Found<Real>& found,
+                                     RootFinder<Real>& roots, Counters& counters)
     : frame_(frame),
       tile_(tile),
       view_(view),
@@ -185,8 +187,8 @@ bool LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
             const V middle = hn::NegMulAdd(c, hn::Set(d, scale), hn::Set(d, leaf.s));
             const V ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
             const V ray_to = hn::Min(hn::Add(middle, radius), to);
-            const V found = hn::LoadU(
-                d, &found_.depth[first_pixel(leaf, row) + static_cast<std::size_t>(col)]);
+            const V found =
+                hn::LoadU(d, &found_.depth[first_pixel(leaf, row) + static_cast<std::size_t>(col)]);
             valid |= bits_of(d, hn::Le(ray_from, hn::Min(ray_to, found))) << col;
             const int at = slots_ * pixels + col;
             hn::Store(ray_from, d, from_ + at);
@@ -221,10 +223,10 @@ Real LeafSolver<Real, pixels>::improve() {
     pad(x_);
     counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
     frame_.kernel.value(ValueBatchOf<Real>{count(),
-                         {x_[0], x_[1], x_[2]},
-                         frame_.scene.uniforms.template points<Real>(),
-                         f_,
-                         {gradient_[0], gradient_[1], gradient_[2]}});
+                                           {x_[0], x_[1], x_[2]},
+                                           frame_.scene.uniforms.template points<Real>(),
+                                           f_,
+                                           {gradient_[0], gradient_[1], gradient_[2]}});
     V largest = hn::Zero(d);
     for (int slot = 0; slot < slots_; ++slot) {
         for (int col = 0; col < pixels; col += lanes) {
@@ -233,8 +235,8 @@ Real LeafSolver<Real, pixels>::improve() {
             V slope = hn::Zero(d);
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto row = static_cast<Real>(across_[k][slot]);
-                slope = hn::MulAdd(hn::Load(d, gradient_[k] + i), rays_.direction(d, k, row, x),
-                                   slope);
+                slope =
+                    hn::MulAdd(hn::Load(d, gradient_[k] + i), rays_.direction(d, k, row, x), slope);
             }
             const V s = hn::Load(d, guess_ + i);
             const V from = hn::Load(d, from_ + i);

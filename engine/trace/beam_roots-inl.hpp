@@ -56,9 +56,7 @@ public:
         any_ = true;
         return &hits_->certificate[pixel];
     }
-    float* gradients(std::size_t axis, std::size_t pixel) {
-        return &hits_->gradient[axis][pixel];
-    }
+    float* gradients(std::size_t axis, std::size_t pixel) { return &hits_->gradient[axis][pixel]; }
     [[nodiscard]] bool any() const { return any_; }
 
     /// s of the nearest root of each pixel, in rows of tile_size; +inf: none.

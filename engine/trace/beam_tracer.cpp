@@ -395,8 +395,7 @@ template <class Real>
 void BeamTile<Real>::pass(std::uint32_t pixel, double s) {
     const double u = view_.u(pixel % tile_size);
     const double v = view_.v(pixel / tile_size);
-    const double depth =
-        (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
+    const double depth = (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
     hits_.pass({static_cast<std::int16_t>(pixel % tile_size),
                 static_cast<std::int16_t>(pixel / tile_size)},
                -float_above(-std::max(depth, 0.0)));

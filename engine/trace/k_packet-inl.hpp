@@ -46,7 +46,7 @@ template <class Real>
 constexpr unsigned all_lanes = (1U << lanes<Real>)-1U;
 
 constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the clip box wide
-constexpr int group_size = 16;  ///< packets a batch, each with two boxes a ray
+constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
 template <class Real>
 constexpr std::size_t batch_capacity = 2 * group_size * lanes<Real>;
 

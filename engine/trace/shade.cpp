@@ -93,8 +93,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
     const V sky = hn::MulAdd(dot(normal, splat(shading.view.up)), half, half);
     const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
                                  hn::MulAdd(fill_light, hn::Set(d, 0.26F),
-                                            hn::MulAdd(sky, hn::Set(d, 0.16F),
-                                                       hn::Set(d, 0.10F))));
+                                            hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
     const V3 halfway = normalized(
         {hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y), hn::Add(key.z, to_viewer.z)},
         to_viewer);
@@ -113,8 +112,8 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
 }
 
 /// Writes certificate and surface of the pixels whose bits are set.
-void write_labels(const Certificate* known, std::uint8_t surface, unsigned bits,
-                  std::size_t pixel, Framebuffer& out) {
+void write_labels(const Certificate* known, std::uint8_t surface, unsigned bits, std::size_t pixel,
+                  Framebuffer& out) {
     for (; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
         out.certificate[pixel + lane] = known[lane];
@@ -144,8 +143,7 @@ void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t sur
         const V3 gradient{hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
                           hn::LoadU(d, &hits.gradient[2][at])};
         const auto color = shaded(shading, ray, gradient);
-        const std::size_t pixel =
-            out.index(tile.col + static_cast<int>(col), tile.row + row);
+        const std::size_t pixel = out.index(tile.col + static_cast<int>(col), tile.row + row);
         hn::BlendedStore(color, hn::RebindMask(du, hit), du, &out.color[pixel]);
         hn::BlendedStore(depth, hit, d, &out.depth[pixel]);
         if (hn::AllTrue(d, hit)) {

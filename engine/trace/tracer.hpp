@@ -44,7 +44,11 @@ struct Tile {
 };
 
 /// What a tracer found of one surface in a tile. Arrays hold one item a pixel, in rows of
-/// tile_size.
+/// tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre. With the
+/// rule d_stop the depth of a certified hit differs from that of the first root by at most four
+/// cells along the ray's dominant axis, and 2^-21 of (depth + distance of the eye from the origin)
+/// for rounding; a cell is the clip box's longest edge times 2^-d_stop, but not less than 2^-20 of
+/// its largest coordinate (in double, of as many ulp).
 struct TileHits {
     struct Pixel {
         std::int16_t col, row;  ///< within the tile
@@ -59,9 +63,9 @@ struct TileHits {
         std::array<double, 3> position;  ///< on the surface, world units
     };
 
-    bool any = false;                        ///< whether there is a hit
-    std::vector<float> depth;                ///< distance from the eye along the ray; +inf: no hit
-    std::vector<Certificate> certificate;    ///< of hits
+    bool any = false;                      ///< whether there is a hit
+    std::vector<float> depth;              ///< distance from the eye along the ray; +inf: no hit
+    std::vector<Certificate> certificate;  ///< of hits
     std::array<std::vector<float>, 3> gradient;  ///< of f at hits, but for those among `points`
     std::vector<Point> points;
     /// Of rays that passed a cell that could be neither rejected nor drawn (a pole, a jump, the

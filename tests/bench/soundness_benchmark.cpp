@@ -58,7 +58,8 @@ std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const jit::VectorKin
                                           llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("plain", context);
     const std::vector<Facts> facts = facts_of(expr);
-    jit::BatchFunction function(*module, jit::symbol_of(jit::KernelPart::Range), kind, offsetof(RangeBatch, size));
+    jit::BatchFunction function(*module, jit::symbol_of(jit::KernelPart::Range), kind,
+                                offsetof(RangeBatch, size));
     const auto array = [&](std::size_t offset, std::size_t i) {
         return function.array(offset + i * sizeof(float*));
     };

@@ -4,8 +4,6 @@
 #include "engine/num/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cfenv>
 #include <cmath>
 #include <cstdint>
@@ -69,46 +67,46 @@ std::string hex(const Interval<Real>& a) {
     return "[" + hex(-static_cast<double>(a.neg_lo)) + ", " + hex(static_cast<double>(a.hi)) + "]";
 }
 
-/// Counts what a suite checks and prints the sum at its end.
-class CountingTest : public ::testing::Test {
-protected:
-    static void TearDownTestSuite() {
-        std::printf("checked %llu points\n", static_cast<unsigned long long>(checks_));
-        checks_ = 0;
-    }
+/// What checks of inclusion found.
+struct InclusionTally {
+    std::uint64_t checks = 0;    ///< points at which a claim was compared with the truth
+    std::uint64_t failures = 0;  ///< claims that were found wrong
+    std::string first;           ///< describes the first failure
 
-    /// Whether the claims of `outcome` hold at one point of the box, where the function is `truth`.
-    /// `whole_turns`: the value counts up to a multiple of 2 pi.
-    template <class Real>
-    static ::testing::AssertionResult holds(const Outcome<Real>& outcome, const Reference& truth,
-                                            bool whole_turns = false) {
-        if (truth.is_unknown()) return ::testing::AssertionSuccess();
-        ++checks_;
-        if (!truth.defined) {
-            if (!outcome.everywhere) return ::testing::AssertionSuccess();
-            return ::testing::AssertionFailure() << "undefined there, but claimed defined";
-        }
-        if (!outcome.somewhere) {
-            return ::testing::AssertionFailure() << "defined there, but claimed undefined";
-        }
-        if (outcome.apart && !is_beside(*outcome.apart, truth.value)) {
-            return ::testing::AssertionFailure() << "not enclosed: " << truth.value.text()
-                                                 << " between the sides " << hex(*outcome.apart);
-        }
-        if (contains(outcome.value, truth.value)) return ::testing::AssertionSuccess();
-        if (whole_turns) {
-            const MpfrNumber turn = pi() + pi();
-            if (contains(outcome.value, truth.value + turn) ||
-                contains(outcome.value, truth.value - turn)) {
-                return ::testing::AssertionSuccess();
-            }
-        }
-        return ::testing::AssertionFailure()
-               << "not enclosed: " << truth.value.text() << " by " << hex(outcome.value);
+    /// Notes a failure unless `reason` is empty. `place()` says where it is.
+    void note(const std::string& reason, const auto& place) {
+        if (reason.empty()) return;
+        if (failures++ == 0) first = reason + "\n" + place();
     }
-
-private:
-    static inline std::uint64_t checks_ = 0;
+    InclusionTally& operator+=(const InclusionTally& other) {
+        if (failures == 0) first = other.first;
+        checks += other.checks;
+        failures += other.failures;
+        return *this;
+    }
 };
+
+/// What is wrong with the claims of `outcome` at a point of the box, where the function is `truth`;
+/// empty if nothing is. `whole_turns`: the value counts up to a multiple of 2 pi.
+template <class Real>
+std::string complaint(const Outcome<Real>& outcome, const Reference& truth, InclusionTally& tally,
+                      bool whole_turns = false) {
+    if (truth.is_unknown()) return {};
+    ++tally.checks;
+    if (!truth.defined) return outcome.everywhere ? "undefined there, but claimed defined" : "";
+    if (!outcome.somewhere) return "defined there, but claimed undefined";
+    if (outcome.apart && !is_beside(*outcome.apart, truth.value)) {
+        return "not enclosed: " + truth.value.text() + " between the sides " + hex(*outcome.apart);
+    }
+    if (contains(outcome.value, truth.value)) return {};
+    if (whole_turns) {
+        const MpfrNumber turn = pi() + pi();
+        if (contains(outcome.value, truth.value + turn) ||
+            contains(outcome.value, truth.value - turn)) {
+            return {};
+        }
+    }
+    return "not enclosed: " + truth.value.text() + " by " + hex(outcome.value);
+}
 
 }  // namespace zeroset::test

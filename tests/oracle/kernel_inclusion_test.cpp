@@ -1,0 +1,88 @@
+#include "tests/oracle/kernel_inclusion.hpp"
+
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/parse.hpp"
+#include "jit/compile.hpp"
+#include "tests/support/real_types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+// Range kernels of random formulas against MPFI. ZEROSET_FORMULAS=N in the environment tries N
+// formulas with each kernel instead of a few hundred.
+
+namespace zeroset::test {
+namespace {
+
+int formulas(int usual) {
+    const char* const wanted = std::getenv("ZEROSET_FORMULAS");
+    return wanted == nullptr ? usual : std::atoi(wanted);
+}
+
+Kernel compiled(const Expr& expr) {
+    auto kernel = jit::compile(expr, {.with_double = true});
+    if (kernel) return *kernel;
+    ADD_FAILURE() << kernel.error().message;
+    return interpret(expr);
+}
+
+template <class Real>
+class KernelInclusion : public ::testing::Test {
+protected:
+    static void check(MakeKernel make, int count, std::uint64_t seed) {
+        RandomNumbers random(seed);
+        InclusionTally tally;
+        for (int i = 0; i < count && tally.failures == 0; ++i)
+            check_kernel<Real>(make, 1 + i % 6, random, tally);
+        ASSERT_EQ(tally.failures, 0U) << tally.first;
+        EXPECT_EQ(tally.checks, static_cast<std::uint64_t>(count) * boxes_a_batch * 8);
+        std::printf("checked %llu points and boxes\n",
+                    static_cast<unsigned long long>(tally.checks));
+    }
+};
+TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
+
+TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
+TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(compiled, formulas(30), 12); }
+
+Expr parsed(const char* text) { return parse(text).value(); }
+
+/// A kernel that takes tanh for atan.
+Kernel planted_bug(const Expr& expr) {
+    ExprBuilder builder;
+    std::vector<NodeId> copies;
+    for (const Node& node : expr.nodes()) {
+        const int count = arity(node.op);
+        const Op op = node.op == Op::Tanh ? Op::Atan : node.op;
+        copies.push_back(node.op == Op::Constant ? builder.constant(node.lo, node.hi)
+                         : node.op == Op::Variable
+                             ? builder.variable(node.number)
+                             : builder.apply(op, copies[node.a], count < 2 ? 0 : copies[node.b],
+                                             count < 3 ? 0 : copies[node.c], node.number));
+    }
+    return interpret(builder.finish(copies.back()));
+}
+
+TYPED_TEST(KernelInclusion, FailuresShrinkToThePlantedBug) {
+    const Expr expr = parsed(
+        "if(x < y and z < 4, sqrt(2 + cos(y*z)) - min(x, z)*(tanh(x*y + z) + exp(-w^2)), "
+        "mod(x, y + 3)) + sin(3*atan2(y, x))");
+    const auto at = [](double lo, double hi) {
+        return Interval<TypeParam>{static_cast<TypeParam>(-lo), static_cast<TypeParam>(hi)};
+    };
+    const FormulaOnBox<TypeParam> start{
+        expr, {at(1.237, 1.238), at(1.91, 1.9101), at(0.731, 0.732), at(-0.25, 0.001)}};
+    ASSERT_NE(disproved(planted_bug, start), "");
+    EXPECT_EQ(disproved(interpret, start), "");
+    const auto fails = [](const auto& on) { return !disproved(planted_bug, on).empty(); };
+    const auto small = shrunk(start, fails);
+    EXPECT_EQ(small.expr.canonical(), "tanh(x)");
+    EXPECT_NE(disproved(planted_bug, small), "");
+    EXPECT_EQ(-small.box[0].neg_lo, small.box[0].hi);
+    EXPECT_LE(hex(static_cast<double>(small.box[0].hi)).size(), 6U) << hex(small.box[0]);
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,253 @@
+#include "tests/oracle/ray_audit.hpp"
+
+#include "app/formula.hpp"
+#include "app/gallery.hpp"
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/parse.hpp"
+#include "engine/expr/tighten.hpp"
+#include "engine/trace/render.hpp"
+#include "tests/support/oracle/polynomial_oracle.hpp"
+#include "tests/support/oracle/random_surface.hpp"
+#include "tests/support/oracle/subdivision_oracle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <expected>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace zeroset::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double largest(const glm::dvec3& a) { return std::max({a.x, a.y, a.z}); }
+
+/// How far from the first root a certified depth may be (see engine/trace/tracer.hpp).
+double depth_error(const AuditSurface& surface, double d_stop, const glm::dvec3& direction,
+                   double depth) {
+    const Box& clip = surface.clip;
+    const double reach = largest(glm::max(glm::abs(clip.lo), glm::abs(clip.hi)));
+    const double cell = std::max(clip.size() * std::exp2(-d_stop), 0x1p-20 * reach);
+    const double stretch = glm::length(direction) / largest(glm::abs(direction));
+    return 4 * cell * stretch + 0x1p-21 * (depth + glm::length(surface.camera.eye));
+}
+
+std::string joined(std::initializer_list<double> numbers) {
+    std::string text;
+    for (const double value : numbers) {
+        char one[40];
+        std::snprintf(one, sizeof one, "%s%.17g", text.empty() ? "" : ",", value);
+        text += one;
+    }
+    return text;
+}
+
+std::string joined(const glm::dvec3& a) { return joined({a.x, a.y, a.z}); }
+
+/// The exact oracle where the formula is a polynomial, else the other.
+class Oracle {
+public:
+    Oracle(const Expr& expr, std::span<const double> uniforms)
+        : polynomial_(PolynomialOracle::of(expr, uniforms)), subdivision_(expr, uniforms) {}
+
+    RayAnswer answer(const std::optional<RayQuestion>& ray) {
+        if (!ray) return {RayTruth::Empty, 0.0, 0.0, false};
+        return polynomial_ ? polynomial_->answer(*ray) : subdivision_.answer(*ray);
+    }
+
+private:
+    std::optional<PolynomialOracle> polynomial_;
+    SubdivisionOracle subdivision_;
+};
+
+/// What a picture says of a pixel.
+struct Shown {
+    Certificate certificate;
+    double depth;
+    double error;  ///< that a certified depth may have
+};
+
+/// Compares one pixel with a known first root, `first` and `last` of it as distances from the eye;
+/// what is wrong, or nothing.
+std::string judge_hit(const Shown& shown, double first, double last, bool crosses,
+                      AuditReport& report) {
+    ++(crosses ? report.hit : report.touched);
+    const auto root = [&] { return " (the first root is at " + joined({first}) + ")"; };
+    if (shown.certificate == Certificate::Miss) return "a root, but reported empty" + root();
+    if (shown.certificate == Certificate::Certified) {
+        if (crosses) ++report.hit_certified;
+        const bool near = shown.depth > first - shown.error && shown.depth < last + shown.error;
+        return near ? "" : "certified at " + joined({shown.depth}) + root();
+    }
+    if (crosses && shown.depth == infinity) ++report.hit_not_drawn;
+    if (crosses && shown.depth < infinity && shown.depth > last + shown.error) ++report.hit_behind;
+    return "";
+}
+
+std::string judge(const Shown& shown, const RayAnswer& answer, double length, AuditReport& report) {
+    ++report.rays;
+    if (shown.certificate == Certificate::Miss && shown.depth != infinity) {
+        return "reported empty, but with the depth " + joined({shown.depth});
+    }
+    switch (answer.truth) {
+        case RayTruth::Unknown: ++report.unknown; return "";
+        case RayTruth::Hit:
+            return judge_hit(shown, answer.from * length, answer.to * length, answer.crosses,
+                             report);
+        case RayTruth::Empty: break;
+    }
+    ++report.empty;
+    if (shown.certificate == Certificate::Undecided && shown.depth < infinity) ++report.empty_drawn;
+    return shown.certificate == Certificate::Certified
+               ? "no root, but certified at " + joined({shown.depth})
+               : "";
+}
+
+Oracle oracle_of(const AuditSurface& surface) {
+    const auto program = read_formula(surface.equation);
+    if (!program) {
+        ADD_FAILURE() << surface.equation << ": " << program.error().reason;
+        return {parse("x").value(), std::vector<double>{0.0}};
+    }
+    std::vector<double> uniforms = values_of(*program, {});
+    uniforms.insert(uniforms.begin(), surface.w);
+    return {program->surfaces.front(), uniforms};
+}
+
+std::vector<std::size_t> chosen_pixels(const AuditSettings& settings) {
+    const auto size = static_cast<std::size_t>(settings.size_px);
+    std::vector<std::size_t> pixels(settings.rays == 0 ? size * size : settings.rays);
+    std::iota(pixels.begin(), pixels.end(), 0U);
+    if (settings.rays == 0) return pixels;
+    RandomNumbers random(1);
+    for (std::size_t& pixel : pixels)
+        pixel = random.below(size * size);
+    return pixels;
+}
+
+std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
+    auto program = read_formula(surface.equation);
+    if (!program) return std::unexpected(program.error());
+    const Expr drawn = tightened(program->surfaces.front());
+    Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}};
+    formula.code = CodeState::Interpreted;
+    return formula;
+}
+
+}  // namespace
+
+std::string command_line(const AuditSurface& surface, const AuditSettings& settings) {
+    const Box& box = surface.clip;
+    const std::string pixels = std::to_string(settings.size_px);
+    return "zeroset render '" + surface.equation + "' --box " +
+           joined({box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z}) + " --eye " +
+           joined(surface.camera.eye) + " --look-at " + joined(surface.camera.look_at) + " --up " +
+           joined(surface.camera.up) + " --fov " + joined({glm::degrees(surface.camera.fov_rad)}) +
+           " --w " + joined({surface.w}) + " --size " + pixels + "x" + pixels + " --dstop " +
+           joined({settings.d_stop}) + " --tracer " + settings.tracer +
+           " --depth depth.pfm --certificate certificate.png";
+}
+
+std::vector<AuditSurface> gallery_surfaces() {
+    std::vector<AuditSurface> result;
+    for (const GalleryItem& item : gallery()) {
+        const auto program = read_formula(item.equation);
+        if (!program || program->surfaces.size() != 1) continue;
+        result.push_back({item.name, item.equation, item.clip, item.w,
+                          item.camera.value_or(default_camera(item.clip))});
+    }
+    return result;
+}
+
+std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed) {
+    constexpr std::array half_edges{1.0, 1.5, 2.0};
+    std::vector<AuditSurface> result;
+    for (std::size_t i = 0; i < count; ++i) {
+        RandomNumbers random((seed << 32U) + i);
+        const SurfaceFamily& family = surface_families()[i % surface_families().size()];
+        const double half = half_edges.at(random.below(half_edges.size()));
+        Camera camera = suite_camera(half);
+        const double distance = random.one_in(6) ? 0.7 : random.uniform(1.5, 4);
+        glm::dvec3 towards(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        towards.z += 0.01;  // never along the up direction
+        towards.x += 0.02;
+        camera.eye = distance * half * glm::normalize(towards);
+        result.push_back({std::string(family.name) + " " + std::to_string(i),
+                          random_surface(family, half, random), Box::cube(half), 0.0, camera});
+    }
+    return result;
+}
+
+AuditReport& AuditReport::operator+=(const AuditReport& other) {
+    rays += other.rays;
+    hit += other.hit;
+    touched += other.touched;
+    empty += other.empty;
+    unknown += other.unknown;
+    hit_certified += other.hit_certified;
+    hit_not_drawn += other.hit_not_drawn;
+    hit_behind += other.hit_behind;
+    empty_drawn += other.empty_drawn;
+    failures.insert(failures.end(), other.failures.begin(), other.failures.end());
+    return *this;
+}
+
+std::string AuditReport::text() const {
+    char line[300];
+    std::snprintf(line, sizeof line,
+                  "%zu rays: %zu hit (%zu certified, %zu not drawn, %zu behind), %zu touched, "
+                  "%zu empty (%zu drawn), %zu unknown; %zu failures",
+                  rays, hit, hit_certified, hit_not_drawn, hit_behind, touched, empty, empty_drawn,
+                  unknown, failures.size());
+    return line;
+}
+
+Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
+    Framebuffer frame(settings.size_px, settings.size_px);
+    const auto formula = settings.interpreted ? interpreted(surface)
+                                              : compile_formula(surface.equation, surface.clip);
+    if (!formula) {
+        ADD_FAILURE() << surface.equation << ": " << formula.error().reason;
+        return frame;
+    }
+    TraceSettings trace;
+    trace.tracer = settings.tracer;
+    trace.stop.value = settings.d_stop;
+    trace.threads = 1;
+    render_frame(make_scene(*formula, surface.clip, surface.w, {}), surface.camera, trace, frame);
+    return frame;
+}
+
+AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
+                  const Framebuffer& frame) {
+    AuditReport report;
+    Oracle oracle = oracle_of(surface);
+    const ViewFrame view(surface.camera);
+    for (const std::size_t i : chosen_pixels(settings)) {
+        const int col = static_cast<int>(i) % frame.width;
+        const int row = static_cast<int>(i) / frame.width;
+        const glm::dvec3 direction =
+            view.direction(col + 0.5, row + 0.5, frame.width, frame.height);
+        const auto depth = static_cast<double>(frame.depth[i]);
+        const Shown shown{frame.certificate[i], depth,
+                          depth_error(surface, settings.d_stop, direction, depth)};
+        const auto question = ray_question(view, surface.clip, col, row, frame.width, frame.height);
+        const std::string wrong =
+            judge(shown, oracle.answer(question), glm::length(direction), report);
+        if (wrong.empty()) continue;
+        report.failures.push_back(surface.name + ", pixel (" + std::to_string(col) + ", " +
+                                  std::to_string(row) + "): " + wrong + "\n  " +
+                                  command_line(surface, settings));
+    }
+    return report;
+}
+
+}  // namespace zeroset::test

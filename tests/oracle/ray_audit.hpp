@@ -1,0 +1,70 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/camera.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// What a tracer says of the rays of a picture against what the oracles know of them.
+
+namespace zeroset::test {
+
+struct AuditSurface {
+    std::string name;
+    std::string equation;
+    Box clip;
+    double w = 0.0;
+    Camera camera;
+};
+
+/// The items of the gallery that are one surface.
+std::vector<AuditSurface> gallery_surfaces();
+/// `count` random surfaces of all families by turns, the same for the same seed.
+std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed);
+
+struct AuditSettings {
+    std::string tracer;
+    int size_px = 24;  ///< width and height of the picture
+    double d_stop = 14;
+    std::size_t rays = 0;  ///< asks the oracles about so many pixels at random; 0: about all
+    /// Draws with the interpreter: for small pictures, where making machine code takes longer.
+    bool interpreted = false;
+};
+
+/// Draws the surface with the same settings and writes depth.pfm and certificate.png.
+std::string command_line(const AuditSurface& surface, const AuditSettings& settings);
+
+struct AuditReport {
+    std::size_t rays = 0;
+    std::size_t hit = 0;      ///< f surely changes its sign at a known first root
+    std::size_t touched = 0;  ///< the known first root is a touch
+    std::size_t empty = 0;    ///< surely no root
+    std::size_t unknown = 0;  ///< not decided by the oracles
+    std::size_t hit_certified = 0;
+    std::size_t hit_not_drawn = 0;  ///< undecided, and nothing is shown
+    std::size_t hit_behind = 0;     ///< undecided, and a later place is shown
+    std::size_t empty_drawn = 0;    ///< undecided, and something is shown
+    /// Each with the pixel and the command line that repeats it.
+    std::vector<std::string> failures;
+
+    AuditReport& operator+=(const AuditReport& other);
+    /// One line.
+    [[nodiscard]] std::string text() const;
+};
+
+/// The picture of the tracer.
+Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings);
+
+/// Asks the oracles about pixels of a picture. A failure: a ray that surely holds a root is
+/// reported as empty, one that surely holds none as certified, or a certified depth is farther from
+/// the first root than TileHits allows.
+AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
+                  const Framebuffer& frame);
+inline AuditReport audit(const AuditSurface& surface, const AuditSettings& settings) {
+    return audit(surface, settings, drawn(surface, settings));
+}
+
+}  // namespace zeroset::test

@@ -1,0 +1,95 @@
+#include "engine/trace/tracer.hpp"
+#include "tests/oracle/ray_audit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <string>
+#include <vector>
+
+// What each tracer says of single rays against the oracles, on the gallery and on random surfaces.
+// `ray_checks` does the same at any size.
+
+namespace zeroset::test {
+namespace {
+
+class TracerAgainstOracles : public ::testing::TestWithParam<std::string> {
+protected:
+    static AuditReport checked(const std::vector<AuditSurface>& surfaces) {
+        AuditReport total;
+        for (const AuditSurface& surface : surfaces)
+            total += audit(surface, {.tracer = GetParam(), .rays = 10, .interpreted = true});
+        for (const std::string& failure : total.failures)
+            ADD_FAILURE() << failure;
+        std::printf("%s\n", total.text().c_str());
+        return total;
+    }
+};
+
+TEST_P(TracerAgainstOracles, OnTheGallery) {
+    const std::vector<AuditSurface> surfaces = gallery_surfaces();
+    EXPECT_GE(surfaces.size(), 50U);
+    const AuditReport report = checked(surfaces);
+    EXPECT_GT(report.hit, report.rays / 4);
+    EXPECT_GT(report.empty, report.rays / 4);
+    EXPECT_LT(report.unknown, report.rays / 20);
+    EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
+}
+
+TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
+    std::vector<AuditSurface> surfaces = random_surfaces(200, 1);
+    // The beams take seconds to give up on these; ray_checks has them, too.
+    std::erase_if(surfaces, [](const AuditSurface& surface) {
+        return surface.name == "quotient 44" || surface.name == "steps 151";
+    });
+    ASSERT_EQ(surfaces.size(), 198U);
+    const AuditReport report = checked(surfaces);
+    EXPECT_GT(report.hit, report.rays / 4);
+    EXPECT_GT(report.empty, report.rays / 4);
+    EXPECT_LT(report.unknown, report.rays / 10);
+    EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
+}
+
+/// Pictures of the sphere that say something false.
+TEST_P(TracerAgainstOracles, FalsePicturesAreFound) {
+    const AuditSurface sphere{"sphere", "x^2 + y^2 + z^2 - 1", Box::cube(1.5), 0.0,
+                              suite_camera(1.5)};
+    const AuditSettings settings{.tracer = GetParam()};
+    const Framebuffer picture = drawn(sphere, settings);
+    const AuditReport truth = audit(sphere, settings, picture);
+    EXPECT_EQ(truth.failures.size(), 0U);
+    ASSERT_GT(truth.hit, 50U);
+
+    Framebuffer all_empty = picture;
+    std::ranges::fill(all_empty.certificate, Certificate::Miss);
+    std::ranges::fill(all_empty.depth, std::numeric_limits<float>::infinity());
+    EXPECT_EQ(audit(sphere, settings, all_empty).failures.size(), truth.hit + truth.touched);
+
+    Framebuffer all_certified = picture;
+    std::ranges::fill(all_certified.certificate, Certificate::Certified);
+    EXPECT_GE(audit(sphere, settings, all_certified).failures.size(), truth.empty);
+
+    Framebuffer moved = picture;  // by ten cells
+    for (float& depth : moved.depth)
+        depth += 10 * 3.0F * 0x1p-14F;
+    EXPECT_EQ(audit(sphere, settings, moved).failures.size(), truth.hit_certified);
+}
+
+std::vector<std::string> tracer_names() {
+    std::vector<std::string> names;
+    for (const Tracer& tracer : tracers())
+        names.emplace_back(tracer.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTracers, TracerAgainstOracles, ::testing::ValuesIn(tracer_names()),
+                         [](const auto& tracer) {
+                             std::string name = tracer.param;
+                             std::ranges::replace(name, '-', '_');
+                             return name;
+                         });
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "tests/support/inclusion.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <span>
+
+// Checks of the functions of interval.hpp that are more than a row of op.def.
+
+namespace zeroset::test {
+
+enum class Domain : std::uint8_t { Any, FirstNonnegative, Nonnegative };
+
+/// `n` is an exponent, or the place of a factor.
+template <class Real>
+struct Helper {
+    const char* name;
+    Domain domain;
+    Outcome<Real> (*range)(const Interval<Real>& a, const Interval<Real>& b, const int& n);
+    Reference (*truth)(const MpfrNumber& a, const MpfrNumber& b, int n);
+};
+
+template <class Real>
+std::span<const Helper<Real>> helpers();
+
+/// One random box, at random points of it.
+template <class Real>
+void check_helper(const Helper<Real>& helper, RandomNumbers& random, InclusionTally& tally);
+
+}  // namespace zeroset::test

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "tests/support/oracle/mpfi_operators.hpp"
+
+#include <span>
+#include <vector>
+
+namespace zeroset::test {
+
+/// Evaluates whole formulas in intervals of MPFI, in the working precision: natural interval
+/// extensions. For one thread.
+class MpfiEvaluator {
+public:
+    explicit MpfiEvaluator(const Expr& expr);
+
+    /// An enclosure of f over the box: intervals of x, y, z, w and the parameters.
+    MpfiEnclosure over(std::span<const MpfiInterval> box);
+    /// The same, with the slope along a line on which the variables have the given slopes.
+    MpfiDual along(std::span<const MpfiDual> variables);
+
+private:
+    Expr expr_;
+    std::vector<MpfiEnclosure> values_;
+    std::vector<MpfiDual> duals_;
+};
+
+/// Boxes that are points.
+std::vector<MpfiInterval> points(std::span<const double> at);
+
+}  // namespace zeroset::test

@@ -1,0 +1,238 @@
+#include "tests/support/oracle/mpfi_operators.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <utility>
+
+namespace zeroset::test {
+namespace {
+
+using Box = MpfiInterval;
+using In = const MpfiEnclosure&;
+
+MpfiEnclosure nowhere() { return {Box::whole_line(), false, false, false}; }
+
+/// A result that is as defined and continuous as what it is made of.
+template <class... Operands>
+MpfiEnclosure composed(MpfiEnclosure g, const Operands&... operands) {
+    if (!(g.somewhere && ... && operands.somewhere)) return nowhere();
+    g.everywhere = (g.everywhere && ... && operands.everywhere);
+    g.continuous = (g.continuous && ... && operands.continuous);
+    return g;
+}
+
+template <class... Operands>
+MpfiEnclosure total(Box range, const Operands&... operands) {
+    return composed(MpfiEnclosure{std::move(range)}, operands...);
+}
+
+/// Numbers that periodic functions would need gigabytes of pi for.
+bool out_of_reach(const Box& a) {
+    constexpr mpfr_exp_t limit = 5000;
+    const auto beyond = [](mpfr_srcptr end) {
+        if (mpfr_zero_p(end) != 0) return false;
+        if (mpfr_regular_p(end) == 0) return true;
+        return mpfr_get_exp(end) > limit || mpfr_get_exp(end) < -limit;
+    };
+    return beyond(a.lo()) || beyond(a.hi());
+}
+
+/// The part of the operand within [lo, hi], where the function is defined.
+MpfiEnclosure on_domain(MpfiFunction1 function, In a, double lo, double hi) {
+    if (a.range.is_above(hi) || a.range.is_below(lo)) return nowhere();
+    const Box domain(lo, hi);
+    MpfiEnclosure g{a.range};
+    g.everywhere = mpfi_is_inside(a.range.get(), domain.get()) != 0;
+    if (!g.everywhere) mpfi_intersect(g.range.get(), a.range.get(), domain.get());
+    g.range = computed(function, g.range);
+    return composed(g, a);
+}
+
+/// As `on_domain`, but the function is undefined at the ends.
+MpfiEnclosure within(MpfiFunction1 function, In a, double lo, double hi) {
+    if (mpfr_cmp_d(a.range.lo(), hi) >= 0 || mpfr_cmp_d(a.range.hi(), lo) <= 0) return nowhere();
+    MpfiEnclosure g = on_domain(function, a, lo, hi);
+    g.everywhere = g.everywhere && a.range.is_above(lo) && a.range.is_below(hi);
+    return g;
+}
+
+MpfiEnclosure logarithm(MpfiFunction1 function, In a) {
+    return within(function, a, 0, std::numeric_limits<double>::infinity());
+}
+
+MpfiEnclosure wave(MpfiFunction1 function, In a) {
+    return total(out_of_reach(a.range) ? Box(-1, 1) : computed(function, a.range), a);
+}
+
+/// tan and cot: unbounded where there is a pole.
+MpfiEnclosure with_poles(MpfiFunction1 function, In a) {
+    MpfiEnclosure g{out_of_reach(a.range) ? Box::whole_line() : computed(function, a.range)};
+    g.everywhere = g.continuous = g.range.is_bounded();
+    return composed(g, a);
+}
+
+/// A function of whole numbers.
+MpfiEnclosure stepped(Box range, In a) {
+    MpfiEnclosure g{std::move(range)};
+    g.continuous = g.range.is_point();
+    return composed(g, a);
+}
+
+Box sign_of(const Box& a) {
+    const auto sign = [](mpfr_srcptr end) { return static_cast<double>(mpfr_sgn(end)); };
+    return {sign(a.lo()), sign(a.hi())};
+}
+
+Box floor_of(const Box& a) {
+    return increasing([](mpfr_ptr out, mpfr_srcptr in, mpfr_rnd_t) { return mpfr_floor(out, in); },
+                      a);
+}
+
+MpfiEnclosure quotient(In a, In b) {
+    if (b.range.is_zero()) return nowhere();
+    MpfiEnclosure g{a.range / b.range};
+    g.everywhere = g.continuous = !b.range.contains_zero();
+    return composed(g, a, b);
+}
+
+/// a - b floor(a/b): between 0 and b.
+MpfiEnclosure modulo(In a, In b) {
+    if (b.range.is_zero()) return nowhere();
+    MpfiEnclosure g{hull(Box(0.0), b.range)};
+    g.everywhere = !b.range.contains_zero();
+    g.continuous = false;
+    if (g.everywhere && !out_of_reach(a.range) && !out_of_reach(b.range)) {
+        const Box turns = floor_of(a.range / b.range);
+        g.continuous = turns.is_point();
+        if (g.continuous) {
+            const Box rest = a.range - b.range * turns;
+            mpfi_intersect(g.range.get(), g.range.get(), rest.get());
+        }
+    }
+    return composed(g, a, b);
+}
+
+Box circle() { return hull(-Box::pi(), Box::pi()); }
+
+/// `counts_turns`: atan2, which jumps at its cut; else its value counts up to a multiple of 2 pi.
+MpfiEnclosure angle(In y, In x, bool counts_turns) {
+    const bool crosses_axis = y.range.contains_zero();
+    if (y.range.is_zero() && x.range.is_zero()) return nowhere();
+    if (crosses_axis && x.range.contains_zero()) {
+        return composed(MpfiEnclosure{circle(), true, false, false}, y, x);
+    }
+    const bool cut = crosses_axis && x.range.is_below(0);
+    const bool far = out_of_reach(y.range) || out_of_reach(x.range);
+    if (far || (cut && counts_turns)) {
+        return composed(MpfiEnclosure{circle(), true, true, false}, y, x);
+    }
+    if (cut) return total(computed(mpfi_atan2, -y.range, -x.range) + Box::pi(), y, x);
+    return total(computed(mpfi_atan2, y.range, x.range), y, x);
+}
+
+/// A condition from what it surely is: decided, it is continuous whatever its operands are.
+template <class... Operands>
+MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
+    MpfiEnclosure g = total(Box(holds ? 1 : 0, fails ? 0 : 1), operands...);
+    g.continuous = g.somewhere && (holds || fails);
+    return g;
+}
+
+bool surely_holds(In a) { return a.range.is_above(0); }
+bool surely_fails(In a) { return mpfr_sgn(a.range.hi()) <= 0; }
+
+MpfiEnclosure less(In a, In b) {
+    return condition(mpfr_less_p(a.range.hi(), b.range.lo()) != 0,
+                     mpfr_greaterequal_p(a.range.lo(), b.range.hi()) != 0, a, b);
+}
+MpfiEnclosure less_equal(In a, In b) {
+    return condition(mpfr_lessequal_p(a.range.hi(), b.range.lo()) != 0,
+                     mpfr_greater_p(a.range.lo(), b.range.hi()) != 0, a, b);
+}
+
+MpfiEnclosure choose(In c, In a, In b) {
+    if (!c.somewhere) return nowhere();
+    MpfiEnclosure g;
+    if (surely_holds(c)) {
+        g = a;
+    } else if (surely_fails(c)) {
+        g = b;
+    } else if (!a.somewhere || !b.somewhere) {
+        g = a.somewhere ? a : b;
+        g.everywhere = g.continuous = false;
+    } else {
+        g = {hull(a.range, b.range), true, a.everywhere && b.everywhere, false};
+    }
+    g.everywhere = g.everywhere && c.everywhere;
+    return g;
+}
+
+MpfiEnclosure where(In a, In c) {
+    if (!c.somewhere || surely_fails(c)) return nowhere();
+    MpfiEnclosure g = a;
+    g.everywhere = a.everywhere && c.everywhere && surely_holds(c);
+    return g;
+}
+
+Box integer_power(const Box& a, int n) { return n >= 0 ? power(a, n) : Box(1.0) / power(a, -n); }
+
+}  // namespace
+
+MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    switch (node.op) {
+        case Op::Constant:
+        case Op::Variable: break;
+        case Op::Negate: return total(-a.range, a);
+        case Op::Add: return total(a.range + b.range, a, b);
+        case Op::Subtract: return total(a.range - b.range, a, b);
+        case Op::Multiply: return total(a.range * b.range, a, b);
+        case Op::Divide: return quotient(a, b);
+        case Op::IntPower: return total(integer_power(a.range, node.number), a);
+        case Op::OddRoot: return total(odd_root(a.range, node.number), a);
+        case Op::Sqrt: return on_domain(mpfi_sqrt, a, 0, infinity);
+        case Op::Abs: return total(computed(mpfi_abs, a.range), a);
+        case Op::Sign: return stepped(sign_of(a.range), a);
+        case Op::Floor: return stepped(floor_of(a.range), a);
+        case Op::Ceil: return stepped(-floor_of(-a.range), a);
+        case Op::Round: return stepped(floor_of(a.range + Box(0.5)), a);
+        case Op::Mod: return modulo(a, b);
+        case Op::Min: return total(minimum(a.range, b.range), a, b);
+        case Op::Max: return total(maximum(a.range, b.range), a, b);
+        case Op::Exp: return total(computed(mpfi_exp, a.range), a);
+        case Op::Log: return logarithm(mpfi_log, a);
+        case Op::Log10: return logarithm(mpfi_log10, a);
+        case Op::Log2: return logarithm(mpfi_log2, a);
+        case Op::Sin: return wave(mpfi_sin, a);
+        case Op::Cos: return wave(mpfi_cos, a);
+        case Op::Tan: return with_poles(mpfi_tan, a);
+        case Op::Cot: return a.range.is_zero() ? nowhere() : with_poles(mpfi_cot, a);
+        case Op::Asin: return on_domain(mpfi_asin, a, -1, 1);
+        case Op::Acos: return on_domain(mpfi_acos, a, -1, 1);
+        case Op::Atan: return total(computed(mpfi_atan, a.range), a);
+        case Op::Atan2: return angle(a, b, true);
+        case Op::Angle: return angle(a, b, false);
+        case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
+        case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);
+        case Op::Tanh: return total(computed(mpfi_tanh, a.range), a);
+        case Op::Asinh: return total(computed(mpfi_asinh, a.range), a);
+        case Op::Acosh: return on_domain(mpfi_acosh, a, 1, infinity);
+        case Op::Atanh: return within(mpfi_atanh, a, -1, 1);
+        case Op::Less: return less(a, b);
+        case Op::LessEqual: return less_equal(a, b);
+        case Op::And:
+            return condition(surely_holds(a) && surely_holds(b), surely_fails(a) || surely_fails(b),
+                             a, b);
+        case Op::Or:
+            return condition(surely_holds(a) || surely_holds(b), surely_fails(a) && surely_fails(b),
+                             a, b);
+        case Op::Not: return condition(surely_fails(a), surely_holds(a), a);
+        case Op::If: return choose(a, b, c);
+        case Op::Where: return where(a, b);
+    }
+    ADD_FAILURE() << "the oracle does not know operator " << static_cast<int>(node.op);
+    return nowhere();
+}
+
+}  // namespace zeroset::test

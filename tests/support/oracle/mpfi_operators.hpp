@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "tests/support/oracle/mpfi_interval.hpp"
+
+// What each operator of op.def means over intervals of MPFI: written from the meaning that op.def
+// states, not from the algebra under test.
+
+namespace zeroset::test {
+
+/// An enclosure over a box, with what is known of the domain there.
+struct MpfiEnclosure {
+    MpfiInterval range;      ///< of the values at the points of the box where there is one
+    bool somewhere = true;   ///< false: proved nowhere defined; the range says nothing
+    bool everywhere = true;  ///< proved defined everywhere
+    bool continuous = true;  ///< proved continuous where defined
+};
+
+/// The operator at its operands; those that it does not have are any. Fails the running test for
+/// an operator that it does not know.
+MpfiEnclosure enclosed(const Node& node, const MpfiEnclosure& a, const MpfiEnclosure& b,
+                       const MpfiEnclosure& c);
+
+/// A value along a line with its derivative.
+struct MpfiDual {
+    MpfiEnclosure value;
+    /// Encloses all slopes (g(s) - g(t)) / (s - t) between points s, t of a piece of the line on
+    /// which g is proved defined and continuous; elsewhere it says nothing.
+    MpfiInterval slope;
+};
+
+/// Of a function that is defined and continuous everywhere.
+MpfiDual dual(MpfiInterval range, MpfiInterval slope);
+
+/// The slope of the operator at its operands, where its value is `f`.
+MpfiInterval slope_of(const Node& node, const MpfiEnclosure& f, const MpfiDual& a,
+                      const MpfiDual& b, const MpfiDual& c);
+
+}  // namespace zeroset::test

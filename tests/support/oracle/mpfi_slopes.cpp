@@ -1,0 +1,95 @@
+#include "tests/support/oracle/mpfi_operators.hpp"
+
+#include <utility>
+
+// Slopes between any two points, by the mean value theorem: with g' over the operands' ranges.
+
+namespace zeroset::test {
+namespace {
+
+using Box = MpfiInterval;
+
+Box square(const Box& a) { return power(a, 2); }
+/// The root of what cannot be negative.
+Box root(const Box& a) { return computed(mpfi_sqrt, maximum(a, Box(0.0))); }
+Box one_over(const Box& a) { return Box(1.0) / a; }
+Box logarithm_of(double a) { return computed(mpfi_log, Box(a)); }
+Box range_of(Op op, const Box& a) { return enclosed({.op = op}, {a}, {a}, {a}).range; }
+
+/// Where one of two functions is taken, on the whole box or not.
+Box slope_of_choice(bool first, bool second, const Box& a, const Box& b) {
+    if (first) return a;
+    return second ? b : hull(a, b);
+}
+
+Box slope_of_power(const Box& a, int n) {
+    return Box(n) * (n > 0 ? power(a, n - 1) : one_over(power(a, 1 - n)));
+}
+
+}  // namespace
+
+MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
+    MpfiDual result;
+    result.value.range = std::move(range);
+    result.slope = std::move(slope);
+    return result;
+}
+
+MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDual& a,
+                      const MpfiDual& b, const MpfiDual& c) {
+    const Box one(1.0);
+    const Box& f = value.range;
+    const Box& x = a.value.range;
+    const Box& y = b.value.range;
+    const bool below = mpfr_lessequal_p(x.hi(), y.lo()) != 0;
+    const bool above = mpfr_lessequal_p(y.hi(), x.lo()) != 0;
+    switch (node.op) {
+        case Op::Constant:
+        case Op::Variable: break;
+        case Op::Negate: return -a.slope;
+        case Op::Add: return a.slope + b.slope;
+        case Op::Subtract: return a.slope - b.slope;
+        case Op::Multiply: return a.slope * y + x * b.slope;
+        case Op::Divide: return (a.slope - f * b.slope) / y;
+        case Op::IntPower: return slope_of_power(x, node.number) * a.slope;
+        case Op::OddRoot: return f / (Box(node.number) * x) * a.slope;
+        case Op::Sqrt: return one_over(Box(2.0) * f) * a.slope;
+        case Op::Abs: return slope_of_choice(x.is_above(0), x.is_below(0), a.slope, -a.slope);
+        case Op::Min: return slope_of_choice(below, above, a.slope, b.slope);
+        case Op::Max: return slope_of_choice(above, below, a.slope, b.slope);
+        case Op::Sign:
+        case Op::Floor:
+        case Op::Ceil:
+        case Op::Round:
+        case Op::Less:
+        case Op::LessEqual:
+        case Op::And:
+        case Op::Or:
+        case Op::Not: return Box(0.0);
+        case Op::Mod: return a.slope - b.slope * range_of(Op::Floor, x / y);
+        case Op::Exp: return f * a.slope;
+        case Op::Log: return one_over(x) * a.slope;
+        case Op::Log10: return one_over(x * logarithm_of(10)) * a.slope;
+        case Op::Log2: return one_over(x * logarithm_of(2)) * a.slope;
+        case Op::Sin: return range_of(Op::Cos, x) * a.slope;
+        case Op::Cos: return -range_of(Op::Sin, x) * a.slope;
+        case Op::Tan: return (one + square(f)) * a.slope;
+        case Op::Cot: return -(one + square(f)) * a.slope;
+        case Op::Asin: return one_over(root(one - square(x))) * a.slope;
+        case Op::Acos: return -one_over(root(one - square(x))) * a.slope;
+        case Op::Atan: return one_over(one + square(x)) * a.slope;
+        case Op::Atan2:
+        case Op::Angle: return (a.slope * y - x * b.slope) / (square(x) + square(y));
+        case Op::Sinh: return range_of(Op::Cosh, x) * a.slope;
+        case Op::Cosh: return range_of(Op::Sinh, x) * a.slope;
+        case Op::Tanh: return (one - square(f)) * a.slope;
+        case Op::Asinh: return one_over(root(one + square(x))) * a.slope;
+        case Op::Acosh: return one_over(root(square(x) - one)) * a.slope;
+        case Op::Atanh: return one_over(one - square(x)) * a.slope;
+        case Op::If: return slope_of_choice(x.is_above(0), x.is_below(0), b.slope, c.slope);
+        case Op::Where: return a.slope;
+    }
+    return Box::whole_line();
+}
+
+}  // namespace zeroset::test
