@@ -162,7 +162,12 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         if (!codes[i]) return std::unexpected(codes[i].error());
         put_in(kernel, pieces[i], *codes[i]);
     }
-    if (!options.with_double) kernel.form_double = interpret(expr).form_double;
+    kernel.has_double = options.with_double;
+    if (!kernel.has_double) {
+        const Kernel slow = interpret(expr);
+        kernel.range_double = slow.range_double;
+        kernel.form_double = slow.form_double;
+    }
     return kernel;
 }
 

@@ -187,6 +187,7 @@ Kernel interpret(const Expr& expr) {
     kernel.range_double = {interpret_range<double>, code};
     kernel.value_double = {interpret_value<double>, code};
     kernel.form_double = {interpret_form<double>, code};
+    kernel.has_double = true;
     return kernel;
 }
 

@@ -140,10 +140,12 @@ struct Kernel {
     KernelFunction<RangeBatchOf<float>> range_float;
     KernelFunction<ValueBatchOf<float>> value_float;
     KernelFunction<FormBatchOf<float>> form_float;
-    KernelFunction<RangeBatchOf<double>> range_double;  ///< where the maker was asked for double
+    // Slow (interpreted) but for the values, unless whole frames can be traced in double.
+    KernelFunction<RangeBatchOf<double>> range_double;
     KernelFunction<ValueBatchOf<double>> value_double;
-    KernelFunction<FormBatchOf<double>> form_double;  ///< slow where the maker was not
-    std::vector<std::string> parameters;              ///< names of the uniforms after w
+    KernelFunction<FormBatchOf<double>> form_double;
+    bool has_double = false;              ///< whether whole frames can be traced in double
+    std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
@@ -153,8 +155,6 @@ struct Kernel {
     void form(const FormBatchOf<float>& batch) const { form_float(batch); }
     void form(const FormBatchOf<double>& batch) const { form_double(batch); }
     explicit operator bool() const { return static_cast<bool>(range_float); }
-    /// Whether whole frames can be traced in double.
-    [[nodiscard]] bool has_double() const { return static_cast<bool>(range_double); }
 };
 
 }  // namespace zeroset

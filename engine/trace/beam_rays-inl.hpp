@@ -51,6 +51,9 @@ private:
     /// Goes on with one segment after its cell i was evaluated; false when it is finished.
     template <class Undecided>
     bool advance(Segment<Real>& segment, std::size_t i, Real finest, Undecided undecided);
+    /// Whether the natural interval extension excludes roots in the cells of the segments, if any
+    /// of these is as narrow as `finest`: it is sharper beside poles and jumps.
+    void exclude_by_range(std::span<const Segment<Real>> segments, Real finest);
 
     const TraceFrame& frame_;
     const BeamView& view_;
@@ -60,7 +63,47 @@ private:
     std::vector<Segment<Real>> segments_;
     CellPlaces<Real> places_;
     Forms<Real> forms_;
+    std::vector<bool> excluded_ = std::vector<bool>(capacity);
 };
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::exclude_by_range(std::span<const Segment<Real>> segments,
+                                              Real finest) {
+    std::fill(excluded_.begin(), excluded_.end(), false);
+    const bool any = std::ranges::any_of(segments, [&](const Segment<Real>& segment) {
+        return std::min(segment.step, segment.to - segment.from) <= finest;
+    });
+    if (!any) return;
+    const std::size_t count = padded(segments.size());
+    std::array<std::array<Real, capacity>, 6> ends;
+    std::array<Real, capacity> f_neg_lo;
+    std::array<Real, capacity> f_hi;
+    std::array<ContinuityMask<Real>, capacity> continuous;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Segment<Real>& segment = segments[std::min(i, segments.size() - 1)];
+        const auto near = static_cast<double>(segment.from);
+        const auto far = static_cast<double>(std::min(segment.to, segment.from + segment.step));
+        const double col = segment.pixel % tile_size;
+        const double row = segment.pixel / tile_size;
+        const glm::dvec3 a = view_.point(col, row, near);
+        const glm::dvec3 b = view_.point(col, row, far);
+        for (int k = 0; k < 3; ++k) {
+            const auto axis = static_cast<std::size_t>(k);
+            ends[axis][i] = upper_end(Real{}, view_.depth_error() - std::min(a[k], b[k]));
+            ends[axis + 3][i] = upper_end(Real{}, view_.depth_error() + std::max(a[k], b[k]));
+        }
+    }
+    counters_.range += segments.size();
+    frame_.kernel.range(RangeBatchOf<Real>{count,
+                                           {ends[0].data(), ends[1].data(), ends[2].data()},
+                                           {ends[3].data(), ends[4].data(), ends[5].data()},
+                                           frame_.scene.uniforms.template boxes<Real>(),
+                                           f_neg_lo.data(),
+                                           f_hi.data(),
+                                           continuous.data()});
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        excluded_[i] = f_neg_lo[i] < 0 || f_hi[i] < 0;
+}
 
 template <class Real, class Cell>
 void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real margin) {
@@ -89,7 +132,9 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
     const Real c = forms_.c[i];
     const Real k = forms_.k[2][i];
     const Real e = forms_.e[i];
-    if (forms_.nowhere[i] != 0 || std::abs(c) > std::abs(k) + e) return go_behind();
+    if (excluded_[i] || forms_.nowhere[i] != 0 || std::abs(c) > std::abs(k) + e) {
+        return go_behind();
+    }
     const bool continuous = forms_.continuous[i] != 0;
     const bool sloped = forms_.slope_neg_lo[i] < 0 || forms_.slope_hi[i] < 0;
     // Where the linear part, widened by its error and the roundings here, may vanish.
@@ -135,6 +180,7 @@ void RayMarcher<Real, Cell>::march(Real finest, Real margin, double s_most, Unde
             const std::size_t count = std::min(capacity, segments_.size() - first);
             place(std::span(segments_).subspan(first, count), margin);
             evaluate(frame_, frustum, count, places_, forms_, counters_);
+            exclude_by_range(std::span(segments_).subspan(first, count), finest);
             for (std::size_t i = 0; i < count; ++i) {
                 Segment<Real> segment = segments_[first + i];
                 if (advance(segment, i, finest, undecided)) segments_[kept++] = segment;

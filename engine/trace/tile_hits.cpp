@@ -70,6 +70,9 @@ void TileHits::pass(Pixel at, float distance) {
 }
 
 void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters) {
+    std::erase_if(hits.points, [&](const TileHits::Point& point) {
+        return hits.depth[point.pixel] == none;
+    });
     if (hits.points.empty()) return;
     counters.value += hits.points.size();
     if (frame.precision == Precision::Double) {

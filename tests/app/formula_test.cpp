@@ -1,4 +1,5 @@
 #include "app/formula.hpp"
+#include "engine/num/rounding.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,7 @@ TEST(CompileFormula, MakesCodeThatRuns) {
         y[i] = 2.0F;
         z[i] = -1.0F;
     }
+    const UpwardRounding upward;
     formula->kernels[0].value(
         {batch_multiple, {x, y, z}, uniforms.middle.data(), f, {slope[0], slope[1], slope[2]}});
     for (std::size_t i = 0; i < batch_multiple; ++i) {

@@ -193,9 +193,9 @@ TEST(Jit, SharesTheCodeOfEqualGraphs) {
 TEST(Jit, MakesDoubleWhenAskedAndApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.75");
     const Kernel floats = compiled(expr, 4);
-    EXPECT_FALSE(floats.has_double());
+    EXPECT_FALSE(floats.has_double);
     const Kernel both = compiled(expr, 4, true);
-    EXPECT_TRUE(both.has_double());
+    EXPECT_TRUE(both.has_double);
     EXPECT_EQ(floats.range_float, both.range_float);
     EXPECT_EQ(floats.value_double, both.value_double);
     EXPECT_NE(floats.form_double, both.form_double);

@@ -35,8 +35,10 @@ std::vector<MpfiInterval> box_between(const Place& a, const Place& b) {
 template <class Real>
 bool meets(const Interval<Real>& range, const MpfiInterval& values) {
     if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
-    return mpfr_cmp_d(values.lo(), static_cast<double>(range.hi)) <= 0 &&
-           mpfr_cmp_d(values.hi(), -static_cast<double>(range.neg_lo)) >= 0;
+    const bool below = mpfr_cmp_d(values.lo(), static_cast<double>(range.hi)) <= 0;
+    const bool above = mpfr_cmp_d(values.hi(), -static_cast<double>(range.neg_lo)) >= 0;
+    const bool two_parts = range.neg_lo < 0 && range.hi < 0;  // as RangeBatch says
+    return two_parts ? below || above : below && above;
 }
 
 /// What the values of f on a part of the box disprove of the claims for the whole.

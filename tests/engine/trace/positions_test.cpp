@@ -57,6 +57,7 @@ Kernel kernel_of(const Target& target) {
     const auto code = std::make_shared<Target>(target);
     kernel.range_float = {range_around<float>, code};
     kernel.range_double = {range_around<double>, code};
+    kernel.has_double = true;
     return kernel;
 }
 

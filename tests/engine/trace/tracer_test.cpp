@@ -159,23 +159,47 @@ TEST_P(TracerTest, CertifiesMostOfASimpleSurface) {
     EXPECT_LT(counts.undecided, counts.certified / 20);
 }
 
-std::vector<bool> hits_at(const Scene& scene, const std::string& tracer, double d_stop) {
+struct Shown {
+    std::vector<bool> hits, certified;
+};
+
+Shown shown_at(const Scene& scene, const std::string& tracer, double d_stop) {
     Framebuffer frame(50, 50);
     render_frame(scene, default_camera(scene.clip), settings_at(tracer, d_stop), frame);
-    std::vector<bool> hits;
-    for (const float depth : frame.depth)
-        hits.push_back(std::isfinite(static_cast<double>(depth)));
-    return hits;
+    Shown shown;
+    for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+        shown.hits.push_back(std::isfinite(static_cast<double>(frame.depth[i])));
+        shown.certified.push_back(frame.certificate[i] == Certificate::Certified);
+    }
+    return shown;
 }
 
-TEST_P(TracerTest, ACoarserSearchShowsAllThatAFinerOneShows) {
-    for (const char* text :
-         {"x^2 + y^2 + z^2 = 1", "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
-          "x^2*y^2 + y^2*z^2 + x^2*z^2 + x*y*z"}) {
+constexpr const char* nested_search_texts[] = {"x^2 + y^2 + z^2 = 1",
+                                               "x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8",
+                                               "x^2*y^2 + y^2*z^2 + x^2*z^2 + x*y*z"};
+
+TEST_P(TracerTest, ACoarserSearchShowsAllThatAFinerOneCertifies) {
+    for (const char* text : nested_search_texts) {
         const Scene scene = scene_of(text, Box::cube(2));
-        std::vector<bool> finer = hits_at(scene, GetParam(), 18);
+        const Shown finest = shown_at(scene, GetParam(), 18);
+        EXPECT_GT(std::ranges::count(finest.certified, true), 300) << text;
         for (const double d_stop : {15.0, 12.0, 9.0, 6.0}) {
-            const std::vector<bool> hits = hits_at(scene, GetParam(), d_stop);
+            const Shown coarser = shown_at(scene, GetParam(), d_stop);
+            for (std::size_t i = 0; i < coarser.hits.size(); ++i) {
+                EXPECT_TRUE(coarser.hits[i] || !finest.certified[i])
+                    << text << ", d_stop " << d_stop << ": " << i;
+            }
+        }
+    }
+}
+
+/// Its cells are nested.
+TEST(KBisection, ACoarserSearchShowsAllThatAFinerOneShows) {
+    for (const char* text : nested_search_texts) {
+        const Scene scene = scene_of(text, Box::cube(2));
+        std::vector<bool> finer = shown_at(scene, "k-bisection", 18).hits;
+        for (const double d_stop : {15.0, 12.0, 9.0, 6.0}) {
+            const std::vector<bool> hits = shown_at(scene, "k-bisection", d_stop).hits;
             for (std::size_t i = 0; i < hits.size(); ++i) {
                 EXPECT_TRUE(hits[i] || !finer[i]) << text << ", d_stop " << d_stop << ": " << i;
             }
@@ -234,7 +258,8 @@ TEST_P(TracerTest, DrawsTheSameOnAnyThreads) {
     EXPECT_EQ(frames[0].color, frames[1].color);
     EXPECT_EQ(frames[0].certificate, frames[1].certificate);
     EXPECT_EQ(counters[0].range, counters[1].range);
-    EXPECT_GT(counters[0].range, 0U);
+    EXPECT_EQ(counters[0].form, counters[1].form);
+    EXPECT_GT(counters[0].range + counters[0].form, 0U);
     EXPECT_GE(counters[0].value, count_certificates(frames[0]).certified);
 }
 
