@@ -29,6 +29,12 @@ std::span<const Tracer> tracers() {
     static constexpr std::array table{
         Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
                trace_tile_k_bisection},
+    };
+    return table;
+}
+
+std::span<const Tracer> tracers_in_work() {
+    static constexpr std::array table{
         Tracer{"beams",
                "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
                trace_tile_beams},
@@ -37,9 +43,11 @@ std::span<const Tracer> tracers() {
 }
 
 const Tracer* find_tracer(std::string_view name) {
-    const auto all = tracers();
-    const auto found = std::ranges::find(all, name, &Tracer::name);
-    return found == all.end() ? nullptr : &*found;
+    for (const auto& table : {tracers(), tracers_in_work()}) {
+        const auto found = std::ranges::find(table, name, &Tracer::name);
+        if (found != table.end()) return &*found;
+    }
+    return nullptr;
 }
 
 }  // namespace zeroset
