@@ -56,10 +56,18 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile)
     const glm::dvec3 box = glm::max(glm::abs(clip_.lo), glm::abs(clip_.hi));
     const double largest = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z});
     depth_error_ = 0x1p-46 * (largest + view_.look_distance);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? clip_.hi.x : clip_.lo.x,
+                            (corner & 2) != 0 ? clip_.hi.y : clip_.lo.y,
+                            (corner & 4) != 0 ? clip_.hi.z : clip_.lo.z);
+        const double along = glm::dot(at - view_.eye, view_.forward);
+        nearest_ = std::min(nearest_, along - depth_error_);
+        farthest_ = std::max(farthest_, along + depth_error_);
+    }
 }
 
 DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {
-    DepthRange all{0.0, 0.0, unbounded, unbounded};
+    DepthRange all{std::max(0.0, nearest_), 0.0, unbounded, farthest_};
     for (int i = 0; i < 3; ++i) {
         const double d = view_.forward[i] + u * view_.right[i] + v * view_.up[i];
         const double across =

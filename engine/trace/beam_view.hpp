@@ -2,6 +2,8 @@
 
 #include "engine/trace/tracer.hpp"
 
+#include <limits>
+
 namespace zeroset {
 
 /// Where the rays of a tile, or of one pixel, are inside the clip box and in front of the eye, as
@@ -56,6 +58,9 @@ private:
     double pixel_, u_first_, v_first_;
     double u_most_, v_most_;  ///< of |u| and |v| in the tile
     double extent_, depth_error_, tolerance_;
+    /// Of the clip box along the view axis, from the eye.
+    double nearest_ = std::numeric_limits<double>::infinity();
+    double farthest_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace zeroset
