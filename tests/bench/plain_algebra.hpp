@@ -1,12 +1,14 @@
 #pragma once
 
 #include "engine/expr/operand.hpp"
-#include "engine/num/scalar.hpp"
+#include "engine/num/interval.hpp"
 #include "jit/lanes.hpp"
 
-// Interval arithmetic as it is without a promise: (lo, hi), each end rounded to nearest, no care
-// for infinities, NaN, domains or continuity. It is what the engine's kernels are measured against
-// and has the same shortcuts: tight squares, constant factors, factors known not to be negative.
+// Interval arithmetic as it is without a promise: (lo, hi), each end rounded to nearest, and
+// nothing about domains or continuity. It is what the engine's kernels are measured against and has
+// the same shortcuts: tight squares, constant factors, factors known not to be negative. Careful,
+// it gives the whole line where the engine does, for 0 times infinity and divisors with zeros;
+// bare, it gives anything there.
 
 namespace zeroset::test {
 
@@ -23,24 +25,28 @@ public:
     using Value = PlainRange;
     using In = const Operand<Value>&;
 
+    explicit PlainAlgebra(bool careful) : careful_(careful) {}
+
     static Value negate(const Value& a) { return {-a.hi, -a.lo}; }
     static Value add(const Value& a, const Value& b) { return {a.lo + b.lo, a.hi + b.hi}; }
     static Value subtract(const Value& a, const Value& b) { return {a.lo - b.hi, a.hi - b.lo}; }
 
-    static Value multiply(In a, In b) {
+    [[nodiscard]] Value multiply(In a, In b) const {
         if (b.facts.constant) return scale(a.value, b);
         if (a.facts.constant) return scale(b.value, a);
         if (a.facts.nonnegative && b.facts.nonnegative)
-            return {a.value.lo * b.value.lo, a.value.hi * b.value.hi};
+            return without_nan({a.value.lo * b.value.lo, a.value.hi * b.value.hi});
         if (a.facts.nonnegative) return multiply_nonnegative_by(a.value, b.value);
         if (b.facts.nonnegative) return multiply_nonnegative_by(b.value, a.value);
         return product(a.value, b.value);
     }
 
-    /// The divisor's sign is taken to be one.
-    static Value divide(const Value& a, const Value& b) {
+    /// Bare, the divisor's sign is taken to be one.
+    [[nodiscard]] Value divide(const Value& a, const Value& b) const {
+        const Lanes zero = like(b.lo, 0.0);
         const Value reciprocal{like(b.lo, 1.0) / b.hi, like(b.lo, 1.0) / b.lo};
-        return product(a, reciprocal);
+        const Value quotient = product(a, reciprocal);
+        return careful_ ? unless(both(b.lo <= zero, b.hi >= zero), quotient) : quotient;
     }
 
     static Value int_power(In a, int n) {
@@ -68,15 +74,25 @@ private:
         if (factor.facts.constant->hi < 0) return {a.hi * c, a.lo * c};
         return {a.lo * c, a.hi * c};
     }
-    static Value multiply_nonnegative_by(const Value& a, const Value& b) {
-        return {b.lo * select_negative(b.lo, a.hi, a.lo), b.hi * select_negative(b.hi, a.lo, a.hi)};
+    static Value unless(const jit::LaneMask& unknown, const Value& a) {
+        return {select(unknown, like(a.lo, -infinity), a.lo),
+                select(unknown, like(a.hi, infinity), a.hi)};
     }
-    static Value product(const Value& a, const Value& b) {
+    [[nodiscard]] Value without_nan(const Value& a) const {
+        return careful_ ? unless(unordered(a.lo, a.hi), a) : a;
+    }
+    [[nodiscard]] Value multiply_nonnegative_by(const Value& a, const Value& b) const {
+        return without_nan(
+            {b.lo * select_negative(b.lo, a.hi, a.lo), b.hi * select_negative(b.hi, a.lo, a.hi)});
+    }
+    [[nodiscard]] Value product(const Value& a, const Value& b) const {
         const Lanes p = a.lo * b.lo;
         const Lanes q = a.lo * b.hi;
         const Lanes r = a.hi * b.lo;
         const Lanes s = a.hi * b.hi;
-        return {minimum(minimum(p, q), minimum(r, s)), maximum(maximum(p, q), maximum(r, s))};
+        const Value range{minimum(minimum(p, q), minimum(r, s)),
+                          maximum(maximum(p, q), maximum(r, s))};
+        return careful_ ? unless(either(unordered(p, q), unordered(r, s)), range) : range;
     }
     static Value absolute(const Value& a) {
         return {maximum(maximum(a.lo, -a.hi), like(a.lo, 0.0)), maximum(-a.lo, a.hi)};
@@ -88,6 +104,8 @@ private:
         const Lanes half = power(a * a, n / 2);
         return n % 2 == 0 ? half : half * a;
     }
+
+    bool careful_;
 };
 
 }  // namespace zeroset::test
