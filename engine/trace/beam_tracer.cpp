@@ -206,6 +206,8 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         }
         if (finished) break;
     }
+    leaves_.solve();
+    small_leaves_.solve();
     if (!open_.empty()) push_children(pixels);
 }
 
@@ -284,7 +286,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
                     f.slope_hi[cell],
                     f.r[cell]};
     if (pixels < leaf_pixels) {
-        small_leaves_.solve(leaf);
+        small_leaves_.add(leaf);
         return;
     }
     for (int row = 0; row < pixels; row += leaf_pixels) {
@@ -292,7 +294,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
             leaf.col = cells_->col[cell] + col;
             leaf.row = cells_->row[cell] + row;
             leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
-            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.solve(leaf);
+            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.add(leaf);
         }
     }
 }
