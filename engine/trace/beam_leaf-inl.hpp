@@ -54,10 +54,9 @@ struct LeafRun {
     [[nodiscard]] bool falls() const { return slope_hi < 0; }
     [[nodiscard]] bool continues_with(const Leaf<Real>& next) const {
         return next.col == col && next.row == row && next.from == to &&
-               (next.slope_hi < 0) == falls();
+               next.inside == inside && (next.slope_hi < 0) == falls();
     }
     void add(const Leaf<Real>& next) {
-        inside = inside && next.inside;
         to = next.to;
         hi = end_of(next);
         slope_lo = std::min(slope_lo, next.slope_lo);
@@ -100,6 +99,7 @@ private:
     static constexpr std::size_t side = pixels;
     static constexpr std::size_t items = side * side;
     static constexpr int most_steps = 4;
+    static constexpr int most_looks = 3;  ///< in double
     using D = hn::CappedTag<Real, side>;
     using V = hn::Vec<D>;
     using M = hn::Mask<D>;
@@ -109,20 +109,30 @@ private:
     /// What the interval Newton operator makes of a vector of rays.
     struct Judged {
         M proved, wanted;
-        V lo, hi, next;
+        V lo, hi;  ///< where the root is
+        V step, next;  ///< one of Newton's method, and where it leads
     };
 
     void place(const Leaf<Real>& leaf);
     /// Leaves out rows without stretches; false when none is left.
     bool compact();
     void find_roots();
-    [[nodiscard]] Judged judge(std::size_t pixel, int i) const;
-    void record(int row, int col, int i);
+    void take_steps();
+    void evaluate();
+    void certify(bool last);
+    [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
+    HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
+    HWY_INLINE void keep(int i, int to, const Judged& judged, M rest);
+    void move_row(int from, int to);
     void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
+    void hand_over_all();
+    HWY_INLINE static std::pair<V, V> bounds_of(const double* x);
+    HWY_INLINE static void add_step(const double* x, V step, double* sum);
     /// A component of the gradients of the rays in the mask.
     static void store_gradient(const Real* component, M rays, float* to) {
         if constexpr (std::is_same_v<Real, float>) {
-            hn::BlendedStore(hn::Load(d, component), rays, d, to);
+            // A masked store costs more than these on many processors.
+            hn::StoreU(hn::IfThenElse(rays, hn::Load(d, component), hn::LoadU(d, to)), d, to);
         } else {
             for (LaneBits bits = bits_of(d, rays); bits != 0; bits &= bits - 1) {
                 const int lane = std::countr_zero(bits);
@@ -130,9 +140,6 @@ private:
             }
         }
     }
-    /// Upper bounds of f + error and of error - f.
-    [[nodiscard]] std::pair<V, V> bounds_of_f(int i) const;
-
     [[nodiscard]] std::size_t first_pixel(int row) const {
         return static_cast<std::size_t>((run_->row + row) * tile_size + run_->col);
     }
@@ -233,13 +240,13 @@ bool LeafSolver<Real, pixels>::compact() {
 }
 
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::find_roots() {
+void LeafSolver<Real, pixels>::take_steps() {
     pad(from_);
     pad(to_);
     pad(guess_);
     pad(col_);
     pad(row_);
-    counters_.value += 3 * used();
+    counters_.value += 2 * used();
     frame_.kernel.newton(NewtonBatchOf<Real>{count(),
                                              col_,
                                              row_,
@@ -254,35 +261,83 @@ void LeafSolver<Real, pixels>::find_roots() {
                                              slope_});
     for (std::size_t i = 0; i < count(); ++i)
         depth_[i] = static_cast<double>(guess_[i]);
-    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, depth_,
-                                          view_.rays<double>(),
-                                          frame_.scene.uniforms.points<double>(), f_});
 }
 
 template <class Real, int pixels>
-auto LeafSolver<Real, pixels>::bounds_of_f(int i) const -> std::pair<V, V> {
+void LeafSolver<Real, pixels>::evaluate() {
+    pad(col_);
+    pad(row_);
+    pad(depth_);
+    counters_.value += used();
+    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, depth_, view_.rays<double>(),
+                                          frame_.scene.uniforms.points<double>(), f_});
+}
+
+/// Looks at all rows; keeps those with rays that are not finished, a step further.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::certify(bool last) {
+    int kept = 0;
+    for (int slot = 0; slot < slots_; ++slot) {
+        LaneBits open = 0;
+        for (int col = 0; col < pixels; col += lanes) {
+            const int i = slot * pixels + col;
+            const std::size_t pixel = first_pixel(rows_[slot]) + static_cast<std::size_t>(col);
+            const Judged judged = judge(pixel, i);
+            const M proved = hn::And(judged.proved, judged.wanted);
+            if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.next);
+            const M rest = hn::AndNot(proved, judged.wanted);
+            open |= bits_of(d, rest);
+            if (last && !hn::AllFalse(d, rest)) hand_over(pixel, i, judged, bits_of(d, rest));
+            if (!last) keep(i, kept * pixels + col, judged, rest);
+        }
+        if (open == 0) continue;
+        if (!last && kept != slot) move_row(slot, kept);
+        ++kept;
+    }
+    slots_ = kept;
+}
+
+/// Upper bounds of x and of -x in the cells' type.
+template <class Real, int pixels>
+HWY_INLINE auto LeafSolver<Real, pixels>::bounds_of(const double* x) -> std::pair<V, V> {
     if constexpr (std::is_same_v<Real, double>) {
-        const V f = hn::Load(d, f_ + i);
-        const V error = hn::Set(d, error_);
-        return {hn::Add(f, error), hn::Sub(error, f)};
+        const V v = hn::Load(d, x);
+        return {v, hn::Neg(v)};
     } else {
         const hn::Half<D> half;
         const hn::Rebind<double, hn::Half<D>> dd;
-        const auto low = hn::Load(dd, f_ + i);
-        const auto high = hn::Load(dd, f_ + i + hn::MaxLanes(dd));
-        const V above = hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
-        const V below =
-            hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)), hn::DemoteTo(half, hn::Neg(low)));
-        const V error = hn::Set(d, error_);
-        return {hn::Add(above, error), hn::Add(below, error)};
+        const auto low = hn::Load(dd, x);
+        const auto high = hn::Load(dd, x + hn::MaxLanes(dd));
+        return {hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low)),
+                hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)),
+                            hn::DemoteTo(half, hn::Neg(low)))};
+    }
+}
+
+/// x plus the step, in double.
+template <class Real, int pixels>
+HWY_INLINE void LeafSolver<Real, pixels>::add_step(const double* x, V step, double* sum) {
+    if constexpr (std::is_same_v<Real, double>) {
+        hn::Store(hn::Add(hn::Load(d, x), step), d, sum);
+    } else {
+        const hn::Half<D> half;
+        const hn::Rebind<double, hn::Half<D>> dd;
+        constexpr int high = hn::MaxLanes(dd);
+        const auto low_step = hn::PromoteTo(dd, hn::LowerHalf(half, step));
+        const auto high_step = hn::PromoteTo(dd, hn::UpperHalf(half, step));
+        hn::Store(hn::Add(hn::Load(dd, x), low_step), dd, sum);
+        hn::Store(hn::Add(hn::Load(dd, x + high), high_step), dd, sum + high);
     }
 }
 
 /// The interval Newton operator, see RootFinder::step; all rounded outward.
 template <class Real, int pixels>
-auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const -> Judged {
+HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const -> Judged {
     const V zero = hn::Zero(d);
-    const auto [f_hi, f_neg_lo] = bounds_of_f(i);
+    const V error = hn::Set(d, error_);
+    const auto [f_above, f_neg_below] = bounds_of(f_ + i);
+    const V f_hi = hn::Add(f_above, error);
+    const V f_neg_lo = hn::Add(f_neg_below, error);
     const V hi_of_rising = run_->falls() ? f_neg_lo : f_hi;
     const V neg_lo_of_rising = run_->falls() ? f_hi : f_neg_lo;
     const auto quotient_up = [&](V f) {
@@ -292,9 +347,8 @@ auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const -> Judged {
     };
     const V before = quotient_up(hi_of_rising);
     const V behind = quotient_up(neg_lo_of_rising);
-    const V s = hn::Load(d, guess_ + i);
-    const V neg_lo = hn::Sub(before, s);
-    const V lo = hn::Neg(neg_lo);
+    const auto [s, neg_s] = bounds_of(depth_ + i);
+    const V lo = hn::Neg(hn::Add(before, neg_s));
     const V hi = hn::Add(behind, s);
     const V tolerance = hn::Set(d, static_cast<Real>(view_.tolerance()));
     const M narrow = hn::Le(hn::Add(before, behind), tolerance);
@@ -303,28 +357,45 @@ auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const -> Judged {
     const V from = hn::Load(d, from_ + i);
     const V to = hn::Load(d, to_ + i);
     const M beside = hn::Or(hn::Lt(hi, from), hn::Gt(lo, hn::Min(to, found)));
-    const V half = hn::Set(d, Real{0.5});
-    const V f = hn::Mul(hn::Sub(f_hi, f_neg_lo), half);
-    const V newton = hn::Sub(s, hn::Div(f, hn::Load(d, slope_ + i)));
-    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi,
-            hn::Min(hn::Max(newton, lo), hi)};
+    const V step = hn::Neg(hn::Div(f_above, hn::Load(d, slope_ + i)));
+    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi, step,
+            hn::Min(hn::Max(hn::Add(s, step), lo), hi)};
 }
 
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::record(int row, int col, int i) {
-    const std::size_t pixel = first_pixel(row) + static_cast<std::size_t>(col);
-    const Judged judged = judge(pixel, i);
-    const M certain = run_->inside ? hn::And(judged.proved, judged.wanted) : hn::FirstN(d, 0);
-    if (!hn::AllFalse(d, certain)) {
-        const V before = hn::LoadU(d, &found_.depth[pixel]);
-        const M nearest = hn::And(certain, hn::Lt(judged.next, before));
-        hn::StoreU(hn::IfThenElse(nearest, judged.next, before), d, &found_.depth[pixel]);
-        for (std::size_t k = 0; k < 3; ++k)
-            store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));
-        found_.certify(pixel, bits_of(d, nearest), lanes);
-    }
-    const LaneBits open = bits_of(d, hn::AndNot(certain, judged.wanted));
-    if (open != 0) hand_over(pixel, i, judged, open);
+HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M proved, V s) {
+    const V before = hn::LoadU(d, &found_.depth[pixel]);
+    const M nearest = hn::And(proved, hn::Lt(s, before));
+    hn::StoreU(hn::IfThenElse(nearest, s, before), d, &found_.depth[pixel]);
+    for (std::size_t k = 0; k < 3; ++k)
+        store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));
+    found_.certify(pixel, bits_of(d, nearest), lanes);
+}
+
+/// The rest of a vector's rays, at `to` for another look.
+template <class Real, int pixels>
+HWY_INLINE void LeafSolver<Real, pixels>::keep(int i, int to, const Judged& judged, M rest) {
+    const V none = hn::Set(d, -std::numeric_limits<Real>::infinity());
+    const M known = hn::Le(judged.lo, judged.hi);
+    const V step = hn::IfThenElseZero(known, judged.step);
+    const V from = hn::Load(d, from_ + i);
+    const V end = hn::Load(d, to_ + i);
+    add_step(depth_ + i, step, depth_ + to);
+    hn::Store(hn::IfThenElse(known, hn::Max(from, judged.lo), from), d, from_ + to);
+    hn::Store(hn::IfThenElse(rest, hn::IfThenElse(known, hn::Min(end, judged.hi), end), none), d,
+              to_ + to);
+}
+
+/// What else is known of a row of rays.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::move_row(int from, int to) {
+    rows_[to] = rows_[from];
+    const int in = from * pixels;
+    const int out = to * pixels;
+    std::copy_n(row_ + in, side, row_ + out);
+    std::copy_n(slope_ + in, side, slope_ + out);
+    for (auto& component : gradient_)
+        std::copy_n(component + in, side, component + out);
 }
 
 /// What is not proved goes to the root finder.
@@ -341,7 +412,7 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
         const bool known = lo[lane] <= hi[lane];
         const Real from = known ? std::max(from_[at], lo[lane]) : from_[at];
         const Real to = known ? std::min(to_[at], hi[lane]) : to_[at];
-        const Real guess = known ? next[lane] : guess_[at];
+        const Real guess = known ? next[lane] : static_cast<Real>(depth_[at]);
         roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(lane),
                      run_->inside, static_cast<double>(from), static_cast<double>(to),
                      static_cast<double>(run_->lo), static_cast<double>(run_->hi),
@@ -351,22 +422,49 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
     }
 }
 
+/// All stretches as they are.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::hand_over_all() {
+    for (int slot = 0; slot < slots_; ++slot) {
+        for (int col = 0; col < pixels; ++col) {
+            const int i = slot * pixels + col;
+            if (!(from_[i] <= to_[i])) continue;
+            roots_.push({static_cast<std::uint32_t>(first_pixel(rows_[slot])) +
+                             static_cast<std::uint32_t>(col),
+                         false, static_cast<double>(from_[i]), static_cast<double>(to_[i]),
+                         static_cast<double>(run_->lo), static_cast<double>(run_->hi),
+                         static_cast<double>(std::clamp(guess_[i], from_[i], to_[i])),
+                         static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
+                         static_cast<double>(run_->r)});
+        }
+    }
+}
+
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::solve() {
     if (!run_) return;
     if (compact()) {
-        find_roots();
-        const Real least = run_->falls() ? -run_->slope_hi : run_->slope_lo;
-        const Real most = run_->falls() ? -run_->slope_lo : run_->slope_hi;
-        per_least_ = 1 / least;
-        per_most_ = -(-1 / most);
-        error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
-        for (int slot = 0; slot < slots_; ++slot) {
-            for (int col = 0; col < pixels; col += lanes)
-                record(rows_[slot], col, slot * pixels + col);
+        if (run_->inside) {
+            find_roots();
+        } else {
+            hand_over_all();
         }
     }
     run_.reset();
+}
+
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::find_roots() {
+    const Real least = run_->falls() ? -run_->slope_hi : run_->slope_lo;
+    const Real most = run_->falls() ? -run_->slope_lo : run_->slope_hi;
+    per_least_ = 1 / least;
+    per_most_ = -(-1 / most);
+    error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
+    take_steps();
+    for (int look = 1; look <= most_looks && slots_ > 0; ++look) {
+        evaluate();
+        certify(look == most_looks);
+    }
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
