@@ -51,11 +51,6 @@ struct BeamMemory {
     Found<Real> found;
 };
 
-inline auto load_doubles(auto dd, const float* from) {
-    return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
-}
-inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
-
 template <class Real>
 class BeamTile {
 public:
