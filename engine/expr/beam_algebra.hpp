@@ -284,8 +284,12 @@ private:
     }
     Value turning(const Enclosure<Real>& g, const Box& at, In y, In x) {
         const Box radius2 = square_of(box(x)) + square_of(box(y));
-        const Box by_y = box(x) / radius2;
-        const Box by_x = -(box(y) / radius2);
+        // No line goes across the cut.
+        const auto steepness = [&](const Box& slope) {
+            return g.continuous ? select(*g.continuous, slope, whole_line(slope.hi)) : slope;
+        };
+        const Box by_y = steepness(box(x) / radius2);
+        const Box by_x = steepness(-(box(y) / radius2));
         const Form f =
             by_slopes(y.value.f, x.value.f, SurfaceBounds<Real>{g.range, by_y, by_x, at, 4.0});
         const Slope slope =

@@ -112,6 +112,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         if (depths.empty()) continue;
         FormCells<Real> cells;
         cells.view = view;
+        cells.base = beams.base();
         const int pixels = sides.at(random.below(sides.size()));
         const double s_most = std::max(std::abs(depths.enter_lo), std::abs(depths.exit_hi));
         cells.frustum = beams.frustum<Real>(pixels, s_most * (1.0 + 0x1p-10));

@@ -11,7 +11,7 @@ namespace zeroset::test {
 
 inline constexpr std::size_t cells_a_batch = batch_multiple;
 
-/// A place on a ray of a view: eye + (distance + s) (forward + u right + v up), exactly.
+/// A place on a ray of a view: base + (distance + s) (u right + v up) + s forward, exactly.
 struct RayPlace {
     double u, v, s;
 };
@@ -20,6 +20,7 @@ struct RayPlace {
 template <class Real>
 struct FormCells {
     ViewFrame view{Camera{}};
+    glm::dvec3 base{};  ///< BeamView::base
     FrustumOf<Real> frustum{};
     std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};
     std::array<RayPlace, cells_a_batch> near{};  ///< of each cell, a place in it

@@ -28,16 +28,17 @@ void run(const KernelFunction<Batch>& function, const Batch& batch) {
 }
 
 /// Values as the tracer takes them for its certificates: in double, at places rounded to double.
-void find_values(const Kernel& kernel, const ViewFrame& view, const Uniforms& uniforms,
-                 const std::array<RayPlace, cells_a_batch>& places,
+template <class Real>
+void find_values(const Kernel& kernel, const FormCells<Real>& cells,
                  std::array<double, cells_a_batch>& value) {
+    const ViewFrame& view = cells.view;
     std::array<std::array<double, cells_a_batch>, 3> x{};
     std::array<std::array<double, cells_a_batch>, 3> gradient{};
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
-        const RayPlace& at = places[i];
+        const RayPlace& at = cells.near[i];
         const glm::dvec3 across = at.u * view.right + at.v * view.up;
-        const glm::dvec3 base = view.eye + view.look_distance * view.forward;
-        const glm::dvec3 p = base + view.look_distance * across + at.s * (view.forward + across);
+        const glm::dvec3 p =
+            cells.base + view.look_distance * across + at.s * (view.forward + across);
         x[0][i] = p.x;
         x[1][i] = p.y;
         x[2][i] = p.z;
@@ -45,7 +46,7 @@ void find_values(const Kernel& kernel, const ViewFrame& view, const Uniforms& un
     run(kernel.value_double,
         ValueBatchOf<double>{cells_a_batch,
                              {x[0].data(), x[1].data(), x[2].data()},
-                             uniforms.points<double>(),
+                             cells.uniforms.template points<double>(),
                              value.data(),
                              {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
 }
@@ -73,35 +74,36 @@ FormAnswers<Real> answers_of(const Kernel& kernel, const FormCells<Real>& cells)
     } else {
         run(kernel.form_double, batch);
     }
-    find_values(kernel, cells.view, cells.uniforms, cells.near, out.value);
+    find_values(kernel, cells, out.value);
     return out;
 }
 
 /// The formula along one ray.
 class AlongRay {
 public:
-    AlongRay(MpfiEvaluator& evaluator, const ViewFrame& view, const RayPlace& ray, double w)
-        : evaluator_(evaluator), distance_(view.look_distance) {
+    template <class Real>
+    AlongRay(MpfiEvaluator& evaluator, const FormCells<Real>& cells, const RayPlace& ray)
+        : evaluator_(evaluator) {
+        const ViewFrame& view = cells.view;
         for (int k = 0; k < 3; ++k) {
-            eye_.emplace_back(view.eye[k]);
-            direction_.push_back(MpfiInterval(view.forward[k]) +
-                                 MpfiInterval(ray.u) * MpfiInterval(view.right[k]) +
-                                 MpfiInterval(ray.v) * MpfiInterval(view.up[k]));
+            const MpfiInterval across = MpfiInterval(ray.u) * MpfiInterval(view.right[k]) +
+                                        MpfiInterval(ray.v) * MpfiInterval(view.up[k]);
+            origin_.push_back(MpfiInterval(cells.base[k]) +
+                              MpfiInterval(view.look_distance) * across);
+            direction_.push_back(MpfiInterval(view.forward[k]) + across);
         }
         variables_.resize(4);
-        variables_[3] = dual(MpfiInterval(w), MpfiInterval(0.0));
+        variables_[3] = dual(MpfiInterval(cells.w), MpfiInterval(0.0));
     }
     MpfiDual at(double s) {
-        const MpfiInterval from_eye = distance_ + MpfiInterval(s);
         for (std::size_t k = 0; k < 3; ++k)
-            variables_[k] = dual(eye_[k] + from_eye * direction_[k], direction_[k]);
+            variables_[k] = dual(origin_[k] + MpfiInterval(s) * direction_[k], direction_[k]);
         return evaluator_.along(variables_);
     }
 
 private:
     MpfiEvaluator& evaluator_;
-    MpfiInterval distance_;
-    std::vector<MpfiInterval> eye_, direction_;
+    std::vector<MpfiInterval> origin_, direction_;
     std::vector<MpfiDual> variables_;
 };
 
@@ -198,10 +200,11 @@ private:
     InclusionTally& tally_;
 };
 
+std::string three(const glm::dvec3& a) {
+    return "(" + hex(a.x) + ", " + hex(a.y) + ", " + hex(a.z) + ")";
+}
+
 std::string described(const ViewFrame& view) {
-    const auto three = [](const glm::dvec3& a) {
-        return "(" + hex(a.x) + ", " + hex(a.y) + ", " + hex(a.z) + ")";
-    };
     return "  eye " + three(view.eye) + "\n  right " + three(view.right) + "\n  up " +
            three(view.up) + "\n  forward " + three(view.forward) + ", distance " +
            hex(view.look_distance) + "\n";
@@ -211,19 +214,19 @@ std::string described(const ViewFrame& view) {
 template <class Real>
 std::string described(const FormCells<Real>& cells, std::size_t i, const std::string& reason) {
     const auto number = [](Real a) { return hex(static_cast<double>(a)); };
-    return reason + "\n" + described(cells.view) + "  u " + number(cells.u[i]) + " +- " +
-           number(cells.frustum.u_radius) + ", v " + number(cells.v[i]) + " +- " +
-           number(cells.frustum.v_radius) + ", s " + number(cells.s[i]) + " +- " +
-           number(cells.s_radius[i]) + "\n  at u " + hex(cells.near[i].u) + ", v " +
-           hex(cells.near[i].v) + ", s " + hex(cells.near[i].s) + " and " + hex(cells.far[i].s) +
-           ", w " + hex(cells.w) + "\n";
+    return reason + "\n" + described(cells.view) + "  base " + three(cells.base) + "\n  u " +
+           number(cells.u[i]) + " +- " + number(cells.frustum.u_radius) + ", v " +
+           number(cells.v[i]) + " +- " + number(cells.frustum.v_radius) + ", s " +
+           number(cells.s[i]) + " +- " + number(cells.s_radius[i]) + "\n  at u " +
+           hex(cells.near[i].u) + ", v " + hex(cells.near[i].v) + ", s " + hex(cells.near[i].s) +
+           " and " + hex(cells.far[i].s) + ", w " + hex(cells.w) + "\n";
 }
 
 template <class Real>
 std::string disproved_of_cell(MpfiEvaluator& evaluator, const FormCells<Real>& cells,
                               const FormAnswers<Real>& answers, std::size_t i,
                               InclusionTally& tally) {
-    AlongRay ray(evaluator, cells.view, cells.near[i], cells.w);
+    AlongRay ray(evaluator, cells, cells.near[i]);
     CellCheck<Real> check(cells, answers, i, tally);
     const MpfiDual near = ray.at(cells.near[i].s);
     const MpfiDual far = ray.at(cells.far[i].s);
