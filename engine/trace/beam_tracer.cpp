@@ -324,8 +324,14 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
     for (int row = 0; row < pixels && cells_->row[cell] + row < tile_.rows; ++row) {
         for (int col = 0; col < pixels && cells_->col[cell] + col < tile_.cols; ++col) {
             const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
-            const double ray_from = std::max(from, middle - radius);
-            const double ray_to = std::min(to, middle + radius);
+            double ray_from = std::max(from, middle - radius);
+            double ray_to = std::min(to, middle + radius);
+            if (cells_->inside[cell] == 0) {
+                const DepthRange clip = view_.depths(view_.u(cells_->col[cell] + col),
+                                                     view_.v(cells_->row[cell] + row), 0.0, 0.0);
+                ray_from = std::max(ray_from, clip.enter_lo);
+                ray_to = std::min(ray_to, clip.exit_hi);
+            }
             if (!(ray_from <= ray_to)) continue;
             const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
                                                           cells_->col[cell] + col);
