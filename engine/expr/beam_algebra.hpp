@@ -324,8 +324,8 @@ BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
     const Form steps = interval_form(point(k), number(0));
     const Form line = a.value.f - b.value.f * steps;
     const Real turns = largest(quotient) + number(1);
-    const Real r = number(2) * (a.value.f.r + turns * b.value.f.r) +
-                   number(6) * turns * largest(box(b));
+    const Real r =
+        number(2) * (a.value.f.r + turns * b.value.f.r) + number(6) * turns * largest(box(b));
     const Form f = select(*range.continuous, line, interval_form(range.range, r));
     const Slope slope = sum(a.value.slope, negated(times(steps, b.value.slope)));
     return with_domain(of(f, slope, a, b), range);

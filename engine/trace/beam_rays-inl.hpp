@@ -38,22 +38,52 @@ struct MarchSettings {
     bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
 };
 
+/// What is left of a segment that is not cut any further.
+template <class Real>
+struct Rest {
+    Segment<Real> segment;
+    Real from, to;  ///< where the root may be
+    bool continuous;
+};
+
+/// What a RayMarcher keeps; empty between marches but for the room.
+template <class Real>
+struct MarchMemory {
+    static constexpr std::size_t capacity = 256;
+
+    std::vector<Segment<Real>> segments;
+    std::vector<Rest<Real>> rests;  ///< of the batch at work
+    std::vector<std::size_t> asked;
+    CellPlaces<Real> places;
+    Forms<Real> forms;
+    RangeMemory<Real> ranges;
+    std::array<bool, capacity> excluded{};
+
+    MarchMemory() {
+        places.resize(capacity);
+        forms.resize(capacity);
+    }
+};
+
 /// Marches along rays in cells that shrink where they cannot be decided and grow behind.
 /// `Cell`: the type of the tile's cells.
 template <class Real, class Cell>
 class RayMarcher {
 public:
-    RayMarcher(const TraceFrame& frame, const BeamView& view, Found<Cell>& found,
-               RootFinder<Cell>& roots, Counters& counters)
+    RayMarcher(const TraceFrame& frame, const BeamView& view, MarchMemory<Real>& memory,
+               Found<Cell>& found, RootFinder<Cell>& roots, Counters& counters)
         : frame_(frame),
           view_(view),
           found_(found),
           roots_(roots),
           counters_(counters),
-          ranges_(frame, view, counters) {
-        places_.resize(capacity);
-        forms_.resize(capacity);
-    }
+          ranges_(frame, view, memory.ranges, counters),
+          segments_(memory.segments),
+          rests_(memory.rests),
+          asked_(memory.asked),
+          places_(memory.places),
+          forms_(memory.forms),
+          excluded_(memory.excluded) {}
 
     void push(const Segment<Real>& segment) { segments_.push_back(segment); }
 
@@ -64,17 +94,10 @@ public:
     void march(const MarchSettings<Real>& settings, Undecided undecided);
 
 private:
-    static constexpr std::size_t capacity = 256;
+    static constexpr std::size_t capacity = MarchMemory<Real>::capacity;
     static constexpr std::size_t boxes_a_rest = 6;
     /// Newton's method wants slopes that differ by no more than this factor.
     static constexpr Real most_bend = 16;
-
-    /// What is left of a segment that is not cut any further.
-    struct Rest {
-        Segment<Real> segment;
-        Real from, to;  ///< where the root may be
-        bool continuous;
-    };
 
     void place(std::span<const Segment<Real>> segments, Real margin);
     /// Finds those segments that the natural interval extension rejects: of those that forms say
@@ -107,12 +130,12 @@ private:
     RootFinder<Cell>& roots_;
     Counters& counters_;
     RangeList<Real> ranges_;
-    std::vector<Segment<Real>> segments_;
-    std::vector<Rest> rests_;  ///< of the batch at work
-    std::vector<std::size_t> asked_;
-    CellPlaces<Real> places_;
-    Forms<Real> forms_;
-    std::array<bool, capacity> excluded_{};
+    std::vector<Segment<Real>>& segments_;
+    std::vector<Rest<Real>>& rests_;
+    std::vector<std::size_t>& asked_;
+    CellPlaces<Real>& places_;
+    Forms<Real>& forms_;
+    std::array<bool, capacity>& excluded_;
 };
 
 template <class Real, class Cell>
@@ -201,7 +224,7 @@ template <class Real, class Cell>
 void RayMarcher<Real, Cell>::look_around(Real finest) {
     ranges_.clear();
     const auto width = static_cast<double>(finest);
-    for (const Rest& rest : rests_) {
+    for (const Rest<Real>& rest : rests_) {
         const auto from = static_cast<double>(rest.from);
         const auto to = static_cast<double>(rest.to);
         const auto push = [&](double s, double t) { ranges_.push(rest.segment.pixel, s, t); };
@@ -221,7 +244,7 @@ bool RayMarcher<Real, Cell>::crosses(std::size_t rest, Real finest) const {
     const auto continuous = [&](std::size_t box) {
         return ranges_.continuous(boxes_a_rest * rest + box);
     };
-    const Rest& what = rests_[rest];
+    const Rest<Real>& what = rests_[rest];
     const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
                                          view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
     const auto inside = [&](double margin) {
@@ -241,7 +264,7 @@ template <class Undecided>
 std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
                                                             const MarchSettings<Real>& settings,
                                                             Undecided undecided) {
-    const Rest& what = rests_[rest];
+    const Rest<Real>& what = rests_[rest];
     Segment<Real> segment = what.segment;
     bool goes_on = true;
     if (!ranges_.excludes_zero(boxes_a_rest * rest)) {
@@ -252,9 +275,9 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
             return std::nullopt;
         }
         const bool continuous = what.continuous || ranges_.continuous(boxes_a_rest * rest);
-        goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
-                                          what.to - what.from},
-                            continuous);
+        goes_on = undecided(
+            Segment<Real>{segment.pixel, segment.inside, what.from, what.to, what.to - what.from},
+            continuous);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;

@@ -230,12 +230,12 @@ void RootFinder<Real>::step_in_double(bool last) {
         const double f = falling ? -f_[i] : f_[i];
         const double least = falling ? -stretch.slope_hi : stretch.slope_lo;
         const double most = falling ? -stretch.slope_lo : stretch.slope_hi;
+        // Rounded upward, like both ends of the bracket.
+        const auto quotient = [&](double y) { return y > 0 ? y / least : y / most; };
         const double above = f + error;
-        const double below = f - error;
-        const double before = above > 0 ? above / least : above / most;
-        const double behind = below > 0 ? below / most : below / least;
-        const double lo = stretch.guess - before - view_.depth_error();
-        const double hi = stretch.guess - behind + view_.depth_error();
+        const double neg_below = error - f;
+        const double lo = -(quotient(above) - stretch.guess);
+        const double hi = quotient(neg_below) + stretch.guess;
         const bool known = lo <= hi;  // false where NaN
         if (known && (hi < stretch.from || lo > stretch.to)) continue;
         const double from = known ? std::max(stretch.from, lo) : stretch.from;
@@ -247,8 +247,8 @@ void RootFinder<Real>::step_in_double(bool last) {
         if (!(next >= from && next <= to)) next = 0.5 * from + 0.5 * to;
         const bool narrow = known && hi - lo <= view_.tolerance();
         const bool proved = narrow && lo >= stretch.lo && hi <= stretch.hi;
-        const bool stuck = known && above >= 0 && below <= 0 && !narrow;
-        if (proved || stuck || last || to - from <= 4 * view_.depth_error()) {
+        const bool stuck = known && above >= 0 && neg_below >= 0 && !narrow;
+        if (proved || stuck || last || !(from < 0.5 * from + 0.5 * to)) {
             finish(i, from, to, next, proved);
             continue;
         }

@@ -32,6 +32,7 @@
 // Highway includes this file again for each instruction set.
 #include "engine/trace/beam_cells-inl.hpp"
 #include "engine/trace/beam_leaf-inl.hpp"
+#include "engine/trace/beam_ranges-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 
@@ -49,6 +50,9 @@ template <class Real>
 struct BeamMemory {
     Cells<Real> cells[2];
     Found<Real> found;
+    RangeMemory<Real> ranges;
+    MarchMemory<Real> rays;
+    MarchMemory<double> fine_rays;
 };
 
 template <class Real>
@@ -67,8 +71,9 @@ public:
           roots_(frame, view_, found_, counters),
           leaves_(frame, tile, view_, found_, roots_, counters),
           small_leaves_(frame, tile, view_, found_, roots_, counters),
-          marcher_(frame, view_, found_, roots_, counters),
-          fine_marcher_(frame, view_, found_, roots_, counters) {}
+          ranges_(frame, view_, memory.ranges, counters),
+          marcher_(frame, view_, memory.rays, found_, roots_, counters),
+          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters) {}
 
     void trace();
 
@@ -85,6 +90,9 @@ private:
     /// The first cells; false when no ray meets the clip box.
     bool start();
     void descend(int pixels);
+    /// By natural interval extensions, cells on which f is not known to be continuous: they are
+    /// sharper beside poles and jumps.
+    void reject_by_ranges(int pixels);
     /// Cells first to last of one tile; its children go to next_.
     void visit_tile(std::size_t first, std::size_t last, int pixels);
     void push_children(int pixels);
@@ -124,10 +132,12 @@ private:
     RootFinder<Real> roots_;
     LeafSolver<Real, leaf_pixels> leaves_;
     LeafSolver<Real, least_pixels> small_leaves_;
+    RangeList<Real> ranges_;
     RayMarcher<Real, Real> marcher_;
     RayMarcher<double, Real> fine_marcher_;
-    std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
-    DepthRange all_{};               ///< of the tile's rays
+    std::vector<std::size_t> asked_;  ///< cells in ranges_
+    std::vector<std::size_t> open_;   ///< cells of the tile at work that go on to its children
+    DepthRange all_{};                ///< of the tile's rays
     double s_most_ = 0;
     Real margin_ = 0;
     Real fair_guess_ = 0;
@@ -142,6 +152,7 @@ bool BeamTile<Real>::start() {
     s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
+    s_most_ += 2 * static_cast<double>(margin_);
     fair_guess_ = static_cast<Real>(0.005 * view_.extent());
     const Place at = place(0, 0, tile_size);
     const Real near = -upper_end(Real{}, -all_.enter_lo);
@@ -183,6 +194,7 @@ void BeamTile<Real>::descend(int pixels) {
     evaluate(frame_, view_.frustum<Real>(pixels, s_most_), cells_->size, cells_->places,
              cells_->forms, counters_);
     CellJudge<Real>(pixels).judge(*cells_);
+    reject_by_ranges(pixels);
     for (std::size_t first = 0; first < cells_->size;) {
         std::size_t last = first + 1;
         while (last < cells_->size && cells_->col[last] == cells_->col[first] &&
@@ -191,6 +203,24 @@ void BeamTile<Real>::descend(int pixels) {
         }
         visit_tile(first, last, pixels);
         first = last;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::reject_by_ranges(int pixels) {
+    ranges_.clear();
+    asked_.clear();
+    const double half = 0.5 * (pixels - 1);
+    for (std::size_t i = 0; i < cells_->size; ++i) {
+        if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
+        asked_.push_back(i);
+        ranges_.push(view_.u(cells_->col[i] + half), view_.v(cells_->row[i] + half),
+                     half * view_.pixel(), half * view_.pixel(),
+                     static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
+    }
+    ranges_.evaluate();
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+        if (ranges_.excludes_zero(k)) cells_->set_bit(&CellBits::rejected, asked_[k]);
     }
 }
 
