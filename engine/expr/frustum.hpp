@@ -56,7 +56,7 @@ struct CellLanes {
 };
 
 /// Coordinate i over cells, and its slope along the rays. The roundings of u, v and of the few
-/// operations here are below four units of `size` together.
+/// operations here are below four units of `size` together: of the terms' sizes at these depths.
 template <class Lanes>
 BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lanes>& cell,
                             std::size_t i) {
@@ -69,9 +69,10 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
         middle,
         {from_eye * view.by_u[i], from_eye * view.by_v[i], direction * cell.s_radius},
         view.across[i] * cell.s_radius};
+    const Lanes size = view.size[i] + (magnitude(cell.s) + cell.s_radius) * view.direction_size[i];
     const Affine<Lanes> slope{
         direction, {view.by_u[i], view.by_v[i], std::nullopt}, like(cell.u, 0.0)};
-    return {Beam<Lanes>{x, view.size[i] * four, view.size[i]},
+    return {Beam<Lanes>{x, size * four, size},
             Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]}};
 }
 

@@ -34,7 +34,6 @@ template <class Real>
 struct MarchSettings {
     Real finest;     ///< segments are not made shorter
     Real margin;     ///< cells are longer than their part of the ray by this at both ends
-    double s_most;   ///< depths are at most this, either sign
     bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
 };
 
@@ -286,7 +285,7 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
 template <class Real, class Cell>
 template <class Undecided>
 void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecided undecided) {
-    const FrustumOf<Real> frustum = view_.frustum<Real>(1, settings.s_most);
+    const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     while (!segments_.empty()) {
         std::size_t kept = 0;
         for (std::size_t first = 0; first < segments_.size(); first += capacity) {

@@ -152,7 +152,6 @@ bool BeamTile<Real>::start() {
     s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
-    s_most_ += 2 * static_cast<double>(margin_);
     fair_guess_ = static_cast<Real>(0.005 * view_.extent());
     const Place at = place(0, 0, tile_size);
     const Real near = -upper_end(Real{}, -all_.enter_lo);
@@ -191,8 +190,8 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
-    evaluate(frame_, view_.frustum<Real>(pixels, s_most_), cells_->size, cells_->places,
-             cells_->forms, counters_);
+    evaluate(frame_, view_.frustum<Real>(pixels), cells_->size, cells_->places, cells_->forms,
+             counters_);
     CellJudge<Real>(pixels).judge(*cells_);
     reject_by_ranges(pixels);
     for (std::size_t first = 0; first < cells_->size;) {
@@ -387,7 +386,7 @@ void BeamTile<Real>::march_rays() {
         return false;
     };
     const auto finest = static_cast<Real>(rough);
-    marcher_.march({finest, final ? finest / 4 : margin_, s_most_, final},
+    marcher_.march({finest, final ? finest / 4 : margin_, final},
                    [&](const Segment<Real>& segment, bool continuous) {
                        const auto from = static_cast<double>(segment.from);
                        const auto to = static_cast<double>(segment.to);
@@ -395,7 +394,7 @@ void BeamTile<Real>::march_rays() {
                        fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
                        return true;
                    });
-    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), s_most_, true},
+    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), true},
                         [&](const Segment<double>& segment, bool continuous) {
                             return stop(segment.pixel, segment.from, segment.to, continuous);
                         });

@@ -40,9 +40,9 @@ public:
     /// Of all rays within the radii of (u, v).
     [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
 
-    /// The cells of `pixels` x `pixels` pixels at depths up to `s_most` from the plane s = 0.
+    /// The cells of `pixels` x `pixels` pixels.
     template <class Real>
-    [[nodiscard]] FrustumOf<Real> frustum(int pixels, double s_most) const;
+    [[nodiscard]] FrustumOf<Real> frustum(int pixels) const;
 
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }

@@ -114,8 +114,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         cells.view = view;
         cells.base = beams.base();
         const int pixels = sides.at(random.below(sides.size()));
-        const double s_most = std::max(std::abs(depths.enter_lo), std::abs(depths.exit_hi));
-        cells.frustum = beams.frustum<Real>(pixels, s_most * (1.0 + 0x1p-10));
+        cells.frustum = beams.frustum<Real>(pixels);
         for (std::size_t i = 0; i < cells_a_batch; ++i)
             make_cell(random, beams, pixels, depths, cells, i);
         const double w = static_cast<double>(random.number<float>());
