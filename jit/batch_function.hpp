@@ -13,6 +13,14 @@
 
 namespace zeroset::jit {
 
+/// A loop inside the body that improves s.
+struct StepLoop {
+    Lanes s;  ///< of the step at work
+    llvm::BasicBlock* head;
+    llvm::PHINode* s_in;
+    llvm::PHINode* steps_left;
+};
+
 /// A function `void name(const void* code, const Batch* batch)` with the loop over the batch's
 /// items: `entry` runs once, `body` for each vector of items.
 class BatchFunction {
@@ -88,6 +96,49 @@ public:
     void store(llvm::Value* array, const LaneMask& mask) {
         store_vector(array,
                      builder_.CreateSExt(mask.value, emitter_.vector_of(emitter_.integer())));
+    }
+
+    /// An array of floats, in the vectors' type.
+    Lanes load_floats(llvm::Value* array) {
+        llvm::Type* const narrow = emitter_.vector_of(builder_.getFloatTy());
+        llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
+        llvm::Value* const numbers =
+            builder_.CreateAlignedLoad(narrow, address, llvm::Align(sizeof(float)));
+        return {&emitter_, emitter_.is_float()
+                               ? numbers
+                               : builder_.CreateFPExt(numbers, emitter_.real_vector())};
+    }
+    /// A number of the batch itself, in all lanes; call before go_to_body.
+    Lanes member_uniform(std::size_t offset) { return load_uniform(member(offset), 0); }
+    /// An int of the batch; call before go_to_body.
+    llvm::Value* count(std::size_t offset) {
+        return builder_.CreateLoad(builder_.getInt32Ty(), member(offset));
+    }
+
+    /// Begins a loop of at most `most_steps` steps, at least one; in the body.
+    StepLoop begin_steps(const Lanes& start, llvm::Value* most_steps) {
+        llvm::BasicBlock* const before = builder_.GetInsertBlock();
+        llvm::BasicBlock* const head =
+            llvm::BasicBlock::Create(builder_.getContext(), "step", function_);
+        builder_.CreateBr(head);
+        builder_.SetInsertPoint(head);
+        llvm::PHINode* const s = builder_.CreatePHI(emitter_.real_vector(), 2, "s");
+        llvm::PHINode* const left = builder_.CreatePHI(builder_.getInt32Ty(), 2, "left");
+        s->addIncoming(start.value, before);
+        left->addIncoming(most_steps, before);
+        return {{&emitter_, s}, head, s, left};
+    }
+    /// Goes on with the next step where `again` holds in any lane.
+    void end_steps(const StepLoop& loop, const Lanes& next, const LaneMask& again) {
+        llvm::Value* const left = builder_.CreateSub(loop.steps_left, builder_.getInt32(1));
+        llvm::Value* const wanted = builder_.CreateAnd(
+            builder_.CreateOrReduce(again.value), builder_.CreateICmpSGT(left, builder_.getInt32(0)));
+        loop.s_in->addIncoming(next.value, builder_.GetInsertBlock());
+        loop.steps_left->addIncoming(left, builder_.GetInsertBlock());
+        llvm::BasicBlock* const done =
+            llvm::BasicBlock::Create(builder_.getContext(), "found", function_);
+        builder_.CreateCondBr(wanted, loop.head, done);
+        builder_.SetInsertPoint(done);
     }
 
     /// Of a number of the vectors' type.

@@ -1,11 +1,13 @@
 #include "jit/compile.hpp"
 
 #include "engine/expr/interpret.hpp"
+#include "engine/num/rounding.hpp"
 #include "engine/num/sleef.hpp"
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
 
 #include <atomic>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <thread>
@@ -67,11 +69,14 @@ struct Piece {
 
 using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 
+/// In whatever rounding mode the caller is.
 Code cached_code(const Expr& expr, const Piece& piece) {
     std::string key = piece.key(expr);
     if (auto known = cache().find(key)) return known;
-    auto code =
-        on_large_stack([&] { return make_code(piece.lowering(expr), symbol_of(piece.part)); });
+    auto code = on_large_stack([&] {
+        const NearestRounding guard;
+        return make_code(piece.lowering(expr), symbol_of(piece.part));
+    });
     if (code) cache().insert(std::move(key), *code);
     return code;
 }
@@ -94,18 +99,51 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
         case KernelPart::Form:
             return in_float ? put_in(kernel.form_float, std::move(code))
                             : put_in(kernel.form_double, std::move(code));
+        case KernelPart::Newton:
+            return in_float ? put_in(kernel.newton_float, std::move(code))
+                            : put_in(kernel.newton_double, std::move(code));
+        case KernelPart::RayValue:
+            return put_in(kernel.ray_value, std::move(code));
     }
 }
 
-/// What is made for these options, the longest first.
+/// A function that is made when it is first called, as most formulas are drawn without it. The
+/// interpreter's where LLVM fails.
+template <class Batch>
+class OnFirstCall {
+public:
+    OnFirstCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise)
+        : expr_(expr), piece_(piece), made_(std::move(otherwise)) {}
+
+    static void call(const void* code, const Batch* batch) {
+        const auto& self = *static_cast<const OnFirstCall*>(code);
+        std::call_once(self.once_, [&] {
+            if (auto made = cached_code(self.expr_, self.piece_)) put_in(self.made_, *made);
+        });
+        self.made_(*batch);
+    }
+
+private:
+    Expr expr_;
+    Piece piece_;
+    mutable std::once_flag once_;
+    mutable KernelFunction<Batch> made_;
+};
+
+template <class Batch>
+void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece) {
+    function = {OnFirstCall<Batch>::call,
+                std::make_shared<const OnFirstCall<Batch>>(expr, piece, function)};
+}
+
+/// What is made at once for these options, the longest first: what the beam tracer needs.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
     std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form},
-                              {vectors.in_float, KernelPart::Range},
-                              {vectors.in_double, KernelPart::Value},
-                              {vectors.in_float, KernelPart::Value}};
+                              {vectors.in_float, KernelPart::Newton},
+                              {vectors.in_double, KernelPart::RayValue}};
     if (options.with_double) {
         pieces.push_back({vectors.in_double, KernelPart::Form});
-        pieces.push_back({vectors.in_double, KernelPart::Range});
+        pieces.push_back({vectors.in_double, KernelPart::Newton});
     }
     return pieces;
 }
@@ -134,6 +172,8 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
     std::string text;
     for (const VectorKind& kind : kinds) {
         for (const KernelPart part : kernel_parts) {
+            const bool always_double = part == KernelPart::RayValue;
+            if (always_double && kind.type == RealType::Float) continue;
             const Piece piece{kind, part};
             const auto code = on_large_stack([&] { return print(piece.lowering(expr)); });
             if (!code) return code;
@@ -157,16 +197,17 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     if (!vectors) return std::unexpected(vectors.error());
     const std::vector<Piece> pieces = pieces_of(*vectors, options);
     const std::vector<Code> codes = codes_of(expr, pieces);
-    Kernel kernel = kernel_without_code(expr);
+    Kernel kernel = interpret(expr);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!codes[i]) return std::unexpected(codes[i].error());
         put_in(kernel, pieces[i], *codes[i]);
     }
+    make_later(kernel.range_float, expr, {vectors->in_float, KernelPart::Range});
+    make_later(kernel.value_float, expr, {vectors->in_float, KernelPart::Value});
+    make_later(kernel.value_double, expr, {vectors->in_double, KernelPart::Value});
     kernel.has_double = options.with_double;
-    if (!kernel.has_double) {
-        const Kernel slow = interpret(expr);
-        kernel.range_double = slow.range_double;
-        kernel.form_double = slow.form_double;
+    if (kernel.has_double) {
+        make_later(kernel.range_double, expr, {vectors->in_double, KernelPart::Range});
     }
     return kernel;
 }

@@ -10,7 +10,8 @@ namespace zeroset::jit {
 
 struct CompileOptions {
     int lanes = 0;  ///< floats a vector: 4, 8 or 16, half as many doubles; 0: this machine's widest
-    /// Also all code in double; without, only that of points, and the interpreter's forms.
+    /// Also all code in double; without, only that of points, and the interpreter's ranges and
+    /// forms.
     bool with_double = false;
 
     bool operator==(const CompileOptions&) const = default;
@@ -20,9 +21,10 @@ struct CompileError {
     std::string message;
 };
 
-/// Machine code for the graph. Thread-safe; equal graphs compiled lately share their code, function
-/// by function: asking for double later makes what is missing. LLVM runs on a thread of its own
-/// with a large stack.
+/// Machine code for the graph: at once what the beam tracer always needs (forms, Newton's method,
+/// values on rays), the other functions when they are first called. Thread-safe; equal graphs
+/// compiled lately share their code, function by function: asking for double later makes what is
+/// missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
 /// The LLVM IR or the assembly that `compile` makes machine code of; double's behind float's.

@@ -24,7 +24,12 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
     const auto address =
         reinterpret_cast<std::uintptr_t>(elementary_code(function, vectors.lanes, vectors.type));
     llvm::Value* const code = builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
-    return {kind.emitter, builder.CreateCall(type, code, arguments)};
+    llvm::CallInst* const made = builder.CreateCall(type, code, arguments);
+    // It leaves the rounding mode as it was, and may be left out.
+    made->setDoesNotAccessMemory();
+    made->setDoesNotThrow();
+    made->addFnAttr(llvm::Attribute::WillReturn);
+    return {kind.emitter, made};
 }
 
 }  // namespace
@@ -104,6 +109,16 @@ Lanes square_root(const Lanes& a) {
     return {a.emitter,
             builder.CreateConstrainedFPCall(root, {a.value}, "", llvm::RoundingMode::Dynamic,
                                             llvm::fp::ExceptionBehavior::ebIgnore)};
+}
+
+Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
+    llvm::IRBuilder<>& builder = a.emitter->builder;
+    auto* const muladd = llvm::Intrinsic::getDeclaration(
+        builder.GetInsertBlock()->getModule(), llvm::Intrinsic::experimental_constrained_fmuladd,
+        {a.value->getType()});
+    return {a.emitter, builder.CreateConstrainedFPCall(muladd, {a.value, b.value, c.value}, "",
+                                                       llvm::RoundingMode::Dynamic,
+                                                       llvm::fp::ExceptionBehavior::ebIgnore)};
 }
 
 Lanes magnitude(const Lanes& a) {

@@ -5,6 +5,8 @@
 #include "engine/expr/kernel.hpp"
 #include "jit/batch_function.hpp"
 
+#include <llvm/Transforms/Utils/Local.h>
+
 #include <cstddef>
 
 namespace zeroset::jit {
@@ -135,6 +137,131 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
     function.finish();
 }
 
+/// Rays of pixels: x, y, z at depth s is origin + s direction.
+struct RayLanes {
+    std::array<Lanes, 3> origin, direction;
+
+    [[nodiscard]] std::array<Lanes, 3> at(const Lanes& s) const {
+        return {fused(s, direction[0], origin[0]), fused(s, direction[1], origin[1]),
+                fused(s, direction[2], origin[2])};
+    }
+};
+
+/// A RaysOf<Real>, to be read once.
+class RayBundle {
+public:
+    using Layout = RaysOf<char>;
+
+    explicit RayBundle(auto read) {
+        for (std::size_t i = 0; i < sizeof(Layout); ++i)
+            numbers_.push_back(read(i));
+    }
+    [[nodiscard]] RayLanes of(const Lanes& col, const Lanes& row) const {
+        const auto line = [&](std::size_t base, std::size_t by_col, std::size_t by_row) {
+            return fused(row, numbers_[by_row], fused(col, numbers_[by_col], numbers_[base]));
+        };
+        const auto origin = [&](std::size_t i) {
+            return line(offsetof(Layout, origin) + i, offsetof(Layout, origin_by_col) + i,
+                        offsetof(Layout, origin_by_row) + i);
+        };
+        const auto direction = [&](std::size_t i) {
+            return line(offsetof(Layout, direction) + i, offsetof(Layout, direction_by_col) + i,
+                        offsetof(Layout, direction_by_row) + i);
+        };
+        return {{origin(0), origin(1), origin(2)}, {direction(0), direction(1), direction(2)}};
+    }
+
+private:
+    std::vector<Lanes> numbers_;
+};
+
+template <class Real>
+void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                  llvm::Module& module) {
+    using Batch = NewtonBatchOf<Real>;
+    BatchFunction function(module, symbol_of(KernelPart::Newton), kind, offsetof(Batch, size));
+    const auto array = [&](std::size_t offset) { return function.array(offset); };
+    const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
+                        array(offsetof(Batch, from)), array(offsetof(Batch, to)),
+                        array(offsetof(Batch, s))};
+    const std::array gradient{array(offsetof(Batch, gradient)),
+                              array(offsetof(Batch, gradient) + sizeof(Real*)),
+                              array(offsetof(Batch, gradient) + 2 * sizeof(Real*))};
+    llvm::Value* const slope = array(offsetof(Batch, slope));
+    llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
+    llvm::Value* const most_steps = function.count(offsetof(Batch, most_steps));
+    const Lanes small_step = function.member_uniform(offsetof(Batch, small_step));
+    llvm::Value* const rays = array(offsetof(Batch, rays));
+    const RayBundle bundle([&](std::size_t i) { return function.load_uniform(rays, i); });
+    std::optional<StepLoop> loop;
+    std::optional<RayLanes> ray;
+    std::optional<std::array<Lanes, 3>> x;
+
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
+        if (fact.constant) {
+            return {function.splat(static_cast<double>(fact.constant_point<Real>())), {}};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
+        Dual<Lanes> variable{(*x)[v], {}};
+        variable.slope[v] = function.splat(1.0);
+        return variable;
+    };
+    const auto varying = [&] {
+        function.go_to_body();
+        ray = bundle.of(function.load_floats(in[0]), function.load_floats(in[1]));
+        loop.emplace(function.begin_steps(function.load(in[4]), most_steps));
+        x = ray->at(loop->s);
+    };
+    DualAlgebra<Lanes> algebra;
+    const Dual<Lanes> f =
+        evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    const auto by = [&](std::size_t i) { return f.slope[i].value_or(function.splat(0.0)); };
+    const Lanes along = fused(by(0), ray->direction[0],
+                              fused(by(1), ray->direction[1], by(2) * ray->direction[2]));
+    const Lanes from = function.load(in[2]);
+    const Lanes to = function.load(in[3]);
+    const Lanes next = minimum(maximum(loop->s - f.value / along, from), to);
+    const LaneMask far = both(magnitude(next - loop->s) > small_step, from <= to);
+    function.end_steps(*loop, next, far);
+    function.store(in[4], next);
+    function.store(slope, along);
+    for (std::size_t i = 0; i < 3; ++i)
+        function.store(gradient[i], by(i));
+    function.finish();
+}
+
+void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
+                     llvm::Module& module) {
+    using Batch = RayValueBatch;
+    BatchFunction function(module, symbol_of(KernelPart::RayValue), kind, offsetof(Batch, size));
+    const auto array = [&](std::size_t offset) { return function.array(offset); };
+    const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
+                        array(offsetof(Batch, s))};
+    llvm::Value* const value = array(offsetof(Batch, f));
+    llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
+    llvm::Value* const rays = array(offsetof(Batch, rays));
+    const RayBundle bundle([&](std::size_t i) { return function.load_uniform(rays, i); });
+    std::optional<std::array<Lanes, 3>> x;
+
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
+        if (fact.constant) return {function.splat(fact.constant_point<double>()), {}};
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
+        return {(*x)[v], {}};
+    };
+    const auto varying = [&] {
+        function.go_to_body();
+        x = bundle.of(function.load_floats(in[0]), function.load_floats(in[1]))
+                .at(function.load(in[2]));
+    };
+    DualAlgebra<Lanes> algebra;
+    const Dual<Lanes> f =
+        evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    function.store(value, f.value);
+    function.finish();
+}
+
 template <class Real>
 void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm::Module& module) {
     const std::vector<Facts> facts = facts_of(expr);
@@ -142,6 +269,20 @@ void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm:
         case KernelPart::Range: return lower_range<Real>(expr, facts, kind, module);
         case KernelPart::Value: return lower_value<Real>(expr, facts, kind, module);
         case KernelPart::Form: return lower_form<Real>(expr, facts, kind, module);
+        case KernelPart::Newton: return lower_newton<Real>(expr, facts, kind, module);
+        case KernelPart::RayValue: return lower_ray_value(expr, facts, kind, module);
+    }
+}
+
+/// Takes out what nothing uses; LLVM would do it later, at a higher price.
+void remove_unused(llvm::Module& module) {
+    for (llvm::Function& function : module) {
+        for (llvm::BasicBlock& block : llvm::reverse(function)) {
+            for (llvm::Instruction& instruction :
+                 llvm::make_early_inc_range(llvm::reverse(block))) {
+                if (llvm::isInstructionTriviallyDead(&instruction)) instruction.eraseFromParent();
+            }
+        }
     }
 }
 
@@ -152,6 +293,8 @@ const char* symbol_of(KernelPart part) {
         case KernelPart::Range: return "zeroset_range";
         case KernelPart::Value: return "zeroset_value";
         case KernelPart::Form: return "zeroset_form";
+        case KernelPart::Newton: return "zeroset_newton";
+        case KernelPart::RayValue: return "zeroset_ray_value";
     }
     return "";
 }
@@ -164,6 +307,7 @@ std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, Ke
     } else {
         lower_part<double>(expr, kind, part, *module);
     }
+    remove_unused(*module);
     return module;
 }
 

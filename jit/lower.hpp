@@ -20,10 +20,11 @@ struct VectorKind {
 };
 
 /// The batch functions of kernel.hpp.
-enum class KernelPart : std::uint8_t { Range, Value, Form };
+enum class KernelPart : std::uint8_t { Range, Value, Form, Newton, RayValue };
 
 inline constexpr KernelPart kernel_parts[] = {KernelPart::Range, KernelPart::Value,
-                                              KernelPart::Form};
+                                              KernelPart::Form, KernelPart::Newton,
+                                              KernelPart::RayValue};
 
 /// The name of its function.
 const char* symbol_of(KernelPart part);

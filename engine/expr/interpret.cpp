@@ -3,6 +3,7 @@
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/facts.hpp"
 #include "engine/expr/frustum.hpp"
+#include "engine/expr/ray_functions.hpp"
 #include "engine/expr/slots.hpp"
 #include "engine/num/block.hpp"
 
@@ -171,16 +172,11 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
 
 }  // namespace
 
-Kernel kernel_without_code(const Expr& expr) {
+Kernel interpret(const Expr& expr) {
+    const std::shared_ptr<const void> code = std::make_shared<Program>(expr);
     Kernel kernel;
     kernel.parameters.assign(expr.parameters().begin(), expr.parameters().end());
     kernel.uses_w = expr.uses_variable(variable_w);
-    return kernel;
-}
-
-Kernel interpret(const Expr& expr) {
-    const std::shared_ptr<const void> code = std::make_shared<Program>(expr);
-    Kernel kernel = kernel_without_code(expr);
     kernel.range_float = {interpret_range<float>, code};
     kernel.value_float = {interpret_value<float>, code};
     kernel.form_float = {interpret_form<float>, code};
@@ -188,6 +184,7 @@ Kernel interpret(const Expr& expr) {
     kernel.value_double = {interpret_value<double>, code};
     kernel.form_double = {interpret_form<double>, code};
     kernel.has_double = true;
+    add_ray_functions(kernel);
     return kernel;
 }
 

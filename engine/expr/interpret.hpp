@@ -18,7 +18,4 @@ Kernel interpret(const Expr& expr);
 Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
                       std::span<const double> parameters = {});
 
-/// What every maker of kernels fills in from the graph.
-Kernel kernel_without_code(const Expr& expr);
-
 }  // namespace zeroset

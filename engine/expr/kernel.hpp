@@ -115,6 +115,44 @@ struct FormBatchOf {
     ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
 };
 
+/// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row) is o + s d,
+///   o = origin + col origin_by_col + row origin_by_row, and d likewise.
+/// Only numbers: kernels take it as an array.
+template <class Real>
+struct RaysOf {
+    Real origin[3], origin_by_col[3], origin_by_row[3];
+    Real direction[3], direction_by_col[3], direction_by_row[3];
+};
+
+/// Newton's method on the rays of `size` pixels.
+template <class Real>
+struct NewtonBatchOf {
+    std::size_t size;  ///< a multiple of batch_multiple, not 0
+    const float* col;  ///< of the pixels, whole numbers
+    const float* row;
+    const Real* from;  ///< the stretches of the rays where roots are looked for
+    const Real* to;
+    const Real* rays;      ///< a RaysOf<Real>
+    const Real* uniforms;  ///< Uniforms::points
+    /// After a step no longer than this on all rays of a vector there is no further one.
+    Real small_step;
+    int most_steps;  ///< at least 1
+    Real* s;         ///< in: guesses; out: where the steps end, in [from, to] where that is not empty
+    Real* gradient[3];  ///< out: df/dx, df/dy, df/dz one step before s
+    Real* slope;        ///< out: df/ds there
+};
+
+/// f on the rays of `size` pixels, in double.
+struct RayValueBatch {
+    std::size_t size;  ///< a multiple of batch_multiple, not 0
+    const float* col;  ///< of the pixels, whole numbers
+    const float* row;
+    const double* s;
+    const double* rays;      ///< a RaysOf<double>
+    const double* uniforms;  ///< Uniforms::points
+    double* f;               ///< out: not rounded outward; see FormBatchOf::r
+};
+
 using RangeBatch = RangeBatchOf<float>;
 using ValueBatch = ValueBatchOf<float>;
 using FormBatch = FormBatchOf<float>;
@@ -140,10 +178,13 @@ struct Kernel {
     KernelFunction<RangeBatchOf<float>> range_float;
     KernelFunction<ValueBatchOf<float>> value_float;
     KernelFunction<FormBatchOf<float>> form_float;
+    KernelFunction<NewtonBatchOf<float>> newton_float;
+    KernelFunction<RayValueBatch> ray_value;
     // Slow (interpreted) but for the values, unless whole frames can be traced in double.
     KernelFunction<RangeBatchOf<double>> range_double;
     KernelFunction<ValueBatchOf<double>> value_double;
     KernelFunction<FormBatchOf<double>> form_double;
+    KernelFunction<NewtonBatchOf<double>> newton_double;
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
@@ -154,6 +195,8 @@ struct Kernel {
     void value(const ValueBatchOf<double>& batch) const { value_double(batch); }
     void form(const FormBatchOf<float>& batch) const { form_float(batch); }
     void form(const FormBatchOf<double>& batch) const { form_double(batch); }
+    void newton(const NewtonBatchOf<float>& batch) const { newton_float(batch); }
+    void newton(const NewtonBatchOf<double>& batch) const { newton_double(batch); }
     explicit operator bool() const { return static_cast<bool>(range_float); }
 };
 

@@ -23,107 +23,134 @@ struct Leaf {
     Real c, ku, kv, kt, e;
     Real s, reach;
     Real from, to;            ///< the slab
-    Real slope_lo, slope_hi;  ///< of d/ds, of one sign
+    Real slope_lo, slope_hi;  ///< of df/ds, of one sign
     Real r;                   ///< see FormBatchOf
 };
 
-/// The rays of a row of pixels in a type: origin and direction at a pixel are `base` and `forward`
-/// and what lies across, `row` + `step` x col.
+/// Smooth cells of one small tile that touch and slope the same way: together they hold at most
+/// one root a ray.
 template <class Real>
-struct RowRays {
-    std::array<Real, 3> base, forward, step;
-    Real distance;
+struct LeafRun {
+    int col, row;
+    bool inside;
+    Real to;                  ///< where the last slab ends
+    Real lo, hi;              ///< where the slopes hold
+    Real slope_lo, slope_hi;  ///< of df/ds, of one sign
+    Real r;
 
-    explicit RowRays(const BeamView& view) : distance(static_cast<Real>(view.distance())) {
-        for (int k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::size_t>(k);
-            base[axis] = static_cast<Real>(view.base()[k]);
-            forward[axis] = static_cast<Real>(view.axes().forward[k]);
-            step[axis] = static_cast<Real>(view.pixel() * view.axes().right[k]);
-        }
+    explicit LeafRun(const Leaf<Real>& leaf)
+        : col(leaf.col),
+          row(leaf.row),
+          inside(leaf.inside),
+          to(leaf.to),
+          lo(leaf.s - leaf.reach),
+          hi(end_of(leaf)),
+          slope_lo(leaf.slope_lo),
+          slope_hi(leaf.slope_hi),
+          r(leaf.r) {}
+
+    /// Rounded downward, so that it is in the cell.
+    static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.reach); }
+    [[nodiscard]] bool falls() const { return slope_hi < 0; }
+    [[nodiscard]] bool continues_with(const Leaf<Real>& next) const {
+        return next.col == col && next.row == row && next.from == to &&
+               next.inside == inside && (next.slope_hi < 0) == falls();
     }
-    template <class D>
-    HWY_INLINE hn::Vec<D> across(D d, std::size_t k, Real row, hn::Vec<D> col) const {
-        return hn::MulAdd(col, hn::Set(d, step[k]), hn::Set(d, row));
-    }
-    template <class D>
-    HWY_INLINE hn::Vec<D> direction(D d, std::size_t k, Real row, hn::Vec<D> col) const {
-        return hn::Add(across(d, k, row, col), hn::Set(d, forward[k]));
-    }
-    template <class D>
-    HWY_INLINE hn::Vec<D> point(D d, std::size_t k, Real row, hn::Vec<D> col, hn::Vec<D> s) const {
-        const hn::Vec<D> aside = across(d, k, row, col);
-        const hn::Vec<D> origin = hn::MulAdd(hn::Set(d, distance), aside, hn::Set(d, base[k]));
-        return hn::MulAdd(s, hn::Add(aside, hn::Set(d, forward[k])), origin);
+    void add(const Leaf<Real>& next) {
+        to = next.to;
+        hi = end_of(next);
+        slope_lo = std::min(slope_lo, next.slope_lo);
+        slope_hi = std::max(slope_hi, next.slope_hi);
+        r = std::max(r, next.r);
     }
 };
 
-/// Solves leaves of `pixels` x `pixels` pixels: guesses from the form, Newton's method in the
-/// cells' type, then one step in double that certifies. What that leaves open goes to the root
+/// Solves leaves of `pixels` x `pixels` pixels: guesses from the forms, Newton's method in the
+/// cells' type, then one value in double that certifies. What that leaves open goes to the root
 /// finder.
 template <class Real, int pixels>
 class LeafSolver {
 public:
     LeafSolver(const TraceFrame& frame, const Tile& tile, const BeamView& view, Found<Real>& found,
-               RootFinder<Real>& roots, Counters& counters);
-    void solve(const Leaf<Real>& leaf);
+               RootFinder<Real>& roots, Counters& counters)
+        : frame_(frame),
+          tile_(tile),
+          view_(view),
+          found_(found),
+          roots_(roots),
+          counters_(counters) {}
+
+    /// One more leaf, behind those that were added before of the same pixels.
+    void add(const Leaf<Real>& leaf) {
+        if (run_ && run_->continues_with(leaf)) {
+            run_->add(leaf);
+        } else {
+            solve();
+            run_.emplace(leaf);
+            std::fill_n(from_, items, std::numeric_limits<Real>::infinity());
+            std::fill_n(to_, items, -std::numeric_limits<Real>::infinity());
+        }
+        place(leaf);
+    }
+    /// Works off what has been added.
+    void solve();
 
 private:
     static constexpr std::size_t side = pixels;
     static constexpr std::size_t items = side * side;
     static constexpr int most_steps = 4;
+    static constexpr int most_looks = 3;  ///< in double
     using D = hn::CappedTag<Real, side>;
-    using DD = hn::CappedTag<double, 4>;
     using V = hn::Vec<D>;
-    using VD = hn::Vec<DD>;
+    using M = hn::Mask<D>;
     static constexpr D d{};
-    static constexpr DD dd{};
-    static constexpr hn::Rebind<Real, DD> d_narrow{};
-    static constexpr hn::Rebind<float, DD> d_float{};
     static constexpr int lanes = hn::MaxLanes(d);
-    static constexpr int lanes_double = hn::MaxLanes(dd);
 
-    /// Stretches of the rays; rows without any are left out. False when there is none.
-    bool place(const Leaf<Real>& leaf);
-    /// The largest step taken, or +inf where one was not a number.
-    Real improve();
-    void evaluate_in_double();
-    void certify(const Leaf<Real>& leaf);
-    /// The rays of a row with roots proved, or that may be there, nearer than what was found.
-    [[nodiscard]] LaneBits wanted(const Leaf<Real>& leaf, int slot) const;
-    /// Hands on the proved roots of one row, all of whose pixels are wanted.
-    void record_row(const Leaf<Real>& leaf, int slot);
-    /// Hands on one row of results, and what they leave open.
-    void record(const Leaf<Real>& leaf, int slot);
-    static VD wide(const Real* from) {
+    /// What the interval Newton operator makes of a vector of rays.
+    struct Judged {
+        M proved, wanted;
+        V lo, hi;  ///< where the root is
+        V step, next;  ///< one of Newton's method, and where it leads
+    };
+
+    void place(const Leaf<Real>& leaf);
+    /// Leaves out rows without stretches; false when none is left.
+    bool compact();
+    void find_roots();
+    void take_steps();
+    void evaluate();
+    void certify(bool last);
+    [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
+    HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
+    HWY_INLINE void keep(int i, int to, const Judged& judged, M rest);
+    void move_row(int from, int to);
+    void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
+    void hand_over_all();
+    HWY_INLINE static std::pair<V, V> bounds_of(const double* x);
+    HWY_INLINE static void add_step(const double* x, V step, double* sum);
+    /// A component of the gradients of the rays in the mask.
+    static void store_gradient(const Real* component, M rays, float* to) {
         if constexpr (std::is_same_v<Real, float>) {
-            return hn::PromoteTo(dd, hn::LoadU(d_narrow, from));
+            // A masked store costs more than these on many processors.
+            hn::StoreU(hn::IfThenElse(rays, hn::Load(d, component), hn::LoadU(d, to)), d, to);
         } else {
-            return hn::LoadU(dd, from);
+            for (LaneBits bits = bits_of(d, rays); bits != 0; bits &= bits - 1) {
+                const int lane = std::countr_zero(bits);
+                to[lane] = static_cast<float>(component[lane]);
+            }
         }
     }
-    static void store_depths(VD s, Real* to) {
-        if constexpr (std::is_same_v<Real, float>) {
-            hn::StoreU(hn::DemoteTo(d_narrow, s), d_narrow, to);
-        } else {
-            hn::StoreU(s, dd, to);
-        }
-    }
-    /// The first pixel of a row, in the tile.
-    [[nodiscard]] std::size_t first_pixel(const Leaf<Real>& leaf, int row) const {
-        return static_cast<std::size_t>((leaf.row + row) * tile_size + leaf.col);
-    }
-    [[nodiscard]] std::size_t count() const {
-        return padded(static_cast<std::size_t>(slots_ * pixels));
+    [[nodiscard]] std::size_t first_pixel(int row) const {
+        return static_cast<std::size_t>((run_->row + row) * tile_size + run_->col);
     }
     /// Repeats the first row up to a whole batch.
     template <class Number>
-    void pad(Number (&columns)[3][items]) const {
-        for (std::size_t i = static_cast<std::size_t>(slots_ * pixels); i < count(); ++i) {
-            for (auto& column : columns)
-                column[i] = column[0];
-        }
+    void pad(Number* column) const {
+        for (std::size_t i = used(); i < count(); i += side)
+            std::copy_n(column, side, column + i);
     }
+    [[nodiscard]] std::size_t used() const { return static_cast<std::size_t>(slots_) * side; }
+    [[nodiscard]] std::size_t count() const { return padded(used()); }
 
     const TraceFrame& frame_;
     const Tile& tile_;
@@ -131,41 +158,21 @@ private:
     Found<Real>& found_;
     RootFinder<Real>& roots_;
     Counters& counters_;
-    RowRays<Real> rays_;
-    RowRays<double> exact_rays_;
-    Real small_step_;  ///< a step behind which the next one is below the tolerance
+    std::optional<LeafRun<Real>> run_;
 
     int slots_ = 0;  ///< rows that have stretches
     int rows_[side];
-    LaneBits valid_[side];    ///< of each such row, the rays that have one
-    LaneBits proved_[side];   ///< of each such row, the brackets that prove a root
-    double across_[3][side];  ///< of each such row, see RowRays
+    Real error_ = 0;              ///< of f in double
+    Real per_least_ = 0;          ///< not below 1 / |df/ds|
+    Real per_most_ = 0;           ///< not above it
     alignas(64) Real from_[items], to_[items], guess_[items];
-    alignas(64) Real x_[3][items];
-    alignas(64) Real f_[items];
-    alignas(64) Real gradient_[3][items];
-    alignas(64) double exact_x_[3][items];
-    alignas(64) double exact_f_[items];
-    alignas(64) double exact_gradient_[3][items];
-    alignas(64) double lo_[items], hi_[items], next_[items];  ///< brackets, and roots in them
+    alignas(64) float col_[items], row_[items];
+    alignas(64) Real gradient_[3][items], slope_[items];
+    alignas(64) double depth_[items], f_[items];
 };
 
 template <class Real, int pixels>
-LeafSolver<Real, pixels>::LeafSolver(const TraceFrame& frame, const Tile& tile,
-                                     const BeamView& view, Found<Real>& found,
-                                     RootFinder<Real>& roots, Counters& counters)
-    : frame_(frame),
-      tile_(tile),
-      view_(view),
-      found_(found),
-      roots_(roots),
-      counters_(counters),
-      rays_(view),
-      exact_rays_(view),
-      small_step_(static_cast<Real>(0x1p-14 * view.extent())) {}
-
-template <class Real, int pixels>
-bool LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
+void LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
     const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
     const Real scale = leaf.reach / std::copysign(steepness, leaf.kt);
     const Real error =
@@ -175,225 +182,289 @@ bool LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
     const V radius = hn::Set(d, error * std::abs(scale) + rounding);
     const V from = hn::Set(d, leaf.from);
     const V to = hn::Set(d, leaf.to);
-    const int cols = std::min(pixels, tile_.cols - leaf.col);
-    const int rows = std::min(pixels, tile_.rows - leaf.row);
-    slots_ = 0;
-    for (int row = 0; row < rows; ++row) {
-        const Real row_c = leaf.c - leaf.kv * static_cast<Real>(row);
-        LaneBits valid = 0;
+    const V by_col = hn::Set(d, leaf.ku * scale);
+    for (int row = 0; row < pixels; ++row) {
+        const Real first = leaf.s - (leaf.c - leaf.kv * static_cast<Real>(row)) * scale;
         for (int col = 0; col < pixels; col += lanes) {
+            const int i = row * pixels + col;
             const V x = hn::Iota(d, static_cast<Real>(col));
-            const V c = hn::MulAdd(x, hn::Set(d, leaf.ku), hn::Set(d, row_c));
-            const V middle = hn::NegMulAdd(c, hn::Set(d, scale), hn::Set(d, leaf.s));
+            const V middle = hn::NegMulAdd(x, by_col, hn::Set(d, first));
             const V ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
             const V ray_to = hn::Min(hn::Add(middle, radius), to);
-            const V found =
-                hn::LoadU(d, &found_.depth[first_pixel(leaf, row) + static_cast<std::size_t>(col)]);
-            valid |= bits_of(d, hn::Le(ray_from, hn::Min(ray_to, found))) << col;
-            const int at = slots_ * pixels + col;
-            hn::Store(ray_from, d, from_ + at);
-            hn::Store(ray_to, d, to_ + at);
-            hn::Store(hn::Min(hn::Max(middle, ray_from), ray_to), d, guess_ + at);
+            const M some = hn::Le(ray_from, ray_to);
+            const V before_from = hn::Load(d, from_ + i);
+            const V before_to = hn::Load(d, to_ + i);
+            const V before = hn::Load(d, guess_ + i);
+            const V guess = hn::Min(hn::Max(middle, ray_from), ray_to);
+            const M better =
+                hn::And(some, hn::Or(hn::Gt(before_from, before_to), hn::Ge(middle, from)));
+            hn::Store(hn::IfThenElse(better, guess, before), d, guess_ + i);
+            hn::Store(hn::IfThenElse(some, hn::Min(before_from, ray_from), before_from), d,
+                      from_ + i);
+            hn::Store(hn::IfThenElse(some, hn::Max(before_to, ray_to), before_to), d, to_ + i);
         }
-        valid &= (1U << cols) - 1U;
-        if (valid == 0) continue;
-        const double u = view_.u(leaf.col);
-        const double v = view_.v(leaf.row + row);
-        for (int k = 0; k < 3; ++k)
-            across_[k][slots_] = u * view_.axes().right[k] + v * view_.axes().up[k];
-        rows_[slots_] = row;
-        valid_[slots_++] = valid;
+    }
+}
+
+template <class Real, int pixels>
+bool LeafSolver<Real, pixels>::compact() {
+    const int cols = std::min(pixels, tile_.cols - run_->col);
+    const int rows = std::min(pixels, tile_.rows - run_->row);
+    slots_ = 0;
+    for (int row = 0; row < rows; ++row) {
+        const std::size_t pixel = first_pixel(row);
+        M any = hn::FirstN(d, 0);
+        for (int col = 0; col < pixels; col += lanes) {
+            const int in = row * pixels + col;
+            const int out = slots_ * pixels + col;
+            const V from = hn::Load(d, from_ + in);
+            const V to = hn::Load(d, to_ + in);
+            const V before = hn::LoadU(d, &found_.depth[pixel + static_cast<std::size_t>(col)]);
+            const M in_tile = hn::FirstN(
+                d, static_cast<std::size_t>(std::clamp(cols - col, 0, lanes)));
+            const M valid = hn::And(in_tile, hn::Le(from, hn::Min(to, before)));
+            any = hn::Or(any, valid);
+            hn::Store(from, d, from_ + out);
+            hn::Store(hn::IfThenElse(valid, to, hn::Set(d, -std::numeric_limits<Real>::infinity())),
+                      d, to_ + out);
+            hn::Store(hn::Load(d, guess_ + in), d, guess_ + out);
+        }
+        if (hn::AllFalse(d, any)) continue;
+        for (int col = 0; col < pixels; ++col) {
+            col_[slots_ * pixels + col] = static_cast<float>(run_->col + col);
+            row_[slots_ * pixels + col] = static_cast<float>(run_->row + row);
+        }
+        rows_[slots_++] = row;
     }
     return slots_ > 0;
 }
 
 template <class Real, int pixels>
-Real LeafSolver<Real, pixels>::improve() {
-    for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; col += lanes) {
-            const int i = slot * pixels + col;
-            const V s = hn::Load(d, guess_ + i);
-            const V x = hn::Iota(d, static_cast<Real>(col));
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto row = static_cast<Real>(across_[k][slot]);
-                hn::Store(rays_.point(d, k, row, x, s), d, x_[k] + i);
-            }
-        }
-    }
-    pad(x_);
-    counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
-    frame_.kernel.value(ValueBatchOf<Real>{count(),
-                                           {x_[0], x_[1], x_[2]},
-                                           frame_.scene.uniforms.template points<Real>(),
-                                           f_,
-                                           {gradient_[0], gradient_[1], gradient_[2]}});
-    V largest = hn::Zero(d);
-    for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; col += lanes) {
-            const int i = slot * pixels + col;
-            const V x = hn::Iota(d, static_cast<Real>(col));
-            V slope = hn::Zero(d);
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto row = static_cast<Real>(across_[k][slot]);
-                slope =
-                    hn::MulAdd(hn::Load(d, gradient_[k] + i), rays_.direction(d, k, row, x), slope);
-            }
-            const V s = hn::Load(d, guess_ + i);
-            const V from = hn::Load(d, from_ + i);
-            const V to = hn::Load(d, to_ + i);
-            const V newton = hn::Sub(s, hn::Div(hn::Load(d, f_ + i), slope));
-            const V next = hn::Min(hn::Max(newton, from), to);  // `from` where NaN
-            hn::Store(next, d, guess_ + i);
-            const V step = hn::IfThenElseZero(hn::Le(from, to), hn::Abs(hn::Sub(next, s)));
-            largest = hn::Max(largest, step);
-        }
-    }
-    return hn::GetLane(hn::MaxOfLanes(d, largest));
+void LeafSolver<Real, pixels>::take_steps() {
+    pad(from_);
+    pad(to_);
+    pad(guess_);
+    pad(col_);
+    pad(row_);
+    counters_.value += 2 * used();
+    frame_.kernel.newton(NewtonBatchOf<Real>{count(),
+                                             col_,
+                                             row_,
+                                             from_,
+                                             to_,
+                                             view_.rays<Real>(),
+                                             frame_.scene.uniforms.template points<Real>(),
+                                             static_cast<Real>(view_.small_step()),
+                                             most_steps,
+                                             guess_,
+                                             {gradient_[0], gradient_[1], gradient_[2]},
+                                             slope_});
+    for (std::size_t i = 0; i < count(); ++i)
+        depth_[i] = static_cast<double>(guess_[i]);
 }
 
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::evaluate_in_double() {
-    for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; col += lanes_double) {
-            const int i = slot * pixels + col;
-            const VD s = wide(guess_ + i);
-            const VD x = hn::Iota(dd, static_cast<double>(col));
-            for (std::size_t k = 0; k < 3; ++k)
-                hn::Store(exact_rays_.point(dd, k, across_[k][slot], x, s), dd, exact_x_[k] + i);
-        }
-    }
-    pad(exact_x_);
-    counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
-    frame_.kernel.value(
-        ValueBatchOf<double>{count(),
-                             {exact_x_[0], exact_x_[1], exact_x_[2]},
-                             frame_.scene.uniforms.points<double>(),
-                             exact_f_,
-                             {exact_gradient_[0], exact_gradient_[1], exact_gradient_[2]}});
+void LeafSolver<Real, pixels>::evaluate() {
+    pad(col_);
+    pad(row_);
+    pad(depth_);
+    counters_.value += used();
+    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, depth_, view_.rays<double>(),
+                                          frame_.scene.uniforms.points<double>(), f_});
 }
 
-/// The interval Newton operator, see RootFinder::step_in_double; both ends rounded outward.
+/// Looks at all rows; keeps those with rays that are not finished, a step further.
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::certify(const Leaf<Real>& leaf) {
-    const bool falling = leaf.slope_hi < 0;
-    const auto least = static_cast<double>(falling ? -leaf.slope_hi : leaf.slope_lo);
-    const auto most = static_cast<double>(falling ? -leaf.slope_lo : leaf.slope_hi);
-    const VD per_least = hn::Set(dd, 1.0 / least);
-    const VD per_most = hn::Set(dd, -(-1.0 / most));
-    const VD error = hn::Set(dd, value_error(static_cast<double>(leaf.r)));
-    const VD sign = hn::Set(dd, falling ? -1.0 : 1.0);
-    const VD tolerance = hn::Set(dd, view_.tolerance());
-    const VD cell_lo = hn::Set(dd, static_cast<double>(leaf.s) - static_cast<double>(leaf.reach));
-    const VD cell_hi = hn::Set(dd, static_cast<double>(leaf.s) + static_cast<double>(leaf.reach));
-    const VD zero = hn::Zero(dd);
-    const auto quotient_up = [&](VD f) {
-        return hn::Mul(f, hn::IfThenElse(hn::Gt(f, zero), per_least, per_most));
+void LeafSolver<Real, pixels>::certify(bool last) {
+    int kept = 0;
+    for (int slot = 0; slot < slots_; ++slot) {
+        LaneBits open = 0;
+        for (int col = 0; col < pixels; col += lanes) {
+            const int i = slot * pixels + col;
+            const std::size_t pixel = first_pixel(rows_[slot]) + static_cast<std::size_t>(col);
+            const Judged judged = judge(pixel, i);
+            const M proved = hn::And(judged.proved, judged.wanted);
+            if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.next);
+            const M rest = hn::AndNot(proved, judged.wanted);
+            open |= bits_of(d, rest);
+            if (last && !hn::AllFalse(d, rest)) hand_over(pixel, i, judged, bits_of(d, rest));
+            if (!last) keep(i, kept * pixels + col, judged, rest);
+        }
+        if (open == 0) continue;
+        if (!last && kept != slot) move_row(slot, kept);
+        ++kept;
+    }
+    slots_ = kept;
+}
+
+/// Upper bounds of x and of -x in the cells' type.
+template <class Real, int pixels>
+HWY_INLINE auto LeafSolver<Real, pixels>::bounds_of(const double* x) -> std::pair<V, V> {
+    if constexpr (std::is_same_v<Real, double>) {
+        const V v = hn::Load(d, x);
+        return {v, hn::Neg(v)};
+    } else {
+        const hn::Half<D> half;
+        const hn::Rebind<double, hn::Half<D>> dd;
+        const auto low = hn::Load(dd, x);
+        const auto high = hn::Load(dd, x + hn::MaxLanes(dd));
+        return {hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low)),
+                hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)),
+                            hn::DemoteTo(half, hn::Neg(low)))};
+    }
+}
+
+/// x plus the step, in double.
+template <class Real, int pixels>
+HWY_INLINE void LeafSolver<Real, pixels>::add_step(const double* x, V step, double* sum) {
+    if constexpr (std::is_same_v<Real, double>) {
+        hn::Store(hn::Add(hn::Load(d, x), step), d, sum);
+    } else {
+        const hn::Half<D> half;
+        const hn::Rebind<double, hn::Half<D>> dd;
+        constexpr int high = hn::MaxLanes(dd);
+        const auto low_step = hn::PromoteTo(dd, hn::LowerHalf(half, step));
+        const auto high_step = hn::PromoteTo(dd, hn::UpperHalf(half, step));
+        hn::Store(hn::Add(hn::Load(dd, x), low_step), dd, sum);
+        hn::Store(hn::Add(hn::Load(dd, x + high), high_step), dd, sum + high);
+    }
+}
+
+/// The interval Newton operator, see RootFinder::step; all rounded outward.
+template <class Real, int pixels>
+HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const -> Judged {
+    const V zero = hn::Zero(d);
+    const V error = hn::Set(d, error_);
+    const auto [f_above, f_neg_below] = bounds_of(f_ + i);
+    const V f_hi = hn::Add(f_above, error);
+    const V f_neg_lo = hn::Add(f_neg_below, error);
+    const V hi_of_rising = run_->falls() ? f_neg_lo : f_hi;
+    const V neg_lo_of_rising = run_->falls() ? f_hi : f_neg_lo;
+    const auto quotient_up = [&](V f) {
+        const V factor = hn::IfThenElse(hn::Gt(f, zero), hn::Set(d, per_least_),
+                                        hn::Set(d, per_most_));
+        return hn::Mul(f, factor);
     };
+    const V before = quotient_up(hi_of_rising);
+    const V behind = quotient_up(neg_lo_of_rising);
+    const auto [s, neg_s] = bounds_of(depth_ + i);
+    const V lo = hn::Neg(hn::Add(before, neg_s));
+    const V hi = hn::Add(behind, s);
+    const V tolerance = hn::Set(d, static_cast<Real>(view_.tolerance()));
+    const M narrow = hn::Le(hn::Add(before, behind), tolerance);
+    const M within = hn::And(hn::Ge(lo, hn::Set(d, run_->lo)), hn::Le(hi, hn::Set(d, run_->hi)));
+    const V found = hn::LoadU(d, &found_.depth[pixel]);
+    const V from = hn::Load(d, from_ + i);
+    const V to = hn::Load(d, to_ + i);
+    const M beside = hn::Or(hn::Lt(hi, from), hn::Gt(lo, hn::Min(to, found)));
+    const V step = hn::Neg(hn::Div(f_above, hn::Load(d, slope_ + i)));
+    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi, step,
+            hn::Min(hn::Max(hn::Add(s, step), lo), hi)};
+}
+
+template <class Real, int pixels>
+HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M proved, V s) {
+    const V before = hn::LoadU(d, &found_.depth[pixel]);
+    const M nearest = hn::And(proved, hn::Lt(s, before));
+    hn::StoreU(hn::IfThenElse(nearest, s, before), d, &found_.depth[pixel]);
+    for (std::size_t k = 0; k < 3; ++k)
+        store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));
+    found_.certify(pixel, bits_of(d, nearest), lanes);
+}
+
+/// The rest of a vector's rays, at `to` for another look.
+template <class Real, int pixels>
+HWY_INLINE void LeafSolver<Real, pixels>::keep(int i, int to, const Judged& judged, M rest) {
+    const V none = hn::Set(d, -std::numeric_limits<Real>::infinity());
+    const M known = hn::Le(judged.lo, judged.hi);
+    const V step = hn::IfThenElseZero(known, judged.step);
+    const V from = hn::Load(d, from_ + i);
+    const V end = hn::Load(d, to_ + i);
+    add_step(depth_ + i, step, depth_ + to);
+    hn::Store(hn::IfThenElse(known, hn::Max(from, judged.lo), from), d, from_ + to);
+    hn::Store(hn::IfThenElse(rest, hn::IfThenElse(known, hn::Min(end, judged.hi), end), none), d,
+              to_ + to);
+}
+
+/// What else is known of a row of rays.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::move_row(int from, int to) {
+    rows_[to] = rows_[from];
+    const int in = from * pixels;
+    const int out = to * pixels;
+    std::copy_n(row_ + in, side, row_ + out);
+    std::copy_n(slope_ + in, side, slope_ + out);
+    for (auto& component : gradient_)
+        std::copy_n(component + in, side, component + out);
+}
+
+/// What is not proved goes to the root finder.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged& judged,
+                                         LaneBits rays) {
+    alignas(64) Real lo[side], hi[side], next[side];
+    hn::Store(judged.lo, d, lo);
+    hn::Store(judged.hi, d, hi);
+    hn::Store(judged.next, d, next);
+    for (; rays != 0; rays &= rays - 1) {
+        const int lane = std::countr_zero(rays);
+        const int at = i + lane;
+        const bool known = lo[lane] <= hi[lane];
+        const Real from = known ? std::max(from_[at], lo[lane]) : from_[at];
+        const Real to = known ? std::min(to_[at], hi[lane]) : to_[at];
+        const Real guess = known ? next[lane] : static_cast<Real>(depth_[at]);
+        roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(lane),
+                     run_->inside, static_cast<double>(from), static_cast<double>(to),
+                     static_cast<double>(run_->lo), static_cast<double>(run_->hi),
+                     static_cast<double>(std::clamp(guess, from, to)),
+                     static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
+                     static_cast<double>(run_->r)});
+    }
+}
+
+/// All stretches as they are.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::hand_over_all() {
     for (int slot = 0; slot < slots_; ++slot) {
-        proved_[slot] = 0;
-        for (int col = 0; col < pixels; col += lanes_double) {
+        for (int col = 0; col < pixels; ++col) {
             const int i = slot * pixels + col;
-            const VD f = hn::Mul(hn::Load(dd, exact_f_ + i), sign);
-            const VD s = wide(guess_ + i);
-            const VD neg_lo = hn::Sub(quotient_up(hn::Add(f, error)), s);
-            const VD lo = hn::Neg(neg_lo);
-            const VD hi = hn::Add(quotient_up(hn::Sub(error, f)), s);
-            const VD x = hn::Iota(dd, static_cast<double>(col));
-            VD slope = zero;
-            for (std::size_t k = 0; k < 3; ++k) {
-                slope = hn::MulAdd(hn::Load(dd, exact_gradient_[k] + i),
-                                   exact_rays_.direction(dd, k, across_[k][slot], x), slope);
-            }
-            const VD newton = hn::Sub(s, hn::Div(f, hn::Mul(slope, sign)));
-            hn::Store(lo, dd, lo_ + i);
-            hn::Store(hi, dd, hi_ + i);
-            hn::Store(hn::Min(hn::Max(newton, lo), hi), dd, next_ + i);
-            const auto narrow = hn::Le(hn::Add(hi, neg_lo), tolerance);
-            const auto within = hn::And(hn::Ge(lo, cell_lo), hn::Le(hi, cell_hi));
-            proved_[slot] |= bits_of(dd, hn::And(narrow, within)) << col;
+            if (!(from_[i] <= to_[i])) continue;
+            roots_.push({static_cast<std::uint32_t>(first_pixel(rows_[slot])) +
+                             static_cast<std::uint32_t>(col),
+                         false, static_cast<double>(from_[i]), static_cast<double>(to_[i]),
+                         static_cast<double>(run_->lo), static_cast<double>(run_->hi),
+                         static_cast<double>(std::clamp(guess_[i], from_[i], to_[i])),
+                         static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
+                         static_cast<double>(run_->r)});
         }
     }
 }
 
 template <class Real, int pixels>
-LaneBits LeafSolver<Real, pixels>::wanted(const Leaf<Real>& leaf, int slot) const {
-    const std::size_t pixel = first_pixel(leaf, rows_[slot]);
-    LaneBits bits = 0;
-    for (int col = 0; col < pixels; col += lanes_double) {
-        const int i = slot * pixels + col;
-        const VD from = wide(from_ + i);
-        const VD to = wide(to_ + i);
-        const VD before = wide(&found_.depth[pixel + static_cast<std::size_t>(col)]);
-        // True where the bracket is NaN.
-        const auto beside =
-            hn::Or(hn::Lt(hn::Load(dd, hi_ + i), from), hn::Gt(hn::Load(dd, lo_ + i), to));
-        const auto hidden = hn::Gt(hn::Load(dd, lo_ + i), before);
-        bits |= bits_of(dd, hn::Not(hn::Or(beside, hidden))) << col;
-    }
-    return bits & valid_[slot];
-}
-
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::record_row(const Leaf<Real>& leaf, int slot) {
-    const std::size_t pixel = first_pixel(leaf, rows_[slot]);
-    for (int col = 0; col < pixels; col += lanes_double) {
-        const int i = slot * pixels + col;
-        const std::size_t at = pixel + static_cast<std::size_t>(col);
-        store_depths(hn::Load(dd, next_ + i), &found_.depth[at]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            hn::StoreU(hn::DemoteTo(d_float, hn::Load(dd, exact_gradient_[k] + i)), d_float,
-                       found_.gradients(k, at));
+void LeafSolver<Real, pixels>::solve() {
+    if (!run_) return;
+    if (compact()) {
+        if (run_->inside) {
+            find_roots();
+        } else {
+            hand_over_all();
         }
     }
-    std::fill_n(found_.certificates(pixel), pixels, Certificate::Certified);
+    run_.reset();
 }
 
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::record(const Leaf<Real>& leaf, int slot) {
-    constexpr LaneBits all = (1U << pixels) - 1U;
-    const LaneBits rays = wanted(leaf, slot);
-    const LaneBits proved = leaf.inside ? proved_[slot] & rays : 0;
-    if (proved == all) {
-        record_row(leaf, slot);
-        return;
+void LeafSolver<Real, pixels>::find_roots() {
+    const Real least = run_->falls() ? -run_->slope_hi : run_->slope_lo;
+    const Real most = run_->falls() ? -run_->slope_lo : run_->slope_hi;
+    per_least_ = 1 / least;
+    per_most_ = -(-1 / most);
+    error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
+    take_steps();
+    for (int look = 1; look <= most_looks && slots_ > 0; ++look) {
+        evaluate();
+        certify(look == most_looks);
     }
-    const std::size_t pixel = first_pixel(leaf, rows_[slot]);
-    for (LaneBits bits = proved; bits != 0; bits &= bits - 1) {
-        const int col = std::countr_zero(bits);
-        const int i = slot * pixels + col;
-        found_.add(
-            pixel + static_cast<std::size_t>(col), next_[i], Certificate::Certified,
-            {static_cast<float>(exact_gradient_[0][i]), static_cast<float>(exact_gradient_[1][i]),
-             static_cast<float>(exact_gradient_[2][i])});
-    }
-    const double cell_lo = static_cast<double>(leaf.s) - static_cast<double>(leaf.reach);
-    const double cell_hi = static_cast<double>(leaf.s) + static_cast<double>(leaf.reach);
-    for (LaneBits bits = rays & ~proved; bits != 0; bits &= bits - 1) {
-        const int col = std::countr_zero(bits);
-        const int i = slot * pixels + col;
-        const bool known = lo_[i] <= hi_[i];
-        const auto from = static_cast<double>(from_[i]);
-        const auto to = static_cast<double>(to_[i]);
-        const double ray_from = known ? std::max(from, lo_[i]) : from;
-        const double ray_to = known ? std::min(to, hi_[i]) : to;
-        const double guess = known ? next_[i] : static_cast<double>(guess_[i]);
-        roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(col),
-                     leaf.inside, ray_from, ray_to, cell_lo, cell_hi,
-                     std::clamp(guess, ray_from, ray_to), static_cast<double>(leaf.slope_lo),
-                     static_cast<double>(leaf.slope_hi), static_cast<double>(leaf.r)});
-    }
-}
-
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::solve(const Leaf<Real>& leaf) {
-    if (!place(leaf)) return;
-    for (int step = 0; step < most_steps; ++step) {
-        if (improve() <= small_step_) break;
-    }
-    evaluate_in_double();
-    certify(leaf);
-    for (int slot = 0; slot < slots_; ++slot)
-        record(leaf, slot);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

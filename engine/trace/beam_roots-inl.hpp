@@ -51,11 +51,17 @@ public:
         add(pixel, s, known, {});
         without_gradient.push_back(pixel);
     }
-    /// Certified roots of a row of pixels, each the nearest so far, are written to `depth` and
-    /// these.
-    Certificate* certificates(std::size_t pixel) {
+    /// Certified roots of up to `most` pixels from `pixel` on, those of `bits`, whose depths and
+    /// gradients are written to `depth` and `gradients`.
+    void certify(std::size_t pixel, LaneBits bits, int most) {
         any_ = true;
-        return &hits_->certificate[pixel];
+        Certificate* const known = &hits_->certificate[pixel];
+        if (bits == (1U << most) - 1U) {
+            std::fill_n(known, most, Certificate::Certified);
+            return;
+        }
+        for (; bits != 0; bits &= bits - 1)
+            known[std::countr_zero(bits)] = Certificate::Certified;
     }
     float* gradients(std::size_t axis, std::size_t pixel) { return &hits_->gradient[axis][pixel]; }
     [[nodiscard]] bool any() const { return any_; }
@@ -86,8 +92,8 @@ inline double value_error(double r) {
     return std::numeric_limits<double>::epsilon() * (1.0 + 0x1p-20) * r;
 }
 
-/// Solves stretches in batches. `Real`: of the tile's cells; where it is float, the first steps
-/// are.
+/// Solves stretches in batches: Newton's method in the type of the tile's cells, `Real`, then in
+/// double.
 template <class Real>
 class RootFinder {
 public:
@@ -106,14 +112,13 @@ public:
 
 private:
     static constexpr std::size_t capacity = 256;
+    static constexpr int first_steps = 4;
     static constexpr int most_steps = 40;
-    static constexpr int float_steps = std::is_same_v<Real, float> ? 2 : 0;
 
-    void make_rays();
-    void step_in_float();
-    void evaluate_in_double();
+    void take_first_steps();
+    void evaluate();
     /// One step of each stretch; keeps those that are not finished.
-    void step_in_double(bool last);
+    void step(bool last);
     void finish(std::size_t i, double lo, double hi, double s, bool proved);
 
     const TraceFrame& frame_;
@@ -123,78 +128,51 @@ private:
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
     std::vector<Stretch> open_;
-    alignas(64) double origin_[3][capacity];     ///< of the ray, at s = 0
-    alignas(64) double direction_[3][capacity];  ///< for 1 of s
-    alignas(64) double position_[3][capacity];
-    alignas(64) double f_[capacity];
-    alignas(64) double gradient_[3][capacity];
-    alignas(64) float position_float_[3][capacity];
-    alignas(64) float f_float_[capacity];
-    alignas(64) float gradient_float_[3][capacity];
+    alignas(64) float col_[capacity], row_[capacity];
+    alignas(64) Real from_[capacity], to_[capacity], guess_[capacity];
+    alignas(64) Real gradient_[3][capacity], slope_[capacity];
+    alignas(64) double s_[capacity], f_[capacity];
 };
 
+/// Closer guesses, and the slopes there: a help only, nothing rests on them.
 template <class Real>
-void RootFinder<Real>::make_rays() {
-    const ViewFrame& axes = view_.axes();
-    for (std::size_t i = 0; i < size_; ++i) {
-        const std::uint32_t pixel = stretches_[i].pixel;
-        const double u = view_.u(pixel % tile_size);
-        const double v = view_.v(pixel / tile_size);
-        for (int k = 0; k < 3; ++k) {
-            const double across = u * axes.right[k] + v * axes.up[k];
-            origin_[k][i] = view_.base()[k] + view_.distance() * across;
-            direction_[k][i] = axes.forward[k] + across;
-        }
-    }
-    for (std::size_t i = size_; i < padded(size_); ++i) {
-        for (int k = 0; k < 3; ++k) {
-            origin_[k][i] = origin_[k][0];
-            direction_[k][i] = direction_[k][0];
-        }
-    }
-}
-
-/// Moves the guesses closer, in float: a help only, nothing rests on it.
-template <class Real>
-void RootFinder<Real>::step_in_float() {
+void RootFinder<Real>::take_first_steps() {
     const std::size_t count = padded(size_);
-    for (int k = 0; k < 3; ++k) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const double s = stretches_[i < size_ ? i : 0].guess;
-            position_float_[k][i] = static_cast<float>(origin_[k][i] + s * direction_[k][i]);
-        }
+    for (std::size_t i = 0; i < count; ++i) {
+        const Stretch& stretch = stretches_[i < size_ ? i : 0];
+        col_[i] = static_cast<float>(stretch.pixel % tile_size);
+        row_[i] = static_cast<float>(stretch.pixel / tile_size);
+        from_[i] = static_cast<Real>(stretch.from);
+        to_[i] = static_cast<Real>(stretch.to);
+        guess_[i] = static_cast<Real>(stretch.guess);
     }
-    counters_.value += size_;
-    frame_.kernel.value({count,
-                         {position_float_[0], position_float_[1], position_float_[2]},
-                         frame_.scene.uniforms.points<float>(),
-                         f_float_,
-                         {gradient_float_[0], gradient_float_[1], gradient_float_[2]}});
+    counters_.value += 2 * size_;
+    frame_.kernel.newton(NewtonBatchOf<Real>{count,
+                                             col_,
+                                             row_,
+                                             from_,
+                                             to_,
+                                             view_.rays<Real>(),
+                                             frame_.scene.uniforms.template points<Real>(),
+                                             static_cast<Real>(view_.small_step()),
+                                             first_steps,
+                                             guess_,
+                                             {gradient_[0], gradient_[1], gradient_[2]},
+                                             slope_});
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
-        double slope = 0;
-        for (int k = 0; k < 3; ++k)
-            slope += static_cast<double>(gradient_float_[k][i]) * direction_[k][i];
-        const double next = stretch.guess - static_cast<double>(f_float_[i]) / slope;
-        if (next >= stretch.from && next <= stretch.to) stretch.guess = next;
+        stretch.guess = std::clamp(static_cast<double>(guess_[i]), stretch.from, stretch.to);
     }
 }
 
 template <class Real>
-void RootFinder<Real>::evaluate_in_double() {
+void RootFinder<Real>::evaluate() {
     const std::size_t count = padded(size_);
-    for (int k = 0; k < 3; ++k) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const double s = stretches_[i < size_ ? i : 0].guess;
-            position_[k][i] = origin_[k][i] + s * direction_[k][i];
-        }
-    }
+    for (std::size_t i = 0; i < count; ++i)
+        s_[i] = stretches_[i < size_ ? i : 0].guess;
     counters_.value += size_;
-    frame_.kernel.value(ValueBatchOf<double>{count,
-                                             {position_[0], position_[1], position_[2]},
-                                             frame_.scene.uniforms.points<double>(),
-                                             f_,
-                                             {gradient_[0], gradient_[1], gradient_[2]}});
+    frame_.kernel.ray_value(RayValueBatch{count, col_, row_, s_, view_.rays<double>(),
+                                          frame_.scene.uniforms.points<double>(), f_});
 }
 
 /// A root in [lo, hi], or one that may be there.
@@ -221,10 +199,10 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
 /// The interval Newton operator: f is within `error` of the value computed, and the root, if any,
 /// is at the guess less f over the slope at some place between.
 template <class Real>
-void RootFinder<Real>::step_in_double(bool last) {
+void RootFinder<Real>::step(bool last) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-        Stretch& stretch = stretches_[i];
+        const Stretch& stretch = stretches_[i];
         const double error = value_error(stretch.r);
         const bool falling = stretch.slope_hi < 0;
         const double f = falling ? -f_[i] : f_[i];
@@ -240,10 +218,7 @@ void RootFinder<Real>::step_in_double(bool last) {
         if (known && (hi < stretch.from || lo > stretch.to)) continue;
         const double from = known ? std::max(stretch.from, lo) : stretch.from;
         const double to = known ? std::min(stretch.to, hi) : stretch.to;
-        double slope = 0;
-        for (int k = 0; k < 3; ++k)
-            slope += gradient_[k][i] * direction_[k][i];
-        double next = stretch.guess - f_[i] / slope;
+        double next = stretch.guess - f_[i] / static_cast<double>(slope_[i]);
         if (!(next >= from && next <= to)) next = 0.5 * from + 0.5 * to;
         const bool narrow = known && hi - lo <= view_.tolerance();
         const bool proved = narrow && lo >= stretch.lo && hi <= stretch.hi;
@@ -256,10 +231,11 @@ void RootFinder<Real>::step_in_double(bool last) {
         remaining.from = from;
         remaining.to = to;
         remaining.guess = next;
-        for (int k = 0; k < 3; ++k) {
-            origin_[k][kept] = origin_[k][i];
-            direction_[k][kept] = direction_[k][i];
-        }
+        col_[kept] = col_[i];
+        row_[kept] = row_[i];
+        slope_[kept] = slope_[i];
+        for (auto& component : gradient_)
+            component[kept] = component[i];
         stretches_[kept++] = remaining;
     }
     size_ = kept;
@@ -268,12 +244,10 @@ void RootFinder<Real>::step_in_double(bool last) {
 template <class Real>
 void RootFinder<Real>::solve() {
     if (size_ == 0) return;
-    make_rays();
-    for (int step = 0; step < float_steps; ++step)
-        step_in_float();
-    for (int step = 1; size_ > 0 && step <= most_steps; ++step) {
-        evaluate_in_double();
-        step_in_double(step == most_steps);
+    take_first_steps();
+    for (int taken = 1; size_ > 0 && taken <= most_steps; ++taken) {
+        evaluate();
+        step(taken == most_steps);
     }
     size_ = 0;
 }

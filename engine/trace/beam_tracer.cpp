@@ -55,6 +55,11 @@ struct BeamMemory {
     MarchMemory<double> fine_rays;
 };
 
+inline auto load_doubles(auto dd, const float* from) {
+    return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
+}
+inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
+
 template <class Real>
 class BeamTile {
 public:
@@ -240,6 +245,8 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         }
         if (finished) break;
     }
+    leaves_.solve();
+    small_leaves_.solve();
     if (!open_.empty()) push_children(pixels);
 }
 
@@ -318,7 +325,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
                     f.slope_hi[cell],
                     f.r[cell]};
     if (pixels < leaf_pixels) {
-        small_leaves_.solve(leaf);
+        small_leaves_.add(leaf);
         return;
     }
     for (int row = 0; row < pixels; row += leaf_pixels) {
@@ -326,7 +333,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
             leaf.col = cells_->col[cell] + col;
             leaf.row = cells_->row[cell] + row;
             leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
-            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.solve(leaf);
+            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.add(leaf);
         }
     }
 }
@@ -420,13 +427,31 @@ void BeamTile<Real>::hand_on() {
 /// Depths along the view axis to distances along the rays.
 template <class Real>
 void BeamTile<Real>::hand_on_row(int row) {
+    const hn::ScalableTag<double> dd;
+    const hn::Rebind<float, decltype(dd)> d;
     const double v = view_.v(row);
+    const auto square_up = hn::Set(dd, 1.0 + v * v);
+    const auto none = hn::Set(d, std::numeric_limits<float>::infinity());
     const auto first = static_cast<std::size_t>(row) * tile_size;
-    for (std::size_t col = 0; col < tile_size; ++col) {
-        const double u = view_.u(static_cast<double>(col));
-        const double stretch = std::sqrt(1.0 + u * u + v * v);
-        const double s = static_cast<double>(found_.depth[first + col]);
-        hits_.depth[first + col] = static_cast<float>((view_.distance() + s) * stretch);
+    for (std::size_t col = 0; col < tile_size; col += hn::Lanes(dd)) {
+        const auto s = load_doubles(dd, &found_.depth[first + col]);
+        float* const to = &hits_.depth[first + col];
+        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) {
+            hn::StoreU(none, d, to);
+            continue;
+        }
+        const auto u = hn::MulAdd(hn::Iota(dd, static_cast<double>(col)),
+                                  hn::Set(dd, view_.pixel()), hn::Set(dd, view_.u(0)));
+        const auto square = hn::MulAdd(u, u, square_up);
+        // The root in float, and one step of Newton's method from it.
+        const auto near = hn::Sqrt(hn::DemoteTo(d, square));
+        const auto root = hn::PromoteTo(dd, near);
+        const auto half_inverse =
+            hn::PromoteTo(dd, hn::Mul(hn::ApproximateReciprocal(near), hn::Set(d, 0.5F)));
+        const auto stretch =
+            hn::MulAdd(hn::NegMulAdd(root, root, square), half_inverse, root);
+        const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.distance())), stretch);
+        hn::StoreU(hn::DemoteTo(d, depth), d, to);
     }
 }
 

@@ -51,7 +51,9 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile)
       u_most_(std::max(std::abs(u_first_), std::abs(u(tile_size)))),
       v_most_(std::max(std::abs(v_first_), std::abs(v(tile_size)))),
       extent_(std::min(clip_.size(), view_.look_distance)),
-      tolerance_(tolerance_of(frame)) {
+      tolerance_(tolerance_of(frame)),
+      float_rays_(make_rays<float>()),
+      double_rays_(make_rays<double>()) {
     const glm::dvec3 eye = glm::abs(view_.eye);
     const glm::dvec3 box = glm::max(glm::abs(clip_.lo), glm::abs(clip_.hi));
     const double largest = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z});
@@ -106,6 +108,29 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
         frustum.direction_size[i] = upper_end(Real{}, direction * (1.0 + 0x1p-20));
     }
     return frustum;
+}
+
+/// In a wider type first, so that each number is rounded once.
+template <class Real>
+RaysOf<Real> BeamView::make_rays() const {
+    using Wide = long double;
+    const Wide pixel = pixel_;
+    const Wide u = u_first_;
+    const Wide v = v_first_;
+    RaysOf<Real> rays{};
+    for (int i = 0; i < 3; ++i) {
+        const Wide right = view_.right[i];
+        const Wide up = view_.up[i];
+        const Wide across = u * right + v * up;
+        const Wide distance = view_.look_distance;
+        rays.origin[i] = static_cast<Real>(Wide{base_[i]} + distance * across);
+        rays.origin_by_col[i] = static_cast<Real>(distance * pixel * right);
+        rays.origin_by_row[i] = static_cast<Real>(-distance * pixel * up);
+        rays.direction[i] = static_cast<Real>(Wide{view_.forward[i]} + across);
+        rays.direction_by_col[i] = static_cast<Real>(pixel * right);
+        rays.direction_by_row[i] = static_cast<Real>(-pixel * up);
+    }
+    return rays;
 }
 
 template FrustumOf<float> BeamView::frustum(int pixels) const;

@@ -44,14 +44,29 @@ public:
     template <class Real>
     [[nodiscard]] FrustumOf<Real> frustum(int pixels) const;
 
+    /// The rays of the tile's pixels: a RaysOf<Real> as kernels take it.
+    template <class Real>
+    [[nodiscard]] const Real* rays() const {
+        if constexpr (std::is_same_v<Real, float>) {
+            return float_rays_.origin;
+        } else {
+            return double_rays_.origin;
+        }
+    }
+
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }
+    /// A step of Newton's method after which the next one is below what float tells apart.
+    [[nodiscard]] double small_step() const { return 0x1p-10 * extent_; }
     /// Above the rounding errors of a few operations in double on depths.
     [[nodiscard]] double depth_error() const { return depth_error_; }
     /// Where a root is known well enough: the width wanted of a bracket.
     [[nodiscard]] double tolerance() const { return tolerance_; }
 
 private:
+    template <class Real>
+    [[nodiscard]] RaysOf<Real> make_rays() const;
+
     const ViewFrame& view_;
     const Box& clip_;
     glm::dvec3 base_;
@@ -61,6 +76,8 @@ private:
     /// Of the clip box along the view axis, from the eye.
     double nearest_ = std::numeric_limits<double>::infinity();
     double farthest_ = -std::numeric_limits<double>::infinity();
+    RaysOf<float> float_rays_;
+    RaysOf<double> double_rays_;
 };
 
 }  // namespace zeroset

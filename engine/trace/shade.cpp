@@ -38,16 +38,35 @@ HWY_INLINE V3 scaled(const V3& a, V s) {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
 
+/// 1 / sqrt(x) to float's last digits but one.
+HWY_INLINE V per_root(V x) {
+    const V guess = hn::ApproximateReciprocalSqrt(x);
+    const V half = hn::Mul(hn::Mul(x, guess), hn::Set(d, 0.5F));
+    return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5F)));
+}
+
+HWY_INLINE V3 select(hn::Mask<D> mask, const V3& a, const V3& b) {
+    return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y),
+            hn::IfThenElse(mask, a.z, b.z)};
+}
+
+/// Whether x is neither so small nor so large that its digits are lost.
+HWY_INLINE hn::Mask<D> is_moderate(V x) {
+    return hn::And(hn::Gt(x, hn::Set(d, 1e-30F)), hn::Lt(x, hn::Set(d, 1e30F)));
+}
+
 /// a / |a|, or `otherwise` where a is 0, too large or not a number.
 HWY_INLINE V3 normalized(const V3& a, const V3& otherwise) {
+    const V square = dot(a, a);
+    const auto moderate = is_moderate(square);
+    const V3 n = scaled(a, per_root(square));
+    if (hn::AllTrue(d, moderate)) return n;
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
     const V size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
     const auto usable = hn::And(hn::Gt(size, hn::Set(d, 1e-37F)), hn::Lt(size, hn::Set(d, 1e37F)));
     const V3 b = scaled(a, hn::Div(hn::Set(d, 1.0F), size));
-    const V3 n = scaled(b, hn::Div(hn::Set(d, 1.0F), hn::Sqrt(dot(b, b))));
-    const auto valid = hn::And(usable, hn::Eq(dot(n, n), dot(n, n)));
-    return {hn::IfThenElse(valid, n.x, otherwise.x), hn::IfThenElse(valid, n.y, otherwise.y),
-            hn::IfThenElse(valid, n.z, otherwise.z)};
+    const V3 rescaled = scaled(b, per_root(dot(b, b)));
+    return select(usable, select(moderate, n, rescaled), otherwise);
 }
 
 /// Directions to the lights; they move with the camera.
@@ -63,7 +82,9 @@ struct Lights {
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
-    const V value = hn::Sqrt(hn::Min(light, hn::Set(d, 1.0F)));
+    const V dark = hn::Set(d, 1e-12F);
+    const V within = hn::Min(hn::Max(light, dark), hn::Set(d, 1.0F));
+    const V value = hn::Mul(within, per_root(within));
     const V scaled_value = hn::MulAdd(value, hn::Set(d, 255.0F), hn::Set(d, 0.5F));
     return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
 }
@@ -144,12 +165,14 @@ void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t sur
                           hn::LoadU(d, &hits.gradient[2][at])};
         const auto color = shaded(shading, ray, gradient);
         const std::size_t pixel = out.index(tile.col + static_cast<int>(col), tile.row + row);
-        hn::BlendedStore(color, hn::RebindMask(du, hit), du, &out.color[pixel]);
-        hn::BlendedStore(depth, hit, d, &out.depth[pixel]);
         if (hn::AllTrue(d, hit)) {
+            hn::StoreU(color, du, &out.color[pixel]);
+            hn::StoreU(depth, d, &out.depth[pixel]);
             std::memcpy(&out.certificate[pixel], &hits.certificate[at], lanes);
             std::memset(&out.surface[pixel], surface, lanes);
         } else {
+            hn::BlendedStore(color, hn::RebindMask(du, hit), du, &out.color[pixel]);
+            hn::BlendedStore(depth, hit, d, &out.depth[pixel]);
             std::uint8_t bytes[8] = {};
             hn::StoreMaskBits(d, hit, bytes);
             write_labels(&hits.certificate[at], surface,

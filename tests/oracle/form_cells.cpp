@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace zeroset::test {
@@ -57,12 +58,16 @@ Real inside(Real value, double lo, double hi) {
 /// A place of the cell: a pixel's centre on its rim or within, at any depth.
 RayPlace random_place(RandomNumbers& random, const BeamView& view, const Tile& cell, double s_lo,
                       double s_hi) {
-    const auto along = [&](int pixels) {
-        const int last = pixels - 1;
-        return random.one_in(2) ? random.between(0, last) : random.uniform(0, last);
+    const auto along = [&](int first, int pixels) {
+        const int eighths = 8 * (pixels - 1);
+        const int at =
+            random.one_in(2) ? 8 * random.between(0, pixels - 1) : random.between(0, eighths);
+        return static_cast<float>(first) + 0.125F * static_cast<float>(at);
     };
+    const float col = along(cell.col, cell.cols);
+    const float row = along(cell.row, cell.rows);
     const double t = random.one_in(3) ? random.between(0, 1) : random.uniform();
-    return {view.u(cell.col + along(cell.cols)), view.v(cell.row + along(cell.rows)),
+    return {col, row, view.u(static_cast<double>(col)), view.v(static_cast<double>(row)),
             std::clamp(s_lo + t * (s_hi - s_lo), s_lo, s_hi)};
 }
 
@@ -113,6 +118,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         FormCells<Real> cells;
         cells.view = view;
         cells.base = beams.base();
+        std::memcpy(&cells.rays, beams.rays<double>(), sizeof cells.rays);
         const int pixels = sides.at(random.below(sides.size()));
         cells.frustum = beams.frustum<Real>(pixels);
         for (std::size_t i = 0; i < cells_a_batch; ++i)

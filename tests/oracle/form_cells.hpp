@@ -13,6 +13,7 @@ inline constexpr std::size_t cells_a_batch = batch_multiple;
 
 /// A place on a ray of a view: base + (distance + s) (u right + v up) + s forward, exactly.
 struct RayPlace {
+    float col, row;  ///< of the ray, in pixels from the tile's first
     double u, v, s;
 };
 
@@ -20,7 +21,8 @@ struct RayPlace {
 template <class Real>
 struct FormCells {
     ViewFrame view{Camera{}};
-    glm::dvec3 base{};  ///< BeamView::base
+    glm::dvec3 base{};      ///< BeamView::base
+    RaysOf<double> rays{};  ///< of the tile, for values
     FrustumOf<Real> frustum{};
     std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};
     std::array<RayPlace, cells_a_batch> near{};  ///< of each cell, a place in it

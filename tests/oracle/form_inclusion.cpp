@@ -1,5 +1,6 @@
 #include "tests/oracle/form_inclusion.hpp"
 
+#include "engine/num/rounding.hpp"
 #include "tests/support/oracle/mpfi_evaluator.hpp"
 #include "tests/support/random_expression.hpp"
 
@@ -27,28 +28,22 @@ void run(const KernelFunction<Batch>& function, const Batch& batch) {
     function.call(function.code.get(), &batch);  // past the check of the mode, which a mutant fails
 }
 
-/// Values as the tracer takes them for its certificates: in double, at places rounded to double.
+/// Values as the tracer takes them for its certificates.
 template <class Real>
 void find_values(const Kernel& kernel, const FormCells<Real>& cells,
                  std::array<double, cells_a_batch>& value) {
-    const ViewFrame& view = cells.view;
-    std::array<std::array<double, cells_a_batch>, 3> x{};
-    std::array<std::array<double, cells_a_batch>, 3> gradient{};
+    std::array<float, cells_a_batch> col{};
+    std::array<float, cells_a_batch> row{};
+    std::array<double, cells_a_batch> s{};
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
-        const RayPlace& at = cells.near[i];
-        const glm::dvec3 across = at.u * view.right + at.v * view.up;
-        const glm::dvec3 p =
-            cells.base + view.look_distance * across + at.s * (view.forward + across);
-        x[0][i] = p.x;
-        x[1][i] = p.y;
-        x[2][i] = p.z;
+        col[i] = cells.near[i].col;
+        row[i] = cells.near[i].row;
+        s[i] = cells.near[i].s;
     }
-    run(kernel.value_double,
-        ValueBatchOf<double>{cells_a_batch,
-                             {x[0].data(), x[1].data(), x[2].data()},
-                             cells.uniforms.template points<double>(),
-                             value.data(),
-                             {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
+    const UpwardRounding upward;  // in a mutant, too: interpreters check it
+    run(kernel.ray_value,
+        RayValueBatch{cells_a_batch, col.data(), row.data(), s.data(), cells.rays.origin,
+                      cells.uniforms.template points<double>(), value.data()});
 }
 
 template <class Real>

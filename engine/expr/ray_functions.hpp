@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/expr/kernel.hpp"
+
+namespace zeroset {
+
+/// The functions over rays of a kernel whose functions over points are known; slower than code of
+/// their own. For code without: interpreted or shortened.
+void add_ray_functions(Kernel& kernel);
+
+}  // namespace zeroset
