@@ -284,8 +284,12 @@ private:
     }
     Value turning(const Enclosure<Real>& g, const Box& at, In y, In x) {
         const Box radius2 = square_of(box(x)) + square_of(box(y));
-        const Box by_y = box(x) / radius2;
-        const Box by_x = -(box(y) / radius2);
+        // No line goes across the cut.
+        const auto steepness = [&](const Box& slope) {
+            return g.continuous ? select(*g.continuous, slope, whole_line(slope.hi)) : slope;
+        };
+        const Box by_y = steepness(box(x) / radius2);
+        const Box by_x = steepness(-(box(y) / radius2));
         const Form f =
             by_slopes(y.value.f, x.value.f, SurfaceBounds<Real>{g.range, by_y, by_x, at, 4.0});
         const Slope slope =
@@ -310,14 +314,19 @@ private:
     const Real* kind_ = nullptr;  ///< any number of the carrier, of the operator at work
 };
 
-/// a - b k where floor(a/b) is k on the whole cell.
+/// a - b k where floor(a/b) is k on the whole cell. Elsewhere an evaluation may round a/b across a
+/// whole number, and so leave the range.
 template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
     const Enclosure<Real> range = zeroset::mod(box(a), box(b));
-    const Real k = round_down((box(a) / box(b)).hi);
+    const Box quotient = box(a) / box(b);
+    const Real k = round_down(quotient.hi);
     const Form steps = interval_form(point(k), number(0));
     const Form line = a.value.f - b.value.f * steps;
-    const Form f = select(*range.continuous, line, interval_form(range.range, number(0)));
+    const Real turns = largest(quotient) + number(1);
+    const Real r =
+        number(2) * (a.value.f.r + turns * b.value.f.r) + number(6) * turns * largest(box(b));
+    const Form f = select(*range.continuous, line, interval_form(range.range, r));
     const Slope slope = sum(a.value.slope, negated(times(steps, b.value.slope)));
     return with_domain(of(f, slope, a, b), range);
 }
@@ -334,7 +343,7 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
     const Enclosure<Real> both_sides = zeroset::choose(of_c, side(a), side(b));
     const auto holds = no(may_fail(condition));
     const auto fails = no(may_hold(condition));
-    const Form undecided = interval_form(both_sides.range, number(0));
+    const Form undecided = interval_form(both_sides.range, maximum(a.value.f.r, b.value.f.r));
     const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
     const Form zero = interval_form(point(number(0)), number(0));
     const Form& slope_a = a.value.slope ? *a.value.slope : zero;

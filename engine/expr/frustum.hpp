@@ -56,7 +56,7 @@ struct CellLanes {
 };
 
 /// Coordinate i over cells, and its slope along the rays. The roundings of u, v and of the few
-/// operations here are below four units of `size` together.
+/// operations here are below four units of `size` together: of the terms' sizes at these depths.
 template <class Lanes>
 BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lanes>& cell,
                             std::size_t i) {
@@ -69,9 +69,10 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
         middle,
         {from_eye * view.by_u[i], from_eye * view.by_v[i], direction * cell.s_radius},
         view.across[i] * cell.s_radius};
+    const Lanes size = view.size[i] + (magnitude(cell.s) + cell.s_radius) * view.direction_size[i];
     const Affine<Lanes> slope{
         direction, {view.by_u[i], view.by_v[i], std::nullopt}, like(cell.u, 0.0)};
-    return {Beam<Lanes>{x, view.size[i] * four, view.size[i]},
+    return {Beam<Lanes>{x, size * four, size},
             Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]}};
 }
 
@@ -84,8 +85,12 @@ BeamValue<Lanes> constant_form(const Facts& facts, Real /*kind*/, auto splat) {
     const double error =
         std::max(box.hi - static_cast<double>(middle), box.neg_lo + static_cast<double>(middle));
     const Real e = error > 0 ? upper_end(Real{}, error * (1.0 + 0x1p-50)) : Real{0};
-    const Real size = upper_end(Real{}, std::max(box.neg_lo, box.hi));
-    return {Beam<Lanes>{{splat(middle), {}, splat(e)}, splat(size), splat(size)}};
+    const double bound = std::max(box.neg_lo, box.hi);
+    // Kernels in double take `facts.middle`: the bounds may be many of its units away.
+    const double off = std::max(box.hi - facts.middle, box.neg_lo + facts.middle) * (1.0 + 0x1p-50);
+    const Real r = upper_end(Real{}, std::max(bound, off * 0x1p52));
+    const Real size = upper_end(Real{}, bound);
+    return {Beam<Lanes>{{splat(middle), {}, splat(e)}, splat(r), splat(size)}};
 }
 
 /// w or a parameter.

@@ -85,8 +85,8 @@ struct FrustumOf {
     Real base[3], right[3], up[3], forward[3];
     Real distance;            ///< from the eye to the plane s = 0 through `base`
     Real u_radius, v_radius;  ///< of every cell
-    /// Upper bounds of the coordinates and of the sizes of the terms that make them, and of the
-    /// same for the rays' directions; in any cell of the batch.
+    /// Upper bounds of the sizes of the terms that make the coordinates at s = 0, and of those that
+    /// make the rays' directions; in any cell of the batch.
     Real size[3], direction_size[3];
 };
 

@@ -154,6 +154,10 @@ struct Cells {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         return (bits[cell / lanes].*member >> (cell % lanes) & 1U) != 0;
     }
+    void set_bit(LaneBits CellBits::* member, std::size_t cell) {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        bits[cell / lanes].*member |= LaneBits{1} << (cell % lanes);
+    }
     [[nodiscard]] bool child_finished(std::size_t child, std::size_t cell) const {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         return (bits[cell / lanes].child_finished[child] >> (cell % lanes) & 1U) != 0;

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -44,10 +45,10 @@ public:
         for (std::size_t k = 0; k < 3; ++k)
             hits_->gradient[k][pixel] = slope[k];
     }
-    /// One that may be there.
-    void add_undecided(std::uint32_t pixel, double s) {
+    /// The same, with no gradient yet.
+    void add_pending(std::uint32_t pixel, double s, Certificate known) {
         if (!(s < static_cast<double>(depth[pixel]))) return;
-        add(pixel, s, Certificate::Undecided, {});
+        add(pixel, s, known, {});
         without_gradient.push_back(pixel);
     }
     /// Certified roots of up to `most` pixels from `pixel` on, those of `bits`, whose depths and
@@ -83,6 +84,7 @@ struct Stretch {
     double guess;               ///< in [from, to]
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
+    bool again = true;          ///< what is not proved is left to RootFinder::take_open
 };
 
 /// How far f is off where it was evaluated in double; `r`: see FormBatchOf.
@@ -105,6 +107,8 @@ public:
     }
     /// Works off what has been pushed.
     void solve();
+    /// Stretches on which Newton's method proved nothing.
+    std::vector<Stretch> take_open() { return std::exchange(open_, {}); }
 
 private:
     static constexpr std::size_t capacity = 256;
@@ -123,6 +127,7 @@ private:
     Counters& counters_;
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
+    std::vector<Stretch> open_;
     alignas(64) float col_[capacity], row_[capacity];
     alignas(64) Real from_[capacity], to_[capacity], guess_[capacity];
     alignas(64) Real gradient_[3][capacity], slope_[capacity];
@@ -184,6 +189,12 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
         if (hi < box.enter_lo || lo > box.exit_hi) return;
         proved = proved && lo >= box.enter_hi && hi <= box.exit_lo;
     }
+    if (!proved && stretch.again && hi - lo > view_.tolerance()) {
+        open_.push_back(stretch);
+        open_.back().from = lo;
+        open_.back().to = hi;
+        return;
+    }
     found_.add(stretch.pixel, s, proved ? Certificate::Certified : Certificate::Undecided,
                {static_cast<float>(gradient_[0][i]), static_cast<float>(gradient_[1][i]),
                 static_cast<float>(gradient_[2][i])});
@@ -201,12 +212,12 @@ void RootFinder<Real>::step(bool last) {
         const double f = falling ? -f_[i] : f_[i];
         const double least = falling ? -stretch.slope_hi : stretch.slope_lo;
         const double most = falling ? -stretch.slope_lo : stretch.slope_hi;
+        // Rounded upward, like both ends of the bracket.
+        const auto quotient = [&](double y) { return y > 0 ? y / least : y / most; };
         const double above = f + error;
-        const double below = f - error;
-        const double before = above > 0 ? above / least : above / most;
-        const double behind = below > 0 ? below / most : below / least;
-        const double lo = stretch.guess - before - view_.depth_error();
-        const double hi = stretch.guess - behind + view_.depth_error();
+        const double neg_below = error - f;
+        const double lo = -(quotient(above) - stretch.guess);
+        const double hi = quotient(neg_below) + stretch.guess;
         const bool known = lo <= hi;  // false where NaN
         if (known && (hi < stretch.from || lo > stretch.to)) continue;
         const double from = known ? std::max(stretch.from, lo) : stretch.from;
@@ -215,8 +226,8 @@ void RootFinder<Real>::step(bool last) {
         if (!(next >= from && next <= to)) next = 0.5 * from + 0.5 * to;
         const bool narrow = known && hi - lo <= view_.tolerance();
         const bool proved = narrow && lo >= stretch.lo && hi <= stretch.hi;
-        const bool stuck = known && above >= 0 && below <= 0 && !narrow;
-        if (proved || stuck || last || to - from <= 4 * view_.depth_error()) {
+        const bool stuck = known && above >= 0 && neg_below >= 0 && !narrow;
+        if (proved || stuck || last || !(from < 0.5 * from + 0.5 * to)) {
             finish(i, from, to, next, proved);
             continue;
         }

@@ -32,6 +32,7 @@
 // Highway includes this file again for each instruction set.
 #include "engine/trace/beam_cells-inl.hpp"
 #include "engine/trace/beam_leaf-inl.hpp"
+#include "engine/trace/beam_ranges-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 
@@ -49,6 +50,9 @@ template <class Real>
 struct BeamMemory {
     Cells<Real> cells[2];
     Found<Real> found;
+    RangeMemory<Real> ranges;
+    MarchMemory<Real> rays;
+    MarchMemory<double> fine_rays;
 };
 
 template <class Real>
@@ -67,8 +71,9 @@ public:
           roots_(frame, view_, found_, counters),
           leaves_(frame, tile, view_, found_, roots_, counters),
           small_leaves_(frame, tile, view_, found_, roots_, counters),
-          marcher_(frame, view_, found_, roots_, counters),
-          fine_marcher_(frame, view_, found_, roots_, counters) {}
+          ranges_(frame, view_, memory.ranges, counters),
+          marcher_(frame, view_, memory.rays, found_, roots_, counters),
+          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters) {}
 
     void trace();
 
@@ -85,6 +90,9 @@ private:
     /// The first cells; false when no ray meets the clip box.
     bool start();
     void descend(int pixels);
+    /// By natural interval extensions, cells on which f is not known to be continuous: they are
+    /// sharper beside poles and jumps.
+    void reject_by_ranges(int pixels);
     /// Cells first to last of one tile; its children go to next_.
     void visit_tile(std::size_t first, std::size_t last, int pixels);
     void push_children(int pixels);
@@ -124,10 +132,12 @@ private:
     RootFinder<Real> roots_;
     LeafSolver<Real, leaf_pixels> leaves_;
     LeafSolver<Real, least_pixels> small_leaves_;
+    RangeList<Real> ranges_;
     RayMarcher<Real, Real> marcher_;
     RayMarcher<double, Real> fine_marcher_;
-    std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
-    DepthRange all_{};               ///< of the tile's rays
+    std::vector<std::size_t> asked_;  ///< cells in ranges_
+    std::vector<std::size_t> open_;   ///< cells of the tile at work that go on to its children
+    DepthRange all_{};                ///< of the tile's rays
     double s_most_ = 0;
     Real margin_ = 0;
     Real fair_guess_ = 0;
@@ -169,15 +179,21 @@ void BeamTile<Real>::trace() {
         std::swap(cells_, next_);
     }
     roots_.solve();
+    for (const Stretch& stretch : roots_.take_open()) {
+        const Real from = -upper_end(Real{}, -stretch.from);
+        const Real to = upper_end(Real{}, stretch.to);
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from});
+    }
     march_rays();
     hand_on();
 }
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
-    evaluate(frame_, view_.frustum<Real>(pixels, s_most_), cells_->size, cells_->places,
-             cells_->forms, counters_);
+    evaluate(frame_, view_.frustum<Real>(pixels), cells_->size, cells_->places, cells_->forms,
+             counters_);
     CellJudge<Real>(pixels).judge(*cells_);
+    reject_by_ranges(pixels);
     for (std::size_t first = 0; first < cells_->size;) {
         std::size_t last = first + 1;
         while (last < cells_->size && cells_->col[last] == cells_->col[first] &&
@@ -186,6 +202,24 @@ void BeamTile<Real>::descend(int pixels) {
         }
         visit_tile(first, last, pixels);
         first = last;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::reject_by_ranges(int pixels) {
+    ranges_.clear();
+    asked_.clear();
+    const double half = 0.5 * (pixels - 1);
+    for (std::size_t i = 0; i < cells_->size; ++i) {
+        if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
+        asked_.push_back(i);
+        ranges_.push(view_.u(cells_->col[i] + half), view_.v(cells_->row[i] + half),
+                     half * view_.pixel(), half * view_.pixel(),
+                     static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
+    }
+    ranges_.evaluate();
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+        if (ranges_.excludes_zero(k)) cells_->set_bit(&CellBits::rejected, asked_[k]);
     }
 }
 
@@ -321,8 +355,14 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
     for (int row = 0; row < pixels && cells_->row[cell] + row < tile_.rows; ++row) {
         for (int col = 0; col < pixels && cells_->col[cell] + col < tile_.cols; ++col) {
             const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
-            const double ray_from = std::max(from, middle - radius);
-            const double ray_to = std::min(to, middle + radius);
+            double ray_from = std::max(from, middle - radius);
+            double ray_to = std::min(to, middle + radius);
+            if (cells_->inside[cell] == 0) {
+                const DepthRange clip = view_.depths(view_.u(cells_->col[cell] + col),
+                                                     view_.v(cells_->row[cell] + row), 0.0, 0.0);
+                ray_from = std::max(ray_from, clip.enter_lo);
+                ray_to = std::min(ray_to, clip.exit_hi);
+            }
             if (!(ray_from <= ray_to)) continue;
             const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
                                                           cells_->col[cell] + col);
@@ -344,10 +384,11 @@ void BeamTile<Real>::march_rays() {
             pass(pixel, from);
             return true;
         }
-        found_.add_undecided(pixel, 0.5 * from + 0.5 * to);
+        found_.add_pending(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
         return false;
     };
-    marcher_.march(static_cast<Real>(rough), margin_, s_most_,
+    const auto finest = static_cast<Real>(rough);
+    marcher_.march({finest, final ? finest / 4 : margin_, final},
                    [&](const Segment<Real>& segment, bool continuous) {
                        const auto from = static_cast<double>(segment.from);
                        const auto to = static_cast<double>(segment.to);
@@ -355,7 +396,7 @@ void BeamTile<Real>::march_rays() {
                        fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
                        return true;
                    });
-    fine_marcher_.march(view_.tolerance(), 0.5 * view_.tolerance(), s_most_,
+    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), true},
                         [&](const Segment<double>& segment, bool continuous) {
                             return stop(segment.pixel, segment.from, segment.to, continuous);
                         });
@@ -367,7 +408,6 @@ void BeamTile<Real>::hand_on() {
     for (int row = 0; row < tile_.rows && hits_.any; ++row)
         hand_on_row(row);
     for (const std::uint32_t pixel : found_.without_gradient) {
-        if (hits_.certificate[pixel] != Certificate::Undecided) continue;
         const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
                                          static_cast<double>(found_.depth[pixel]));
         hits_.points.push_back({pixel, {x.x, x.y, x.z}});

@@ -85,7 +85,7 @@ DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius
 }
 
 template <class Real>
-FrustumOf<Real> BeamView::frustum(int pixels, double s_most) const {
+FrustumOf<Real> BeamView::frustum(int pixels) const {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
     const auto number = [](double value) { return static_cast<Real>(value); };
     FrustumOf<Real> frustum{};
@@ -94,7 +94,6 @@ FrustumOf<Real> BeamView::frustum(int pixels, double s_most) const {
     frustum.u_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * u_most_);
     frustum.v_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * v_most_);
     frustum.distance = number(view_.look_distance);
-    const double from_eye = view_.look_distance + s_most;
     for (int i = 0; i < 3; ++i) {
         frustum.base[i] = number(base_[i]);
         frustum.right[i] = number(view_.right[i]);
@@ -104,7 +103,7 @@ FrustumOf<Real> BeamView::frustum(int pixels, double s_most) const {
         const double direction = std::abs(view_.forward[i]) + across;
         // What making `base` in double has cost, in units of this format.
         const double base_error = 0x1p-50 / unit * (std::abs(view_.eye[i]) + view_.look_distance);
-        const double size = std::abs(base_[i]) + from_eye * across + s_most * direction;
+        const double size = std::abs(base_[i]) + view_.look_distance * across;
         frustum.size[i] = upper_end(Real{}, (size + base_error) * (1.0 + 0x1p-20));
         frustum.direction_size[i] = upper_end(Real{}, direction * (1.0 + 0x1p-20));
     }
@@ -134,7 +133,7 @@ RaysOf<Real> BeamView::make_rays() const {
     return rays;
 }
 
-template FrustumOf<float> BeamView::frustum(int pixels, double s_most) const;
-template FrustumOf<double> BeamView::frustum(int pixels, double s_most) const;
+template FrustumOf<float> BeamView::frustum(int pixels) const;
+template FrustumOf<double> BeamView::frustum(int pixels) const;
 
 }  // namespace zeroset

@@ -41,9 +41,9 @@ public:
     /// Of all rays within the radii of (u, v).
     [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
 
-    /// The cells of `pixels` x `pixels` pixels at depths up to `s_most` from the plane s = 0.
+    /// The cells of `pixels` x `pixels` pixels.
     template <class Real>
-    [[nodiscard]] FrustumOf<Real> frustum(int pixels, double s_most) const;
+    [[nodiscard]] FrustumOf<Real> frustum(int pixels) const;
 
     /// The rays of the tile's pixels: a RaysOf<Real> as kernels take it.
     template <class Real>

@@ -31,11 +31,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 double largest(const glm::dvec3& a) { return std::max({a.x, a.y, a.z}); }
 
 /// How far from the first root a certified depth may be (see engine/trace/tracer.hpp).
-double depth_error(const AuditSurface& surface, double d_stop, const glm::dvec3& direction,
-                   double depth) {
+double depth_error(const AuditSurface& surface, const AuditSettings& settings,
+                   const glm::dvec3& direction, double depth) {
     const Box& clip = surface.clip;
+    if (settings.depth_bits > 0)
+        return std::exp2(-settings.depth_bits) * clip.size() + 0x1p-24 * depth;
     const double reach = largest(glm::max(glm::abs(clip.lo), glm::abs(clip.hi)));
-    const double cell = std::max(clip.size() * std::exp2(-d_stop), 0x1p-20 * reach);
+    const double cell = std::max(clip.size() * std::exp2(-settings.d_stop), 0x1p-20 * reach);
     const double stretch = glm::length(direction) / largest(glm::abs(direction));
     return 4 * cell * stretch + 0x1p-21 * (depth + glm::length(surface.camera.eye));
 }
@@ -122,14 +124,36 @@ Oracle oracle_of(const AuditSurface& surface) {
     return {program->surfaces.front(), uniforms};
 }
 
-std::vector<std::size_t> chosen_pixels(const AuditSettings& settings) {
-    const auto size = static_cast<std::size_t>(settings.size_px);
-    std::vector<std::size_t> pixels(settings.rays == 0 ? size * size : settings.rays);
+/// Pixels whose right or lower neighbour is of another kind or much nearer or farther.
+std::vector<std::size_t> edge_pixels(const AuditSurface& surface, const Framebuffer& frame) {
+    const auto differ = [&](std::size_t i, std::size_t k) {
+        if (frame.certificate[i] != frame.certificate[k]) return true;
+        const auto step = std::abs(static_cast<double>(frame.depth[i] - frame.depth[k]));
+        return step > 0.05 * surface.clip.size();  // false where both are infinite
+    };
+    std::vector<std::size_t> edges;
+    for (int row = 0; row + 1 < frame.height; ++row) {
+        for (int col = 0; col + 1 < frame.width; ++col) {
+            const std::size_t i = frame.index(col, row);
+            if (differ(i, frame.index(col + 1, row)) || differ(i, frame.index(col, row + 1)))
+                edges.push_back(i);
+        }
+    }
+    return edges;
+}
+
+std::vector<std::size_t> chosen_pixels(const AuditSurface& surface, const AuditSettings& settings,
+                                       const Framebuffer& frame) {
+    const std::size_t all = frame.depth.size();
+    std::vector<std::size_t> pixels(settings.rays == 0 ? all : settings.rays);
     std::iota(pixels.begin(), pixels.end(), 0U);
     if (settings.rays == 0) return pixels;
     RandomNumbers random(1);
     for (std::size_t& pixel : pixels)
-        pixel = random.below(size * size);
+        pixel = random.below(all);
+    const std::vector<std::size_t> edges = edge_pixels(surface, frame);
+    for (std::size_t i = 0; i < settings.edge_rays && !edges.empty(); ++i)
+        pixels.push_back(edges[random.below(edges.size())]);
     return pixels;
 }
 
@@ -231,14 +255,14 @@ AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
     AuditReport report;
     Oracle oracle = oracle_of(surface);
     const ViewFrame view(surface.camera);
-    for (const std::size_t i : chosen_pixels(settings)) {
+    for (const std::size_t i : chosen_pixels(surface, settings, frame)) {
         const int col = static_cast<int>(i) % frame.width;
         const int row = static_cast<int>(i) / frame.width;
         const glm::dvec3 direction =
             view.direction(col + 0.5, row + 0.5, frame.width, frame.height);
         const auto depth = static_cast<double>(frame.depth[i]);
         const Shown shown{frame.certificate[i], depth,
-                          depth_error(surface, settings.d_stop, direction, depth)};
+                          depth_error(surface, settings, direction, depth)};
         const auto question = ray_question(view, surface.clip, col, row, frame.width, frame.height);
         const std::string wrong =
             judge(shown, oracle.answer(question), glm::length(direction), report);

@@ -30,6 +30,12 @@ struct AuditSettings {
     int size_px = 24;  ///< width and height of the picture
     double d_stop = 14;
     std::size_t rays = 0;  ///< asks the oracles about so many pixels at random; 0: about all
+    /// And about so many at random of those that differ from a neighbour: silhouettes, edges,
+    /// places that are hard to decide.
+    std::size_t edge_rays = 0;
+    /// 0: certified depths may be off the first root as TileHits allows; else by 2^-bits of the
+    /// clip box's longest edge, and the rounding of depths to float.
+    double depth_bits = 0;
     /// Draws with the interpreter: for small pictures, where making machine code takes longer.
     bool interpreted = false;
 };

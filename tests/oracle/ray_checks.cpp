@@ -17,10 +17,15 @@ namespace zeroset::test {
 namespace {
 
 constexpr const char* usage =
-    "usage: ray_checks [--size N] [--dstop N] [--rays N] [--surfaces N] [--seed S]\n"
-    "                  [--gallery 0|1] [--commands 0|1] [--threads N]\n"
+    "usage: ray_checks [--size N] [--dstop N] [--rays N] [--edges N] [--bits N]\n"
+    "                  [--surfaces N] [--seed S] [--gallery 0|1] [--commands 0|1]\n"
+    "                  [--threads N] [TRACER...]\n"
+    "Checks these tracers, all if none is given.\n"
     "  --size      width and height of the pictures, 128 if not given\n"
     "  --rays      of each picture, at random; 0, the default: all\n"
+    "  --edges     of each picture, besides those, at random where neighbours differ\n"
+    "  --bits      certified depths are at most 2^-N of the clip box off the first root; 0, the\n"
+    "              default: what tracers promise\n"
     "  --surfaces  number of random surfaces, 200 if not given\n"
     "  --gallery   whether the gallery is checked, too; 1 if not given\n"
     "  --commands  1: only prints the command lines that draw the surfaces\n"
@@ -30,17 +35,22 @@ struct Options {
     std::size_t size = 128;
     std::size_t d_stop = 16;
     std::size_t rays = 0;
+    std::size_t edges = 0;
+    std::size_t bits = 0;
     std::size_t surfaces = 200;
     std::size_t seed = 1;
     std::size_t gallery = 1;
     std::size_t commands = 0;
     std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<Tracer> tracers;
 };
 
 std::size_t* option_named(Options& options, std::string_view name) {
     if (name == "--size") return &options.size;
     if (name == "--dstop") return &options.d_stop;
     if (name == "--rays") return &options.rays;
+    if (name == "--edges") return &options.edges;
+    if (name == "--bits") return &options.bits;
     if (name == "--surfaces") return &options.surfaces;
     if (name == "--seed") return &options.seed;
     if (name == "--gallery") return &options.gallery;
@@ -50,15 +60,20 @@ std::size_t* option_named(Options& options, std::string_view name) {
 
 std::optional<Options> options_of(const std::vector<std::string_view>& arguments) {
     Options options;
-    if (arguments.size() % 2 != 0) return std::nullopt;
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
+        if (const Tracer* const tracer = find_tracer(arguments[i])) {
+            options.tracers.push_back(*tracer);
+            --i;
+            continue;
+        }
         std::size_t* const number = option_named(options, arguments[i]);
+        if (number == nullptr || i + 1 == arguments.size()) return std::nullopt;
         const std::string_view value = arguments[i + 1];
-        if (number == nullptr) return std::nullopt;
         const auto [end, error] =
             std::from_chars(value.data(), value.data() + value.size(), *number);
         if (error != std::errc{} || end != value.data() + value.size()) return std::nullopt;
     }
+    if (options.tracers.empty()) options.tracers.assign(tracers().begin(), tracers().end());
     return options;
 }
 
@@ -88,12 +103,6 @@ AuditReport audit_all(const std::vector<AuditSurface>& surfaces, const AuditSett
     return total;
 }
 
-std::vector<Tracer> checked_tracers() {
-    std::vector<Tracer> all(tracers().begin(), tracers().end());
-    all.insert(all.end(), tracers_in_work().begin(), tracers_in_work().end());
-    return all;
-}
-
 int check(const Options& options) {
     std::vector<AuditSurface> surfaces = random_surfaces(options.surfaces, options.seed);
     if (options.gallery != 0) {
@@ -101,9 +110,13 @@ int check(const Options& options) {
         surfaces.insert(surfaces.begin(), classics.begin(), classics.end());
     }
     std::size_t failures = 0;
-    for (const Tracer& tracer : checked_tracers()) {
-        const AuditSettings settings{std::string(tracer.name), static_cast<int>(options.size),
-                                     static_cast<double>(options.d_stop), options.rays};
+    for (const Tracer& tracer : options.tracers) {
+        const AuditSettings settings{.tracer = std::string(tracer.name),
+                                     .size_px = static_cast<int>(options.size),
+                                     .d_stop = static_cast<double>(options.d_stop),
+                                     .rays = options.rays,
+                                     .edge_rays = options.edges,
+                                     .depth_bits = static_cast<double>(options.bits)};
         if (options.commands != 0) {
             print_commands(surfaces, settings);
             continue;

@@ -15,6 +15,8 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -169,10 +171,11 @@ void check_pixel(const Ray& ray, const View& view, Certificate certificate, doub
         << "no root within " << tolerance << " of " << depth;
 }
 
-Tally check_view(const Stand& stand, const View& view) {
+Tally check_view(const Stand& stand, const View& view, std::string_view tracer) {
     Scene scene{{interpret(stand.expr)}, view.clip, {}};
     scene.uniforms.set(0, 0.0);
     TraceSettings settings;
+    settings.tracer = tracer;
     settings.stop.value = d_stop;
     settings.threads = 2;
     Framebuffer frame(image_size, image_size);
@@ -196,17 +199,23 @@ struct Way {
     MakeView view;
 };
 
-class DeepZoom : public ::testing::TestWithParam<Way> {};
+class DeepZoom : public ::testing::TestWithParam<std::tuple<Way, Tracer>> {
+protected:
+    static View view(const Stand& stand, double side) {
+        return std::get<Way>(GetParam()).view(stand, side);
+    }
+    static std::string_view tracer() { return std::get<Tracer>(GetParam()).name; }
+};
 
 TEST_P(DeepZoom, ShowsASmoothSurfaceDownToANanobox) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
         for (double side = 2.0 * stand.half_edge; side > 0.5e-9; side *= 0.1) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
-            const View view = GetParam().view(stand, side);
-            const Tally tally = check_view(stand, view);
+            const View seen = view(stand, side);
+            const Tally tally = check_view(stand, seen, tracer());
             const Precision precision =
-                wanted_precision(view.clip, ViewFrame(view.camera), {StopRule::DStop, d_stop});
+                wanted_precision(seen.clip, ViewFrame(seen.camera), {StopRule::DStop, d_stop});
             EXPECT_TRUE(precision == Precision::Double || side > 1e-2);
             EXPECT_GT(tally.must_hit, 10);
             // f has several signs in a slice of the whole surface at its rim.
@@ -220,28 +229,42 @@ TEST_P(DeepZoom, IsNeverWrongBelowWhatDoubleCanTellApart) {
         const Stand stand = stand_at(place);
         for (const double side : {1e-11, 1e-12, 1e-13, 1e-14, 1e-15}) {
             SCOPED_TRACE(stand.name + ", side " + std::to_string(std::log10(side)));
-            const View view = GetParam().view(stand, side);
-            if (camera_defect(view.camera) == nullptr) check_view(stand, view);
+            const View seen = view(stand, side);
+            if (camera_defect(seen.camera) == nullptr) check_view(stand, seen, tracer());
         }
     }
 }
 
-TEST(DeepZoomEnd, IsUndecided) {
+class DeepZoomEnd : public ::testing::TestWithParam<Tracer> {};
+
+TEST_P(DeepZoomEnd, IsUndecided) {
     for (const Place& place : places()) {
         const Stand stand = stand_at(place);
-        const Tally near = check_view(stand, near_camera(stand, 2e-14));
+        const Tally near = check_view(stand, near_camera(stand, 2e-14), GetParam().name);
         EXPECT_EQ(near.certified, 0) << stand.name;
         EXPECT_GT(near.undecided, 30) << stand.name;
-        const Tally tally = check_view(stand, small_box(stand, 1e-15));
+        const Tally tally = check_view(stand, small_box(stand, 1e-15), GetParam().name);
         EXPECT_EQ(tally.certified, 0) << stand.name;
         EXPECT_GT(tally.undecided, 30) << stand.name;
     }
 }
 
+std::string test_name(const Tracer& tracer) {
+    std::string name(tracer.name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, DeepZoom,
-                         ::testing::Values(Way{"small_box", small_box},
-                                           Way{"near_camera", near_camera}),
-                         [](const auto& way) { return way.param.name; });
+                         ::testing::Combine(::testing::Values(Way{"small_box", small_box},
+                                                              Way{"near_camera", near_camera}),
+                                            ::testing::ValuesIn(tracers())),
+                         [](const auto& way) {
+                             return std::get<Way>(way.param).name + std::string("_") +
+                                    test_name(std::get<Tracer>(way.param));
+                         });
+INSTANTIATE_TEST_SUITE_P(AllTracers, DeepZoomEnd, ::testing::ValuesIn(tracers()),
+                         [](const auto& tracer) { return test_name(tracer.param); });
 
 }  // namespace
 }  // namespace zeroset::test
