@@ -19,6 +19,8 @@ struct BeamValue {
     std::optional<Mask> somewhere{};  ///< as in Enclosure
     std::optional<Mask> everywhere{};
     std::optional<Mask> continuous{};
+    /// Vanishes wherever f does, and is f where f is continuous; absent: f. Only the root's counts.
+    std::optional<Beam<Real>> zeros{};
 };
 
 /// Beam forms of value and derivative, over any carrier, in upward rounding.
@@ -171,6 +173,7 @@ public:
         const Box range = select(around_origin, within<Real>(most), beside);
         return turning({range, {}, no(around_origin), no(around_origin)}, at, turn, y, x);
     }
+    Value oriented(In a, In b);
     Value sinh(In a) {
         const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };
         const auto bend = [](const Box& /*x*/, const Box& g, const Box& /*slope*/) { return g; };
@@ -386,6 +389,30 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
     const Form& slope_b = b.value.slope ? *b.value.slope : zero;
     return {f, select(holds, slope_a, slope_b), both_sides.somewhere, both_sides.everywhere,
             both_sides.continuous};
+}
+
+/// a times the sign of b. That of the value kernels' b is the same where it is known: b is farther
+/// from 0 than their rounding.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::oriented(In a, In b) {
+    const Box divisor = box(b);
+    const Real rounding = b.value.f.r * form_rounding(b.value.f.r);
+    const auto above = divisor.neg_lo + rounding < number(0);
+    const auto below = divisor.hi + rounding < number(0);
+    const auto known = either(above, below);
+    const auto turned = [&](const Form& f) { return select(below, -f, f); };
+    const Form zeros = turned(a.value.zeros.value_or(a.value.f));
+    const Real far = magnitude(a.value.f.f.c) + a.value.f.spread();
+    const Form either_way = interval_form(within<Real>(far), a.value.f.r);
+    Value result = of(select(known, turned(a.value.f), either_way), std::nullopt, a, b);
+    if (a.value.slope) {
+        const Form& slope = *a.value.slope;
+        result.slope = select(known, turned(slope), hull(slope, -slope));
+    }
+    result.zeros = zeros;
+    result.everywhere = conjunction(result.everywhere, {known});
+    if (b.facts.exact() && b.facts.constant->hi == 0) result.somewhere = {known};
+    return result;
 }
 
 /// a where the condition c holds, undefined elsewhere.

@@ -1,0 +1,12 @@
+#include "engine/expr/drawn_form.hpp"
+
+#include "engine/expr/clear_poles.hpp"
+#include "engine/expr/tighten.hpp"
+
+namespace zeroset {
+
+Expr drawn_form(const Expr& expr, const SampleRegion& region) {
+    return tightened(without_poles(expr, region), region);
+}
+
+}  // namespace zeroset
