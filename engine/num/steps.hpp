@@ -170,12 +170,13 @@ Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
         const Real far = larger_bound(v.neg_lo, v.hi);
         return select(above, v, select(below, -v, Interval<Real>{far, far}));
     };
+    const auto known = either(above, below);
     const Real neg_least = minimum(a.range.neg_lo, a.range.hi);  // where a has no zero
-    const auto unknown = unordered(a.range.neg_lo, a.range.hi);
-    const Real size = select(unknown, like(zero, infinity), neg_least);
+    const auto says_nothing = either(known, unordered(a.range.neg_lo, a.range.hi));
+    const Real size = select(says_nothing, like(zero, infinity), neg_least);
     std::optional<Interval<Real>> apart{Interval<Real>{size, size}};
     if (a.apart) apart = sharper(apart, std::optional(turned(*a.apart)));
-    return {turned(a.range), {}, either(above, below), {}, apart};
+    return {turned(a.range), {}, known, {}, apart};
 }
 
 }  // namespace zeroset
