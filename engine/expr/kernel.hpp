@@ -93,7 +93,8 @@ struct FrustumOf {
 /// Beam forms (engine/num/beam.hpp) of f over `size` cells, |u - u_i| <= u_radius,
 /// |v - v_i| <= v_radius, |s - s_i| <= s_radius_i:
 ///   f is in c + k[0] eu + k[1] ev + k[2] et + [-e, e]  for eu, ev, et in [-1, 1].
-/// Where nothing is known of f, c and k are 0 and e is +inf.
+/// Where f is not continuous, that may be of another function, which vanishes wherever f does.
+/// Where nothing is known, c and k are 0 and e is +inf.
 template <class Real>
 struct FormBatchOf {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
