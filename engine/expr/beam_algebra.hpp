@@ -15,7 +15,7 @@ struct BeamValue {
 
     Beam<Real> f;
     /// Where f is continuous it is piecewise smooth; encloses the slopes of the pieces.
-    std::optional<Beam<Real>> slope{};
+    std::optional<SlopeBeam<Real>> slope{};
     std::optional<Mask> somewhere{};  ///< as in Enclosure
     std::optional<Mask> everywhere{};
     std::optional<Mask> continuous{};
@@ -31,7 +31,7 @@ public:
     using In = const Operand<Value>&;
     using Form = Beam<Real>;
     using Box = Interval<Real>;
-    using Slope = std::optional<Form>;
+    using Slope = std::optional<SlopeBeam<Real>>;
 
     Value negate(In a) { return of(-a.value.f, negated(a.value.slope), a); }
     Value add(In a, In b) {
@@ -83,7 +83,7 @@ public:
         const Kink<Real> kink = kink_of(box(a));
         Value result = of(zeroset::abs(a.value.f, kink), std::nullopt, a);
         if (a.value.slope) {
-            const Form& slope = *a.value.slope;
+            const SlopeBeam<Real>& slope = *a.value.slope;
             result.slope =
                 select(kink.above, slope, select(kink.below, -slope, hull(slope, -slope)));
         }
@@ -240,6 +240,7 @@ private:
     }
     static Box middle(In a) { return point(a.value.f.f.c); }
 
+    SlopeBeam<Real> no_slope() { return {{number(0), {}, number(0)}, number(0)}; }
     static Slope negated(const Slope& a) {
         if (!a) return a;
         return -*a;
@@ -349,11 +350,11 @@ private:
         Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
         if (!a.value.slope && !b.value.slope) return result;
         kind_ = &a.value.f.r;
-        const Form zero = interval_form(point(number(0)), number(0));
-        const Form& slope_a = a.value.slope ? *a.value.slope : zero;
-        const Form& slope_b = b.value.slope ? *b.value.slope : zero;
-        const Form& if_above = sign > 0 ? slope_a : slope_b;
-        const Form& if_below = sign > 0 ? slope_b : slope_a;
+        const SlopeBeam<Real> zero = no_slope();
+        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
+        const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
+        const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
         result.slope =
             select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
         return result;
@@ -393,9 +394,9 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
     const auto fails = no(may_hold(condition));
     const Form undecided = interval_form(both_sides.range, maximum(a.value.f.r, b.value.f.r));
     const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
-    const Form zero = interval_form(point(number(0)), number(0));
-    const Form& slope_a = a.value.slope ? *a.value.slope : zero;
-    const Form& slope_b = b.value.slope ? *b.value.slope : zero;
+    const SlopeBeam<Real> zero = no_slope();
+    const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+    const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
     return {f, select(holds, slope_a, slope_b), both_sides.somewhere, both_sides.everywhere,
             both_sides.continuous};
 }
@@ -409,13 +410,13 @@ BeamValue<Real> BeamAlgebra<Real>::oriented(In a, In b) {
     const auto above = divisor.neg_lo + rounding < number(0);
     const auto below = divisor.hi + rounding < number(0);
     const auto known = either(above, below);
-    const auto turned = [&](const Form& f) { return select(below, -f, f); };
+    const auto turned = [&](const auto& f) { return select(below, -f, f); };
     const Form zeros = turned(a.value.zeros.value_or(a.value.f));
     const Real far = magnitude(a.value.f.f.c) + a.value.f.spread();
     const Form either_way = interval_form(within<Real>(far), a.value.f.r);
     Value result = of(select(known, turned(a.value.f), either_way), std::nullopt, a, b);
     if (a.value.slope) {
-        const Form& slope = *a.value.slope;
+        const SlopeBeam<Real>& slope = *a.value.slope;
         result.slope = select(known, turned(slope), hull(slope, -slope));
     }
     result.zeros = zeros;

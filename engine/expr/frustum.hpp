@@ -73,7 +73,8 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
     const Affine<Lanes> slope{
         direction, {view.by_u[i], view.by_v[i], std::nullopt}, like(cell.u, 0.0)};
     return {Beam<Lanes>{x, size * four, size},
-            Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]}};
+            slope_beam(
+                Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]})};
 }
 
 /// A constant subexpression: what value kernels take for it, and how far from that it may be.

@@ -238,23 +238,30 @@ Beam<Real> larger(const Beam<Real>& a, const Beam<Real>& b, const Kink<Real>& ki
 
 /// Between two forms: w a + (1 - w) b, whatever w in [0, 1].
 template <class Real>
-Beam<Real> hull(const Beam<Real>& a, const Beam<Real>& b) {
-    const Real half = like(a.r, 0.5);
-    const Beam<Real> middle = scale(a + b, 0.5);
-    Affine<Real> f = middle.f;
-    f.e = f.e + half * largest(a.f - b.f);
-    return {f, middle.r, middle.size};
+SlopeBeam<Real> hull(const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
+    SlopeBeam<Real> result = scale(a + b, 0.5);
+    result.f.e = result.f.e + like(a.size, 0.5) * largest(a.f - b.f);
+    return result;
 }
 
 template <class Mask, class Real>
-Beam<Real> select(const Mask& condition, const Beam<Real>& a, const Beam<Real>& b) {
-    Affine<Real> f{select(condition, a.f.c, b.f.c), {}, select(condition, a.f.e, b.f.e)};
-    const Real zero = like(a.r, 0.0);
+Affine<Real> select(const Mask& condition, const Affine<Real>& a, const Affine<Real>& b) {
+    Affine<Real> f{select(condition, a.c, b.c), {}, select(condition, a.e, b.e)};
+    const Real zero = like(a.c, 0.0);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!a.f.k[i] && !b.f.k[i]) continue;
-        f.k[i] = select(condition, a.f.k[i].value_or(zero), b.f.k[i].value_or(zero));
+        if (!a.k[i] && !b.k[i]) continue;
+        f.k[i] = select(condition, a.k[i].value_or(zero), b.k[i].value_or(zero));
     }
-    return {f, select(condition, a.r, b.r), select(condition, a.size, b.size)};
+    return f;
+}
+template <class Mask, class Real>
+Beam<Real> select(const Mask& condition, const Beam<Real>& a, const Beam<Real>& b) {
+    return {select(condition, a.f, b.f), select(condition, a.r, b.r),
+            select(condition, a.size, b.size)};
+}
+template <class Mask, class Real>
+SlopeBeam<Real> select(const Mask& condition, const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
+    return {select(condition, a.f, b.f), select(condition, a.size, b.size)};
 }
 
 /// Between the ends of an interval. `r`: of what it encloses.
