@@ -84,8 +84,12 @@ BeamValue<Lanes> constant_form(const Facts& facts, Real /*kind*/, auto splat) {
     const double error =
         std::max(box.hi - static_cast<double>(middle), box.neg_lo + static_cast<double>(middle));
     const Real e = error > 0 ? upper_end(Real{}, error * (1.0 + 0x1p-50)) : Real{0};
-    const Real size = upper_end(Real{}, std::max(box.neg_lo, box.hi));
-    return {Beam<Lanes>{{splat(middle), {}, splat(e)}, splat(size), splat(size)}};
+    const double bound = std::max(box.neg_lo, box.hi);
+    // Kernels in double take `facts.middle`: the bounds may be many of its units away.
+    const double off = std::max(box.hi - facts.middle, box.neg_lo + facts.middle) * (1.0 + 0x1p-50);
+    const Real r = upper_end(Real{}, std::max(bound, off * 0x1p52));
+    const Real size = upper_end(Real{}, bound);
+    return {Beam<Lanes>{{splat(middle), {}, splat(e)}, splat(r), splat(size)}};
 }
 
 /// w or a parameter.

@@ -9,7 +9,11 @@
 #define ZEROSET_BEAM_RAYS_INL
 #endif
 
+#include "engine/trace/beam_ranges-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
+
+#include <optional>
+#include <span>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -21,6 +25,17 @@ struct Segment {
     bool inside;  ///< surely inside the clip box
     Real from, to;
     Real step;  ///< how far the next cell reaches
+
+    [[nodiscard]] Real end() const { return std::min(to, from + step); }
+};
+
+/// How a march ends.
+template <class Real>
+struct MarchSettings {
+    Real finest;     ///< segments are not made shorter
+    Real margin;     ///< cells are longer than their part of the ray by this at both ends
+    double s_most;   ///< depths are at most this, either sign
+    bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
 };
 
 /// Marches along rays in cells that shrink where they cannot be decided and grow behind.
@@ -30,86 +45,81 @@ class RayMarcher {
 public:
     RayMarcher(const TraceFrame& frame, const BeamView& view, Found<Cell>& found,
                RootFinder<Cell>& roots, Counters& counters)
-        : frame_(frame), view_(view), found_(found), roots_(roots), counters_(counters) {
+        : frame_(frame),
+          view_(view),
+          found_(found),
+          roots_(roots),
+          counters_(counters),
+          ranges_(frame, view, counters) {
         places_.resize(capacity);
         forms_.resize(capacity);
     }
 
     void push(const Segment<Real>& segment) { segments_.push_back(segment); }
 
-    /// Works off what has been pushed, down to segments `finest` wide; cells are longer than their
-    /// part of the ray by `margin` at both ends. `undecided(segment, continuous)` takes those
-    /// segments that may still hold a root, and whether f is continuous there; it returns whether
-    /// the ray goes on behind.
+    /// Works off what has been pushed. `undecided(segment, continuous)` takes those segments that
+    /// may still hold a root, and whether f is continuous there; it returns whether the ray goes on
+    /// behind.
     template <class Undecided>
-    void march(Real finest, Real margin, double s_most, Undecided undecided);
+    void march(const MarchSettings<Real>& settings, Undecided undecided);
 
 private:
     static constexpr std::size_t capacity = 256;
+    static constexpr std::size_t boxes_a_rest = 6;
+    /// Newton's method wants slopes that differ by no more than this factor.
+    static constexpr Real most_bend = 16;
+
+    /// What is left of a segment that is not cut any further.
+    struct Rest {
+        Segment<Real> segment;
+        Real from, to;  ///< where the root may be
+        bool continuous;
+    };
 
     void place(std::span<const Segment<Real>> segments, Real margin);
+    /// Finds those segments that the natural interval extension rejects: of those that forms say
+    /// little of.
+    void ask_ranges(std::span<const Segment<Real>> segments, Real finest);
     /// Goes on with one segment after its cell i was evaluated; false when it is finished.
+    bool advance(Segment<Real>& segment, std::size_t i, Real finest);
+    /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
+    void look_around(Real finest);
+    /// Whether f surely has opposite signs around it, and is continuous between.
+    [[nodiscard]] bool crosses(std::size_t rest, Real finest) const;
+    /// The rest's segment where the ray goes on behind.
     template <class Undecided>
-    bool advance(Segment<Real>& segment, std::size_t i, Real finest, Undecided undecided);
-    /// Whether the natural interval extension excludes roots in the cells of the segments, if any
-    /// of these is as narrow as `finest`: it is sharper beside poles and jumps.
-    void exclude_by_range(std::span<const Segment<Real>> segments, Real finest);
+    std::optional<Segment<Real>> decide(std::size_t rest, const MarchSettings<Real>& settings,
+                                        Undecided undecided);
+    [[nodiscard]] bool rejected(std::size_t i) const {
+        return forms_.nowhere[i] != 0 ||
+               std::abs(forms_.c[i]) > std::abs(forms_.k[2][i]) + forms_.e[i];
+    }
+    static bool go_behind(Segment<Real>& segment) {
+        segment.from = segment.end();
+        segment.step += segment.step;
+        return segment.from < segment.to;
+    }
+    void solve(const Segment<Real>& segment, std::size_t i, Real from, Real to, Real guess);
 
     const TraceFrame& frame_;
     const BeamView& view_;
     Found<Cell>& found_;
     RootFinder<Cell>& roots_;
     Counters& counters_;
+    RangeList<Real> ranges_;
     std::vector<Segment<Real>> segments_;
+    std::vector<Rest> rests_;  ///< of the batch at work
+    std::vector<std::size_t> asked_;
     CellPlaces<Real> places_;
     Forms<Real> forms_;
-    std::vector<bool> excluded_ = std::vector<bool>(capacity);
+    std::array<bool, capacity> excluded_{};
 };
-
-template <class Real, class Cell>
-void RayMarcher<Real, Cell>::exclude_by_range(std::span<const Segment<Real>> segments,
-                                              Real finest) {
-    std::fill(excluded_.begin(), excluded_.end(), false);
-    const bool any = std::ranges::any_of(segments, [&](const Segment<Real>& segment) {
-        return std::min(segment.step, segment.to - segment.from) <= finest;
-    });
-    if (!any) return;
-    const std::size_t count = padded(segments.size());
-    std::array<std::array<Real, capacity>, 6> ends;
-    std::array<Real, capacity> f_neg_lo;
-    std::array<Real, capacity> f_hi;
-    std::array<ContinuityMask<Real>, capacity> continuous;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Segment<Real>& segment = segments[std::min(i, segments.size() - 1)];
-        const auto near = static_cast<double>(segment.from);
-        const auto far = static_cast<double>(std::min(segment.to, segment.from + segment.step));
-        const double col = segment.pixel % tile_size;
-        const double row = segment.pixel / tile_size;
-        const glm::dvec3 a = view_.point(col, row, near);
-        const glm::dvec3 b = view_.point(col, row, far);
-        for (int k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::size_t>(k);
-            ends[axis][i] = upper_end(Real{}, view_.depth_error() - std::min(a[k], b[k]));
-            ends[axis + 3][i] = upper_end(Real{}, view_.depth_error() + std::max(a[k], b[k]));
-        }
-    }
-    counters_.range += segments.size();
-    frame_.kernel.range(RangeBatchOf<Real>{count,
-                                           {ends[0].data(), ends[1].data(), ends[2].data()},
-                                           {ends[3].data(), ends[4].data(), ends[5].data()},
-                                           frame_.scene.uniforms.template boxes<Real>(),
-                                           f_neg_lo.data(),
-                                           f_hi.data(),
-                                           continuous.data()});
-    for (std::size_t i = 0; i < segments.size(); ++i)
-        excluded_[i] = f_neg_lo[i] < 0 || f_hi[i] < 0;
-}
 
 template <class Real, class Cell>
 void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real margin) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const Segment<Real>& segment = segments[i];
-        const Real end = std::min(segment.to, segment.from + segment.step);
+        const Real end = segment.end();
         const Real middle = Real{0.5} * segment.from + Real{0.5} * end;
         places_.u[i] = static_cast<Real>(view_.u(segment.pixel % tile_size));
         places_.v[i] = static_cast<Real>(view_.v(segment.pixel / tile_size));
@@ -119,24 +129,43 @@ void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real
 }
 
 template <class Real, class Cell>
-template <class Undecided>
-bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real finest,
-                                     Undecided undecided) {
+void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments, Real finest) {
+    ranges_.clear();
+    asked_.clear();
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Segment<Real>& segment = segments[i];
+        excluded_[i] = rejected(i);
+        const bool weak = forms_.continuous[i] == 0 || segment.end() - segment.from <= finest;
+        if (excluded_[i] || !weak) continue;
+        asked_.push_back(i);
+        ranges_.push(segment.pixel, static_cast<double>(segment.from),
+                     static_cast<double>(segment.end()));
+    }
+    ranges_.evaluate();
+    for (std::size_t k = 0; k < asked_.size(); ++k)
+        excluded_[asked_[k]] = ranges_.excludes_zero(k);
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i, Real from, Real to,
+                                   Real guess) {
+    const double s = static_cast<double>(places_.s[i]);
+    const double reach = static_cast<double>(places_.s_radius[i]);
+    roots_.push({segment.pixel, segment.inside, static_cast<double>(from), static_cast<double>(to),
+                 s - reach, s + reach, static_cast<double>(guess),
+                 -static_cast<double>(forms_.slope_neg_lo[i]),
+                 static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i]), false});
+}
+
+template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real finest) {
     if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) return false;
-    const Real end = std::min(segment.to, segment.from + segment.step);
-    const auto go_behind = [&] {
-        segment.from = end;
-        segment.step += segment.step;
-        return segment.from < segment.to;
-    };
+    if (excluded_[i]) return go_behind(segment);
+    const Real end = segment.end();
     const Real c = forms_.c[i];
     const Real k = forms_.k[2][i];
     const Real e = forms_.e[i];
-    if (excluded_[i] || forms_.nowhere[i] != 0 || std::abs(c) > std::abs(k) + e) {
-        return go_behind();
-    }
     const bool continuous = forms_.continuous[i] != 0;
-    const bool sloped = forms_.slope_neg_lo[i] < 0 || forms_.slope_hi[i] < 0;
     // Where the linear part, widened by its error and the roundings here, may vanish.
     const Real inverse = std::abs(k) > 0 ? places_.s_radius[i] / k : Real{0};
     const Real middle = places_.s[i] - c * inverse;
@@ -146,22 +175,20 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
     const bool contracts = std::abs(k) > 0 && middle - radius <= middle + radius;
     const Real from = contracts ? std::max(segment.from, middle - radius) : segment.from;
     const Real to = contracts ? std::min(end, middle + radius) : end;
-    if (from > to) return go_behind();
-    if (continuous && sloped) {
-        const double s = static_cast<double>(places_.s[i]);
-        const double reach = static_cast<double>(places_.s_radius[i]);
-        roots_.push({segment.pixel, segment.inside, static_cast<double>(from),
-                     static_cast<double>(to), s - reach, s + reach,
-                     static_cast<double>(std::clamp(middle, from, to)),
-                     -static_cast<double>(forms_.slope_neg_lo[i]),
-                     static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i])});
+    if (from > to) return go_behind(segment);
+    const Real rising = -forms_.slope_neg_lo[i];
+    const Real falling = -forms_.slope_hi[i];
+    // The derivative's least and greatest size, if it keeps its sign.
+    const Real least = std::max(rising, falling);
+    const Real most = -std::min(rising, falling);
+    if (continuous && least > 0 && most <= most_bend * least) {
+        solve(segment, i, from, to, std::clamp(middle, from, to));
         const bool certain = contracts && middle - radius > segment.from && middle + radius < end;
-        return !(certain && segment.inside) && go_behind();
+        return !(certain && segment.inside) && go_behind(segment);
     }
     if (to - from <= finest || !(from < from + Real{0.5} * (to - from))) {
-        return undecided(Segment<Real>{segment.pixel, segment.inside, from, to, to - from},
-                         continuous) &&
-               go_behind();
+        rests_.push_back({segment, from, to, continuous});
+        return false;
     }
     const Real width = to - from;
     const bool contracted = width < static_cast<Real>(0.6) * (end - segment.from);
@@ -171,19 +198,89 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
 }
 
 template <class Real, class Cell>
+void RayMarcher<Real, Cell>::look_around(Real finest) {
+    ranges_.clear();
+    const auto width = static_cast<double>(finest);
+    for (const Rest& rest : rests_) {
+        const auto from = static_cast<double>(rest.from);
+        const auto to = static_cast<double>(rest.to);
+        const auto push = [&](double s, double t) { ranges_.push(rest.segment.pixel, s, t); };
+        push(from, to);
+        push(from - width, to + width);
+        for (const double s : {from, to, from - width, to + width})
+            push(s, s);
+    }
+    ranges_.evaluate();
+}
+
+template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::crosses(std::size_t rest, Real finest) const {
+    const auto sign = [&](std::size_t place) {
+        return ranges_.sign(boxes_a_rest * rest + 2 + place);
+    };
+    const auto continuous = [&](std::size_t box) {
+        return ranges_.continuous(boxes_a_rest * rest + box);
+    };
+    const Rest& what = rests_[rest];
+    const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
+                                         view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
+    const auto inside = [&](double margin) {
+        return static_cast<double>(what.from) - margin >= clip.enter_hi &&
+               static_cast<double>(what.to) + margin <= clip.exit_lo;
+    };
+    const int before = sign(0);
+    const int behind = sign(1);
+    const bool close = inside(0.0) && (what.continuous || continuous(0));
+    if (close && before * behind < 0) return true;
+    const bool around = inside(static_cast<double>(finest)) && continuous(1);
+    return around && (before != 0 ? before : sign(2)) * (behind != 0 ? behind : sign(3)) < 0;
+}
+
+template <class Real, class Cell>
 template <class Undecided>
-void RayMarcher<Real, Cell>::march(Real finest, Real margin, double s_most, Undecided undecided) {
-    const FrustumOf<Real> frustum = view_.frustum<Real>(1, s_most);
+std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
+                                                            const MarchSettings<Real>& settings,
+                                                            Undecided undecided) {
+    const Rest& what = rests_[rest];
+    Segment<Real> segment = what.segment;
+    bool goes_on = true;
+    if (!ranges_.excludes_zero(boxes_a_rest * rest)) {
+        if (settings.certifies && crosses(rest, settings.finest)) {
+            const auto from = static_cast<double>(what.from);
+            const auto to = static_cast<double>(what.to);
+            found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to, Certificate::Certified);
+            return std::nullopt;
+        }
+        const bool continuous = what.continuous || ranges_.continuous(boxes_a_rest * rest);
+        goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
+                                          what.to - what.from},
+                            continuous);
+    }
+    if (!goes_on || !go_behind(segment)) return std::nullopt;
+    return segment;
+}
+
+template <class Real, class Cell>
+template <class Undecided>
+void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecided undecided) {
+    const FrustumOf<Real> frustum = view_.frustum<Real>(1, settings.s_most);
     while (!segments_.empty()) {
         std::size_t kept = 0;
         for (std::size_t first = 0; first < segments_.size(); first += capacity) {
             const std::size_t count = std::min(capacity, segments_.size() - first);
-            place(std::span(segments_).subspan(first, count), margin);
+            const auto segments = std::span(segments_).subspan(first, count);
+            place(segments, settings.margin);
             evaluate(frame_, frustum, count, places_, forms_, counters_);
-            exclude_by_range(std::span(segments_).subspan(first, count), finest);
+            ask_ranges(segments, settings.finest);
+            rests_.clear();
             for (std::size_t i = 0; i < count; ++i) {
-                Segment<Real> segment = segments_[first + i];
-                if (advance(segment, i, finest, undecided)) segments_[kept++] = segment;
+                Segment<Real> segment = segments[i];
+                if (advance(segment, i, settings.finest)) segments_[kept++] = segment;
+            }
+            look_around(settings.finest);
+            for (std::size_t rest = 0; rest < rests_.size(); ++rest) {
+                const auto segment = decide(rest, settings, undecided);
+                if (segment) segments_[kept++] = *segment;
             }
         }
         segments_.resize(kept);

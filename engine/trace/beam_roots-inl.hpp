@@ -14,6 +14,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -44,10 +45,10 @@ public:
         for (std::size_t k = 0; k < 3; ++k)
             hits_->gradient[k][pixel] = slope[k];
     }
-    /// One that may be there.
-    void add_undecided(std::uint32_t pixel, double s) {
+    /// The same, with no gradient yet.
+    void add_pending(std::uint32_t pixel, double s, Certificate known) {
         if (!(s < static_cast<double>(depth[pixel]))) return;
-        add(pixel, s, Certificate::Undecided, {});
+        add(pixel, s, known, {});
         without_gradient.push_back(pixel);
     }
     /// Certified roots of a row of pixels, each the nearest so far, are written to `depth` and
@@ -77,6 +78,7 @@ struct Stretch {
     double guess;               ///< in [from, to]
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
+    bool again = true;          ///< what is not proved is left to RootFinder::take_open
 };
 
 /// How far f is off where it was evaluated in double; `r`: see FormBatchOf.
@@ -99,6 +101,8 @@ public:
     }
     /// Works off what has been pushed.
     void solve();
+    /// Stretches on which Newton's method proved nothing.
+    std::vector<Stretch> take_open() { return std::exchange(open_, {}); }
 
 private:
     static constexpr std::size_t capacity = 256;
@@ -118,6 +122,7 @@ private:
     Counters& counters_;
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
+    std::vector<Stretch> open_;
     alignas(64) double origin_[3][capacity];     ///< of the ray, at s = 0
     alignas(64) double direction_[3][capacity];  ///< for 1 of s
     alignas(64) double position_[3][capacity];
@@ -201,6 +206,12 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
                                             view_.v(stretch.pixel / tile_size), 0.0, 0.0);
         if (hi < box.enter_lo || lo > box.exit_hi) return;
         proved = proved && lo >= box.enter_hi && hi <= box.exit_lo;
+    }
+    if (!proved && stretch.again && hi - lo > view_.tolerance()) {
+        open_.push_back(stretch);
+        open_.back().from = lo;
+        open_.back().to = hi;
+        return;
     }
     found_.add(stretch.pixel, s, proved ? Certificate::Certified : Certificate::Undecided,
                {static_cast<float>(gradient_[0][i]), static_cast<float>(gradient_[1][i]),

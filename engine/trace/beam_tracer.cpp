@@ -169,6 +169,11 @@ void BeamTile<Real>::trace() {
         std::swap(cells_, next_);
     }
     roots_.solve();
+    for (const Stretch& stretch : roots_.take_open()) {
+        const Real from = -upper_end(Real{}, -stretch.from);
+        const Real to = upper_end(Real{}, stretch.to);
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from});
+    }
     march_rays();
     hand_on();
 }
@@ -319,8 +324,14 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
     for (int row = 0; row < pixels && cells_->row[cell] + row < tile_.rows; ++row) {
         for (int col = 0; col < pixels && cells_->col[cell] + col < tile_.cols; ++col) {
             const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
-            const double ray_from = std::max(from, middle - radius);
-            const double ray_to = std::min(to, middle + radius);
+            double ray_from = std::max(from, middle - radius);
+            double ray_to = std::min(to, middle + radius);
+            if (cells_->inside[cell] == 0) {
+                const DepthRange clip = view_.depths(view_.u(cells_->col[cell] + col),
+                                                     view_.v(cells_->row[cell] + row), 0.0, 0.0);
+                ray_from = std::max(ray_from, clip.enter_lo);
+                ray_to = std::min(ray_to, clip.exit_hi);
+            }
             if (!(ray_from <= ray_to)) continue;
             const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
                                                           cells_->col[cell] + col);
@@ -342,10 +353,11 @@ void BeamTile<Real>::march_rays() {
             pass(pixel, from);
             return true;
         }
-        found_.add_undecided(pixel, 0.5 * from + 0.5 * to);
+        found_.add_pending(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
         return false;
     };
-    marcher_.march(static_cast<Real>(rough), margin_, s_most_,
+    const auto finest = static_cast<Real>(rough);
+    marcher_.march({finest, final ? finest / 4 : margin_, s_most_, final},
                    [&](const Segment<Real>& segment, bool continuous) {
                        const auto from = static_cast<double>(segment.from);
                        const auto to = static_cast<double>(segment.to);
@@ -353,7 +365,7 @@ void BeamTile<Real>::march_rays() {
                        fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
                        return true;
                    });
-    fine_marcher_.march(view_.tolerance(), 0.5 * view_.tolerance(), s_most_,
+    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), s_most_, true},
                         [&](const Segment<double>& segment, bool continuous) {
                             return stop(segment.pixel, segment.from, segment.to, continuous);
                         });
@@ -365,7 +377,6 @@ void BeamTile<Real>::hand_on() {
     for (int row = 0; row < tile_.rows && hits_.any; ++row)
         hand_on_row(row);
     for (const std::uint32_t pixel : found_.without_gradient) {
-        if (hits_.certificate[pixel] != Certificate::Undecided) continue;
         const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
                                          static_cast<double>(found_.depth[pixel]));
         hits_.points.push_back({pixel, {x.x, x.y, x.z}});

@@ -29,12 +29,6 @@ std::span<const Tracer> tracers() {
     static constexpr std::array table{
         Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
                trace_tile_k_bisection},
-    };
-    return table;
-}
-
-std::span<const Tracer> tracers_in_work() {
-    static constexpr std::array table{
         Tracer{"beams",
                "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
                trace_tile_beams},
@@ -43,11 +37,8 @@ std::span<const Tracer> tracers_in_work() {
 }
 
 const Tracer* find_tracer(std::string_view name) {
-    for (const auto& table : {tracers(), tracers_in_work()}) {
-        const auto found = std::ranges::find(table, name, &Tracer::name);
-        if (found != table.end()) return &*found;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(tracers(), name, &Tracer::name);
+    return found == tracers().end() ? nullptr : &*found;
 }
 
 }  // namespace zeroset

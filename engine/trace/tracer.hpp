@@ -96,10 +96,7 @@ struct Tracer {
 };
 
 std::span<const Tracer> tracers();
-/// Tracers that are not offered yet, as they do not meet every test of those above; for
-/// measurements.
-std::span<const Tracer> tracers_in_work();
-/// Of either list; nullptr when there is no such tracer.
+/// nullptr when there is no such tracer.
 const Tracer* find_tracer(std::string_view name);
 
 }  // namespace zeroset

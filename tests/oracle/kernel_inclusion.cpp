@@ -32,15 +32,6 @@ std::vector<MpfiInterval> box_between(const Place& a, const Place& b) {
     return box;
 }
 
-template <class Real>
-bool meets(const Interval<Real>& range, const MpfiInterval& values) {
-    if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
-    const bool below = mpfr_cmp_d(values.lo(), static_cast<double>(range.hi)) <= 0;
-    const bool above = mpfr_cmp_d(values.hi(), -static_cast<double>(range.neg_lo)) >= 0;
-    const bool two_parts = range.neg_lo < 0 && range.hi < 0;  // as RangeBatch says
-    return two_parts ? below || above : below && above;
-}
-
 /// What the values of f on a part of the box disprove of the claims for the whole.
 template <class Real>
 std::string disproved_by(const MpfiEnclosure& part, const Outcome<Real>& outcome) {

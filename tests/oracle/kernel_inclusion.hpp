@@ -3,8 +3,10 @@
 #include "engine/expr/kernel.hpp"
 #include "tests/oracle/shrink.hpp"
 #include "tests/support/inclusion.hpp"
+#include "tests/support/oracle/mpfi_interval.hpp"
 #include "tests/support/random_numbers.hpp"
 
+#include <cmath>
 #include <string>
 
 // Checks that a range kernel agrees with MPFI: at points of a box and on smaller boxes in it.
@@ -13,6 +15,16 @@ namespace zeroset::test {
 
 /// How a kernel is made of a formula.
 using MakeKernel = Kernel (*)(const Expr& expr);
+
+/// Whether some of the values may be in the range of a kernel's answer.
+template <class Real>
+bool meets(const Interval<Real>& range, const MpfiInterval& values) {
+    if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
+    const bool below = mpfr_cmp_d(values.lo(), static_cast<double>(range.hi)) <= 0;
+    const bool above = mpfr_cmp_d(values.hi(), -static_cast<double>(range.neg_lo)) >= 0;
+    const bool two_parts = range.neg_lo < 0 && range.hi < 0;  // as RangeBatch says
+    return two_parts ? below || above : below && above;
+}
 
 /// What MPFI disproves of a kernel's answer for a box; empty if nothing. The same points each time.
 template <class Real>

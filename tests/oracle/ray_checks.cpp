@@ -88,12 +88,6 @@ AuditReport audit_all(const std::vector<AuditSurface>& surfaces, const AuditSett
     return total;
 }
 
-std::vector<Tracer> checked_tracers() {
-    std::vector<Tracer> all(tracers().begin(), tracers().end());
-    all.insert(all.end(), tracers_in_work().begin(), tracers_in_work().end());
-    return all;
-}
-
 int check(const Options& options) {
     std::vector<AuditSurface> surfaces = random_surfaces(options.surfaces, options.seed);
     if (options.gallery != 0) {
@@ -101,7 +95,7 @@ int check(const Options& options) {
         surfaces.insert(surfaces.begin(), classics.begin(), classics.end());
     }
     std::size_t failures = 0;
-    for (const Tracer& tracer : checked_tracers()) {
+    for (const Tracer& tracer : tracers()) {
         const AuditSettings settings{std::string(tracer.name), static_cast<int>(options.size),
                                      static_cast<double>(options.d_stop), options.rays};
         if (options.commands != 0) {

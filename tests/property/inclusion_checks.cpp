@@ -1,7 +1,11 @@
 // Random inclusion checks by the hundred million: operators, helpers and whole formulas in float
-// and double against the reference of 256 bits, on all cores. The same seed makes the same checks
+// and double against the reference of 256 bits, beam forms of whole formulas against MPFI, on all
+// cores. The same seed makes the same checks
 // whatever the number of threads. Exits with 1 if a range does not hold.
 
+#include "engine/expr/interpret.hpp"
+#include "jit/compile.hpp"
+#include "tests/oracle/form_inclusion.hpp"
 #include "tests/property/expression_inclusion.hpp"
 #include "tests/property/helper_inclusion.hpp"
 #include "tests/property/operator_inclusion.hpp"
@@ -13,6 +17,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -23,14 +28,16 @@ namespace zeroset::test {
 namespace {
 
 constexpr const char* usage =
-    "usage: inclusion_checks [--checks N] [--seed S] [--threads N]\n"
+    "usage: inclusion_checks [--checks N] [--seed S] [--threads N] [--forms 0|1]\n"
     "  --checks   points to check at least, 100000000 if not given\n"
-    "  --threads  all cores if not given\n";
+    "  --threads  all cores if not given\n"
+    "  --forms    1: only beam forms\n";
 
 struct Options {
     std::uint64_t checks = 100'000'000;
     std::uint64_t seed = 1;
     std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency());
+    std::uint64_t forms = 0;
 };
 
 std::optional<Options> options_of(const std::vector<std::string_view>& arguments) {
@@ -39,6 +46,7 @@ std::optional<Options> options_of(const std::vector<std::string_view>& arguments
         std::uint64_t* const number = arguments[i] == "--checks"    ? &options.checks
                                       : arguments[i] == "--seed"    ? &options.seed
                                       : arguments[i] == "--threads" ? &options.threads
+                                      : arguments[i] == "--forms"   ? &options.forms
                                                                     : nullptr;
         if (number == nullptr) return std::nullopt;
         const std::string_view value = arguments[i + 1];
@@ -57,11 +65,15 @@ enum Group : std::uint8_t {
     HelpersDouble,
     FormulasFloat,
     FormulasDouble,
+    FormsFloat,
+    FormsDouble,
+    FormsOfCode,
     group_count
 };
 constexpr std::array<const char*, group_count> group_names{
     "operators in float", "operators in double", "helpers in float",
-    "helpers in double",  "formulas in float",   "formulas in double"};
+    "helpers in double",  "formulas in float",   "formulas in double",
+    "forms in float",     "forms in double",     "forms of machine code"};
 
 using Tallies = std::array<InclusionTally, group_count>;
 
@@ -90,10 +102,40 @@ void check_formulas(RandomNumbers& random, InclusionTally& tally) {
         check_random_expression<Real>(1 + i % 6, random, tally);
 }
 
+template <class Real>
+void check_forms_of(int formulas, RandomNumbers& random, InclusionTally& tally) {
+    for (int i = 0; i < formulas; ++i)
+        check_forms<Real>(interpret, 1 + i % 6, 2, random, tally);
+}
+
+Kernel compiled(const Expr& expr) {
+    auto kernel = jit::compile(expr, {.with_double = true});
+    if (!kernel) std::abort();
+    return *kernel;
+}
+
+/// Many cells of one formula, which took long to compile.
+void check_forms_of_code(RandomNumbers& random, InclusionTally& tally) {
+    const int depth = random.between(1, 6);
+    if (random.one_in(2)) {
+        check_forms<float>(compiled, depth, 20, random, tally);
+    } else {
+        check_forms<double>(compiled, depth, 20, random, tally);
+    }
+}
+
+void check_all_forms(RandomNumbers& random, Tallies& tallies) {
+    check_forms_of<float>(12, random, tallies[FormsFloat]);
+    check_forms_of<double>(12, random, tallies[FormsDouble]);
+    if (random.one_in(2)) check_forms_of_code(random, tallies[FormsOfCode]);
+}
+
 /// About ten thousand checks.
-Tallies checked_chunk(std::uint64_t seed) {
+Tallies checked_chunk(std::uint64_t seed, bool only_forms) {
     RandomNumbers random(seed);
     Tallies tallies;
+    check_all_forms(random, tallies);
+    if (only_forms) return tallies;
     check_operators<float>(scalar_range<float>, 12, random, tallies[OperatorsFloat]);
     check_operators<double>(block_range, 10, random, tallies[OperatorsDouble]);
     check_operators<double>(scalar_range<double>, 2, random, tallies[OperatorsDouble]);
@@ -128,7 +170,8 @@ private:
     void work() {
         while (!done_) {
             const std::uint64_t chunk = next_++;
-            const Tallies found = checked_chunk((options_.seed << 32U) + chunk);
+            const Tallies found =
+                checked_chunk((options_.seed << 32U) + chunk, options_.forms != 0);
             std::unique_lock lock(mutex_);
             turn_.wait(lock, [&] { return chunk == finished_; });
             if (!done_) add(found);

@@ -55,7 +55,9 @@ void expect_true(const DomainScene& scene, const Ray& ray, const Meeting& met, c
     } else if (pixel.certificate == Certificate::Certified) {
         EXPECT_NEAR(pixel.depth, met.first, margin) << "certified";
     } else if (pixel.depth < infinity) {
-        EXPECT_TRUE(is_near(scene, ray.at(pixel.depth), bracket_cells * cell + rounding))
+        // The places that is_near tries may all miss the domain beside its end.
+        EXPECT_TRUE(std::abs(pixel.depth - met.first) < margin ||
+                    is_near(scene, ray.at(pixel.depth), bracket_cells * cell + rounding))
             << "drawn at " << pixel.depth << ", off the surface";
     }
 }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/expr/kernel.hpp"
+#include "engine/trace/camera.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace zeroset::test {
+
+inline constexpr std::size_t cells_a_batch = batch_multiple;
+
+/// A place on a ray of a view: base + (distance + s) (u right + v up) + s forward, exactly.
+struct RayPlace {
+    double u, v, s;
+};
+
+/// Cells of one view, the places in them at which they are checked, and w.
+template <class Real>
+struct FormCells {
+    ViewFrame view{Camera{}};
+    glm::dvec3 base{};  ///< BeamView::base
+    FrustumOf<Real> frustum{};
+    std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};
+    std::array<RayPlace, cells_a_batch> near{};  ///< of each cell, a place in it
+    std::array<RayPlace, cells_a_batch> far{};   ///< on the same ray, not nearer
+    Uniforms uniforms;
+    double w = 0;  ///< at the places
+};
+
+/// Cells as tracers make them and at random, in views that hurt: from tiny to huge, along axes,
+/// beside the eye, deep in a zoom.
+template <class Real>
+FormCells<Real> random_cells(RandomNumbers& random);
+
+}  // namespace zeroset::test

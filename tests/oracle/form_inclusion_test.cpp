@@ -1,0 +1,46 @@
+#include "tests/oracle/form_inclusion.hpp"
+
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/parse.hpp"
+#include "jit/compile.hpp"
+#include "tests/support/real_types.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+
+// Form kernels of random formulas against MPFI; `inclusion_checks --forms 1` makes many more of
+// these checks.
+
+namespace zeroset::test {
+namespace {
+
+Kernel compiled(const Expr& expr) {
+    auto kernel = jit::compile(expr, {.with_double = true});
+    if (kernel) return *kernel;
+    ADD_FAILURE() << kernel.error().message;
+    return interpret(expr);
+}
+
+template <class Real>
+class FormInclusion : public ::testing::Test {
+protected:
+    static void check(MakeKernel make, int formulas, int batches, std::uint64_t seed) {
+        RandomNumbers random(seed);
+        InclusionTally tally;
+        for (int i = 0; i < formulas && tally.failures == 0; ++i)
+            check_forms<Real>(make, 1 + i % 6, batches, random, tally);
+        ASSERT_EQ(tally.failures, 0U) << tally.first;
+        const auto cells = static_cast<std::uint64_t>(formulas * batches) * cells_a_batch;
+        EXPECT_GT(tally.checks, 3 * cells);
+        std::printf("checked %llu claims\n", static_cast<unsigned long long>(tally.checks));
+    }
+};
+TYPED_TEST_SUITE(FormInclusion, RealTypes, RealTypeNames);
+
+TYPED_TEST(FormInclusion, OfTheInterpreterHolds) { this->check(interpret, 400, 2, 21); }
+TYPED_TEST(FormInclusion, OfMachineCodeHolds) { this->check(compiled, 20, 10, 22); }
+
+}  // namespace
+}  // namespace zeroset::test
