@@ -98,7 +98,7 @@ TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {
     EXPECT_TRUE(*above.everywhere);
     const Form below = form_of(Op::Oriented, {0.7, -0.5}, d);
     EXPECT_EQ(below.f.f.c, -0.7);
-    EXPECT_EQ(below.slope->range().hi, -1.0);
+    EXPECT_NEAR(below.slope->range().hi, -1.0, 1e-14);
     EXPECT_TRUE(*below.everywhere);
     const Form unknown = form_of(Op::Oriented, {0.7, 0.0}, d);
     EXPECT_FALSE(*unknown.everywhere);
