@@ -48,8 +48,16 @@ std::expected<Vectors, CompileError> usable_vectors(const CompileOptions& option
     return Vectors{{RealType::Float, lanes}, {RealType::Double, lanes / 2}};
 }
 
-KernelCache& cache() {
-    static KernelCache instance(256);
+constexpr std::size_t functions_kept = 256;
+
+KernelCache<MachineCode>& cache() {
+    static KernelCache<MachineCode> instance(functions_kept);
+    return instance;
+}
+
+/// Functions that are made when they are first called.
+KernelCache<void>& later_functions() {
+    static KernelCache<void> instance(functions_kept);
     return instance;
 }
 
@@ -132,8 +140,13 @@ private:
 
 template <class Batch>
 void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece) {
-    function = {OnFirstCall<Batch>::call,
-                std::make_shared<const OnFirstCall<Batch>>(expr, piece, function)};
+    std::string key = piece.key(expr);
+    auto code = later_functions().find(key);
+    if (!code) {
+        code = std::make_shared<const OnFirstCall<Batch>>(expr, piece, function);
+        later_functions().insert(std::move(key), code);
+    }
+    function = {OnFirstCall<Batch>::call, std::move(code)};
 }
 
 /// What is made at once for these options, the longest first: what the beam tracer needs.

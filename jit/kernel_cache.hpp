@@ -1,7 +1,6 @@
 #pragma once
 
-#include "jit/orc.hpp"
-
+#include <algorithm>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -10,19 +9,30 @@
 
 namespace zeroset::jit {
 
-/// The machine code made most recently, by graph, lanes, type and function. Thread-safe.
+/// What was made most recently, by a text that names it. Thread-safe.
+template <class Made>
 class KernelCache {
 public:
     explicit KernelCache(std::size_t capacity) : capacity_(capacity) {}
 
-    /// The code under this key, or nullptr.
-    std::shared_ptr<const MachineCode> find(std::string_view key);
-    void insert(std::string key, std::shared_ptr<const MachineCode> code);
+    /// What is under this key, or nullptr.
+    std::shared_ptr<const Made> find(std::string_view key) {
+        const std::scoped_lock lock(mutex_);
+        const auto found = std::ranges::find(entries_, key, &Entry::key);
+        if (found == entries_.end()) return nullptr;
+        entries_.splice(entries_.begin(), entries_, found);
+        return found->made;
+    }
+    void insert(std::string key, std::shared_ptr<const Made> made) {
+        const std::scoped_lock lock(mutex_);
+        entries_.push_front({std::move(key), std::move(made)});
+        if (entries_.size() > capacity_) entries_.pop_back();
+    }
 
 private:
     struct Entry {
         std::string key;
-        std::shared_ptr<const MachineCode> code;
+        std::shared_ptr<const Made> made;
     };
 
     std::size_t capacity_;

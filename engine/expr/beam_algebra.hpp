@@ -156,8 +156,11 @@ public:
         return smooth(a, {zeroset::atan(box(a))}, zeroset::atan(middle(a)), 4.0, slope, bend);
     }
     Value atan2(In y, In x) {
-        const Box at = zeroset::atan2(middle(y), middle(x)).range;
-        return turning(zeroset::atan2(box(y), box(x)), at, turn(y, x), y, x);
+        const Enclosure<Real> g = zeroset::atan2(box(y), box(x));
+        Turn<Real> turn = this->turn(y, x);
+        // No line goes across the cut.
+        turn.curvature = select(*g.continuous, turn.curvature, number(infinity));
+        return turning(g, zeroset::atan2(middle(y), middle(x)).range, turn, y, x);
     }
     Value angle(In y, In x) {
         const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
@@ -363,78 +366,6 @@ private:
     const Real* kind_ = nullptr;  ///< any number of the carrier, of the operator at work
 };
 
-/// a - b k where floor(a/b) is k on the whole cell. Elsewhere an evaluation may round a/b across a
-/// whole number, and so leave the range.
-template <class Real>
-BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
-    const Enclosure<Real> range = zeroset::mod(box(a), box(b));
-    const Box quotient = box(a) / box(b);
-    const Real k = round_down(quotient.hi);
-    const Form steps = interval_form(point(k), number(0));
-    const Form line = a.value.f - b.value.f * steps;
-    const Real turns = largest(quotient) + number(1);
-    const Real r =
-        number(2) * (a.value.f.r + turns * b.value.f.r) + number(6) * turns * largest(box(b));
-    const Form f = select(*range.continuous, line, interval_form(range.range, r));
-    const Slope slope = sum(a.value.slope, negated(times(steps, b.value.slope)));
-    return with_domain(of(f, slope, a, b), range);
-}
-
-/// a where the condition c holds, b elsewhere; between both where c is undecided.
-template <class Real>
-BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
-    const Box condition = box(c);
-    const Enclosure<Real> of_c{condition, c.value.somewhere, c.value.everywhere,
-                               c.value.continuous};
-    const auto side = [&](In x) {
-        return Enclosure<Real>{box(x), x.value.somewhere, x.value.everywhere, x.value.continuous};
-    };
-    const Enclosure<Real> both_sides = zeroset::choose(of_c, side(a), side(b));
-    const auto holds = no(may_fail(condition));
-    const auto fails = no(may_hold(condition));
-    const Form undecided = interval_form(both_sides.range, maximum(a.value.f.r, b.value.f.r));
-    const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
-    const SlopeBeam<Real> zero = no_slope();
-    const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
-    const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
-    return {f, select(holds, slope_a, slope_b), both_sides.somewhere, both_sides.everywhere,
-            both_sides.continuous};
-}
-
-/// a times the sign of b. That of the value kernels' b is the same where it is known: b is farther
-/// from 0 than their rounding.
-template <class Real>
-BeamValue<Real> BeamAlgebra<Real>::oriented(In a, In b) {
-    const Box divisor = box(b);
-    const Real rounding = b.value.f.r * form_rounding(b.value.f.r);
-    const auto above = divisor.neg_lo + rounding < number(0);
-    const auto below = divisor.hi + rounding < number(0);
-    const auto known = either(above, below);
-    const auto turned = [&](const auto& f) { return select(below, -f, f); };
-    const Form zeros = turned(a.value.zeros.value_or(a.value.f));
-    const Real far = magnitude(a.value.f.f.c) + a.value.f.spread();
-    const Form either_way = interval_form(within<Real>(far), a.value.f.r);
-    Value result = of(select(known, turned(a.value.f), either_way), std::nullopt, a, b);
-    if (a.value.slope) {
-        const SlopeBeam<Real>& slope = *a.value.slope;
-        result.slope = select(known, turned(slope), hull(slope, -slope));
-    }
-    result.zeros = zeros;
-    result.everywhere = conjunction(result.everywhere, {known});
-    if (b.facts.exact() && b.facts.constant->hi == 0) result.somewhere = {known};
-    return result;
-}
-
-/// a where the condition c holds, undefined elsewhere.
-template <class Real>
-BeamValue<Real> BeamAlgebra<Real>::where(In a, In c) {
-    Value result = a.value;
-    const Box condition = box(c);
-    result.somewhere =
-        conjunction(conjunction(a.value.somewhere, c.value.somewhere), {may_hold(condition)});
-    result.everywhere =
-        conjunction(conjunction(a.value.everywhere, c.value.everywhere), {no(may_fail(condition))});
-    return result;
-}
-
 }  // namespace zeroset
+
+#include "engine/expr/beam_branches.hpp"

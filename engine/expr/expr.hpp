@@ -45,7 +45,8 @@ public:
     [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
     [[nodiscard]] bool uses_variable(int variable) const;
     /// The formula with every operator written out; parsing it gives the same graph unless it is
-    /// cut, longer than `longest_text`.
+    /// cut, longer than `longest_text`, or has Oriented, written as the quotient that it stands
+    /// for.
     [[nodiscard]] std::string canonical() const;
     /// Equal graphs have equal keys.
     [[nodiscard]] std::string key() const;

@@ -63,7 +63,7 @@ class RenderTest(ProgramTest):
         self.assertGreater(stats["compile_ms"], 0)
         self.assertEqual(set(stats["frame_ms"]), {"median", "min", "max", "repeats"})
         self.assertEqual(stats["frame_ms"]["repeats"], 1)
-        self.assertEqual(set(stats["evaluations"]), {"range", "value"})
+        self.assertEqual(set(stats["evaluations"]), {"range", "value", "form"})
         self.assertGreater(stats["evaluations"]["range"], stats["certified"])
         self.assertGreaterEqual(stats["evaluations"]["value"], stats["certified"])
 

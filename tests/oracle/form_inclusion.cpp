@@ -108,9 +108,10 @@ private:
 template <class Real>
 class CellCheck {
 public:
+    /// `turns`: where the formula is not continuous, its form may be that of its negative.
     CellCheck(const FormCells<Real>& cells, const FormAnswers<Real>& answers, std::size_t cell,
-              InclusionTally& tally)
-        : cells_(cells), out_(answers), i_(cell), tally_(tally) {}
+              bool turns, InclusionTally& tally)
+        : cells_(cells), out_(answers), i_(cell), turns_(turns), tally_(tally) {}
 
     /// What is wrong at a place where the formula is `truth`.
     std::string at(const RayPlace& place, const MpfiDual& truth) {
@@ -122,7 +123,8 @@ public:
         if (!f.everywhere) return "";
         tally_.checks += 2;
         if (out_.nowhere[i_] != 0) return "defined there, but claimed undefined";
-        if (!is_in_form(place, f.range)) {
+        const bool negative = turns_ && !continuous() && is_in_form(place, -f.range);
+        if (!negative && !is_in_form(place, f.range)) {
             return "not enclosed: " + f.range.text() + " by the form " + text();
         }
         if (!continuous()) return "";
@@ -194,8 +196,17 @@ private:
     const FormCells<Real>& cells_;
     const FormAnswers<Real>& out_;
     std::size_t i_;
+    bool turns_;
     InclusionTally& tally_;
 };
+
+/// Whether forms are only known to vanish where the formula does.
+bool turns(const Expr& expr) {
+    NodeId root = expr.root();
+    while (expr.node(root).op == Op::Where)
+        root = expr.node(root).a;
+    return expr.node(root).op == Op::Oriented;
+}
 
 std::string three(const glm::dvec3& a) {
     return "(" + hex(a.x) + ", " + hex(a.y) + ", " + hex(a.z) + ")";
@@ -221,10 +232,10 @@ std::string described(const FormCells<Real>& cells, std::size_t i, const std::st
 
 template <class Real>
 std::string disproved_of_cell(MpfiEvaluator& evaluator, const FormCells<Real>& cells,
-                              const FormAnswers<Real>& answers, std::size_t i,
+                              const FormAnswers<Real>& answers, std::size_t i, bool turns,
                               InclusionTally& tally) {
     AlongRay ray(evaluator, cells, cells.near[i]);
-    CellCheck<Real> check(cells, answers, i, tally);
+    CellCheck<Real> check(cells, answers, i, turns, tally);
     const MpfiDual near = ray.at(cells.near[i].s);
     const MpfiDual far = ray.at(cells.far[i].s);
     std::string reason = check.at(cells.near[i], near);
@@ -263,7 +274,8 @@ std::string disproved(const Kernel& kernel, const Expr& expr, const FormCells<Re
     const WorkingPrecision precision(wide_bits);
     MpfiEvaluator evaluator(expr);
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
-        const std::string reason = disproved_of_cell(evaluator, cells, answers, i, tally);
+        const std::string reason =
+            disproved_of_cell(evaluator, cells, answers, i, turns(expr), tally);
         if (!reason.empty()) return described(cells, i, reason);
     }
     return "";

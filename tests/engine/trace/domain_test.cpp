@@ -1,9 +1,11 @@
+#include "engine/expr/drawn_form.hpp"
 #include "engine/trace/render.hpp"
 #include "tests/engine/trace/domain_scenes.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -44,6 +46,7 @@ protected:
         render_frame(scene, camera, settings_at(GetParam(), d_stop), frame);
         return frame;
     }
+    static void check_pictures(const DomainScene& domain, const Scene& scene);
 };
 
 /// What is drawn and claimed must be true.
@@ -101,22 +104,41 @@ Clear check(const DomainScene& domain, const Scene& scene, const Camera& camera,
     return clear;
 }
 
-TEST_P(DomainTest, DrawsWhatIsThereAndNothingElse) {
+void DomainTest::check_pictures(const DomainScene& domain, const Scene& scene) {
     const std::vector<double> d_stops{6, 10, 14, 18, 22};
-    for (const DomainScene& domain : domain_scenes()) {
-        const Scene scene = scene_of(domain.text, Box::cube(2));
-        Clear clear;
-        for (const Camera& camera : cameras()) {
-            std::vector<Framebuffer> frames;
-            for (const double d_stop : d_stops)
-                frames.push_back(picture_of(scene, camera, d_stop));
-            const Clear more = check(domain, scene, camera, frames, d_stops);
-            clear.hits += more.hits;
-            clear.misses += more.misses;
-        }
-        EXPECT_GT(clear.hits, 40) << domain.text;
-        EXPECT_GT(clear.misses, 40) << domain.text;
+    Clear clear;
+    for (const Camera& camera : cameras()) {
+        std::vector<Framebuffer> frames;
+        for (const double d_stop : d_stops)
+            frames.push_back(picture_of(scene, camera, d_stop));
+        const Clear more = check(domain, scene, camera, frames, d_stops);
+        clear.hits += more.hits;
+        clear.misses += more.misses;
     }
+    EXPECT_GT(clear.hits, 40) << domain.text;
+    EXPECT_GT(clear.misses, 40) << domain.text;
+}
+
+TEST_P(DomainTest, DrawsWhatIsThereAndNothingElse) {
+    for (const DomainScene& domain : domain_scenes())
+        check_pictures(domain, scene_of(domain.text, Box::cube(2)));
+}
+
+/// The same of the form that the program traces, without poles.
+TEST_P(DomainTest, DrawsTheSameInTheDrawnForm) {
+    int rewritten = 0;
+    for (const DomainScene& domain : domain_scenes()) {
+        const Expr typed = *parse(domain.text);
+        const Expr drawn = drawn_form(typed);
+        const bool other = std::ranges::any_of(
+            drawn.nodes(), [](const Node& node) { return node.op == Op::Oriented; });
+        if (!other) continue;
+        ++rewritten;
+        Scene scene{{interpret(drawn)}, Box::cube(2), {}};
+        scene.uniforms.set(0, 0.0);
+        check_pictures(domain, scene);
+    }
+    EXPECT_GE(rewritten, 2);
 }
 
 /// A formula that is defined on a plane only has no inside where a sign could change.

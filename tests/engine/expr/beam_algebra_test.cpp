@@ -1,0 +1,113 @@
+#include "engine/expr/beam_algebra.hpp"
+
+#include "engine/expr/algebra.hpp"
+#include "engine/num/rounding.hpp"
+#include "tests/support/op_names.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+// How tight beam forms are. That they hold is tested against MPFI (tests/oracle).
+
+namespace zeroset {
+namespace {
+
+using Form = BeamValue<double>;
+
+/// The variable c + d t with the slope 1, as if t were the third variable of a cell.
+Form variable(double c, double d) {
+    const double size = std::abs(c) + d;
+    return {{{c, {std::nullopt, std::nullopt, d}, 0.0}, size, size},
+            SlopeBeam<double>{{1.0, {}, 0.0}, 1.0}};
+}
+
+/// An operator's form over variables near these middles.
+Form form_of(Op op, const std::array<double, 2>& middles, double d, int number = 0) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Form x = variable(middles[0], d);
+    const Form y = variable(middles[1], d);
+    const Facts facts{};
+    return apply(algebra, Node{.op = op, .number = number}, {x, facts}, {y, facts}, {x, facts});
+}
+
+/// Functions that are smooth near 0.3 and 0.6, or a little above 1.
+class SmoothOperator : public ::testing::TestWithParam<Op> {
+protected:
+    static std::array<double, 2> middles() {
+        const double shift = GetParam() == Op::Acosh ? 1.0 : 0.0;
+        return {0.3 + shift, 0.6};
+    }
+};
+
+/// The error falls with the square of the cell's size, that of the slope, too.
+TEST_P(SmoothOperator, FormAndSlopeAreOfSecondOrder) {
+    const Form coarse = form_of(GetParam(), middles(), 0x1p-6, 3);
+    const Form fine = form_of(GetParam(), middles(), 0x1p-8, 3);
+    EXPECT_GT(std::abs(*fine.f.f.k[2]), 0.0);
+    EXPECT_LT(fine.f.f.e, coarse.f.f.e / 14);
+    EXPECT_LT(fine.slope->f.e, coarse.slope->f.e / 14 + 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
+                         ::testing::Values(Op::Divide, Op::OddRoot, Op::Sqrt, Op::Exp, Op::Log,
+                                           Op::Log10, Op::Log2, Op::Sin, Op::Cos, Op::Tan, Op::Cot,
+                                           Op::Asin, Op::Acos, Op::Atan, Op::Atan2, Op::Angle,
+                                           Op::Sinh, Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh,
+                                           Op::Atanh),
+                         [](const auto& op) { return std::string(op_info(op.param).name); });
+
+/// A tangent whose error lies on one side has half of it in the middle.
+TEST(BeamForm, OfACurveBentOneWayHasAQuarterOfTheSquare) {
+    const double d = 0x1p-10;
+    const double c = 0.5;
+    const double unit = 0.25 * d * d;
+    EXPECT_NEAR(form_of(Op::Exp, {c, 0}, d).f.f.e / unit, std::exp(c), 0.01);
+    EXPECT_NEAR(form_of(Op::Log, {c, 0}, d).f.f.e / unit, 1 / (c * c), 0.02);
+    EXPECT_NEAR(form_of(Op::Sin, {c, 0}, d).f.f.e / unit, std::sin(c), 0.01);
+    EXPECT_NEAR(form_of(Op::Cosh, {c, 0}, d).f.f.e / unit, std::cosh(c), 0.01);
+}
+
+/// y = c + d t, x = 0.3 + d t: |second derivative| is 1 / rho^2.
+TEST(BeamForm, OfAnAngleIsBoundedByTheDistance) {
+    const double d = 0x1p-10;
+    for (const Op op : {Op::Atan2, Op::Angle}) {
+        const Form angle = form_of(op, {0.4, 0.3}, d);
+        EXPECT_NEAR(angle.f.f.c, std::atan2(0.4, 0.3), 1e-12);
+        EXPECT_NEAR(angle.f.f.e / (d * d), 1 / (0.3 * 0.3 + 0.4 * 0.4), 0.1);
+    }
+}
+
+TEST(BeamForm, OfAnAngleDoesNotCrossTheCut) {
+    const Form cut = form_of(Op::Atan2, {0.0, -0.5}, 0x1p-6);
+    EXPECT_FALSE(*cut.continuous);
+    EXPECT_GE(cut.f.range().hi, 3.1415);
+    EXPECT_GE(cut.f.range().neg_lo, 3.1415);
+    const Form angle = form_of(Op::Angle, {0.0, -0.5}, 0x1p-6);
+    EXPECT_TRUE(*angle.continuous);
+    EXPECT_LT(angle.f.f.e, 0.01);
+}
+
+TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {
+    const double d = 0x1p-4;
+    const Form above = form_of(Op::Oriented, {0.7, 0.5}, d);
+    EXPECT_EQ(above.zeros->f.c, 0.7);
+    EXPECT_EQ(*above.zeros->f.k[2], d);
+    EXPECT_TRUE(*above.everywhere);
+    const Form below = form_of(Op::Oriented, {0.7, -0.5}, d);
+    EXPECT_EQ(below.f.f.c, -0.7);
+    EXPECT_NEAR(below.slope->range().hi, -1.0, 1e-14);
+    EXPECT_TRUE(*below.everywhere);
+    const Form unknown = form_of(Op::Oriented, {0.7, 0.0}, d);
+    EXPECT_FALSE(*unknown.everywhere);
+    EXPECT_EQ(unknown.zeros->f.c, 0.7);  // no zero there, whatever the sign
+    EXPECT_GE(unknown.f.range().neg_lo, 0.7);
+    EXPECT_GE(unknown.f.range().hi, 0.7);
+    EXPECT_GE(unknown.slope->range().neg_lo, 1.0);
+    EXPECT_GE(unknown.slope->range().hi, 1.0);
+}
+
+}  // namespace
+}  // namespace zeroset
