@@ -109,7 +109,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
 struct BenchCell {
     FrameTiming timing;
     double compile_ms = 0.0;
-    double range_per_ray = 0.0, value_per_ray = 0.0;
+    double range_per_ray = 0.0, form_per_ray = 0.0, value_per_ray = 0.0;
     CertificateCounts counts;
 };
 
@@ -127,6 +127,7 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     cell.compile_ms = formula->compile_ms;
     const auto rays = static_cast<double>(frame.color.size());
     cell.range_per_ray = static_cast<double>(cell.timing.counters.range) / rays;
+    cell.form_per_ray = static_cast<double>(cell.timing.counters.form) / rays;
     cell.value_per_ray = static_cast<double>(cell.timing.counters.value) / rays;
     cell.counts = count_certificates(frame);
     return cell;
@@ -140,6 +141,7 @@ Json json_of(const BenchCell& cell) {
               {"repeats", cell.timing.repeats}}},
             {"compile_ms", cell.compile_ms},
             {"range_per_ray", cell.range_per_ray},
+            {"form_per_ray", cell.form_per_ray},
             {"value_per_ray", cell.value_per_ray},
             {"certified", cell.counts.certified},
             {"undecided", cell.counts.undecided},

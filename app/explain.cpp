@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
 #include "app/text.hpp"
+#include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
-#include "engine/expr/tighten.hpp"
 #include "jit/compile.hpp"
 
 #include <nlohmann/json.hpp>
@@ -65,7 +65,7 @@ OrInputError<Explanation> explained(const ExplainCommand& command) {
     Explanation result{
         std::move(*program), {}, point->value_or(std::array<double, 4>{}), std::move(*parameters)};
     for (const Expr& expr : result.program.surfaces) {
-        Explained surface{&expr, tightened(expr), std::nullopt};
+        Explained surface{&expr, drawn_form(expr), std::nullopt};
         if (*point) surface.at = value_of(expr, result);
         result.surfaces.push_back(std::move(surface));
     }

@@ -1,8 +1,8 @@
 #include "app/formula.hpp"
 
 #include "app/text.hpp"
+#include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
-#include "engine/expr/tighten.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>
@@ -98,7 +98,7 @@ std::expected<Formula, InputError> prepare_formula(std::string_view text, const 
     if (!program) return std::unexpected(program.error());
     Formula formula{std::string(text), std::move(*program), {}, {}, CodeState::Machine, 0.0};
     for (const Expr& surface : formula.program.surfaces)
-        formula.drawn.push_back(tightened(surface, sample_region(region)));
+        formula.drawn.push_back(drawn_form(surface, sample_region(region)));
     formula.code = code_for(formula.drawn);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));

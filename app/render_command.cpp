@@ -98,7 +98,10 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
             {"undecided_not_drawn", counts.not_drawn},
             {"certified_width", width ? Json(*width) : Json()},
             {"surfaces", surfaces},
-            {"evaluations", {{"range", timing.counters.range}, {"value", timing.counters.value}}}};
+            {"evaluations",
+             {{"range", timing.counters.range},
+              {"value", timing.counters.value},
+              {"form", timing.counters.form}}}};
 }
 
 }  // namespace

@@ -115,8 +115,8 @@ public:
         return builder_.CreateLoad(builder_.getInt32Ty(), member(offset));
     }
 
-    /// Begins a loop of at most `most_steps` steps, at least one; in the body.
-    StepLoop begin_steps(const Lanes& start, llvm::Value* most_steps) {
+    /// Begins a loop of one step and at most `more` further ones; in the body.
+    StepLoop begin_steps(const Lanes& start, llvm::Value* more) {
         llvm::BasicBlock* const before = builder_.GetInsertBlock();
         llvm::BasicBlock* const head =
             llvm::BasicBlock::Create(builder_.getContext(), "step", function_);
@@ -125,14 +125,14 @@ public:
         llvm::PHINode* const s = builder_.CreatePHI(emitter_.real_vector(), 2, "s");
         llvm::PHINode* const left = builder_.CreatePHI(builder_.getInt32Ty(), 2, "left");
         s->addIncoming(start.value, before);
-        left->addIncoming(most_steps, before);
+        left->addIncoming(more, before);
         return {{&emitter_, s}, head, s, left};
     }
     /// Goes on with the next step where `again` holds in any lane.
     void end_steps(const StepLoop& loop, const Lanes& next, const LaneMask& again) {
         llvm::Value* const left = builder_.CreateSub(loop.steps_left, builder_.getInt32(1));
         llvm::Value* const wanted = builder_.CreateAnd(
-            builder_.CreateOrReduce(again.value), builder_.CreateICmpSGT(left, builder_.getInt32(0)));
+            builder_.CreateOrReduce(again.value), builder_.CreateICmpSGE(left, builder_.getInt32(0)));
         loop.s_in->addIncoming(next.value, builder_.GetInsertBlock());
         loop.steps_left->addIncoming(left, builder_.GetInsertBlock());
         llvm::BasicBlock* const done =

@@ -189,7 +189,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
                               array(offsetof(Batch, gradient) + 2 * sizeof(Real*))};
     llvm::Value* const slope = array(offsetof(Batch, slope));
     llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
-    llvm::Value* const most_steps = function.count(offsetof(Batch, most_steps));
+    llvm::Value* const more_steps = function.count(offsetof(Batch, more_steps));
     const Lanes small_step = function.member_uniform(offsetof(Batch, small_step));
     llvm::Value* const rays = array(offsetof(Batch, rays));
     const RayBundle bundle([&](std::size_t i) { return function.load_uniform(rays, i); });
@@ -210,7 +210,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
     const auto varying = [&] {
         function.go_to_body();
         ray = bundle.of(function.load_floats(in[0]), function.load_floats(in[1]));
-        loop.emplace(function.begin_steps(function.load(in[4]), most_steps));
+        loop.emplace(function.begin_steps(function.load(in[4]), more_steps));
         x = ray->at(loop->s);
     };
     DualAlgebra<Lanes> algebra;
@@ -237,11 +237,13 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     BatchFunction function(module, symbol_of(KernelPart::RayValue), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
-                        array(offsetof(Batch, s))};
+                        array(offsetof(Batch, slope)), array(offsetof(Batch, s))};
     llvm::Value* const value = array(offsetof(Batch, f));
+    llvm::Value* const steps = function.count(offsetof(Batch, steps));
     llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
     llvm::Value* const rays = array(offsetof(Batch, rays));
     const RayBundle bundle([&](std::size_t i) { return function.load_uniform(rays, i); });
+    std::optional<StepLoop> loop;
     std::optional<std::array<Lanes, 3>> x;
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
@@ -252,12 +254,16 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     };
     const auto varying = [&] {
         function.go_to_body();
-        x = bundle.of(function.load_floats(in[0]), function.load_floats(in[1]))
-                .at(function.load(in[2]));
+        const RayLanes ray = bundle.of(function.load_floats(in[0]), function.load_floats(in[1]));
+        loop.emplace(function.begin_steps(function.load(in[3]), steps));
+        x = ray.at(loop->s);
     };
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    const Lanes next = loop->s - f.value / function.load_floats(in[2]);
+    function.end_steps(*loop, next, function.everywhere());
+    function.store(in[3], loop->s);
     function.store(value, f.value);
     function.finish();
 }

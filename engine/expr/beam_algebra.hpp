@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/interval_algebra.hpp"
-#include "engine/num/beam_functions.hpp"
+#include "engine/num/beam_angle.hpp"
 
 #include <optional>
 
@@ -15,10 +15,12 @@ struct BeamValue {
 
     Beam<Real> f;
     /// Where f is continuous it is piecewise smooth; encloses the slopes of the pieces.
-    std::optional<Beam<Real>> slope{};
+    std::optional<SlopeBeam<Real>> slope{};
     std::optional<Mask> somewhere{};  ///< as in Enclosure
     std::optional<Mask> everywhere{};
     std::optional<Mask> continuous{};
+    /// Vanishes wherever f does, and is f where f is continuous; absent: f. Only the root's counts.
+    std::optional<Beam<Real>> zeros{};
 };
 
 /// Beam forms of value and derivative, over any carrier, in upward rounding.
@@ -29,7 +31,7 @@ public:
     using In = const Operand<Value>&;
     using Form = Beam<Real>;
     using Box = Interval<Real>;
-    using Slope = std::optional<Form>;
+    using Slope = std::optional<SlopeBeam<Real>>;
 
     Value negate(In a) { return of(-a.value.f, negated(a.value.slope), a); }
     Value add(In a, In b) {
@@ -60,23 +62,28 @@ public:
         return of(power(a.value.f, n), times(scale(below, n), a.value.slope), a);
     }
     Value odd_root(In a, int n) {
-        const Box x = box(a);
-        const Box root = zeroset::odd_root(x, n);
-        const FunctionBounds<Real> g{root, root / zeroset::scale(x, n),
-                                     zeroset::odd_root(middle(a), n), 16.0};
-        return smooth(g, {g.range}, a);
+        const auto slope = [n](const Box& x, const Box& g) { return g / zeroset::scale(x, n); };
+        const auto bend = [n](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return -(zeroset::scale(slope_of_x, n - 1) / zeroset::scale(x, n));
+        };
+        const Box at = zeroset::odd_root(middle(a), n);
+        return smooth(a, {zeroset::odd_root(box(a), n)}, at, 16.0, slope, bend);
     }
     Value sqrt(In a) {
         const Box x = box(a);
         const Enclosure<Real> root = zeroset::sqrt(x);
-        const FunctionBounds<Real> g{root.range, point(number(0.5)) / root.range, {}, 1.0};
-        return of(zeroset::sqrt(a.value.f, g, x), g.slope, root, a);
+        const auto slope_of = [&](const Box& g) { return point(number(0.5)) / g; };
+        const Box slope = slope_of(root.range);
+        const Box bend = zeroset::scale(power_nonnegative(slope, 3), -2.0);
+        const Box at = square_root(middle(a));
+        const FunctionBounds<Real> g{root.range, slope, bend, at, slope_of(at), 1.0};
+        return of(zeroset::sqrt(a.value.f, g, x), slope_of_curve(a.value.f, g), root, a);
     }
     Value abs(In a) {
         const Kink<Real> kink = kink_of(box(a));
         Value result = of(zeroset::abs(a.value.f, kink), std::nullopt, a);
         if (a.value.slope) {
-            const Form& slope = *a.value.slope;
+            const SlopeBeam<Real>& slope = *a.value.slope;
             result.slope =
                 select(kink.above, slope, select(kink.below, -slope, hull(slope, -slope)));
         }
@@ -91,10 +98,9 @@ public:
     Value max(In a, In b) { return larger(a, b, 1.0); }
 
     Value exp(In a) {
-        const Box range = zeroset::exp(box(a));
-        const Box at = zeroset::exp(middle(a));
-        const FunctionBounds<Real> g{range, range, at, 2.0};
-        return of(by_curvature(a.value.f, g, at, range.hi), g.slope, {g.range}, a);
+        const auto slope = [](const Box& /*x*/, const Box& g) { return g; };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& /*slope*/) { return g; };
+        return smooth(a, {zeroset::exp(box(a))}, zeroset::exp(middle(a)), 2.0, slope, bend);
     }
     Value log(In a) { return logarithm(a, Elementary::Log, 1.0, 1.0); }
     Value log10(In a) {
@@ -105,74 +111,112 @@ public:
         kind_ = &a.value.f.r;
         return logarithm(a, Elementary::Log2, format().per_ln2, 1.0 - format().relative_gap);
     }
-    Value sin(In a) { return wave(wave_over(a.value.f, sin_at(a.value.f.f.c)), a); }
-    Value cos(In a) { return wave(wave_over(a.value.f, cos_at(a.value.f.f.c)), a); }
+    Value sin(In a) { return curved(wave_over(a.value.f, sin_at(a.value.f.f.c)), {}, a); }
+    Value cos(In a) { return curved(wave_over(a.value.f, cos_at(a.value.f.f.c)), {}, a); }
     Value tan(In a) {
-        const Enclosure<Real> range = zeroset::tan(box(a));
-        return smooth(
-            {range.range, one() + square_of(range.range), zeroset::tan(middle(a)).range, 4.0},
-            range, a);
+        const auto slope = [&](const Box& /*x*/, const Box& g) { return one() + square_of(g); };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& slope_of_x) {
+            return zeroset::scale(multiply_nonnegative_by(slope_of_x, g), 2.0);
+        };
+        const Box at = zeroset::tan(middle(a)).range;
+        return smooth(a, zeroset::tan(box(a)), at, 4.0, slope, bend);
     }
     Value cot(In a) {
-        const Enclosure<Real> range = zeroset::cot(box(a));
-        return smooth(
-            {range.range, -(one() + square_of(range.range)), zeroset::cot(middle(a)).range, 8.0},
-            range, a);
+        const auto slope = [&](const Box& /*x*/, const Box& g) { return -(one() + square_of(g)); };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& slope_of_x) {
+            return zeroset::scale(multiply_nonnegative_by(-slope_of_x, g), 2.0);
+        };
+        const Box at = zeroset::cot(middle(a)).range;
+        return smooth(a, zeroset::cot(box(a)), at, 8.0, slope, bend);
     }
     Value asin(In a) {
-        const Enclosure<Real> range = zeroset::asin(box(a));
-        return smooth({range.range, arc_slope(a), zeroset::asin(middle(a)).range, 4.0}, range, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) { return arc_slope(x); };
+        const auto bend = [](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return multiply_nonnegative_by(power_nonnegative(slope_of_x, 3), x);
+        };
+        const Box at = zeroset::asin(middle(a)).range;
+        return smooth(a, zeroset::asin(box(a)), at, 4.0, slope, bend);
     }
     Value acos(In a) {
-        const Enclosure<Real> range = zeroset::acos(box(a));
-        return smooth({range.range, -arc_slope(a), zeroset::acos(middle(a)).range, 4.0}, range, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) { return -arc_slope(x); };
+        const auto bend = [](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return -multiply_nonnegative_by(power_nonnegative(-slope_of_x, 3), x);
+        };
+        const Box at = zeroset::acos(middle(a)).range;
+        return smooth(a, zeroset::acos(box(a)), at, 4.0, slope, bend);
     }
     Value atan(In a) {
-        const Box range = zeroset::atan(box(a));
-        return smooth({range, one() / (one() + square_of(box(a))), zeroset::atan(middle(a)), 4.0},
-                      {range}, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) {
+            return one() / (one() + square_of(x));
+        };
+        const auto bend = [](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return zeroset::scale(multiply_nonnegative_by(power_nonnegative(slope_of_x, 2), x),
+                                  -2.0);
+        };
+        return smooth(a, {zeroset::atan(box(a))}, zeroset::atan(middle(a)), 4.0, slope, bend);
     }
     Value atan2(In y, In x) {
-        return turning(zeroset::atan2(box(y), box(x)), zeroset::atan2(middle(y), middle(x)).range,
-                       y, x);
+        const Box at = zeroset::atan2(middle(y), middle(x)).range;
+        return turning(zeroset::atan2(box(y), box(x)), at, turn(y, x), y, x);
     }
     Value angle(In y, In x) {
-        return turning(zeroset::angle(box(y), box(x)), zeroset::angle(middle(y), middle(x)).range,
-                       y, x);
+        const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
+        const Box at = widened(Elementary::Atan2, angle, angle);
+        const auto around_origin = angle_cases(box(y), box(x)).around_origin;
+        const Turn<Real> turn = this->turn(y, x);
+        // A convex cell beside the origin is seen under less than a half turn.
+        const Real most = number(format().pi_hi);
+        const Real far = minimum(
+            largest(turn.by_y) * y.value.f.spread() + largest(turn.by_x) * x.value.f.spread(),
+            most);
+        const Box beside = at + within<Real>(far);
+        const Box range = select(around_origin, within<Real>(most), beside);
+        return turning({range, {}, no(around_origin), no(around_origin)}, at, turn, y, x);
     }
+    Value oriented(In a, In b);
     Value sinh(In a) {
-        const Box range = odd_increasing(Elementary::Sinh, box(a));
-        return smooth(
-            {range, zeroset::cosh(box(a)), odd_increasing(Elementary::Sinh, middle(a)), 4.0},
-            {range}, a);
+        const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& /*slope*/) { return g; };
+        const Box at = odd_increasing(Elementary::Sinh, middle(a));
+        return smooth(a, {odd_increasing(Elementary::Sinh, box(a))}, at, 4.0, slope, bend);
     }
     Value cosh(In a) {
-        const Box range = zeroset::cosh(box(a));
-        return smooth(
-            {range, odd_increasing(Elementary::Sinh, box(a)), zeroset::cosh(middle(a)), 4.0},
-            {range}, a);
+        const auto slope = [](const Box& x, const Box& /*g*/) {
+            return odd_increasing(Elementary::Sinh, x);
+        };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& /*slope*/) { return g; };
+        return smooth(a, {zeroset::cosh(box(a))}, zeroset::cosh(middle(a)), 4.0, slope, bend);
     }
     Value tanh(In a) {
-        const Box range = zeroset::tanh(box(a));
-        return smooth({range, one() - square_of(range), zeroset::tanh(middle(a)), 4.0}, {range}, a);
+        const auto slope = [&](const Box& /*x*/, const Box& g) { return one() - square_of(g); };
+        const auto bend = [](const Box& /*x*/, const Box& g, const Box& slope_of_x) {
+            return zeroset::scale(slope_of_x * g, -2.0);
+        };
+        return smooth(a, {zeroset::tanh(box(a))}, zeroset::tanh(middle(a)), 4.0, slope, bend);
     }
     Value asinh(In a) {
-        const Box range = odd_increasing(Elementary::Asinh, box(a));
-        return smooth({range, one() / square_root(one() + square_of(box(a))),
-                       odd_increasing(Elementary::Asinh, middle(a)), 2.0},
-                      {range}, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) {
+            return one() / square_root(one() + square_of(x));
+        };
+        const Box at = odd_increasing(Elementary::Asinh, middle(a));
+        return smooth(a, {odd_increasing(Elementary::Asinh, box(a))}, at, 2.0, slope, area_bend);
     }
     Value acosh(In a) {
-        const Enclosure<Real> range = zeroset::acosh(box(a));
-        return smooth({range.range, one() / square_root(square_of(box(a)) - one()),
-                       zeroset::acosh(middle(a)).range, 2.0},
-                      range, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) {
+            return one() / square_root(square_of(x) - one());
+        };
+        const Box at = zeroset::acosh(middle(a)).range;
+        return smooth(a, zeroset::acosh(box(a)), at, 2.0, slope, area_bend);
     }
     Value atanh(In a) {
-        const Enclosure<Real> range = zeroset::atanh(box(a));
-        return smooth({range.range, one() / (one() - square_of(box(a))),
-                       zeroset::atanh(middle(a)).range, 2.0},
-                      range, a);
+        const auto slope = [&](const Box& x, const Box& /*g*/) {
+            return one() / (one() - square_of(x));
+        };
+        const auto bend = [](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return zeroset::scale(x * power(slope_of_x, 2, false), 2.0);
+        };
+        const Box at = zeroset::atanh(middle(a)).range;
+        return smooth(a, zeroset::atanh(box(a)), at, 2.0, slope, bend);
     }
 
     Value less(In a, In b) { return decided(zeroset::less(box(a), box(b)), a, b); }
@@ -196,6 +240,7 @@ private:
     }
     static Box middle(In a) { return point(a.value.f.f.c); }
 
+    SlopeBeam<Real> no_slope() { return {{number(0), {}, number(0)}, number(0)}; }
     static Slope negated(const Slope& a) {
         if (!a) return a;
         return -*a;
@@ -226,9 +271,9 @@ private:
                                               const std::optional<Mask>& b) {
         return conjunction(a, b);
     }
-    /// A function of one operand with the derivative's range and its own domain.
-    static Value of(const Form& f, const Box& slope, const Enclosure<Real>& domain, In a) {
-        return with_domain(of(f, times(factor(slope), a.value.slope), a), domain);
+    /// A function of one operand with its derivative and its own domain.
+    static Value of(const Form& f, const Form& slope, const Enclosure<Real>& domain, In a) {
+        return with_domain(of(f, times(slope, a.value.slope), a), domain);
     }
     static Value with_domain(Value f, const Enclosure<Real>& domain) {
         f.somewhere = conjunction(f.somewhere, domain.somewhere);
@@ -236,11 +281,21 @@ private:
         f.continuous = conjunction(f.continuous, domain.continuous);
         return f;
     }
-    static Value smooth(const FunctionBounds<Real>& g, const Enclosure<Real>& domain, In a) {
-        return of(by_slope(a.value.f, g), g.slope, domain, a);
+    static Value curved(const FunctionBounds<Real>& g, const Enclosure<Real>& domain, In a) {
+        return of(curve(a.value.f, g), slope_of_curve(a.value.f, g), domain, a);
     }
-    static Value wave(const Wave<Real>& wave, In a) {
-        return of(zeroset::wave(a.value.f, wave), wave.bounds.slope, {wave.bounds.range}, a);
+    /// g(a) from its range and what encloses it at the middle: g' from `slope(x, g(x))`, g'' from
+    /// `bend(x, g(x), g'(x))`, over intervals.
+    static Value smooth(In a, const Enclosure<Real>& g, const Box& at, double rounding_ulp,
+                        auto slope, auto bend) {
+        const Box x = a.value.f.range();
+        const Box slopes = slope(x, g.range);
+        const Box bends = bend(x, g.range, slopes);
+        return curved({g.range, slopes, bends, at, slope(middle(a), at), rounding_ulp}, g, a);
+    }
+    /// Of asinh and acosh.
+    static Box area_bend(const Box& x, const Box& /*g*/, const Box& slope) {
+        return -multiply_nonnegative_by(power_nonnegative(slope, 3), x);
     }
     /// Constant where it is continuous.
     template <class... Operands>
@@ -268,32 +323,26 @@ private:
     }
     /// log a times `scale`, which is known but for a factor from `least` to 1 / `least`.
     Value logarithm(In a, Elementary function, double scale, double least) {
-        const Box x = box(a);
-        const Enclosure<Real> range = zeroset::logarithm(function, x);
+        const Enclosure<Real> range = zeroset::logarithm(function, box(a));
         const Box factor{number(-scale * least), number(scale * (2.0 - least))};
-        const Box slope = factor / x;
-        const Box at = zeroset::logarithm(function, middle(a)).range;
-        const FunctionBounds<Real> g{range.range, slope, at, 4.0};
-        const Real curvature = slope.hi * (one() / x).hi;
-        return of(by_curvature(a.value.f, g, factor / middle(a), curvature), slope, range, a);
-    }
-    /// 1 / sqrt(1 - a^2)
-    Box arc_slope(In a) {
-        const Box x = box(a);
-        return one() / square_root((one() - x) * (one() + x));
-    }
-    Value turning(const Enclosure<Real>& g, const Box& at, In y, In x) {
-        const Box radius2 = square_of(box(x)) + square_of(box(y));
-        // No line goes across the cut.
-        const auto steepness = [&](const Box& slope) {
-            return g.continuous ? select(*g.continuous, slope, whole_line(slope.hi)) : slope;
+        const auto slope = [&](const Box& x, const Box& /*g*/) { return factor / x; };
+        const auto bend = [](const Box& x, const Box& /*g*/, const Box& slope_of_x) {
+            return -(slope_of_x / x);
         };
-        const Box by_y = steepness(box(x) / radius2);
-        const Box by_x = steepness(-(box(y) / radius2));
-        const Form f =
-            by_slopes(y.value.f, x.value.f, SurfaceBounds<Real>{g.range, by_y, by_x, at, 4.0});
-        const Slope slope =
-            sum(times(factor(by_y), y.value.slope), times(factor(by_x), x.value.slope));
+        return smooth(a, range, zeroset::logarithm(function, middle(a)).range, 4.0, slope, bend);
+    }
+    /// 1 / sqrt(1 - x^2)
+    Box arc_slope(const Box& x) { return one() / square_root((one() - x) * (one() + x)); }
+    Turn<Real> turn(In y, In x) { return turn_of(y.value.f, x.value.f, box(y), box(x)); }
+    static Value turning(const Enclosure<Real>& g, const Box& at, Turn<Real> turn, In y, In x) {
+        // No plane goes across the cut.
+        if (g.continuous) {
+            turn.curvature =
+                select(*g.continuous, turn.curvature, like(turn.curvature, infinity));
+        }
+        const Form f = angle_form(y.value.f, x.value.f, turn, at, g.range);
+        const auto [by_y, by_x] = angle_slopes(y.value.f, x.value.f, turn);
+        const Slope slope = sum(times(by_y, y.value.slope), times(by_x, x.value.slope));
         return with_domain(of(f, slope, y, x), g);
     }
     Value larger(In a, In b, double sign) {
@@ -301,11 +350,11 @@ private:
         Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
         if (!a.value.slope && !b.value.slope) return result;
         kind_ = &a.value.f.r;
-        const Form zero = interval_form(point(number(0)), number(0));
-        const Form& slope_a = a.value.slope ? *a.value.slope : zero;
-        const Form& slope_b = b.value.slope ? *b.value.slope : zero;
-        const Form& if_above = sign > 0 ? slope_a : slope_b;
-        const Form& if_below = sign > 0 ? slope_b : slope_a;
+        const SlopeBeam<Real> zero = no_slope();
+        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
+        const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
+        const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
         result.slope =
             select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
         return result;
@@ -345,11 +394,35 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
     const auto fails = no(may_hold(condition));
     const Form undecided = interval_form(both_sides.range, maximum(a.value.f.r, b.value.f.r));
     const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
-    const Form zero = interval_form(point(number(0)), number(0));
-    const Form& slope_a = a.value.slope ? *a.value.slope : zero;
-    const Form& slope_b = b.value.slope ? *b.value.slope : zero;
+    const SlopeBeam<Real> zero = no_slope();
+    const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+    const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
     return {f, select(holds, slope_a, slope_b), both_sides.somewhere, both_sides.everywhere,
             both_sides.continuous};
+}
+
+/// a times the sign of b. That of the value kernels' b is the same where it is known: b is farther
+/// from 0 than their rounding.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::oriented(In a, In b) {
+    const Box divisor = box(b);
+    const Real rounding = b.value.f.r * form_rounding(b.value.f.r);
+    const auto above = divisor.neg_lo + rounding < number(0);
+    const auto below = divisor.hi + rounding < number(0);
+    const auto known = either(above, below);
+    const auto turned = [&](const auto& f) { return select(below, -f, f); };
+    const Form zeros = turned(a.value.zeros.value_or(a.value.f));
+    const Real far = magnitude(a.value.f.f.c) + a.value.f.spread();
+    const Form either_way = interval_form(within<Real>(far), a.value.f.r);
+    Value result = of(select(known, turned(a.value.f), either_way), std::nullopt, a, b);
+    if (a.value.slope) {
+        const SlopeBeam<Real>& slope = *a.value.slope;
+        result.slope = select(known, turned(slope), hull(slope, -slope));
+    }
+    result.zeros = zeros;
+    result.everywhere = conjunction(result.everywhere, {known});
+    if (b.facts.exact() && b.facts.constant->hi == 0) result.somewhere = {known};
+    return result;
 }
 
 /// a where the condition c holds, undefined elsewhere.

@@ -91,6 +91,7 @@ BoxSample::BoxSample(const Expr& expr, std::span<const Facts> facts, const Sampl
         reached *= static_cast<double>(kept.size()) / static_cast<double>(count);
         level_cells = children(kept, cells_a_level);
     }
+    share_with_zeros_ = reached;
 }
 
 std::vector<BoxSample::Cell> BoxSample::first_cells(const SampleRegion& region) const {

@@ -26,6 +26,10 @@ public:
     /// rounding.
     BoxSample(const Expr& expr, std::span<const Facts> facts, const SampleRegion& region);
 
+    /// The share of the region's finest cells that may hold a zero: about 2^-9 for a surface, 2^-18
+    /// for a curve, 2^-27 for a point, some times that where enclosures are wide.
+    [[nodiscard]] double share_with_zeros() const { return share_with_zeros_; }
+
     /// How much work a formula leaves to a search, relative to the one that the sample was made of.
     struct Work {
         double boxes;  ///< the share of boxes that have to be divided
@@ -53,6 +57,7 @@ private:
 
     std::vector<std::array<double, 2>> uniforms_;
     std::vector<Cell> cells_;
+    double share_with_zeros_ = 0.0;
 };
 
 }  // namespace zeroset

@@ -43,6 +43,7 @@ public:
     Value atan(In a) { return zeroset::atan(a.value); }
     Value atan2(In y, In x) { return zeroset::atan2(y.value, x.value); }
     Value angle(In y, In x) { return zeroset::atan2(y.value, x.value); }
+    Value oriented(In a, In b) { return zeroset::oriented(a.value, b.value.value); }
     Value sinh(In a) { return zeroset::sinh(a.value); }
     Value cosh(In a) { return zeroset::cosh(a.value); }
     Value tanh(In a) { return zeroset::tanh(a.value); }

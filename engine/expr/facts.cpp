@@ -51,6 +51,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Cot:
         case Op::Atan2:
         case Op::Angle:
+        case Op::Oriented:
         case Op::Log:
         case Op::Log10:
         case Op::Log2: return false;

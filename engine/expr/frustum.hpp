@@ -73,7 +73,8 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
     const Affine<Lanes> slope{
         direction, {view.by_u[i], view.by_v[i], std::nullopt}, like(cell.u, 0.0)};
     return {Beam<Lanes>{x, size * four, size},
-            Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]}};
+            slope_beam(
+                Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]})};
 }
 
 /// A constant subexpression: what value kernels take for it, and how far from that it may be.
@@ -113,20 +114,21 @@ struct FormResult {
 
 template <class Lanes>
 FormResult<Lanes> form_result(const BeamValue<Lanes>& f) {
-    const Lanes& c = f.f.f.c;
+    const Beam<Lanes>& form = f.zeros ? *f.zeros : f.f;
+    const Lanes& c = form.f.c;
     const Lanes zero = like(c, 0.0);
     const Lanes far = like(c, format_of(c).largest_finite);
     // Finite in each member; false where one is NaN.
-    const auto known = f.f.spread() + magnitude(c) <= far;
+    const auto known = form.spread() + magnitude(c) <= far;
     FormResult<Lanes> result{select(known, c, zero),
                              {zero, zero, zero},
-                             select(known, f.f.f.e + f.f.r * form_rounding(c), like(c, infinity)),
-                             f.f.r,
+                             select(known, form.f.e + form.r * form_rounding(c), like(c, infinity)),
+                             form.r,
                              {zero, zero},
                              conjunction(f.everywhere, f.continuous),
                              f.somewhere};
     for (std::size_t i = 0; i < 3; ++i) {
-        if (f.f.f.k[i]) result.k[i] = select(known, *f.f.f.k[i], zero);
+        if (form.f.k[i]) result.k[i] = select(known, *form.f.k[i], zero);
     }
     if (f.slope) result.slope = f.slope->range();
     return result;

@@ -81,6 +81,7 @@ public:
     Value angle(In y, In x) {
         return composed(zeroset::angle(range(y), range(x)), y.value, x.value);
     }
+    Value oriented(In a, In b) { return with_divisor(zeroset::oriented(a.value, range(b)), a, b); }
     Value sinh(In a) { return odd({odd_increasing(Elementary::Sinh, range(a))}, a); }
     Value cosh(In a) { return total(zeroset::cosh(range(a)), a); }
     Value tanh(In a) { return odd({zeroset::tanh(range(a))}, a); }

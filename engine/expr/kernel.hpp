@@ -93,7 +93,8 @@ struct FrustumOf {
 /// Beam forms (engine/num/beam.hpp) of f over `size` cells, |u - u_i| <= u_radius,
 /// |v - v_i| <= v_radius, |s - s_i| <= s_radius_i:
 ///   f is in c + k[0] eu + k[1] ev + k[2] et + [-e, e]  for eu, ev, et in [-1, 1].
-/// Where nothing is known of f, c and k are 0 and e is +inf.
+/// Where f is not continuous, that may be of another function, which vanishes wherever f does.
+/// Where nothing is known, c and k are 0 and e is +inf.
 template <class Real>
 struct FormBatchOf {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
@@ -136,21 +137,23 @@ struct NewtonBatchOf {
     const Real* uniforms;  ///< Uniforms::points
     /// After a step no longer than this on all rays of a vector there is no further one.
     Real small_step;
-    int most_steps;  ///< at least 1
+    int more_steps;  ///< at most, after the first; at least 0
     Real* s;         ///< in: guesses; out: where the steps end, in [from, to] where that is not empty
     Real* gradient[3];  ///< out: df/dx, df/dy, df/dz one step before s
     Real* slope;        ///< out: df/ds there
 };
 
-/// f on the rays of `size` pixels, in double.
+/// f on the rays of `size` pixels, in double, after some steps of Newton's method.
 struct RayValueBatch {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
     const float* col;  ///< of the pixels, whole numbers
     const float* row;
-    const double* s;
+    const float* slope;  ///< df/ds near s
+    int steps;           ///< at least 0
+    double* s;           ///< in and out
     const double* rays;      ///< a RaysOf<double>
     const double* uniforms;  ///< Uniforms::points
-    double* f;               ///< out: not rounded outward; see FormBatchOf::r
+    double* f;               ///< out: at s, not rounded outward; see FormBatchOf::r
 };
 
 using RangeBatch = RangeBatchOf<float>;

@@ -85,8 +85,10 @@ private:
                 pieces = {{{}, node.a, Atom, true}, {"^" + std::to_string(node.number)}};
                 return Power;
             case Notation::Root: return root(node, pieces);
-            case Notation::Call:
-            case Notation::Internal: break;
+            case Notation::Internal:
+                if (node.op == Op::Oriented) return infix(node, pieces);
+                break;
+            case Notation::Call: break;
         }
         return call(node, info, pieces);
     }

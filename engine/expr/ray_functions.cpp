@@ -85,7 +85,7 @@ void newton_by_values(const void* code, const NewtonBatchOf<Real>* batch) {
     for (std::size_t first = 0; first < batch->size; first += most_pixels) {
         const std::size_t count = std::min(most_pixels, batch->size - first);
         place_rays(batch->rays, batch->col + first, batch->row + first, count, points);
-        for (int step = 0; step < batch->most_steps; ++step) {
+        for (int step = 0; step <= batch->more_steps; ++step) {
             evaluate_at(value, batch->uniforms, batch->s + first, count, points);
             if (!take_step(*batch, first, count, points)) break;
         }
@@ -98,7 +98,14 @@ void ray_values_by_values(const void* code, const RayValueBatch* batch) {
     for (std::size_t first = 0; first < batch->size; first += most_pixels) {
         const std::size_t count = std::min(most_pixels, batch->size - first);
         place_rays(batch->rays, batch->col + first, batch->row + first, count, points);
-        evaluate_at(value, batch->uniforms, batch->s + first, count, points);
+        for (int step = 0;; ++step) {
+            evaluate_at(value, batch->uniforms, batch->s + first, count, points);
+            if (step == batch->steps) break;
+            for (std::size_t i = 0; i < count; ++i) {
+                batch->s[first + i] -=
+                    points.f[i] / static_cast<double>(batch->slope[first + i]);
+            }
+        }
         std::copy_n(points.f.begin(), count, batch->f + first);
     }
 }

@@ -100,44 +100,44 @@ Affine<Real> operator-(const Affine<Real>& a, const Affine<Real>& b) {
     return a + (-b);
 }
 
-/// What the products of equal variables make of a product: their sum over i, and a lower bound of
-/// the sum of their sizes. Absent where the factors share no variable.
+/// The linear part of a product, without its rounding.
 template <class Real>
-struct EqualProducts {
-    std::optional<Real> sum, sizes;
-};
-
-template <class Real>
-EqualProducts<Real> equal_products(const Affine<Real>& a, const Affine<Real>& b) {
-    EqualProducts<Real> result;
+void multiply_linear(const Affine<Real>& a, const Affine<Real>& b, Affine<Real>& result) {
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!a.k[i] || !b.k[i]) continue;
-        const Real product = *a.k[i] * *b.k[i];
-        add_to(result.sum, product);
-        add_to(result.sizes, magnitude(product));
+        if (a.k[i]) result.k[i] = *a.k[i] * b.c;
+        if (!b.k[i]) continue;
+        result.k[i] = result.k[i] ? fused(a.c, *b.k[i], *result.k[i]) : a.c * *b.k[i];
     }
-    if (result.sizes) {
-        // Five roundings, each of half the gap.
-        *result.sizes = *result.sizes * like(a.c, 1.0 - 4 * format_of(a.c).relative_gap);
-    }
-    return result;
 }
 
 /// The product of forms that deviate by no more than `da` and `db` from their middles, without its
 /// rounding.
 template <class Real>
 Affine<Real> product(const Affine<Real>& a, const Real& da, const Affine<Real>& b, const Real& db) {
-    const Real half = like(a.c, 0.5);
-    Affine<Real> result{a.c * b.c, {}, magnitude(a.c) * b.e + magnitude(b.c) * a.e + da * db};
+    Affine<Real> result{
+        a.c * b.c, {}, fused(magnitude(a.c), b.e, fused(magnitude(b.c), a.e, da * db))};
+    multiply_linear(a, b, result);
+    return result;
+}
+
+/// The same, where equal variables make the error smaller: their squares are never negative.
+template <class Real>
+Affine<Real> centred_product(const Affine<Real>& a, const Real& da, const Affine<Real>& b,
+                             const Real& db) {
+    Affine<Real> result = product(a, da, b, db);
+    std::optional<Real> sum;
+    std::optional<Real> sizes;
     for (std::size_t i = 0; i < 3; ++i) {
-        if (a.k[i]) add_to(result.k[i], *a.k[i] * b.c);
-        if (b.k[i]) add_to(result.k[i], a.c * *b.k[i]);
+        if (!a.k[i] || !b.k[i]) continue;
+        const Real square = *a.k[i] * *b.k[i];
+        add_to(sum, square);
+        add_to(sizes, magnitude(square));
     }
-    const EqualProducts<Real> equal = equal_products(a, b);
-    if (equal.sum) {
-        result.c = result.c + *equal.sum * half;
-        result.e = result.e - *equal.sizes * half;
-    }
+    if (!sum) return result;
+    result.c = fused(*sum, like(a.c, 0.5), result.c);
+    // Five roundings, each of half the gap.
+    const double half = 0.5 * (1.0 - 4 * format_of(a.c).relative_gap);
+    result.e = fused(*sizes, like(a.c, -half), result.e);
     return result;
 }
 
@@ -165,10 +165,23 @@ struct Beam {
     Real r;
     Real size;  ///< an upper bound of |f|, not a tight one
 
+    /// e with all roundings.
+    const Real& error() const {
+        if (!error_) error_ = fused(r, form_rounding(r), f.e);
+        return *error_;
+    }
     /// How far the function is from c at most, with all roundings.
     const Real& spread() const {
-        if (!spread_) spread_ = deviation(f) + r * form_rounding(r);
+        if (!spread_) {
+            const auto linear = spread_of_coefficients(f);
+            spread_ = linear ? *linear + error() : error();
+        }
         return *spread_;
+    }
+    /// An upper bound of |f|, a tight one.
+    const Real& largest() const {
+        if (!largest_) largest_ = magnitude(f.c) + spread();
+        return *largest_;
     }
     /// The whole line where nothing is known.
     [[nodiscard]] Interval<Real> range() const {
@@ -176,7 +189,8 @@ struct Beam {
     }
 
 private:
-    mutable std::optional<Real> spread_{};  ///< kept, as machine code would compute it again
+    // Kept, as machine code would compute them again.
+    mutable std::optional<Real> error_{}, spread_{}, largest_{};
 };
 
 template <class Real>
@@ -198,15 +212,16 @@ Beam<Real> operator-(const Beam<Real>& a, const Beam<Real>& b) {
 /// An upper bound of |a b|, and of the rounding of a product so small that it loses digits.
 template <class Real>
 Real product_size(const Real& a, const Real& b) {
-    return a * b + like(a, format_of(a).smallest_normal);
+    return fused(a, b, like(a, format_of(a).smallest_normal));
 }
 
 template <class Real>
 Beam<Real> operator*(const Beam<Real>& a, const Beam<Real>& b) {
-    const Real size_a = magnitude(a.f.c) + a.spread();
-    const Real size_b = magnitude(b.f.c) + b.spread();
+    const Real& size_a = a.largest();
+    const Real& size_b = b.largest();
     const Real size = product_size(size_a, size_b);
-    return {product(a.f, a.spread(), b.f, b.spread()), size_a * b.r + size_b * a.r + size, size};
+    return {centred_product(a.f, a.spread(), b.f, b.spread()),
+            fused(size_a, b.r, fused(size_b, a.r, size)), size};
 }
 
 /// a * c for the exact number c, a number of the format.
@@ -214,7 +229,7 @@ template <class Real>
 Beam<Real> scale(const Beam<Real>& a, double c) {
     const Real factor = like(a.r, c);
     const Real size = product_size(a.size, magnitude(factor));
-    return {scaled(a.f, factor), a.r * magnitude(factor) + size, size};
+    return {scaled(a.f, factor), fused(a.r, magnitude(factor), size), size};
 }
 
 /// For a = c + d, d^2 is in [0, |d|^2].
@@ -223,11 +238,11 @@ Beam<Real> square(const Beam<Real>& a) {
     const Real& d = a.spread();
     const Real half_square = like(d, 0.5) * d * d;
     Affine<Real> f = scaled(a.f, a.f.c + a.f.c);
-    f.c = a.f.c * a.f.c + half_square;
+    f.c = fused(a.f.c, a.f.c, half_square);
     f.e = f.e + half_square;
-    const Real size_a = magnitude(a.f.c) + d;
+    const Real& size_a = a.largest();
     const Real size = product_size(size_a, size_a);
-    return {f, (size_a + size_a) * a.r + size, size};
+    return {f, fused(size_a + size_a, a.r, size), size};
 }
 
 /// For a = c + d with |d| <= q, d^2 is in [0, q^2] and d^3 in 3/4 q^2 d + [-1/4, 1/4] q^3.
@@ -241,10 +256,62 @@ Beam<Real> cube(const Beam<Real>& a) {
     Affine<Real> f = scaled(a.f, number(3) * c2 + number(0.75) * q2);
     f.c = c * (c2 + number(1.5) * q2);
     f.e = f.e + number(1.5) * magnitude(c) * q2 + number(0.25) * q2 * q;
-    const Real size_a = magnitude(c) + q;
+    const Real& size_a = a.largest();
     const Real size2 = size_a * size_a;
     const Real size = product_size(size2, size_a);
     return {f, number(3) * size2 * a.r + number(4) * size, size};
+}
+
+/// A form all of whose roundings are in e: of a derivative, which is never evaluated at a point.
+template <class Real>
+struct SlopeBeam {
+    Affine<Real> f;
+    Real size;  ///< an upper bound of |f|, not a tight one
+
+    [[nodiscard]] Interval<Real> range() const {
+        const Real spread = deviation(f);
+        return without_nan(Interval<Real>{spread - f.c, f.c + spread});
+    }
+};
+
+/// With the rounding of an operator's result.
+template <class Real>
+SlopeBeam<Real> rounded(Affine<Real> f, const Real& size) {
+    f.e = fused(size, form_rounding(size), f.e);
+    return {f, size};
+}
+
+/// All of the beam's roundings.
+template <class Real>
+SlopeBeam<Real> slope_beam(const Beam<Real>& a) {
+    Affine<Real> f = a.f;
+    f.e = a.error();
+    return {f, a.size};
+}
+
+template <class Real>
+SlopeBeam<Real> operator-(const SlopeBeam<Real>& a) {
+    return {-a.f, a.size};
+}
+
+template <class Real>
+SlopeBeam<Real> operator+(const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
+    return rounded(a.f + b.f, a.size + b.size);
+}
+
+template <class Real>
+SlopeBeam<Real> operator*(const Beam<Real>& a, const SlopeBeam<Real>& b) {
+    Affine<Real> factor = a.f;
+    factor.e = a.error();
+    const Real spread_b = deviation(b.f);
+    return rounded(product(factor, a.spread(), b.f, spread_b),
+                   product_size(a.largest(), magnitude(b.f.c) + spread_b));
+}
+
+template <class Real>
+SlopeBeam<Real> scale(const SlopeBeam<Real>& a, double c) {
+    const Real factor = like(a.size, c);
+    return rounded(scaled(a.f, factor), product_size(a.size, magnitude(factor)));
 }
 
 /// a^n for n >= 1.

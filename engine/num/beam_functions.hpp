@@ -37,51 +37,75 @@ Affine<Real> linear_map(const Affine<Real>& a, const Real& alpha, const Real& sh
     return result;
 }
 
-/// What is known of a function g of one variable over the range of its operand x.
+/// What is known of a function g of one variable over the range of its operand x, and at its middle
+/// c.
 template <class Real>
 struct FunctionBounds {
     Interval<Real> range;      ///< of g
     Interval<Real> slope;      ///< of g'
-    Interval<Real> at_middle;  ///< of g(c)
-    double rounding_ulp;       ///< of an evaluation at a point
+    Interval<Real> curvature;  ///< of g''
+    Interval<Real> at_middle;  ///< g(c)
+    Interval<Real> slope_at_middle;
+    double rounding_ulp;  ///< of an evaluation at a point
 };
 
-/// g's r: that of the operand by the greatest slope, and its own.
+/// The r of g, of slopes in `slope`: that of the operand by the greatest slope, and its own.
 template <class Real>
-Real rounding_of(const FunctionBounds<Real>& g, const Real& operand_r, const Real& size) {
-    return largest(g.slope) * operand_r + like(size, g.rounding_ulp) * size;
+Real rounding_of(const Interval<Real>& slope, const Real& operand_r, double ulp, const Real& size) {
+    return largest(slope) * operand_r + like(size, ulp) * size;
 }
 
-/// g(x) from a line of slope `alpha` through g(c), where |g(x) - g(c) - alpha (x - c)| is at most
-/// `error`; or from its range, where that is narrower.
+/// A line through a function's value at the middle c of its operand x.
 template <class Real>
-Beam<Real> along_line(const Beam<Real>& x, const FunctionBounds<Real>& g, const Real& alpha,
-                      const Real& error) {
-    const Affine<Real> middle = centred(g.at_middle);
-    const Real zero = like(alpha, 0.0);
+struct Line {
+    Interval<Real> at_middle;
+    Real slope;
+    Interval<Real> rest;  ///< what the function is more than the line
+};
+
+/// The function's form from a line, or from its range where that is narrower, with the r of either.
+/// Makes no more than four roundings of numbers below twice the range's.
+template <class Real>
+Beam<Real> along_line(const Beam<Real>& x, const Line<Real>& line, const Interval<Real>& range,
+                      const Real& r_of_line, const Real& r_of_range) {
+    const Affine<Real> middle = centred(line.at_middle + line.rest);
     Affine<Real> moved = x.f;
-    moved.c = zero;
-    const Affine<Real> line = linear_map(moved, alpha, middle.c, error + middle.e);
-    const Real width = g.range.neg_lo + g.range.hi;
-    const auto better = line.e + line.e < width;  // false where NaN
-    const Real size = largest(g.range);
-    return {form_or_interval(better, line, g.range), rounding_of(g, x.r, size), size};
+    moved.c = like(x.r, 0.0);
+    const Affine<Real> form = linear_map(moved, line.slope, middle.c, middle.e);
+    const Real width = range.neg_lo + range.hi;
+    const auto better = form.e + form.e < width;  // false where NaN
+    return {form_or_interval(better, form, range), select(better, r_of_line, r_of_range),
+            largest(range)};
 }
 
-/// By the mean value theorem: the slope of g over the range less its middle bounds the error.
+/// [-size, size]
 template <class Real>
-Beam<Real> by_slope(const Beam<Real>& x, const FunctionBounds<Real>& g) {
-    const Affine<Real> slope = centred(g.slope);
-    return along_line(x, g, slope.c, slope.e * x.spread());
+Interval<Real> within(const Real& size) {
+    return {size, size};
 }
 
-/// By Taylor's theorem: `slope_at_middle` encloses g'(c), `curvature` is an upper bound of |g''|.
+/// g by Taylor's theorem: g(c + d) - g(c) - g'(c) d is g'' d^2 / 2 at some place between.
 template <class Real>
-Beam<Real> by_curvature(const Beam<Real>& x, const FunctionBounds<Real>& g,
-                        const Interval<Real>& slope_at_middle, const Real& curvature) {
-    const Affine<Real> slope = centred(slope_at_middle);
+Beam<Real> curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
+    const Real zero = like(x.r, 0.0);
     const Real& d = x.spread();
-    return along_line(x, g, slope.c, (slope.e + like(d, 0.5) * curvature * d) * d);
+    const Real half_square = like(d, 0.5) * d * d;
+    const Affine<Real> slope = centred(g.slope_at_middle);
+    const Interval<Real> bend{maximum(zero, g.curvature.neg_lo) * half_square,  // NaN stays
+                              maximum(zero, g.curvature.hi) * half_square};
+    const Line<Real> line{g.at_middle, slope.c, bend + within<Real>(slope.e * d)};
+    const Real r = rounding_of(g.slope, x.r, g.rounding_ulp, largest(g.range));
+    return along_line(x, line, g.range, r, r);
+}
+
+/// g' by the mean value theorem: g'' less its middle bounds the error. No value kernel computes it,
+/// so that its range has no r.
+template <class Real>
+Beam<Real> slope_of_curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
+    const Affine<Real> bend = centred(g.curvature);
+    const Line<Real> line{g.slope_at_middle, bend.c, within<Real>(bend.e * x.spread())};
+    const Real r = rounding_of(g.curvature, x.r, 4.0, largest(g.slope));
+    return along_line(x, line, g.slope, r, like(r, 0.0));
 }
 
 /// Also bounded by [-1, 1].
@@ -117,26 +141,14 @@ Interval<Real> wave_near(const Interval<Real>& a, const Real& d) {
 
 /// What a sine or cosine does over the range of x: g'' is -g, so both bound each other.
 template <class Real>
-struct Wave {
-    FunctionBounds<Real> bounds;
-    Interval<Real> slope_at_middle;
-    Real curvature;
-};
-
-template <class Real>
-Wave<Real> wave_over(const Beam<Real>& x, const WaveAtMiddle<Real>& middle) {
+FunctionBounds<Real> wave_over(const Beam<Real>& x, const WaveAtMiddle<Real>& middle) {
     const Real one = like(x.r, 1.0);
     const Real d = x.spread();
     const Real steepest = minimum(largest(middle.slope) + d, one);
     const Real highest = minimum(largest(middle.value) + d, one);
     const Interval<Real> range = wave_near(middle.value, d * steepest);
     const Interval<Real> slope = wave_near(middle.slope, d * highest);
-    return {{range, slope, middle.value, 4.0}, middle.slope, largest(range)};
-}
-
-template <class Real>
-Beam<Real> wave(const Beam<Real>& x, const Wave<Real>& wave) {
-    return by_curvature(x, wave.bounds, wave.slope_at_middle, wave.curvature);
+    return {range, slope, -range, middle.value, middle.slope, 4.0};
 }
 
 /// sqrt(x) less alpha x, on x >= 0, is at most 1 / (4 alpha) for any alpha > 0, and least at an
@@ -154,7 +166,7 @@ Beam<Real> sqrt(const Beam<Real>& x, const FunctionBounds<Real>& g, const Interv
     const auto inside = range.neg_lo < number(0);
     const Real size = g.range.hi;
     return {form_or_interval(inside, linear_map(x.f, alpha, rest.c, rest.e), g.range),
-            rounding_of(g, x.r, size), size};
+            rounding_of(g.slope, x.r, g.rounding_ulp, size), size};
 }
 
 /// 1/y, where the range `box` of y does not hold 0; nothing is known elsewhere. For p = |y| on [l,
@@ -226,23 +238,30 @@ Beam<Real> larger(const Beam<Real>& a, const Beam<Real>& b, const Kink<Real>& ki
 
 /// Between two forms: w a + (1 - w) b, whatever w in [0, 1].
 template <class Real>
-Beam<Real> hull(const Beam<Real>& a, const Beam<Real>& b) {
-    const Real half = like(a.r, 0.5);
-    const Beam<Real> middle = scale(a + b, 0.5);
-    Affine<Real> f = middle.f;
-    f.e = f.e + half * largest(a.f - b.f);
-    return {f, middle.r, middle.size};
+SlopeBeam<Real> hull(const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
+    SlopeBeam<Real> result = scale(a + b, 0.5);
+    result.f.e = result.f.e + like(a.size, 0.5) * largest(a.f - b.f);
+    return result;
 }
 
 template <class Mask, class Real>
-Beam<Real> select(const Mask& condition, const Beam<Real>& a, const Beam<Real>& b) {
-    Affine<Real> f{select(condition, a.f.c, b.f.c), {}, select(condition, a.f.e, b.f.e)};
-    const Real zero = like(a.r, 0.0);
+Affine<Real> select(const Mask& condition, const Affine<Real>& a, const Affine<Real>& b) {
+    Affine<Real> f{select(condition, a.c, b.c), {}, select(condition, a.e, b.e)};
+    const Real zero = like(a.c, 0.0);
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!a.f.k[i] && !b.f.k[i]) continue;
-        f.k[i] = select(condition, a.f.k[i].value_or(zero), b.f.k[i].value_or(zero));
+        if (!a.k[i] && !b.k[i]) continue;
+        f.k[i] = select(condition, a.k[i].value_or(zero), b.k[i].value_or(zero));
     }
-    return {f, select(condition, a.r, b.r), select(condition, a.size, b.size)};
+    return f;
+}
+template <class Mask, class Real>
+Beam<Real> select(const Mask& condition, const Beam<Real>& a, const Beam<Real>& b) {
+    return {select(condition, a.f, b.f), select(condition, a.r, b.r),
+            select(condition, a.size, b.size)};
+}
+template <class Mask, class Real>
+SlopeBeam<Real> select(const Mask& condition, const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
+    return {select(condition, a.f, b.f), select(condition, a.size, b.size)};
 }
 
 /// Between the ends of an interval. `r`: of what it encloses.
@@ -255,29 +274,6 @@ Beam<Real> interval_form(const Interval<Real>& a, const Real& r) {
 template <class Real>
 Beam<Real> factor(const Interval<Real>& a) {
     return interval_form(a, largest(a));
-}
-
-/// g(a, b), from its range and partial derivatives over the operands' ranges and its value at their
-/// middles, by the mean value theorem.
-template <class Real>
-struct SurfaceBounds {
-    Interval<Real> range, by_a, by_b, at_middle;
-    double rounding_ulp;
-};
-
-template <class Real>
-Beam<Real> by_slopes(const Beam<Real>& a, const Beam<Real>& b, const SurfaceBounds<Real>& g) {
-    const Affine<Real> slope_a = centred(g.by_a);
-    const Affine<Real> slope_b = centred(g.by_b);
-    const Affine<Real> middle = centred(g.at_middle);
-    Affine<Real> line = scaled(a.f, slope_a.c) + scaled(b.f, slope_b.c);
-    line.c = middle.c;
-    line.e = line.e + middle.e + slope_a.e * a.spread() + slope_b.e * b.spread();
-    const auto better = line.e + line.e < g.range.neg_lo + g.range.hi;
-    const Real size = largest(g.range);
-    const Real r =
-        largest(g.by_a) * a.r + largest(g.by_b) * b.r + like(size, g.rounding_ulp) * size;
-    return {form_or_interval(better, line, g.range), r, size};
 }
 
 }  // namespace zeroset

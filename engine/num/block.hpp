@@ -219,6 +219,10 @@ Block<Real> square_root(const Block<Real>& a) {
     return by_registers([](auto x) { return detail::square_root(x); }, a);
 }
 template <class Real>
+Block<Real> fused(const Block<Real>& a, const Block<Real>& b, const Block<Real>& c) {
+    return a * b + c;
+}
+template <class Real>
 Block<Real> magnitude(const Block<Real>& a) {
     return by_registers([](auto x) { return detail::magnitude(x); }, a);
 }

@@ -288,6 +288,17 @@ Dual<Real> choose(const Real& condition, const Dual<Real>& a, const Dual<Real>& 
     return result;
 }
 
+/// a where b is above 0, -a where it is below, NaN elsewhere.
+template <class Real>
+Dual<Real> oriented(const Dual<Real>& a, const Real& b) {
+    const Real zero = like(b, 0.0);
+    const auto below = b < zero;
+    Dual<Real> result = select_dual(below, -a, a);
+    const auto known = either(below, b > zero);
+    result.value = select(known, result.value, like(b, not_a_number));
+    return result;
+}
+
 /// a where the condition's value is above 0, NaN elsewhere.
 template <class Real>
 Dual<Real> where(const Dual<Real>& a, const Real& condition) {

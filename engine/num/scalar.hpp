@@ -65,6 +65,12 @@ template <class Real>
 Real square_root(Real a) {
     return std::sqrt(a);
 }
+/// a b + c, rounded once or twice.
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real fused(Real a, Real b, Real c) {
+    return a * b + c;
+}
 template <class Real>
     requires std::is_floating_point_v<Real>
 Real magnitude(Real a) {

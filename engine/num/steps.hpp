@@ -159,4 +159,24 @@ Enclosure<Real> where(const Enclosure<Real>& a, const Enclosure<Real>& c) {
     return result;
 }
 
+/// Of a the sign of b: what `oriented` knows without the operands' domains. Beside a zero of b the
+/// values are on both sides of 0, as far from it as those of a.
+template <class Real>
+Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
+    const Real zero = like(b.hi, 0.0);
+    const auto above = b.neg_lo < zero;
+    const auto below = b.hi < zero;
+    const auto turned = [&](const Interval<Real>& v) {
+        const Real far = larger_bound(v.neg_lo, v.hi);
+        return select(above, v, select(below, -v, Interval<Real>{far, far}));
+    };
+    const auto known = either(above, below);
+    const Real neg_least = minimum(a.range.neg_lo, a.range.hi);  // where a has no zero
+    const auto says_nothing = either(known, unordered(a.range.neg_lo, a.range.hi));
+    const Real size = select(says_nothing, like(zero, infinity), neg_least);
+    std::optional<Interval<Real>> apart{Interval<Real>{size, size}};
+    if (a.apart) apart = sharper(apart, std::optional(turned(*a.apart)));
+    return {turned(a.range), {}, known, {}, apart};
+}
+
 }  // namespace zeroset

@@ -25,6 +25,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class Real>
 using LanesOf = hn::CappedTag<Real, 64 / sizeof(Real)>;
 
+/// Numbers of either type as doubles.
+inline auto load_doubles(auto dd, const float* from) {
+    return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
+}
+inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
+
 inline std::size_t padded(std::size_t size) {
     return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
 }

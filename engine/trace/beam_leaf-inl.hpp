@@ -65,6 +65,61 @@ struct LeafRun {
     }
 };
 
+using ClipTag = hn::CappedTag<double, 4>;
+constexpr int clip_lanes = hn::MaxLanes(ClipTag());
+
+/// Where some rays enter and leave the part of the clip box in front of the eye, as depths.
+class ClipDepths {
+public:
+    ClipDepths(const BeamView& view, const float* cols, const float* rows)
+        : enter_lo_(hn::Set(dd, -view.distance() - view.depth_error())),
+          enter_hi_(hn::Set(dd, -view.distance() + view.depth_error())) {
+        const auto col = load_doubles(dd, cols);
+        const auto row = load_doubles(dd, rows);
+        const RaysOf<double>& rays = view.double_rays();
+        for (int k = 0; k < 3; ++k) {
+            const auto line = [&](const double* base, const double* by_col, const double* by_row) {
+                return hn::MulAdd(row, hn::Set(dd, by_row[k]),
+                                  hn::MulAdd(col, hn::Set(dd, by_col[k]), hn::Set(dd, base[k])));
+            };
+            const auto origin = line(rays.origin, rays.origin_by_col, rays.origin_by_row);
+            const auto direction =
+                line(rays.direction, rays.direction_by_col, rays.direction_by_row);
+            const auto inverse = hn::Div(hn::Set(dd, 1.0), direction);
+            const auto error = hn::Mul(hn::Set(dd, view.depth_error()), hn::Abs(inverse));
+            const auto a = hn::Mul(hn::Sub(hn::Set(dd, view.clip().lo[k]), origin), inverse);
+            const auto b = hn::Mul(hn::Sub(hn::Set(dd, view.clip().hi[k]), origin), inverse);
+            const auto enter = hn::Min(a, b);
+            const auto exit = hn::Max(a, b);
+            known_ = hn::And(known_, hn::Eq(hn::Add(enter, error), hn::Add(enter, error)));
+            enter_lo_ = hn::Max(enter_lo_, hn::Sub(enter, error));
+            enter_hi_ = hn::Max(enter_hi_, hn::Add(enter, error));
+            exit_lo_ = hn::Min(exit_lo_, hn::Sub(exit, error));
+            exit_hi_ = hn::Min(exit_hi_, hn::Add(exit, error));
+        }
+    }
+    /// Of brackets of roots.
+    template <class Real>
+    [[nodiscard]] LaneBits surely_inside(const Real* lo, const Real* hi) const {
+        return bits_of(dd, hn::And(known_, hn::And(hn::Ge(load_doubles(dd, lo), enter_hi_),
+                                                   hn::Le(load_doubles(dd, hi), exit_lo_))));
+    }
+    template <class Real>
+    [[nodiscard]] LaneBits surely_outside(const Real* lo, const Real* hi) const {
+        return bits_of(dd, hn::And(known_, hn::Or(hn::Lt(load_doubles(dd, hi), enter_lo_),
+                                                  hn::Gt(load_doubles(dd, lo), exit_hi_))));
+    }
+
+private:
+    static constexpr ClipTag dd{};
+    using V = hn::Vec<ClipTag>;
+
+    hn::Mask<ClipTag> known_ = hn::Eq(hn::Zero(dd), hn::Zero(dd));
+    V enter_lo_, enter_hi_;
+    V exit_lo_ = hn::Set(dd, std::numeric_limits<double>::infinity());
+    V exit_hi_ = exit_lo_;
+};
+
 /// Solves leaves of `pixels` x `pixels` pixels: guesses from the forms, Newton's method in the
 /// cells' type, then one value in double that certifies. What that leaves open goes to the root
 /// finder.
@@ -99,7 +154,6 @@ private:
     static constexpr std::size_t side = pixels;
     static constexpr std::size_t items = side * side;
     static constexpr int most_steps = 4;
-    static constexpr int most_looks = 3;  ///< in double
     using D = hn::CappedTag<Real, side>;
     using V = hn::Vec<D>;
     using M = hn::Mask<D>;
@@ -110,7 +164,7 @@ private:
     struct Judged {
         M proved, wanted;
         V lo, hi;  ///< where the root is
-        V step, next;  ///< one of Newton's method, and where it leads
+        V s;       ///< near it
     };
 
     void place(const Leaf<Real>& leaf);
@@ -118,16 +172,12 @@ private:
     bool compact();
     void find_roots();
     void take_steps();
-    void evaluate();
-    void certify(bool last);
+    void certify();
     [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
     HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
-    HWY_INLINE void keep(int i, int to, const Judged& judged, M rest);
-    void move_row(int from, int to);
     void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
-    void hand_over_all();
+    void clip(int i, Judged& judged) const;
     HWY_INLINE static std::pair<V, V> bounds_of(const double* x);
-    HWY_INLINE static void add_step(const double* x, V step, double* sum);
     /// A component of the gradients of the rays in the mask.
     static void store_gradient(const Real* component, M rays, float* to) {
         if constexpr (std::is_same_v<Real, float>) {
@@ -139,6 +189,10 @@ private:
                 to[lane] = static_cast<float>(component[lane]);
             }
         }
+    }
+    static M mask_of(LaneBits bits) {
+        std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
+        return hn::LoadMaskBits(d, bytes);
     }
     [[nodiscard]] std::size_t first_pixel(int row) const {
         return static_cast<std::size_t>((run_->row + row) * tile_size + run_->col);
@@ -168,6 +222,7 @@ private:
     alignas(64) Real from_[items], to_[items], guess_[items];
     alignas(64) float col_[items], row_[items];
     alignas(64) Real gradient_[3][items], slope_[items];
+    alignas(64) float float_slope_[items];
     alignas(64) double depth_[items], f_[items];
 };
 
@@ -255,46 +310,34 @@ void LeafSolver<Real, pixels>::take_steps() {
                                              view_.rays<Real>(),
                                              frame_.scene.uniforms.template points<Real>(),
                                              static_cast<Real>(view_.small_step()),
-                                             most_steps,
+                                             most_steps - 1,
                                              guess_,
                                              {gradient_[0], gradient_[1], gradient_[2]},
                                              slope_});
-    for (std::size_t i = 0; i < count(); ++i)
+    for (std::size_t i = 0; i < count(); ++i) {
         depth_[i] = static_cast<double>(guess_[i]);
-}
-
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::evaluate() {
-    pad(col_);
-    pad(row_);
-    pad(depth_);
-    counters_.value += used();
-    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, depth_, view_.rays<double>(),
+        float_slope_[i] = static_cast<float>(slope_[i]);
+    }
+    counters_.value += 2 * used();
+    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, float_slope_, 1, depth_,
+                                          view_.rays<double>(),
                                           frame_.scene.uniforms.points<double>(), f_});
 }
 
-/// Looks at all rows; keeps those with rays that are not finished, a step further.
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::certify(bool last) {
-    int kept = 0;
+void LeafSolver<Real, pixels>::certify() {
     for (int slot = 0; slot < slots_; ++slot) {
-        LaneBits open = 0;
         for (int col = 0; col < pixels; col += lanes) {
             const int i = slot * pixels + col;
             const std::size_t pixel = first_pixel(rows_[slot]) + static_cast<std::size_t>(col);
-            const Judged judged = judge(pixel, i);
+            Judged judged = judge(pixel, i);
+            if (!run_->inside) clip(i, judged);
             const M proved = hn::And(judged.proved, judged.wanted);
-            if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.next);
-            const M rest = hn::AndNot(proved, judged.wanted);
-            open |= bits_of(d, rest);
-            if (last && !hn::AllFalse(d, rest)) hand_over(pixel, i, judged, bits_of(d, rest));
-            if (!last) keep(i, kept * pixels + col, judged, rest);
+            if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.s);
+            const LaneBits rest = bits_of(d, hn::AndNot(proved, judged.wanted));
+            if (rest != 0) hand_over(pixel, i, judged, rest);
         }
-        if (open == 0) continue;
-        if (!last && kept != slot) move_row(slot, kept);
-        ++kept;
     }
-    slots_ = kept;
 }
 
 /// Upper bounds of x and of -x in the cells' type.
@@ -311,22 +354,6 @@ HWY_INLINE auto LeafSolver<Real, pixels>::bounds_of(const double* x) -> std::pai
         return {hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low)),
                 hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)),
                             hn::DemoteTo(half, hn::Neg(low)))};
-    }
-}
-
-/// x plus the step, in double.
-template <class Real, int pixels>
-HWY_INLINE void LeafSolver<Real, pixels>::add_step(const double* x, V step, double* sum) {
-    if constexpr (std::is_same_v<Real, double>) {
-        hn::Store(hn::Add(hn::Load(d, x), step), d, sum);
-    } else {
-        const hn::Half<D> half;
-        const hn::Rebind<double, hn::Half<D>> dd;
-        constexpr int high = hn::MaxLanes(dd);
-        const auto low_step = hn::PromoteTo(dd, hn::LowerHalf(half, step));
-        const auto high_step = hn::PromoteTo(dd, hn::UpperHalf(half, step));
-        hn::Store(hn::Add(hn::Load(dd, x), low_step), dd, sum);
-        hn::Store(hn::Add(hn::Load(dd, x + high), high_step), dd, sum + high);
     }
 }
 
@@ -357,9 +384,25 @@ HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const 
     const V from = hn::Load(d, from_ + i);
     const V to = hn::Load(d, to_ + i);
     const M beside = hn::Or(hn::Lt(hi, from), hn::Gt(lo, hn::Min(to, found)));
-    const V step = hn::Neg(hn::Div(f_above, hn::Load(d, slope_ + i)));
-    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi, step,
-            hn::Min(hn::Max(hn::Add(s, step), lo), hi)};
+    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi,
+            hn::Min(hn::Max(s, lo), hi)};
+}
+
+/// Drops roots that are surely outside the clip box; those that may be are not proved.
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::clip(int i, Judged& judged) const {
+    alignas(64) Real lo[side], hi[side];
+    hn::Store(judged.lo, d, lo);
+    hn::Store(judged.hi, d, hi);
+    LaneBits inside = 0;
+    LaneBits outside = 0;
+    for (int lane = 0; lane < lanes; lane += clip_lanes) {
+        const ClipDepths depths(view_, col_ + i + lane, row_ + i + lane);
+        inside |= depths.surely_inside(lo + lane, hi + lane) << lane;
+        outside |= depths.surely_outside(lo + lane, hi + lane) << lane;
+    }
+    judged.proved = hn::And(judged.proved, mask_of(inside));
+    judged.wanted = hn::And(judged.wanted, mask_of(~outside));
 }
 
 template <class Real, int pixels>
@@ -372,47 +415,21 @@ HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M pro
     found_.certify(pixel, bits_of(d, nearest), lanes);
 }
 
-/// The rest of a vector's rays, at `to` for another look.
-template <class Real, int pixels>
-HWY_INLINE void LeafSolver<Real, pixels>::keep(int i, int to, const Judged& judged, M rest) {
-    const V none = hn::Set(d, -std::numeric_limits<Real>::infinity());
-    const M known = hn::Le(judged.lo, judged.hi);
-    const V step = hn::IfThenElseZero(known, judged.step);
-    const V from = hn::Load(d, from_ + i);
-    const V end = hn::Load(d, to_ + i);
-    add_step(depth_ + i, step, depth_ + to);
-    hn::Store(hn::IfThenElse(known, hn::Max(from, judged.lo), from), d, from_ + to);
-    hn::Store(hn::IfThenElse(rest, hn::IfThenElse(known, hn::Min(end, judged.hi), end), none), d,
-              to_ + to);
-}
-
-/// What else is known of a row of rays.
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::move_row(int from, int to) {
-    rows_[to] = rows_[from];
-    const int in = from * pixels;
-    const int out = to * pixels;
-    std::copy_n(row_ + in, side, row_ + out);
-    std::copy_n(slope_ + in, side, slope_ + out);
-    for (auto& component : gradient_)
-        std::copy_n(component + in, side, component + out);
-}
-
 /// What is not proved goes to the root finder.
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged& judged,
                                          LaneBits rays) {
-    alignas(64) Real lo[side], hi[side], next[side];
+    alignas(64) Real lo[side], hi[side], s[side];
     hn::Store(judged.lo, d, lo);
     hn::Store(judged.hi, d, hi);
-    hn::Store(judged.next, d, next);
+    hn::Store(judged.s, d, s);
     for (; rays != 0; rays &= rays - 1) {
         const int lane = std::countr_zero(rays);
         const int at = i + lane;
         const bool known = lo[lane] <= hi[lane];
         const Real from = known ? std::max(from_[at], lo[lane]) : from_[at];
         const Real to = known ? std::min(to_[at], hi[lane]) : to_[at];
-        const Real guess = known ? next[lane] : static_cast<Real>(depth_[at]);
+        const Real guess = known ? s[lane] : guess_[at];
         roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(lane),
                      run_->inside, static_cast<double>(from), static_cast<double>(to),
                      static_cast<double>(run_->lo), static_cast<double>(run_->hi),
@@ -422,34 +439,10 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
     }
 }
 
-/// All stretches as they are.
-template <class Real, int pixels>
-void LeafSolver<Real, pixels>::hand_over_all() {
-    for (int slot = 0; slot < slots_; ++slot) {
-        for (int col = 0; col < pixels; ++col) {
-            const int i = slot * pixels + col;
-            if (!(from_[i] <= to_[i])) continue;
-            roots_.push({static_cast<std::uint32_t>(first_pixel(rows_[slot])) +
-                             static_cast<std::uint32_t>(col),
-                         false, static_cast<double>(from_[i]), static_cast<double>(to_[i]),
-                         static_cast<double>(run_->lo), static_cast<double>(run_->hi),
-                         static_cast<double>(std::clamp(guess_[i], from_[i], to_[i])),
-                         static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
-                         static_cast<double>(run_->r)});
-        }
-    }
-}
-
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::solve() {
     if (!run_) return;
-    if (compact()) {
-        if (run_->inside) {
-            find_roots();
-        } else {
-            hand_over_all();
-        }
-    }
+    if (compact()) find_roots();
     run_.reset();
 }
 
@@ -461,10 +454,7 @@ void LeafSolver<Real, pixels>::find_roots() {
     per_most_ = -(-1 / most);
     error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
     take_steps();
-    for (int look = 1; look <= most_looks && slots_ > 0; ++look) {
-        evaluate();
-        certify(look == most_looks);
-    }
+    certify();
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

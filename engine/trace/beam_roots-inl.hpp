@@ -112,7 +112,7 @@ public:
 
 private:
     static constexpr std::size_t capacity = 256;
-    static constexpr int first_steps = 4;
+    static constexpr int first_steps = 4;  ///< at most
     static constexpr int most_steps = 40;
 
     void take_first_steps();
@@ -131,6 +131,7 @@ private:
     alignas(64) float col_[capacity], row_[capacity];
     alignas(64) Real from_[capacity], to_[capacity], guess_[capacity];
     alignas(64) Real gradient_[3][capacity], slope_[capacity];
+    alignas(64) float float_slope_[capacity];
     alignas(64) double s_[capacity], f_[capacity];
 };
 
@@ -155,7 +156,7 @@ void RootFinder<Real>::take_first_steps() {
                                              view_.rays<Real>(),
                                              frame_.scene.uniforms.template points<Real>(),
                                              static_cast<Real>(view_.small_step()),
-                                             first_steps,
+                                             first_steps - 1,
                                              guess_,
                                              {gradient_[0], gradient_[1], gradient_[2]},
                                              slope_});
@@ -168,10 +169,13 @@ void RootFinder<Real>::take_first_steps() {
 template <class Real>
 void RootFinder<Real>::evaluate() {
     const std::size_t count = padded(size_);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         s_[i] = stretches_[i < size_ ? i : 0].guess;
+        float_slope_[i] = static_cast<float>(slope_[i]);
+    }
     counters_.value += size_;
-    frame_.kernel.ray_value(RayValueBatch{count, col_, row_, s_, view_.rays<double>(),
+    frame_.kernel.ray_value(RayValueBatch{count, col_, row_, float_slope_, 0, s_,
+                                          view_.rays<double>(),
                                           frame_.scene.uniforms.points<double>(), f_});
 }
 

@@ -55,11 +55,6 @@ struct BeamMemory {
     MarchMemory<double> fine_rays;
 };
 
-inline auto load_doubles(auto dd, const float* from) {
-    return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
-}
-inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
-
 template <class Real>
 class BeamTile {
 public:

@@ -31,6 +31,7 @@ public:
     [[nodiscard]] double distance() const { return view_.look_distance; }
     [[nodiscard]] const glm::dvec3& base() const { return base_; }
     [[nodiscard]] const ViewFrame& axes() const { return view_; }
+    [[nodiscard]] const Box& clip() const { return clip_; }
 
     /// On the ray of a pixel of the tile, at depth s.
     [[nodiscard]] glm::dvec3 point(double col, double row, double s) const {
@@ -53,6 +54,8 @@ public:
             return double_rays_.origin;
         }
     }
+
+    [[nodiscard]] const RaysOf<double>& double_rays() const { return double_rays_; }
 
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }

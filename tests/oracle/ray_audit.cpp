@@ -2,9 +2,9 @@
 
 #include "app/formula.hpp"
 #include "app/gallery.hpp"
+#include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
-#include "engine/expr/tighten.hpp"
 #include "engine/trace/render.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
@@ -160,7 +160,7 @@ std::vector<std::size_t> chosen_pixels(const AuditSurface& surface, const AuditS
 std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
-    const Expr drawn = tightened(program->surfaces.front());
+    const Expr drawn = drawn_form(program->surfaces.front());
     Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}};
     formula.code = CodeState::Interpreted;
     return formula;

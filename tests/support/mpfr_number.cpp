@@ -156,6 +156,9 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::Atan: return defined(computed(mpfr_atan, a));
         case Op::Atan2:
         case Op::Angle: return angle(a, b);
+        case Op::Oriented:
+            if (b.sign() == 0) return undefined();
+            return defined(b.sign() < 0 ? -a : a);
         case Op::Sinh: return defined(computed(mpfr_sinh, a));
         case Op::Cosh: return defined(computed(mpfr_cosh, a));
         case Op::Tanh: return defined(computed(mpfr_tanh, a));

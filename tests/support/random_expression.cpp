@@ -59,6 +59,7 @@ NodeId made(ExprBuilder& builder, const OpInfo& info, const std::array<NodeId, 3
         case Notation::Compare:
         case Notation::Logic: break;
         case Notation::Internal:
+            if (info.op == Op::Oriented) return builder.apply(info.op, a, b);
             return make_call(
                 builder, Op::Sin,
                 make_multiply(builder, builder.constant(n), make_call(builder, Op::Atan2, a, b)),

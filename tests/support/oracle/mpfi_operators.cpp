@@ -96,6 +96,15 @@ MpfiEnclosure quotient(In a, In b) {
     return composed(g, a, b);
 }
 
+MpfiEnclosure oriented(In a, In b) {
+    if (b.range.is_zero()) return nowhere();
+    const bool below = b.range.is_below(0);
+    MpfiEnclosure g{below ? -a.range : a.range};
+    g.everywhere = g.continuous = below || b.range.is_above(0);
+    if (!g.everywhere) g.range = hull(a.range, -a.range);
+    return composed(g, a, b);
+}
+
 /// a - b floor(a/b): between 0 and b.
 MpfiEnclosure modulo(In a, In b) {
     if (b.range.is_zero()) return nowhere();
@@ -213,6 +222,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Atan: return total(computed(mpfi_atan, a.range), a);
         case Op::Atan2: return angle(a, b, true);
         case Op::Angle: return angle(a, b, false);
+        case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
         case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);
         case Op::Tanh: return total(computed(mpfi_tanh, a.range), a);

@@ -80,6 +80,7 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Atan: return one_over(one + square(x)) * a.slope;
         case Op::Atan2:
         case Op::Angle: return (a.slope * y - x * b.slope) / (square(x) + square(y));
+        case Op::Oriented: return slope_of_choice(y.is_above(0), y.is_below(0), a.slope, -a.slope);
         case Op::Sinh: return range_of(Op::Cosh, x) * a.slope;
         case Op::Cosh: return range_of(Op::Sinh, x) * a.slope;
         case Op::Tanh: return (one - square(f)) * a.slope;

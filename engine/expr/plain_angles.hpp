@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+
+namespace zeroset {
+
+/// The same function, its angles from lengths taken by atan2, whose slope has no end: acos(a / r)
+/// is atan2(sqrt(T), a) where r is sqrt(a^2 + T) and T a sum of squares, and asin(a / r) is
+/// atan2(a, sqrt(T)). Both are undefined where r is 0.
+Expr plain_angles(const Expr& expr);
+
+}  // namespace zeroset
