@@ -357,16 +357,17 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
             const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
             double ray_from = std::max(from, middle - radius);
             double ray_to = std::min(to, middle + radius);
+            if (!(ray_from <= ray_to)) continue;
+            const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
+                                                          cells_->col[cell] + col);
+            if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
             if (cells_->inside[cell] == 0) {
                 const DepthRange clip = view_.depths(view_.u(cells_->col[cell] + col),
                                                      view_.v(cells_->row[cell] + row), 0.0, 0.0);
                 ray_from = std::max(ray_from, clip.enter_lo);
                 ray_to = std::min(ray_to, clip.exit_hi);
+                if (!(ray_from <= ray_to)) continue;
             }
-            if (!(ray_from <= ray_to)) continue;
-            const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
-                                                          cells_->col[cell] + col);
-            if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
             const Real begin = -upper_end(Real{}, -ray_from);
             const Real end = upper_end(Real{}, ray_to);
             marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
@@ -443,8 +444,7 @@ void BeamTile<Real>::hand_on_row(int row) {
         const auto root = hn::PromoteTo(dd, near);
         const auto half_inverse =
             hn::PromoteTo(dd, hn::Mul(hn::ApproximateReciprocal(near), hn::Set(d, 0.5F)));
-        const auto stretch =
-            hn::MulAdd(hn::NegMulAdd(root, root, square), half_inverse, root);
+        const auto stretch = hn::MulAdd(hn::NegMulAdd(root, root, square), half_inverse, root);
         const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.distance())), stretch);
         hn::StoreU(hn::DemoteTo(d, depth), d, to);
     }

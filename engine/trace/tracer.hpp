@@ -44,7 +44,8 @@ struct Tile {
 };
 
 /// What a tracer found of one surface in a tile. Arrays hold one item a pixel, in rows of
-/// tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre. With the
+/// tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre, up to shifts
+/// by 2^-48 of the distances of eye and box from the origin and from each other. With the
 /// rule d_stop the depth of a certified hit differs from that of the first root by at most four
 /// cells along the ray's dominant axis, and 2^-21 of (depth + distance of the eye from the origin)
 /// for rounding; a cell is the clip box's longest edge times 2^-d_stop, but not less than 2^-20 of
