@@ -149,17 +149,17 @@ Json json_of(const BenchCell& cell) {
 }
 
 void print_heading(const BenchPlan& plan) {
-    std::printf("%dx%d, %d repeats, medians; range: boxes evaluated per ray\n%-20s",
+    std::printf("%dx%d, %d repeats, medians; cells: boxes and beams evaluated per ray\n%-20s",
                 plan.size.width, plan.size.height, plan.repeats, "surface");
     for (const TraceSettings& settings : plan.settings) {
-        std::printf(" %14s ms      fps    range compile ms", settings.tracer.c_str());
+        std::printf(" %14s ms      fps    cells compile ms", settings.tracer.c_str());
     }
     std::printf("\n");
 }
 
 void print_cell(const BenchCell& cell) {
     std::printf(" %17.3f %8.1f %8.2f %10.1f", cell.timing.median_ms, 1000.0 / cell.timing.median_ms,
-                cell.range_per_ray, cell.compile_ms);
+                cell.range_per_ray + cell.form_per_ray, cell.compile_ms);
 }
 
 }  // namespace

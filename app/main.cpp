@@ -41,7 +41,7 @@ void add_view_options(CLI::App& app, ViewText& view) {
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
-    add_value(app, "--tracer", trace.tracer, "how roots are found: k-bisection");
+    add_value(app, "--tracer", trace.tracer, "how roots are found: beams (default) or k-bisection");
     auto* const d_stop =
         add_value(app, "--dstop", trace.d_stop,
                   "stop at cells of the clip box's edge times 2^-N (default 22, in the window 14)");

@@ -36,7 +36,7 @@ struct StopCriterion {
 inline constexpr int max_d_stop = 22;
 
 struct TraceSettings {
-    std::string tracer = "k-bisection";
+    std::string tracer = "beams";
     StopCriterion stop;
     int threads = 0;  ///< 0: all cores
 };

@@ -27,11 +27,11 @@ TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame
 
 std::span<const Tracer> tracers() {
     static constexpr std::array table{
-        Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
-               trace_tile_k_bisection},
         Tracer{"beams",
                "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
                trace_tile_beams},
+        Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
+               trace_tile_k_bisection},
     };
     return table;
 }

@@ -55,7 +55,7 @@ class RenderTest(ProgramTest):
         stats = self.stats(SPHERE, "--size", "50x40", "--threads", 1)
         self.assertEqual(set(stats), STATS_KEYS)
         self.assertEqual((stats["width"], stats["height"], stats["threads"]), (50, 40, 1))
-        self.assertEqual(stats["tracer"], "k-bisection")
+        self.assertEqual(stats["tracer"], "beams")
         self.assertEqual(stats["certified"] + stats["undecided"] + stats["miss"], 50 * 40)
         hits = stats["certified"] + stats["undecided"] - stats["undecided_not_drawn"]
         self.assertEqual(stats["surfaces"], [{"pixels": hits}])
@@ -64,8 +64,12 @@ class RenderTest(ProgramTest):
         self.assertEqual(set(stats["frame_ms"]), {"median", "min", "max", "repeats"})
         self.assertEqual(stats["frame_ms"]["repeats"], 1)
         self.assertEqual(set(stats["evaluations"]), {"range", "value", "form"})
-        self.assertGreater(stats["evaluations"]["range"], stats["certified"])
+        self.assertGreater(stats["evaluations"]["form"], 8)
+        self.assertLess(stats["evaluations"]["form"], stats["certified"])
         self.assertGreaterEqual(stats["evaluations"]["value"], stats["certified"])
+        packets = self.stats(SPHERE, "--size", "50x40", "--tracer", "k-bisection")
+        self.assertEqual(packets["evaluations"]["form"], 0)
+        self.assertGreater(packets["evaluations"]["range"], packets["certified"])
 
     def test_certified_width(self):
         """Four cells of the finest bisection; unknown where the criterion is no width."""
@@ -238,7 +242,7 @@ class BenchTest(ProgramTest):
         (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
         base = ["bench", "--suite", "suite.json", "--size", 24, "--repeat", 2]
         table = self.run_ok(*base, "--json", "bench.json").out
-        for word in ("ball", "sheet", "k-bisection", "fps"):
+        for word in ("ball", "sheet", "beams", "fps"):
             self.assertIn(word, table)
         in_file = json.loads((self.folder / "bench.json").read_text(encoding="utf-8"))
         printed = json.loads(self.run_ok(*base, "--json", "-").out)
@@ -246,9 +250,9 @@ class BenchTest(ProgramTest):
             self.assertEqual((answer["width"], answer["height"]), (24, 24))
             self.assertEqual([row["name"] for row in answer["surfaces"]], ["ball", "sheet"])
             for row in answer["surfaces"]:
-                cell = row["k-bisection"]
+                cell = row["beams"]
                 self.assertGreater(cell["frame_ms"]["median"], 0)
-                self.assertGreater(cell["range_per_ray"], 0)
+                self.assertGreater(cell["form_per_ray"], 0)
                 self.assertEqual(cell["certified"] + cell["undecided"] + cell["miss"], 24 * 24)
 
     def test_the_suite_of_the_gallery(self):
