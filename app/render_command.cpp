@@ -78,7 +78,7 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
     for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
         surfaces.push_back({{"pixels", pixels}});
     const CertificateCounts counts = count_certificates(frame);
-    const auto width = certified_width(scene.clip, plan.settings.stop);
+    const auto width = certified_width(scene.clip, plan.settings.stop, precision);
     const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();
     return {{"width", frame.width},
             {"height", frame.height},

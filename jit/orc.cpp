@@ -28,7 +28,7 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
     auto target = orc::JITTargetMachineBuilder::detectHost();
     if (!target) return target;
     target->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;
-    target->setCodeGenOptLevel(llvm::CodeGenOptLevel::Default);
+    target->setCodeGenOptLevel(llvm::CodeGenOptLevel::Less);
     return target;
 }
 

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace zeroset {
 
-int bisections(const Box& clip, double k_size, const StopCriterion& stop) {
-    const double finest = std::ldexp(1.0, std::ilogb(k_size) + 2 - 23);
-    const bool by_d_stop = stop.rule == StopRule::DStop;
-    const int wanted = by_d_stop ? static_cast<int>(stop.value) : max_d_stop;
-    return std::max(1, std::min(wanted, std::ilogb(clip.size() / finest)));
-}
-
-std::optional<double> certified_width(const Box& clip, const StopCriterion& stop) {
+std::optional<double> certified_width(const Box& clip, const StopCriterion& stop,
+                                      Precision precision) {
     if (stop.rule != StopRule::DStop) return std::nullopt;
-    int depth = max_d_stop;
+    const int digits = precision == Precision::Double ? std::numeric_limits<double>::digits
+                                                      : std::numeric_limits<float>::digits;
+    int depth = static_cast<int>(stop.value);
     for (int i = 0; i < 3; ++i) {
-        const double k_size = std::max(std::abs(clip.lo[i]), std::abs(clip.hi[i]));
-        depth = std::min(depth, bisections(clip, k_size, stop));
+        const double reach = std::max(std::abs(clip.lo[i]), std::abs(clip.hi[i]));
+        depth = std::min(depth, deepest_halving(clip, reach, digits));
     }
     return (1 + extra_slices) * std::ldexp(clip.size(), -depth);
 }

@@ -77,6 +77,10 @@ class RenderTest(ProgramTest):
         self.assertEqual(self.stats(*small, "--dstop", 10)["certified_width"], 4 * 4 / 1024)
         self.assertEqual(self.stats(*small, "--dstop", 12)["certified_width"], 4 * 4 / 4096)
         self.assertIsNone(self.stats(*small, "--delta", 0.1)["certified_width"])
+        far = self.stats("x + y + z = 3001.5", "--size", 8, "--box", "1000,1001,1000,1001,1000,1001")
+        self.assertEqual(far["precision"], "double")
+        self.assertEqual(far["certified_width"], 4 / 2**22)
+        self.assertGreater(far["certified"], 20)
 
     def test_stats_in_a_file_agree_with_the_depths(self):
         self.run_ok("render", SPHERE, "--size", "40x30", "--stats", "s.json", "--depth", "d.pfm")
