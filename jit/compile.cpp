@@ -107,11 +107,13 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
         case KernelPart::Form:
             return in_float ? put_in(kernel.form_float, std::move(code))
                             : put_in(kernel.form_double, std::move(code));
+        case KernelPart::RayForm:
+            return in_float ? put_in(kernel.ray_form_float, std::move(code))
+                            : put_in(kernel.ray_form_double, std::move(code));
         case KernelPart::Newton:
             return in_float ? put_in(kernel.newton_float, std::move(code))
                             : put_in(kernel.newton_double, std::move(code));
-        case KernelPart::RayValue:
-            return put_in(kernel.ray_value, std::move(code));
+        case KernelPart::RayValue: return put_in(kernel.ray_value, std::move(code));
     }
 }
 
@@ -216,11 +218,13 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         put_in(kernel, pieces[i], *codes[i]);
     }
     make_later(kernel.range_float, expr, {vectors->in_float, KernelPart::Range});
+    make_later(kernel.ray_form_float, expr, {vectors->in_float, KernelPart::RayForm});
     make_later(kernel.value_float, expr, {vectors->in_float, KernelPart::Value});
     make_later(kernel.value_double, expr, {vectors->in_double, KernelPart::Value});
     kernel.has_double = options.with_double;
     if (kernel.has_double) {
         make_later(kernel.range_double, expr, {vectors->in_double, KernelPart::Range});
+        make_later(kernel.ray_form_double, expr, {vectors->in_double, KernelPart::RayForm});
     }
     return kernel;
 }

@@ -52,9 +52,9 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
 
 template <class Real>
 void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                llvm::Module& module) {
+                KernelPart part, llvm::Module& module) {
     using Batch = FormBatchOf<Real>;
-    BatchFunction function(module, symbol_of(KernelPart::Form), kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(part), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, u)), array(offsetof(Batch, v)),
                         array(offsetof(Batch, s)), array(offsetof(Batch, s_radius))};
@@ -80,7 +80,8 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
             return uniform_form<Lanes>({function.load_uniform(uniforms, 2 * (v - 3)),
                                         function.load_uniform(uniforms, 2 * (v - 3) + 1)});
         }
-        return coordinate(view, *cell, v);
+        return part == KernelPart::RayForm ? coordinate_on_rays(view, *cell, v)
+                                           : coordinate(view, *cell, v);
     };
     BeamAlgebra<Lanes> algebra;
     const auto varying = [&] {
@@ -217,8 +218,8 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
     const auto by = [&](std::size_t i) { return f.slope[i].value_or(function.splat(0.0)); };
-    const Lanes along = fused(by(0), ray->direction[0],
-                              fused(by(1), ray->direction[1], by(2) * ray->direction[2]));
+    const Lanes along =
+        fused(by(0), ray->direction[0], fused(by(1), ray->direction[1], by(2) * ray->direction[2]));
     const Lanes from = function.load(in[2]);
     const Lanes to = function.load(in[3]);
     const Lanes next = minimum(maximum(loop->s - f.value / along, from), to);
@@ -274,7 +275,8 @@ void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm:
     switch (part) {
         case KernelPart::Range: return lower_range<Real>(expr, facts, kind, module);
         case KernelPart::Value: return lower_value<Real>(expr, facts, kind, module);
-        case KernelPart::Form: return lower_form<Real>(expr, facts, kind, module);
+        case KernelPart::Form: return lower_form<Real>(expr, facts, kind, part, module);
+        case KernelPart::RayForm: return lower_form<Real>(expr, facts, kind, part, module);
         case KernelPart::Newton: return lower_newton<Real>(expr, facts, kind, module);
         case KernelPart::RayValue: return lower_ray_value(expr, facts, kind, module);
     }
@@ -299,6 +301,7 @@ const char* symbol_of(KernelPart part) {
         case KernelPart::Range: return "zeroset_range";
         case KernelPart::Value: return "zeroset_value";
         case KernelPart::Form: return "zeroset_form";
+        case KernelPart::RayForm: return "zeroset_ray_form";
         case KernelPart::Newton: return "zeroset_newton";
         case KernelPart::RayValue: return "zeroset_ray_value";
     }

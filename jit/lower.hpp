@@ -20,11 +20,11 @@ struct VectorKind {
 };
 
 /// The batch functions of kernel.hpp.
-enum class KernelPart : std::uint8_t { Range, Value, Form, Newton, RayValue };
+enum class KernelPart : std::uint8_t { Range, Value, Form, RayForm, Newton, RayValue };
 
-inline constexpr KernelPart kernel_parts[] = {KernelPart::Range, KernelPart::Value,
-                                              KernelPart::Form, KernelPart::Newton,
-                                              KernelPart::RayValue};
+inline constexpr KernelPart kernel_parts[] = {KernelPart::Range,  KernelPart::Value,
+                                              KernelPart::Form,   KernelPart::RayForm,
+                                              KernelPart::Newton, KernelPart::RayValue};
 
 /// The name of its function.
 const char* symbol_of(KernelPart part);

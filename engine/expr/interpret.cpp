@@ -180,9 +180,11 @@ Kernel interpret(const Expr& expr) {
     kernel.range_float = {interpret_range<float>, code};
     kernel.value_float = {interpret_value<float>, code};
     kernel.form_float = {interpret_form<float>, code};
+    kernel.ray_form_float = kernel.form_float;
     kernel.range_double = {interpret_range<double>, code};
     kernel.value_double = {interpret_value<double>, code};
     kernel.form_double = {interpret_form<double>, code};
+    kernel.ray_form_double = kernel.form_double;
     kernel.has_double = true;
     add_ray_functions(kernel);
     return kernel;

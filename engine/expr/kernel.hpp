@@ -138,7 +138,7 @@ struct NewtonBatchOf {
     /// After a step no longer than this on all rays of a vector there is no further one.
     Real small_step;
     int more_steps;  ///< at most, after the first; at least 0
-    Real* s;         ///< in: guesses; out: where the steps end, in [from, to] where that is not empty
+    Real* s;  ///< in: guesses; out: where the steps end, in [from, to] where that is not empty
     Real* gradient[3];  ///< out: df/dx, df/dy, df/dz one step before s
     Real* slope;        ///< out: df/ds there
 };
@@ -148,9 +148,9 @@ struct RayValueBatch {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
     const float* col;  ///< of the pixels, whole numbers
     const float* row;
-    const float* slope;  ///< df/ds near s
-    int steps;           ///< at least 0
-    double* s;           ///< in and out
+    const float* slope;      ///< df/ds near s
+    int steps;               ///< at least 0
+    double* s;               ///< in and out
     const double* rays;      ///< a RaysOf<double>
     const double* uniforms;  ///< Uniforms::points
     double* f;               ///< out: at s, not rounded outward; see FormBatchOf::r
@@ -181,12 +181,14 @@ struct Kernel {
     KernelFunction<RangeBatchOf<float>> range_float;
     KernelFunction<ValueBatchOf<float>> value_float;
     KernelFunction<FormBatchOf<float>> form_float;
+    KernelFunction<FormBatchOf<float>> ray_form_float;  ///< of cells without width
     KernelFunction<NewtonBatchOf<float>> newton_float;
     KernelFunction<RayValueBatch> ray_value;
     // Slow (interpreted) but for the values, unless whole frames can be traced in double.
     KernelFunction<RangeBatchOf<double>> range_double;
     KernelFunction<ValueBatchOf<double>> value_double;
     KernelFunction<FormBatchOf<double>> form_double;
+    KernelFunction<FormBatchOf<double>> ray_form_double;
     KernelFunction<NewtonBatchOf<double>> newton_double;
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
@@ -198,6 +200,9 @@ struct Kernel {
     void value(const ValueBatchOf<double>& batch) const { value_double(batch); }
     void form(const FormBatchOf<float>& batch) const { form_float(batch); }
     void form(const FormBatchOf<double>& batch) const { form_double(batch); }
+    /// As `form`; the frustum's radii are 0.
+    void ray_form(const FormBatchOf<float>& batch) const { ray_form_float(batch); }
+    void ray_form(const FormBatchOf<double>& batch) const { ray_form_double(batch); }
     void newton(const NewtonBatchOf<float>& batch) const { newton_float(batch); }
     void newton(const NewtonBatchOf<double>& batch) const { newton_double(batch); }
     explicit operator bool() const { return static_cast<bool>(range_float); }

@@ -74,21 +74,27 @@ void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, std::size
               CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
     places.pad(size);
     counters.form += size;
-    frame.kernel.form(FormBatchOf<Real>{padded(size),
-                                        places.u.data(),
-                                        places.v.data(),
-                                        places.s.data(),
-                                        places.s_radius.data(),
-                                        frustum.base,
-                                        frame.scene.uniforms.template boxes<Real>(),
-                                        out.c.data(),
-                                        {out.k[0].data(), out.k[1].data(), out.k[2].data()},
-                                        out.e.data(),
-                                        out.r.data(),
-                                        out.slope_neg_lo.data(),
-                                        out.slope_hi.data(),
-                                        out.continuous.data(),
-                                        out.nowhere.data()});
+    const FormBatchOf<Real> batch{padded(size),
+                                  places.u.data(),
+                                  places.v.data(),
+                                  places.s.data(),
+                                  places.s_radius.data(),
+                                  frustum.base,
+                                  frame.scene.uniforms.template boxes<Real>(),
+                                  out.c.data(),
+                                  {out.k[0].data(), out.k[1].data(), out.k[2].data()},
+                                  out.e.data(),
+                                  out.r.data(),
+                                  out.slope_neg_lo.data(),
+                                  out.slope_hi.data(),
+                                  out.continuous.data(),
+                                  out.nowhere.data()};
+    const bool on_rays = frustum.u_radius == 0 && frustum.v_radius == 0;
+    if (on_rays) {
+        frame.kernel.ray_form(batch);
+    } else {
+        frame.kernel.form(batch);
+    }
 }
 
 /// A bit for each lane.
