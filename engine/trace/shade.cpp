@@ -100,25 +100,28 @@ struct Shading {
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const V3& along,
                                                    const V3& gradient) {
     const hn::RebindToUnsigned<D> du;
-    const V3 key = splat(shading.lights.key);
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
-    const V3 ray = normalized(along, splat(shading.view.forward));
-    const V3 to_viewer{hn::Neg(ray.x), hn::Neg(ray.y), hn::Neg(ray.z)};
+    const V two = hn::Set(d, 2.0F);
+    const V3 key = splat(shading.lights.key);
+    const V3 to_viewer = scaled(along, hn::Neg(per_root(dot(along, along))));
     const V3 outward = normalized(gradient, to_viewer);
     const V facing = dot(outward, to_viewer);
     const auto front = hn::Ge(facing, zero);
-    const V3 normal = scaled(outward, hn::CopySign(hn::Set(d, 1.0F), facing));
-    const V key_light = hn::Max(dot(normal, key), zero);
-    const V fill_light = hn::Max(dot(normal, splat(shading.lights.fill)), zero);
-    const V sky = hn::MulAdd(dot(normal, splat(shading.view.up)), half, half);
+    const V side = hn::CopySign(hn::Set(d, 1.0F), facing);
+    const V to_key = hn::Mul(dot(outward, key), side);
+    const V to_fill = hn::Mul(dot(outward, splat(shading.lights.fill)), side);
+    const V to_sky = hn::Mul(dot(outward, splat(shading.view.up)), side);
+    const V key_light = hn::Max(to_key, zero);
+    const V fill_light = hn::Max(to_fill, zero);
+    const V sky = hn::MulAdd(to_sky, half, half);
     const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
                                  hn::MulAdd(fill_light, hn::Set(d, 0.26F),
                                             hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
-    const V3 halfway = normalized(
-        {hn::Add(key.x, to_viewer.x), hn::Add(key.y, to_viewer.y), hn::Add(key.z, to_viewer.z)},
-        to_viewer);
-    V gloss = hn::Max(dot(normal, halfway), zero);
+    // Of the normal and the direction halfway between light and viewer, unit vectors; their sum
+    // may vanish.
+    const V square = hn::Max(hn::MulAdd(dot(key, to_viewer), two, two), hn::Set(d, 1e-6F));
+    V gloss = hn::Max(hn::Mul(hn::Add(to_key, hn::Abs(facing)), per_root(square)), zero);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
     const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
