@@ -69,15 +69,6 @@ HWY_INLINE V3 normalized(const V3& a, const V3& otherwise) {
     return select(usable, select(moderate, n, rescaled), otherwise);
 }
 
-/// Directions to the lights; they move with the camera.
-struct Lights {
-    glm::dvec3 key, fill;
-
-    explicit Lights(const ViewFrame& view)
-        : key(glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward)),
-          fill(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward)) {}
-};
-
 /// A channel of the picture, 0 to 255, from linear light; gamma 2.
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     const hn::RebindToSigned<D> di;
@@ -89,11 +80,21 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
 }
 
-/// What all pixels of a surface share.
+/// What all pixels of a surface share, in all lanes: the lights, which move with the camera, and
+/// the colours of its two sides.
 struct Shading {
-    const ViewFrame& view;
-    const SurfaceColors& colors;
-    Lights lights{view};
+    V3 key, fill, up;
+    V front[3], back[3];
+
+    Shading(const ViewFrame& view, const SurfaceColors& colors)
+        : key(splat(glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward))),
+          fill(splat(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
+          up(splat(view.up)) {
+        for (int channel = 0; channel < 3; ++channel) {
+            front[channel] = hn::Set(d, colors.front[channel]);
+            back[channel] = hn::Set(d, colors.back[channel]);
+        }
+    }
 };
 
 /// Colours of hits from their rays and gradients.
@@ -103,15 +104,14 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
     const V two = hn::Set(d, 2.0F);
-    const V3 key = splat(shading.lights.key);
     const V3 to_viewer = scaled(along, hn::Neg(per_root(dot(along, along))));
     const V3 outward = normalized(gradient, to_viewer);
     const V facing = dot(outward, to_viewer);
     const auto front = hn::Ge(facing, zero);
     const V side = hn::CopySign(hn::Set(d, 1.0F), facing);
-    const V to_key = hn::Mul(dot(outward, key), side);
-    const V to_fill = hn::Mul(dot(outward, splat(shading.lights.fill)), side);
-    const V to_sky = hn::Mul(dot(outward, splat(shading.view.up)), side);
+    const V to_key = hn::Mul(dot(outward, shading.key), side);
+    const V to_fill = hn::Mul(dot(outward, shading.fill), side);
+    const V to_sky = hn::Mul(dot(outward, shading.up), side);
     const V key_light = hn::Max(to_key, zero);
     const V fill_light = hn::Max(to_fill, zero);
     const V sky = hn::MulAdd(to_sky, half, half);
@@ -120,15 +120,14 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
                                             hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
     // Of the normal and the direction halfway between light and viewer, unit vectors; their sum
     // may vanish.
-    const V square = hn::Max(hn::MulAdd(dot(key, to_viewer), two, two), hn::Set(d, 1e-6F));
+    const V square = hn::Max(hn::MulAdd(dot(shading.key, to_viewer), two, two), hn::Set(d, 1e-6F));
     V gloss = hn::Max(hn::Mul(hn::Add(to_key, hn::Abs(facing)), per_root(square)), zero);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
     const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
     auto color = hn::Set(du, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
-        const V albedo = hn::IfThenElse(front, hn::Set(d, shading.colors.front[channel]),
-                                        hn::Set(d, shading.colors.back[channel]));
+        const V albedo = hn::IfThenElse(front, shading.front[channel], shading.back[channel]);
         const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
         color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
     }
@@ -149,11 +148,11 @@ void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t sur
                const Tile& tile, int row, const TileHits& hits, Framebuffer& out) {
     const hn::RebindToUnsigned<D> du;
     constexpr std::size_t lanes = hn::MaxLanes(d);
-    const double size = shading.view.pixel_size(frame.height);
+    const double size = frame.view.pixel_size(frame.height);
     const glm::dvec3 first =
-        shading.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height);
+        frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height);
     const V3 start = splat(first);
-    const V3 step = splat(size * shading.view.right);
+    const V3 step = splat(size * frame.view.right);
     const auto cols = static_cast<std::size_t>(tile.cols);
     for (std::size_t col = 0; col < cols; col += lanes) {
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
@@ -186,7 +185,7 @@ void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t sur
 
 void shade_hits(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
                 const TileHits& hits, Framebuffer& out) {
-    const Shading shading{frame.view, colors_of(surface)};
+    const Shading shading(frame.view, colors_of(surface));
     for (int row = 0; row < tile.rows; ++row)
         shade_row(frame, shading, surface, tile, row, hits, out);
 }
