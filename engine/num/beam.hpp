@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-// Beam forms: reduced affine arithmetic in three variables [Comba93, Knoll09], over any carrier.
+// Beam forms: reduced affine arithmetic in three variables [ComSto93, Knoll09], over any carrier.
 //   f(u, v, t) is in c + k[0] u + k[1] v + k[2] t + [-e, e]  for u, v, t in [-1, 1]
 // The error e shrinks with the square of the cell, that of an interval with the cell.
 //

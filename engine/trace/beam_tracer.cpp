@@ -1,4 +1,4 @@
-// The first root on each ray by beams [Florez08, ch. 5; Knoll09; Comba93].
+// The first root on each ray by beams [Florez08, ch. 5; Knoll09; ComSto93].
 //   u, v       a pixel's place on the image plane at distance 1 from the eye
 //   s          depth along the view axis, from the plane through the point looked at
 //   cell       a square tile of pixels times a slab [s0, s1] of depth
