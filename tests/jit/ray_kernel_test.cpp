@@ -157,7 +157,9 @@ TEST(RayValue, IsExactOnExactRays) {
         batch.values(kernel, 0);
         for (std::size_t i = 0; i < pixels; ++i) {
             const double col = batch.col[i];
-            EXPECT_EQ(batch.f[i], 2 + 10 * (col + 2 * col / 4) - 200.0 * batch.row[i]) << name;
+            EXPECT_EQ(batch.f[i],
+                      2 + 10 * (col + 2 * col / 4) - 200.0 * static_cast<double>(batch.row[i]))
+                << name;
             EXPECT_EQ(batch.depth[i], 2.0) << name;
         }
     }
