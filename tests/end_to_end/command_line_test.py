@@ -65,7 +65,6 @@ class RenderTest(ProgramTest):
         self.assertEqual(stats["frame_ms"]["repeats"], 1)
         self.assertEqual(set(stats["evaluations"]), {"range", "value", "form"})
         self.assertGreater(stats["evaluations"]["form"], 8)
-        self.assertLess(stats["evaluations"]["form"], stats["certified"])
         self.assertGreaterEqual(stats["evaluations"]["value"], stats["certified"])
         packets = self.stats(SPHERE, "--size", "50x40", "--tracer", "k-bisection")
         self.assertEqual(packets["evaluations"]["form"], 0)
@@ -77,7 +76,7 @@ class RenderTest(ProgramTest):
         self.assertEqual(self.stats(*small, "--dstop", 10)["certified_width"], 4 * 4 / 1024)
         self.assertEqual(self.stats(*small, "--dstop", 12)["certified_width"], 4 * 4 / 4096)
         self.assertIsNone(self.stats(*small, "--delta", 0.1)["certified_width"])
-        far = self.stats("x + y + z = 3001.5", "--size", 8, "--box", "1000,1001,1000,1001,1000,1001")
+        far = self.stats("z = 1000.5", "--size", 16, "--box", "1000,1001,1000,1001,1000,1001")
         self.assertEqual(far["precision"], "double")
         self.assertEqual(far["certified_width"], 4 / 2**22)
         self.assertGreater(far["certified"], 20)
@@ -128,14 +127,20 @@ class RenderTest(ProgramTest):
         return depth.hits(), worst
 
     def test_epsilon_and_delta_refine(self):
+        packets = ("--tracer", "k-bisection")
         for option, values, last in (("--epsilon", (0.5, 0.05, 0.005), 0.01),
                                      ("--delta", (0.5, 0.05, 0.005), 0.005)):
             with self.subTest(option):
-                hits, errors = zip(*(self.error_of(option, value) for value in values))
+                hits, errors = zip(*(self.error_of(option, value, *packets) for value in values))
                 self.assertEqual(sorted(errors, reverse=True), list(errors))
                 self.assertEqual(sorted(hits, reverse=True), list(hits))
                 self.assertLess(errors[-1], last)
                 self.assertGreater(errors[0], 5 * errors[-1])
+
+    def test_beams_are_within_epsilon_and_delta(self):
+        for option, value in (("--epsilon", 0.05), ("--delta", 0.05)):
+            with self.subTest(option):
+                self.assertLess(self.error_of(option, value)[1], 0.05)
 
     def test_tracer_by_name(self):
         self.assertEqual(self.stats(SPHERE, "--size", 8, "--tracer", "k-bisection")["tracer"],

@@ -50,6 +50,7 @@ std::uint64_t boxes_not_finite(double half_edge, double distance) {
     camera.eye *= distance;
     Framebuffer frame(24, 16);
     TraceSettings settings;
+    settings.tracer = "k-bisection";
     settings.stop.value = 12;
     render_frame(scene, camera, settings, frame);
     EXPECT_GT(watched->boxes, 0U) << half_edge << " " << distance;

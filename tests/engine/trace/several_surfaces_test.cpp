@@ -144,15 +144,21 @@ TEST(SeveralSurfaces, TheirOrderDoesNotMatterForDepths) {
 }
 
 TEST(SeveralSurfaces, LaterOnesAreNotLookedForBehindWhatIsFound) {
-    TraceSettings settings;
-    settings.stop.value = 16;
-    const auto evaluations = [&](const Scene& scene) {
-        Framebuffer frame(image_size, image_size);
-        return render_frame(scene, along_y, settings, frame).range;
-    };
-    const std::string wall = "y = -1";
-    const std::string hidden = "y = sin(3*x)*cos(3*z)";
-    EXPECT_LT(evaluations(scene_of({wall, hidden})), evaluations(scene_of({hidden, wall})) * 3 / 4);
+    for (const Tracer& tracer : tracers()) {
+        TraceSettings settings;
+        settings.tracer = tracer.name;
+        settings.stop.value = 16;
+        const auto evaluations = [&](const Scene& scene) {
+            Framebuffer frame(image_size, image_size);
+            const Counters counters = render_frame(scene, along_y, settings, frame);
+            return counters.range + counters.form;
+        };
+        const std::string wall = "y = -1";
+        const std::string hidden = "y = sin(3*x)*cos(3*z)";
+        EXPECT_LT(evaluations(scene_of({wall, hidden})),
+                  evaluations(scene_of({hidden, wall})) * 3 / 4)
+            << tracer.name;
+    }
 }
 
 TEST(SeveralSurfaces, OneBehindAnotherIsHidden) {
@@ -265,11 +271,20 @@ TEST(SeveralSurfaces, TheSameOnAnyThreads) {
     EXPECT_EQ(frames[0].certificate, frames[1].certificate);
     EXPECT_EQ(frames[0].surface, frames[1].surface);
     EXPECT_EQ(counters[0].range, counters[1].range);
+    EXPECT_EQ(counters[0].form, counters[1].form);
     EXPECT_EQ(counters[0].value, counters[1].value);
-    const std::vector<std::size_t> pixels = count_surfaces(frames[0], scene.surfaces.size());
-    EXPECT_GT(std::ranges::min(pixels), 100U);
-    EXPECT_EQ(std::accumulate(pixels.begin(), pixels.end(), std::size_t{0}), counters[0].value)
-        << "gradients are of pixels that a surface won";
+    EXPECT_GT(std::ranges::min(count_surfaces(frames[0], scene.surfaces.size())), 100U);
+}
+
+TEST(SeveralSurfaces, HaveGradientsOfPixelsThatTheyWon) {
+    const Scene scene = scene_of({"x^2 + y^2 + z^2 = 1", "sqrt(x) - y", "x*y*z = 0.1"});
+    TraceSettings settings;
+    settings.tracer = "k-bisection";  // it evaluates values for gradients only
+    settings.stop.value = 10;
+    Framebuffer frame(150, 130);
+    const Counters counters = render_frame(scene, default_camera(scene.clip), settings, frame);
+    const std::vector<std::size_t> pixels = count_surfaces(frame, scene.surfaces.size());
+    EXPECT_EQ(std::accumulate(pixels.begin(), pixels.end(), std::size_t{0}), counters.value);
 }
 
 TEST(SeveralSurfaces, StopWhenCancelled) {
