@@ -25,6 +25,7 @@ struct Leaf {
     Real from, to;            ///< the slab
     Real slope_lo, slope_hi;  ///< of d/ds, of one sign
     Real r;                   ///< see FormBatchOf
+    const Kernel* kernel;     ///< of f in the cell
 };
 
 /// The rays of a row of pixels in a type: origin and direction at a pixel are `base` and `forward`
@@ -133,7 +134,8 @@ private:
     Counters& counters_;
     RowRays<Real> rays_;
     RowRays<double> exact_rays_;
-    Real small_step_;  ///< a step behind which the next one is below the tolerance
+    const Kernel* kernel_ = nullptr;  ///< of the leaf at work
+    Real small_step_;                 ///< a step behind which the next one is below the tolerance
 
     int slots_ = 0;  ///< rows that have stretches
     int rows_[side];
@@ -222,11 +224,11 @@ Real LeafSolver<Real, pixels>::improve() {
     }
     pad(x_);
     counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
-    frame_.kernel.value(ValueBatchOf<Real>{count(),
-                                           {x_[0], x_[1], x_[2]},
-                                           frame_.scene.uniforms.template points<Real>(),
-                                           f_,
-                                           {gradient_[0], gradient_[1], gradient_[2]}});
+    kernel_->value(ValueBatchOf<Real>{count(),
+                                      {x_[0], x_[1], x_[2]},
+                                      frame_.scene.uniforms.template points<Real>(),
+                                      f_,
+                                      {gradient_[0], gradient_[1], gradient_[2]}});
     V largest = hn::Zero(d);
     for (int slot = 0; slot < slots_; ++slot) {
         for (int col = 0; col < pixels; col += lanes) {
@@ -264,7 +266,7 @@ void LeafSolver<Real, pixels>::evaluate_in_double() {
     }
     pad(exact_x_);
     counters_.value += static_cast<std::uint64_t>(slots_ * pixels);
-    frame_.kernel.value(
+    kernel_->value(
         ValueBatchOf<double>{count(),
                              {exact_x_[0], exact_x_[1], exact_x_[2]},
                              frame_.scene.uniforms.points<double>(),
@@ -380,13 +382,14 @@ void LeafSolver<Real, pixels>::record(const Leaf<Real>& leaf, int slot) {
         roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(col),
                      leaf.inside, ray_from, ray_to, cell_lo, cell_hi,
                      std::clamp(guess, ray_from, ray_to), static_cast<double>(leaf.slope_lo),
-                     static_cast<double>(leaf.slope_hi), static_cast<double>(leaf.r)});
+                     static_cast<double>(leaf.slope_hi), static_cast<double>(leaf.r), leaf.kernel});
     }
 }
 
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::solve(const Leaf<Real>& leaf) {
     if (!place(leaf)) return;
+    kernel_ = leaf.kernel;
     for (int step = 0; step < most_steps; ++step) {
         if (improve() <= small_step_) break;
     }

@@ -21,6 +21,7 @@ struct Segment {
     bool inside;  ///< surely inside the clip box
     Real from, to;
     Real step;  ///< how far the next cell reaches
+    const Kernel* kernel;
 };
 
 /// Marches along rays in cells that shrink where they cannot be decided and grow behind.
@@ -47,6 +48,14 @@ public:
 private:
     static constexpr std::size_t capacity = 256;
 
+    /// How many segments from this one on have its kernel, at most those of a batch.
+    [[nodiscard]] std::size_t same_kernel(std::size_t first) const {
+        const std::size_t most = std::min(capacity, segments_.size() - first);
+        std::size_t count = 1;
+        while (count < most && segments_[first + count].kernel == segments_[first].kernel)
+            ++count;
+        return count;
+    }
     void place(std::span<const Segment<Real>> segments, Real margin);
     /// Goes on with one segment after its cell i was evaluated; false when it is finished.
     template <class Undecided>
@@ -94,13 +103,14 @@ void RayMarcher<Real, Cell>::exclude_by_range(std::span<const Segment<Real>> seg
         }
     }
     counters_.range += segments.size();
-    frame_.kernel.range(RangeBatchOf<Real>{count,
-                                           {ends[0].data(), ends[1].data(), ends[2].data()},
-                                           {ends[3].data(), ends[4].data(), ends[5].data()},
-                                           frame_.scene.uniforms.template boxes<Real>(),
-                                           f_neg_lo.data(),
-                                           f_hi.data(),
-                                           continuous.data()});
+    segments.front().kernel->range(
+        RangeBatchOf<Real>{count,
+                           {ends[0].data(), ends[1].data(), ends[2].data()},
+                           {ends[3].data(), ends[4].data(), ends[5].data()},
+                           frame_.scene.uniforms.template boxes<Real>(),
+                           f_neg_lo.data(),
+                           f_hi.data(),
+                           continuous.data()});
     for (std::size_t i = 0; i < segments.size(); ++i)
         excluded_[i] = f_neg_lo[i] < 0 || f_hi[i] < 0;
 }
@@ -150,16 +160,17 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
     if (continuous && sloped) {
         const double s = static_cast<double>(places_.s[i]);
         const double reach = static_cast<double>(places_.s_radius[i]);
-        roots_.push({segment.pixel, segment.inside, static_cast<double>(from),
-                     static_cast<double>(to), s - reach, s + reach,
-                     static_cast<double>(std::clamp(middle, from, to)),
-                     -static_cast<double>(forms_.slope_neg_lo[i]),
-                     static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i])});
+        roots_.push(
+            {segment.pixel, segment.inside, static_cast<double>(from), static_cast<double>(to),
+             s - reach, s + reach, static_cast<double>(std::clamp(middle, from, to)),
+             -static_cast<double>(forms_.slope_neg_lo[i]), static_cast<double>(forms_.slope_hi[i]),
+             static_cast<double>(forms_.r[i]), segment.kernel});
         const bool certain = contracts && middle - radius > segment.from && middle + radius < end;
         return !(certain && segment.inside) && go_behind();
     }
     if (to - from <= finest || !(from < from + Real{0.5} * (to - from))) {
-        return undecided(Segment<Real>{segment.pixel, segment.inside, from, to, to - from},
+        return undecided(Segment<Real>{segment.pixel, segment.inside, from, to, to - from,
+                                       segment.kernel},
                          continuous) &&
                go_behind();
     }
@@ -176,10 +187,12 @@ void RayMarcher<Real, Cell>::march(Real finest, Real margin, double s_most, Unde
     const FrustumOf<Real> frustum = view_.frustum<Real>(1, s_most);
     while (!segments_.empty()) {
         std::size_t kept = 0;
-        for (std::size_t first = 0; first < segments_.size(); first += capacity) {
-            const std::size_t count = std::min(capacity, segments_.size() - first);
+        for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
+            count = same_kernel(first);
             place(std::span(segments_).subspan(first, count), margin);
-            evaluate(frame_, frustum, count, places_, forms_, counters_);
+            places_.pad(count);
+            counters_.form += count;
+            segments_[first].kernel->form(form_batch(frame_, frustum, 0, count, places_, forms_));
             exclude_by_range(std::span(segments_).subspan(first, count), finest);
             for (std::size_t i = 0; i < count; ++i) {
                 Segment<Real> segment = segments_[first + i];

@@ -77,6 +77,7 @@ struct Stretch {
     double guess;               ///< in [from, to]
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
+    const Kernel* kernel;       ///< of f in this part of the ray
 };
 
 /// How far f is off where it was evaluated in double; `r`: see FormBatchOf.
@@ -102,10 +103,16 @@ public:
 
 private:
     static constexpr std::size_t capacity = 256;
+    /// A whole batch may begin with any stretch.
+    static constexpr std::size_t room = capacity + batch_multiple;
     static constexpr int most_steps = 40;
     static constexpr int float_steps = std::is_same_v<Real, float> ? 2 : 0;
 
     void make_rays();
+    /// Calls evaluate(kernel, first, count) for stretches one behind the other that have the same
+    /// kernel, from the front; count is that of a batch.
+    template <class Evaluate>
+    void by_kernels(Evaluate evaluate) const;
     void step_in_float();
     void evaluate_in_double();
     /// One step of each stretch; keeps those that are not finished.
@@ -118,14 +125,14 @@ private:
     Counters& counters_;
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
-    alignas(64) double origin_[3][capacity];     ///< of the ray, at s = 0
-    alignas(64) double direction_[3][capacity];  ///< for 1 of s
-    alignas(64) double position_[3][capacity];
-    alignas(64) double f_[capacity];
-    alignas(64) double gradient_[3][capacity];
-    alignas(64) float position_float_[3][capacity];
-    alignas(64) float f_float_[capacity];
-    alignas(64) float gradient_float_[3][capacity];
+    alignas(64) double origin_[3][room];     ///< of the ray, at s = 0
+    alignas(64) double direction_[3][room];  ///< for 1 of s
+    alignas(64) double position_[3][room];
+    alignas(64) double f_[room];
+    alignas(64) double gradient_[3][room];
+    alignas(64) float position_float_[3][room];
+    alignas(64) float f_float_[room];
+    alignas(64) float gradient_float_[3][room];
 };
 
 template <class Real>
@@ -141,7 +148,7 @@ void RootFinder<Real>::make_rays() {
             direction_[k][i] = axes.forward[k] + across;
         }
     }
-    for (std::size_t i = size_; i < padded(size_); ++i) {
+    for (std::size_t i = size_; i < size_ + batch_multiple; ++i) {
         for (int k = 0; k < 3; ++k) {
             origin_[k][i] = origin_[k][0];
             direction_[k][i] = direction_[k][0];
@@ -149,10 +156,22 @@ void RootFinder<Real>::make_rays() {
     }
 }
 
+template <class Real>
+template <class Evaluate>
+void RootFinder<Real>::by_kernels(Evaluate evaluate) const {
+    for (std::size_t first = 0; first < size_;) {
+        std::size_t last = first + 1;
+        while (last < size_ && stretches_[last].kernel == stretches_[first].kernel)
+            ++last;
+        evaluate(*stretches_[first].kernel, first, padded(last - first));
+        first = last;
+    }
+}
+
 /// Moves the guesses closer, in float: a help only, nothing rests on it.
 template <class Real>
 void RootFinder<Real>::step_in_float() {
-    const std::size_t count = padded(size_);
+    const std::size_t count = size_ + batch_multiple;
     for (int k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
             const double s = stretches_[i < size_ ? i : 0].guess;
@@ -160,11 +179,14 @@ void RootFinder<Real>::step_in_float() {
         }
     }
     counters_.value += size_;
-    frame_.kernel.value({count,
-                         {position_float_[0], position_float_[1], position_float_[2]},
-                         frame_.scene.uniforms.points<float>(),
-                         f_float_,
-                         {gradient_float_[0], gradient_float_[1], gradient_float_[2]}});
+    by_kernels([&](const Kernel& kernel, std::size_t first, std::size_t batch) {
+        kernel.value(ValueBatchOf<float>{
+            batch,
+            {position_float_[0] + first, position_float_[1] + first, position_float_[2] + first},
+            frame_.scene.uniforms.points<float>(),
+            f_float_ + first,
+            {gradient_float_[0] + first, gradient_float_[1] + first, gradient_float_[2] + first}});
+    });
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
         double slope = 0;
@@ -177,7 +199,7 @@ void RootFinder<Real>::step_in_float() {
 
 template <class Real>
 void RootFinder<Real>::evaluate_in_double() {
-    const std::size_t count = padded(size_);
+    const std::size_t count = size_ + batch_multiple;
     for (int k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
             const double s = stretches_[i < size_ ? i : 0].guess;
@@ -185,11 +207,14 @@ void RootFinder<Real>::evaluate_in_double() {
         }
     }
     counters_.value += size_;
-    frame_.kernel.value(ValueBatchOf<double>{count,
-                                             {position_[0], position_[1], position_[2]},
-                                             frame_.scene.uniforms.points<double>(),
-                                             f_,
-                                             {gradient_[0], gradient_[1], gradient_[2]}});
+    by_kernels([&](const Kernel& kernel, std::size_t first, std::size_t batch) {
+        kernel.value(ValueBatchOf<double>{
+            batch,
+            {position_[0] + first, position_[1] + first, position_[2] + first},
+            frame_.scene.uniforms.points<double>(),
+            f_ + first,
+            {gradient_[0] + first, gradient_[1] + first, gradient_[2] + first}});
+    });
 }
 
 /// A root in [lo, hi], or one that may be there.

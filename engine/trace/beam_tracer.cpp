@@ -48,6 +48,8 @@ constexpr int first_slabs = 8;
 template <class Real>
 struct BeamMemory {
     Cells<Real> cells[2];
+    CellRuns runs;
+    CellKernels kernels;
     Found<Real> found;
 };
 
@@ -63,6 +65,8 @@ public:
           view_(frame, tile),
           cells_(&memory.cells[0]),
           next_(&memory.cells[1]),
+          runs_(memory.runs),
+          kernels_(memory.kernels),
           found_(memory.found),
           roots_(frame, view_, found_, counters),
           leaves_(frame, tile, view_, found_, roots_, counters),
@@ -85,15 +89,16 @@ private:
     /// The first cells; false when no ray meets the clip box.
     bool start();
     void descend(int pixels);
-    /// Cells first to last of one tile; its children go to next_.
-    void visit_tile(std::size_t first, std::size_t last, int pixels);
-    void push_children(int pixels);
+    void visit_run(const CellRun& run, int pixels);
+    /// Cells first to last of one tile, in a run; its children go to next_.
+    void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
+    void push_children(const CellRun& run, int pixels);
     void push_child(const Child& tile, int pixels, std::size_t parent);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
     /// The pixels of a smooth cell.
-    void solve_leaf(std::size_t cell, int pixels);
+    void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
-    void march_pixels(std::size_t cell, int pixels);
+    void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
@@ -107,10 +112,16 @@ private:
         return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
                             half * view_.pixel());
     }
-    [[nodiscard]] Place place(int col, int row, int pixels) const {
+    [[nodiscard]] Place place(int col, int row, int pixels, const Kernel* kernel) const {
         const double half = 0.5 * (pixels - 1);
         return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
-                row};
+                row, kernel};
+    }
+    /// How much longer than their slabs cells are: from size to size a little less, so that they
+    /// lie in those that their kernels were shortened for.
+    [[nodiscard]] Real margin(int pixels) const {
+        return margin_ *
+               static_cast<Real>(0.75 + 0.25 * std::bit_width(static_cast<unsigned>(pixels)));
     }
 
     const TraceFrame& frame_;
@@ -120,6 +131,8 @@ private:
     BeamView view_;
     Cells<Real>* cells_;
     Cells<Real>* next_;
+    CellRuns& runs_;
+    CellKernels& kernels_;
     Found<Real>& found_;
     RootFinder<Real> roots_;
     LeafSolver<Real, leaf_pixels> leaves_;
@@ -143,7 +156,7 @@ bool BeamTile<Real>::start() {
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
     fair_guess_ = static_cast<Real>(0.005 * view_.extent());
-    const Place at = place(0, 0, tile_size);
+    const Place at = place(0, 0, tile_size, &frame_.kernel);
     const Real near = -upper_end(Real{}, -all_.enter_lo);
     const Real far = upper_end(Real{}, all_.exit_hi);
     Real from = near;
@@ -152,7 +165,7 @@ bool BeamTile<Real>::start() {
         const Real to = i == first_slabs ? far : near + (far - near) * part;
         const bool inside =
             static_cast<double>(from) >= all_.enter_hi && static_cast<double>(to) <= all_.exit_lo;
-        cells_->push(at, from, to, margin_, inside);
+        cells_->push(at, from, to, margin(tile_size), inside);
         from = to;
     }
     return true;
@@ -162,6 +175,7 @@ template <class Real>
 void BeamTile<Real>::trace() {
     found_.begin(hits_);
     cells_->size = 0;
+    kernels_.clear();
     if (!start()) return;
     for (int pixels = tile_size; pixels >= least_pixels && cells_->size > 0; pixels /= 2) {
         next_->size = 0;
@@ -175,22 +189,36 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
-    evaluate(frame_, view_.frustum<Real>(pixels, s_most_), cells_->size, cells_->places,
-             cells_->forms, counters_);
+    const FrustumOf<Real> frustum = view_.frustum<Real>(pixels, s_most_);
+    cells_->places.pad(cells_->size);
+    runs_.divide(std::span(cells_->kernel).first(cells_->size));
+    for (CellRun& run : runs_.all())
+        evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
     CellJudge<Real>(pixels).judge(*cells_);
-    for (std::size_t first = 0; first < cells_->size;) {
+    for (const CellRun& run : runs_.all())
+        visit_run(run, pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::visit_run(const CellRun& run, int pixels) {
+    const std::size_t end = run.first + run.count;
+    for (std::size_t first = run.first; first < end;) {
         std::size_t last = first + 1;
-        while (last < cells_->size && cells_->col[last] == cells_->col[first] &&
+        while (last < end && cells_->col[last] == cells_->col[first] &&
                cells_->row[last] == cells_->row[first]) {
             ++last;
         }
-        visit_tile(first, last, pixels);
+        visit_tile(run, first, last, pixels);
         first = last;
     }
 }
 
 template <class Real>
-void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels) {
+void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size_t last,
+                                int pixels) {
+    const auto kernel_of = [&](std::size_t cell) {
+        return kernels_.shortened(run, std::span(&cell, 1));
+    };
     open_.clear();
     for (std::size_t i = first; i < last; ++i) {
         if (cells_->bit(&CellBits::rejected, i)) continue;
@@ -198,26 +226,27 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
         const bool finished = cells_->bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
         if (smooth && (pixels <= leaf_pixels || whole)) {
-            solve_leaf(i, pixels);
+            solve_leaf(i, pixels, kernel_of(i));
         } else if (pixels <= least_pixels) {
-            march_pixels(i, pixels);
+            march_pixels(i, pixels, kernel_of(i));
         } else {
             open_.push_back(i);
         }
         if (finished) break;
     }
-    if (!open_.empty()) push_children(pixels);
+    if (!open_.empty()) push_children(run, pixels);
 }
 
 template <class Real>
-void BeamTile<Real>::push_children(int pixels) {
+void BeamTile<Real>::push_children(const CellRun& run, int pixels) {
     const int half = pixels / 2;
+    const Kernel* const kernel = kernels_.shortened(run, open_);
     const std::size_t parent = open_.front();
     for (std::size_t child = 0; child < 4; ++child) {
         const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
         const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
-        const Child tile{place(col, row, half), child, depths_of(col, row, half)};
+        const Child tile{place(col, row, half, kernel), child, depths_of(col, row, half)};
         for (const std::size_t cell : open_) {
             push_child(tile, half, cell);
             if (cells_->child_finished(child, cell)) break;
@@ -249,7 +278,7 @@ void BeamTile<Real>::push_child(const Child& tile, int pixels, std::size_t paren
     for (int i = 1; i <= parts; ++i) {
         const Real end =
             i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(tile.place, begin, end, margin_, inside);
+        next_->push(tile.place, begin, end, margin(pixels), inside);
         begin = end;
     }
 }
@@ -262,7 +291,7 @@ bool BeamTile<Real>::is_accurate(std::size_t cell) const {
 }
 
 template <class Real>
-void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
+void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kernel) {
     const Forms<Real>& f = cells_->forms;
     const Real half = static_cast<Real>(0.5 * (pixels - 1));
     const Real ku = f.k[0][cell] / half;
@@ -282,7 +311,8 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
                     cells_->to[cell],
                     -f.slope_neg_lo[cell],
                     f.slope_hi[cell],
-                    f.r[cell]};
+                    f.r[cell],
+                    kernel};
     if (pixels < leaf_pixels) {
         small_leaves_.solve(leaf);
         return;
@@ -298,7 +328,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
 }
 
 template <class Real>
-void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
+void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* kernel) {
     const Forms<Real>& f = cells_->forms;
     const auto number = [cell](const std::vector<Real>& column) {
         return static_cast<double>(column[cell]);
@@ -327,7 +357,7 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
             if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
             const Real begin = -upper_end(Real{}, -ray_from);
             const Real end = upper_end(Real{}, ray_to);
-            marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
+            marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin, kernel});
         }
     }
 }
@@ -350,7 +380,8 @@ void BeamTile<Real>::march_rays() {
                        const auto from = static_cast<double>(segment.from);
                        const auto to = static_cast<double>(segment.to);
                        if (final) return stop(segment.pixel, from, to, continuous);
-                       fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
+                       fine_marcher_.push(
+                           {segment.pixel, segment.inside, from, to, to - from, segment.kernel});
                        return true;
                    });
     fine_marcher_.march(view_.tolerance(), 0.5 * view_.tolerance(), s_most_,
