@@ -159,6 +159,19 @@ void interpret_form(const void* code, const FormBatchOf<Real>* batch) {
 /// The cells where the condition holds; all where it is absent.
 unsigned bits_of(const std::optional<BlockMask>& mask) { return mask ? mask->bits : ~0U; }
 
+/// Where one operand of min or max may stand for both, by their signs: one that is above 0 leaves
+/// those of min to the other one, one below 0 those of max.
+template <class Lanes>
+ChoiceBits choice_by_sign(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
+    const auto left_out = [op](const BeamValue<Lanes>& x) {
+        const Interval<Lanes> range = x.f.range();
+        const Lanes zero = like(range.hi, 0.0);
+        const BlockMask apart = op == Op::Max ? range.hi < zero : range.neg_lo < zero;
+        return static_cast<std::uint16_t>(apart.bits & bits_of(x.everywhere));
+    };
+    return {left_out(b), left_out(a)};
+}
+
 /// Where a choice is one of its alternatives, from its operands' forms: the other one must be
 /// defined, too, and so must a condition.
 template <class Lanes>
@@ -187,8 +200,14 @@ void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord&
     record.choices = tape.choices();
     record.bits.resize(batch.size / lanes * record.choices);
     interpret_form_noting(tape, &batch, [&](const Tape::Step& step, std::size_t item, auto of) {
-        record.bits[item / lanes * record.choices + step.choice] =
-            choice_bits(tape.node(step).op, of(0).value, of(1).value);
+        const Op op = tape.node(step).op;
+        ChoiceBits bits = choice_bits(op, of(0).value, of(1).value);
+        if (step.by_sign && (op == Op::Min || op == Op::Max)) {
+            const ChoiceBits more = choice_by_sign(op, of(0).value, of(1).value);
+            bits = {static_cast<std::uint16_t>(bits.first | more.first),
+                    static_cast<std::uint16_t>(bits.second | more.second)};
+        }
+        record.bits[item / lanes * record.choices + step.choice] = bits;
     });
 }
 

@@ -136,8 +136,9 @@ struct KernelFunction {
     bool operator==(const KernelFunction&) const = default;
 };
 
-/// For one choice (min, max, if, where) and a block of cells, a bit for each cell: the choice
-/// surely is its first alternative, or its second, in the whole cell, and defined wherever that is.
+/// For one choice (min, max, if, where) and a block of cells, a bit for each cell: the first
+/// alternative surely may stand for the choice, or the second, in the whole cell: it is its value,
+/// or does the same to signs and zeros of f; and the choice is defined wherever it is.
 struct ChoiceBits {
     std::uint16_t first = 0;
     std::uint16_t second = 0;
@@ -161,9 +162,9 @@ public:
     /// As Kernel::form, and tells how the choices fall in each cell.
     virtual void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const = 0;
     virtual void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const = 0;
-    /// A kernel that computes the same function wherever the cells of the recorded batch are, which
-    /// is defined and continuous there at least where the whole one is proved to be; nothing where
-    /// it would not be shorter. Without the names of parameters.
+    /// A kernel for the points of these cells of the recorded batch: there its function is defined
+    /// where the whole one is, with the same signs and zeros, and beside the zeros the same one.
+    /// Nothing where it would not be shorter. Without the names of parameters.
     [[nodiscard]] virtual std::optional<Kernel> shortened(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const = 0;
 };

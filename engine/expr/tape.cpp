@@ -20,6 +20,13 @@ Index alternative(Op op, const Step& step, std::size_t which) {
     return step.operands[op == Op::If ? which + 1 : which];
 }
 
+/// Whether all that operand k does to the operator's sign comes from its own.
+bool hands_on_sign(Op op, std::size_t k) {
+    if (op == Op::Where) return k == 0;
+    if (op == Op::If) return k > 0;
+    return op == Op::Min || op == Op::Max || op == Op::Negate;
+}
+
 /// Which alternative a choice is in all of the cells, if it is one.
 std::optional<std::size_t> winner(const ChoiceRecord& record, Index choice,
                                   std::span<const std::size_t> cells) {
@@ -112,7 +119,26 @@ Tape Tape::Builder::build(std::shared_ptr<const TapeGraph> graph, Index root) {
     for (Index i = 0; i <= root; ++i) {
         if (last_use_[i] != never) append(tape, i);
     }
+    tape.mark_by_sign();
     return tape;
+}
+
+/// From the root down through operators that make signs of signs.
+void Tape::mark_by_sign() {
+    std::vector<std::uint8_t> by_value(steps_.size(), 0);
+    steps_.back().by_sign = true;
+    for (std::size_t i = steps_.size(); i-- > 0;) {
+        Step& step = steps_[i];
+        step.by_sign = step.by_sign && by_value[i] == 0;
+        const std::size_t count = operand_count(*graph_, step.node);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (step.by_sign && hands_on_sign(node(step).op, k)) {
+                steps_[step.operands[k]].by_sign = true;
+            } else {
+                by_value[step.operands[k]] = 1;
+            }
+        }
+    }
 }
 
 Tape::Tape(const Expr& expr) {

@@ -34,12 +34,14 @@ public:
         Index slot;
         std::array<Index, 3> operands;  ///< earlier steps, as many as the operator has
         Index choice = ~Index{0};       ///< its place in a ChoiceRecord
+        bool by_sign = false;           ///< of its value only the sign matters, and where it is 0
     };
 
     explicit Tape(const Expr& expr);
 
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
-    /// shorter. On whatever part of space these cells cover it computes the same function.
+    /// shorter. On whatever part of space these cells cover it computes a function with the same
+    /// signs and zeros, and beside the zeros the same one.
     [[nodiscard]] std::optional<Tape> shortened(const ChoiceRecord& record,
                                                 std::span<const std::size_t> cells) const;
 
@@ -55,6 +57,7 @@ public:
 
 private:
     class Builder;
+    void mark_by_sign();
     Tape() = default;
 
     std::shared_ptr<const TapeGraph> graph_;
