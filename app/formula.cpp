@@ -17,6 +17,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t quick_nodes = 2'000;
 constexpr std::size_t most_nodes = 8'000;
 
+// Of fewer, machine code of all is quicker than an interpreter of what matters.
+constexpr std::size_t many_choices = 40;
+
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -38,6 +41,13 @@ CodeState code_for(const std::vector<Expr>& surfaces) {
     return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
+std::size_t choices_in(const Expr& expr) {
+    const auto is_choice = [](const Node& node) {
+        return node.op == Op::Min || node.op == Op::Max || node.op == Op::If;
+    };
+    return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
+}
+
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
                                                             Precision precision) {
     const jit::CompileOptions options{.with_double = precision == Precision::Double};
@@ -47,6 +57,7 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Ex
         if (!kernel) {
             return wrong_input("the formula cannot be compiled: " + kernel.error().message);
         }
+        if (choices_in(surface) >= many_choices) kernel->shortener = interpret(surface).shortener;
         kernels.push_back(std::move(*kernel));
     }
     return kernels;

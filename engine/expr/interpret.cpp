@@ -262,6 +262,7 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.value_double = {interpret_value<double>, tape};
     kernel.form_double = {interpret_form<double>, tape};
     kernel.has_double = true;
+    kernel.interpreted = true;
     if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
 }
 

@@ -183,6 +183,7 @@ struct Kernel {
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
     std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
+    bool interpreted = false;                    ///< else machine code
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
     void range(const RangeBatchOf<double>& batch) const { range_double(batch); }

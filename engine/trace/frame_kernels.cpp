@@ -11,7 +11,10 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t slabs = 2 * batch_multiple;
+constexpr std::size_t slabs = batch_multiple;
+
+/// Smaller regions are not made: tracers look at their tiles themselves.
+constexpr int least_side = 2 * tile_size;
 
 /// A square of pixels times slabs of depth, from the entry of its rays into the clip box to their
 /// exit.
@@ -127,7 +130,7 @@ void FrameKernels::make(Region& region, const Kernel& around) const {
         region.kernel = &region.own;
     }
     const int half = region.side / 2;
-    if (half < tile_size) return;
+    if (half < least_side) return;
     for (int i = 0; i < 4; ++i) {
         region.quarters[static_cast<std::size_t>(i)] = std::make_unique<Region>(
             region.col + (i & 1) * half, region.row + (i >> 1) * half, half);

@@ -74,8 +74,9 @@ FramePainter::FramePainter(const Scene& scene, const Camera& camera, const Trace
     for (const Kernel& kernel : scene.surfaces)
         surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
     for (const TraceFrame& surface : surfaces_) {
-        kernels_.push_back(surface.kernel.shortener ? std::make_unique<FrameKernels>(surface)
-                                                    : nullptr);
+        const bool pays = tracer_.shortens || surface.kernel.interpreted;
+        kernels_.push_back(
+            pays && surface.kernel.shortener ? std::make_unique<FrameKernels>(surface) : nullptr);
     }
 }
 

@@ -37,7 +37,7 @@ std::span<const Tracer> tracers_in_work() {
     static constexpr std::array table{
         Tracer{"beams",
                "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
-               trace_tile_beams},
+               trace_tile_beams, true},
     };
     return table;
 }

@@ -57,15 +57,17 @@ std::string spheres(const char* function, int count) {
     return combined(function, visible_spheres(count, suite_camera(1.0).eye));
 }
 
+std::string smooth_union(const std::string& a, const std::string& b) {
+    return "min(" + a + ", " + b + ") - max(0.1 - |" + a + " - " + b + "|, 0)^2 / 0.4";
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, Solid,
     testing::Values(spheres("min", 24), "max(|x| + |y| + |z| - 1.2, -" + spheres("min", 12) + ")",
                     "max(x^2 + y^2 - 0.6, y^2 + z^2 - 0.6, z^2 + x^2 - 0.5, -x - y - 0.7)",
                     "min(" + spheres("min", 6) + ", max(|z + 0.3| - 0.1, x^2 + y^2 - 0.8)) + 0.05x",
                     "min(" + spheres("min", 5) + ", sqrt(z) - 0.6)",
-                    "a = "
-                    "0.1; s(u, v) = min(u, v) - max(a - |u - v|, 0)^2/(4a); "
-                    "s(x^2 + y^2 + z^2 - 0.3, s(|x| - 0.1, x^2 + 2y^2 + 2z^2 - 0.4)) = 0"));
+                    smooth_union("(x^2 + y^2 + z^2 - 0.3)", "(|x| + 2y^2 + 2z^2 - 0.5)")));
 
 /// In float and in double.
 TEST(Solid, IsTheSameDeepInTheView) {
