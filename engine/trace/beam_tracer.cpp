@@ -64,7 +64,8 @@ public:
           leaves_(frame, tile, view_, found_, roots_, counters),
           small_leaves_(frame, tile, view_, found_, roots_, counters),
           marcher_(frame, view_, memory.rays, found_, roots_, counters),
-          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters) {}
+          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters),
+          fair_guess_(static_cast<Real>(0.005 * view_.extent())) {}
 
     void trace();
 
@@ -97,6 +98,7 @@ private:
     LeafSolver<Real, least_pixels> small_leaves_;
     RayMarcher<Real, Real> marcher_;
     RayMarcher<double, Real> fine_marcher_;
+    Real fair_guess_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
 };
 
@@ -168,8 +170,7 @@ template <class Real>
 bool BeamTile<Real>::is_accurate(std::size_t cell) const {
     const Cells<Real>& cells = tree_.cells();
     const Forms<Real>& f = cells.forms;
-    const auto fair_guess = static_cast<Real>(0.005 * view_.extent());
-    return f.e[cell] * cells.places.s_radius[cell] < fair_guess * std::abs(f.k[2][cell]);
+    return f.e[cell] * cells.places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
 }
 
 template <class Real>

@@ -80,6 +80,7 @@ private:
         Place place;
         std::size_t index;
         DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
+        Real margin;
     };
 
     /// The first cells; none when no ray meets the clip box.
@@ -187,12 +188,14 @@ void CellTree<Real>::push_children(const CellRun& run, std::span<const std::size
                                    int pixels) {
     const int half = pixels / 2;
     const Kernel* const kernel = kernels_.shortened(run, open);
+    const Real margin = margin_of(half);
     const std::size_t parent = open.front();
     for (std::size_t child = 0; child < 4; ++child) {
         const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
         const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
-        const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half)};
+        const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half),
+                         margin};
         for (const std::size_t cell : open) {
             push_child(tile, half, cell);
             if (cells_->child_finished(child, cell)) break;
@@ -224,7 +227,7 @@ void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t paren
     for (int i = 1; i <= parts; ++i) {
         const Real end =
             i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(tile.place, begin, end, margin_of(pixels), inside);
+        next_->push(tile.place, begin, end, tile.margin, inside);
         begin = end;
     }
 }
