@@ -48,7 +48,7 @@ std::string note_of(CodeState code) {
     switch (code) {
         case CodeState::Machine: return {};
         case CodeState::InterpretedFirst: return "interpreted until its machine code is ready";
-        case CodeState::Interpreted: return "too large for machine code: interpreted";
+        case CodeState::Interpreted: return "large: interpreted";
     }
     return {};
 }

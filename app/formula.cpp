@@ -17,6 +17,11 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t quick_nodes = 2'000;
 constexpr std::size_t most_nodes = 8'000;
 
+// Of fewer, machine code of all is quicker than an interpreter of what matters.
+constexpr std::size_t many_choices = 40;
+// From so many on beams hardly ever need machine code of all.
+constexpr std::size_t most_choices = 80;
+
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
@@ -30,23 +35,41 @@ SampleRegion sample_region(const Box& box) {
     return region;
 }
 
+std::size_t choices_in(const Expr& expr) {
+    const auto is_choice = [](const Node& node) {
+        return node.op == Op::Min || node.op == Op::Max || node.op == Op::If;
+    };
+    return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
+}
+
+bool gets_machine_code(const Expr& surface) { return choices_in(surface) < most_choices; }
+
 CodeState code_for(const std::vector<Expr>& surfaces) {
     std::size_t nodes = 0;
-    for (const Expr& surface : surfaces)
-        nodes += surface.nodes().size();
-    if (nodes > most_nodes) return CodeState::Interpreted;
+    for (const Expr& surface : surfaces) {
+        if (gets_machine_code(surface)) nodes += surface.nodes().size();
+    }
+    if (nodes == 0 || nodes > most_nodes) return CodeState::Interpreted;
     return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
+std::expected<Kernel, InputError> machine_code(const Expr& surface,
+                                               const jit::CompileOptions& options) {
+    if (!gets_machine_code(surface)) return interpret(surface);
+    auto kernel = jit::compile(surface, options);
+    if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
+    if (choices_in(surface) >= many_choices) kernel->shortener = interpret(surface).shortener;
+    return std::move(*kernel);
+}
+
+/// Of those surfaces that get it.
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
                                                             Precision precision) {
     const jit::CompileOptions options{.with_double = precision == Precision::Double};
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
-        auto kernel = jit::compile(surface, options);
-        if (!kernel) {
-            return wrong_input("the formula cannot be compiled: " + kernel.error().message);
-        }
+        auto kernel = machine_code(surface, options);
+        if (!kernel) return std::unexpected(kernel.error());
         kernels.push_back(std::move(*kernel));
     }
     return kernels;

@@ -33,7 +33,7 @@ inline std::unexpected<InputError> wrong_input(std::string reason) {
 enum class CodeState : std::uint8_t {
     Machine,           ///< machine code
     InterpretedFirst,  ///< large: interpreted; its machine code takes more than a second
-    Interpreted,       ///< too large for machine code
+    Interpreted,       ///< too large for machine code, or of so many choices that it would not pay
 };
 
 /// A text ready to be drawn.

@@ -213,6 +213,8 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     const std::vector<Piece> pieces = pieces_of(*vectors, options);
     const std::vector<Code> codes = codes_of(expr, pieces);
     Kernel kernel = interpret(expr);
+    kernel.interpreted = false;
+    kernel.shortener = nullptr;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!codes[i]) return std::unexpected(codes[i].error());
         put_in(kernel, pieces[i], *codes[i]);

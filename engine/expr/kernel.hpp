@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -175,6 +177,39 @@ struct KernelFunction {
     bool operator==(const KernelFunction&) const = default;
 };
 
+/// For one choice (min, max, if, where) and a block of cells, a bit for each cell: the first
+/// alternative surely may stand for the choice, or the second, in the whole cell: it is its value,
+/// or does the same to signs and zeros of f; and the choice is defined wherever it is.
+struct ChoiceBits {
+    std::uint16_t first = 0;
+    std::uint16_t second = 0;
+};
+
+/// How the choices of a formula fall in the cells of a batch.
+struct ChoiceRecord {
+    std::size_t lanes = 1;         ///< cells a block
+    std::size_t choices = 0;       ///< of the formula
+    std::vector<ChoiceBits> bits;  ///< of each block, of each choice
+};
+
+struct Kernel;
+
+/// Makes kernels that leave out what does not matter in a part of space, as other parts of a union
+/// [Keeter20]. Thread-safe; called in upward rounding.
+class Shortener {
+public:
+    virtual ~Shortener() = default;
+
+    /// As Kernel::form, and tells how the choices fall in each cell.
+    virtual void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const = 0;
+    virtual void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const = 0;
+    /// A kernel for the points of these cells of the recorded batch: there its function is defined
+    /// where the whole one is, with the same signs and zeros, and beside the zeros the same one.
+    /// Nothing where it would not be shorter. Without the names of parameters.
+    [[nodiscard]] virtual std::optional<Kernel> shortened(
+        const ChoiceRecord& record, std::span<const std::size_t> cells) const = 0;
+};
+
 /// What the tracer asks of a formula, whoever made the code (jit/compile or
 /// engine/expr/interpret).
 struct Kernel {
@@ -193,6 +228,8 @@ struct Kernel {
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
+    std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
+    bool interpreted = false;                    ///< else machine code
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
     void range(const RangeBatchOf<double>& batch) const { range_double(batch); }

@@ -9,9 +9,11 @@
 #endif
 
 #include "engine/trace/beam_view.hpp"
+#include "engine/trace/cell_kernels.hpp"
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -60,40 +62,47 @@ struct CellPlaces {
         for (std::vector<Real>* column : {&u, &v, &s, &s_radius})
             column->resize(capacity);
     }
-    /// Repeats the last of `size` cells up to a whole batch.
+    /// Repeats the last of `size` cells, so that any of them begins a whole batch.
     void pad(std::size_t size) {
-        for (std::vector<Real>* column : {&u, &v, &s, &s_radius}) {
-            for (std::size_t i = size; i < padded(size); ++i)
-                (*column)[i] = (*column)[size - 1];
-        }
+        const std::size_t count = std::min(batch_multiple, u.size() - size);
+        for (std::vector<Real>* column : {&u, &v, &s, &s_radius})
+            std::fill_n(column->data() + size, count, (*column)[size - 1]);
     }
 };
 
+/// Some cells, and those behind them up to a whole batch: what is said of these is to be
+/// overwritten.
 template <class Real>
-void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, std::size_t size,
-              CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
-    places.pad(size);
-    counters.form += size;
-    const FormBatchOf<Real> batch{padded(size),
-                                  places.u.data(),
-                                  places.v.data(),
-                                  places.s.data(),
-                                  places.s_radius.data(),
-                                  frustum.base,
-                                  frame.scene.uniforms.template boxes<Real>(),
-                                  out.c.data(),
-                                  {out.k[0].data(), out.k[1].data(), out.k[2].data()},
-                                  out.e.data(),
-                                  out.r.data(),
-                                  out.slope_neg_lo.data(),
-                                  out.slope_hi.data(),
-                                  out.continuous.data(),
-                                  out.nowhere.data()};
-    const bool on_rays = frustum.u_radius == 0 && frustum.v_radius == 0;
-    if (on_rays) {
-        frame.kernel.ray_form(batch);
+FormBatchOf<Real> form_batch(const TraceFrame& frame, const FrustumOf<Real>& frustum,
+                             std::size_t first, std::size_t count, const CellPlaces<Real>& places,
+                             Forms<Real>& out) {
+    return {padded(count),
+            places.u.data() + first,
+            places.v.data() + first,
+            places.s.data() + first,
+            places.s_radius.data() + first,
+            frustum.base,
+            frame.scene.uniforms.template boxes<Real>(),
+            out.c.data() + first,
+            {out.k[0].data() + first, out.k[1].data() + first, out.k[2].data() + first},
+            out.e.data() + first,
+            out.r.data() + first,
+            out.slope_neg_lo.data() + first,
+            out.slope_hi.data() + first,
+            out.continuous.data() + first,
+            out.nowhere.data() + first};
+}
+
+/// The run's cells, by its kernel.
+template <class Real>
+void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, CellRun& run,
+              const CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
+    counters.form += run.count;
+    const FormBatchOf<Real> batch = form_batch(frame, frustum, run.first, run.count, places, out);
+    if (run.kernel->shortener != nullptr) {
+        run.kernel->shortener->form(batch, run.record);
     } else {
-        frame.kernel.form(batch);
+        run.kernel->form(batch);
     }
 }
 
@@ -116,6 +125,7 @@ struct Cells {
     std::vector<Real> from, to;          ///< the slabs: neighbours touch
     std::vector<std::uint8_t> col, row;  ///< first pixel in the tile
     std::vector<std::uint8_t> inside;    ///< all rays are inside the clip box in the slab
+    std::vector<const Kernel*> kernel;   ///< of f in the cell
 
     Forms<Real> forms;
     std::vector<CellBits> bits;  ///< one for each vector of cells
@@ -134,12 +144,14 @@ struct Cells {
         }
         for (std::vector<std::uint8_t>* column : {&col, &row, &inside})
             column->resize(capacity);
+        kernel.resize(capacity);
         bits.resize(capacity / hn::Lanes(LanesOf<Real>()) + 1);
     }
     /// A tile of pixels at (col, row), whose middle is at (u, v).
     struct Place {
         Real u, v;
         int col, row;
+        const Kernel* kernel;
     };
     void push(const Place& at, Real slab_from, Real slab_to, Real margin, bool is_inside) {
         if (size + 2 * batch_multiple > from.size()) resize(2 * from.size() + 256);
@@ -154,6 +166,7 @@ struct Cells {
         col[size] = static_cast<std::uint8_t>(at.col);
         row[size] = static_cast<std::uint8_t>(at.row);
         inside[size] = is_inside ? 1 : 0;
+        kernel[size] = at.kernel;
         ++size;
     }
     [[nodiscard]] bool bit(LaneBits CellBits::* member, std::size_t cell) const {

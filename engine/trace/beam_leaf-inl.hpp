@@ -8,117 +8,14 @@
 #define ZEROSET_BEAM_LEAF_INL
 #endif
 
+#include "engine/trace/beam_clip-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
+#include "engine/trace/leaf_run.hpp"
+
+#include <optional>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
-
-/// A smooth cell of 8x8 or 4x4 pixels.
-template <class Real>
-struct Leaf {
-    int col, row;  ///< first pixel in the tile
-    bool inside;   ///< all rays are inside the clip box in the slab
-    // f is c + ku x - kv y + kt t + [-e, e] at x pixels right and y below the first pixel, at the
-    // depth s + reach t.
-    Real c, ku, kv, kt, e;
-    Real s, reach;
-    Real from, to;            ///< the slab
-    Real slope_lo, slope_hi;  ///< of df/ds, of one sign
-    Real r;                   ///< see FormBatchOf
-};
-
-/// Smooth cells of one small tile that touch and slope the same way: together they hold at most
-/// one root a ray.
-template <class Real>
-struct LeafRun {
-    int col, row;
-    bool inside;
-    Real to;                  ///< where the last slab ends
-    Real lo, hi;              ///< where the slopes hold
-    Real slope_lo, slope_hi;  ///< of df/ds, of one sign
-    Real r;
-
-    explicit LeafRun(const Leaf<Real>& leaf)
-        : col(leaf.col),
-          row(leaf.row),
-          inside(leaf.inside),
-          to(leaf.to),
-          lo(leaf.s - leaf.reach),
-          hi(end_of(leaf)),
-          slope_lo(leaf.slope_lo),
-          slope_hi(leaf.slope_hi),
-          r(leaf.r) {}
-
-    /// Rounded downward, so that it is in the cell.
-    static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.reach); }
-    [[nodiscard]] bool falls() const { return slope_hi < 0; }
-    [[nodiscard]] bool continues_with(const Leaf<Real>& next) const {
-        return next.col == col && next.row == row && next.from == to &&
-               next.inside == inside && (next.slope_hi < 0) == falls();
-    }
-    void add(const Leaf<Real>& next) {
-        to = next.to;
-        hi = end_of(next);
-        slope_lo = std::min(slope_lo, next.slope_lo);
-        slope_hi = std::max(slope_hi, next.slope_hi);
-        r = std::max(r, next.r);
-    }
-};
-
-using ClipTag = hn::CappedTag<double, 4>;
-constexpr int clip_lanes = hn::MaxLanes(ClipTag());
-
-/// Where some rays enter and leave the part of the clip box in front of the eye, as depths.
-class ClipDepths {
-public:
-    ClipDepths(const BeamView& view, const float* cols, const float* rows)
-        : enter_lo_(hn::Set(dd, -view.distance() - view.depth_error())),
-          enter_hi_(hn::Set(dd, -view.distance() + view.depth_error())) {
-        const auto col = load_doubles(dd, cols);
-        const auto row = load_doubles(dd, rows);
-        const RaysOf<double>& rays = view.double_rays();
-        for (int k = 0; k < 3; ++k) {
-            const auto line = [&](const double* base, const double* by_col, const double* by_row) {
-                return hn::MulAdd(row, hn::Set(dd, by_row[k]),
-                                  hn::MulAdd(col, hn::Set(dd, by_col[k]), hn::Set(dd, base[k])));
-            };
-            const auto origin = line(rays.origin, rays.origin_by_col, rays.origin_by_row);
-            const auto direction =
-                line(rays.direction, rays.direction_by_col, rays.direction_by_row);
-            const auto inverse = hn::Div(hn::Set(dd, 1.0), direction);
-            const auto error = hn::Mul(hn::Set(dd, view.depth_error()), hn::Abs(inverse));
-            const auto a = hn::Mul(hn::Sub(hn::Set(dd, view.clip().lo[k]), origin), inverse);
-            const auto b = hn::Mul(hn::Sub(hn::Set(dd, view.clip().hi[k]), origin), inverse);
-            const auto enter = hn::Min(a, b);
-            const auto exit = hn::Max(a, b);
-            known_ = hn::And(known_, hn::Eq(hn::Add(enter, error), hn::Add(enter, error)));
-            enter_lo_ = hn::Max(enter_lo_, hn::Sub(enter, error));
-            enter_hi_ = hn::Max(enter_hi_, hn::Add(enter, error));
-            exit_lo_ = hn::Min(exit_lo_, hn::Sub(exit, error));
-            exit_hi_ = hn::Min(exit_hi_, hn::Add(exit, error));
-        }
-    }
-    /// Of brackets of roots.
-    template <class Real>
-    [[nodiscard]] LaneBits surely_inside(const Real* lo, const Real* hi) const {
-        return bits_of(dd, hn::And(known_, hn::And(hn::Ge(load_doubles(dd, lo), enter_hi_),
-                                                   hn::Le(load_doubles(dd, hi), exit_lo_))));
-    }
-    template <class Real>
-    [[nodiscard]] LaneBits surely_outside(const Real* lo, const Real* hi) const {
-        return bits_of(dd, hn::And(known_, hn::Or(hn::Lt(load_doubles(dd, hi), enter_lo_),
-                                                  hn::Gt(load_doubles(dd, lo), exit_hi_))));
-    }
-
-private:
-    static constexpr ClipTag dd{};
-    using V = hn::Vec<ClipTag>;
-
-    hn::Mask<ClipTag> known_ = hn::Eq(hn::Zero(dd), hn::Zero(dd));
-    V enter_lo_, enter_hi_;
-    V exit_lo_ = hn::Set(dd, std::numeric_limits<double>::infinity());
-    V exit_hi_ = exit_lo_;
-};
 
 /// Solves leaves of `pixels` x `pixels` pixels: guesses from the forms, Newton's method in the
 /// cells' type, then one value in double that certifies. What that leaves open goes to the root
@@ -216,9 +113,9 @@ private:
 
     int slots_ = 0;  ///< rows that have stretches
     int rows_[side];
-    Real error_ = 0;              ///< of f in double
-    Real per_least_ = 0;          ///< not below 1 / |df/ds|
-    Real per_most_ = 0;           ///< not above it
+    Real error_ = 0;      ///< of f in double
+    Real per_least_ = 0;  ///< not below 1 / |df/ds|
+    Real per_most_ = 0;   ///< not above it
     alignas(64) Real from_[items], to_[items], guess_[items];
     alignas(64) float col_[items], row_[items];
     alignas(64) Real gradient_[3][items], slope_[items];
@@ -275,8 +172,8 @@ bool LeafSolver<Real, pixels>::compact() {
             const V from = hn::Load(d, from_ + in);
             const V to = hn::Load(d, to_ + in);
             const V before = hn::LoadU(d, &found_.depth[pixel + static_cast<std::size_t>(col)]);
-            const M in_tile = hn::FirstN(
-                d, static_cast<std::size_t>(std::clamp(cols - col, 0, lanes)));
+            const M in_tile =
+                hn::FirstN(d, static_cast<std::size_t>(std::clamp(cols - col, 0, lanes)));
             const M valid = hn::And(in_tile, hn::Le(from, hn::Min(to, before)));
             any = hn::Or(any, valid);
             hn::Store(from, d, from_ + out);
@@ -302,7 +199,7 @@ void LeafSolver<Real, pixels>::take_steps() {
     pad(col_);
     pad(row_);
     counters_.value += 2 * used();
-    frame_.kernel.newton(NewtonBatchOf<Real>{count(),
+    run_->kernel->newton(NewtonBatchOf<Real>{count(),
                                              col_,
                                              row_,
                                              from_,
@@ -319,7 +216,7 @@ void LeafSolver<Real, pixels>::take_steps() {
         float_slope_[i] = static_cast<float>(slope_[i]);
     }
     counters_.value += 2 * used();
-    frame_.kernel.ray_value(RayValueBatch{count(), col_, row_, float_slope_, 1, depth_,
+    run_->kernel->ray_value(RayValueBatch{count(), col_, row_, float_slope_, 1, depth_,
                                           view_.rays<double>(),
                                           frame_.scene.uniforms.points<double>(), f_});
 }
@@ -351,9 +248,9 @@ HWY_INLINE auto LeafSolver<Real, pixels>::bounds_of(const double* x) -> std::pai
         const hn::Rebind<double, hn::Half<D>> dd;
         const auto low = hn::Load(dd, x);
         const auto high = hn::Load(dd, x + hn::MaxLanes(dd));
-        return {hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low)),
-                hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)),
-                            hn::DemoteTo(half, hn::Neg(low)))};
+        return {
+            hn::Combine(d, hn::DemoteTo(half, high), hn::DemoteTo(half, low)),
+            hn::Combine(d, hn::DemoteTo(half, hn::Neg(high)), hn::DemoteTo(half, hn::Neg(low)))};
     }
 }
 
@@ -368,8 +265,8 @@ HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const 
     const V hi_of_rising = run_->falls() ? f_neg_lo : f_hi;
     const V neg_lo_of_rising = run_->falls() ? f_hi : f_neg_lo;
     const auto quotient_up = [&](V f) {
-        const V factor = hn::IfThenElse(hn::Gt(f, zero), hn::Set(d, per_least_),
-                                        hn::Set(d, per_most_));
+        const V factor =
+            hn::IfThenElse(hn::Gt(f, zero), hn::Set(d, per_least_), hn::Set(d, per_most_));
         return hn::Mul(f, factor);
     };
     const V before = quotient_up(hi_of_rising);
@@ -435,7 +332,7 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
                      static_cast<double>(run_->lo), static_cast<double>(run_->hi),
                      static_cast<double>(std::clamp(guess, from, to)),
                      static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
-                     static_cast<double>(run_->r)});
+                     static_cast<double>(run_->r), run_->kernel});
     }
 }
 

@@ -47,7 +47,7 @@ public:
     void push(std::uint32_t pixel, double s, double t) {
         push(view_.u(pixel % tile_size), view_.v(pixel / tile_size), 0.0, 0.0, s, t);
     }
-    void evaluate();
+    void evaluate(const Kernel& kernel);
 
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const {
@@ -92,14 +92,14 @@ void RangeList<Real>::push(double u, double v, double u_radius, double v_radius,
 }
 
 template <class Real>
-void RangeList<Real>::evaluate() {
+void RangeList<Real>::evaluate(const Kernel& kernel) {
     if (size_ == 0) return;
     for (std::vector<Real>& column : memory_.ends) {
         for (std::size_t i = size_; i < padded(size_); ++i)
             column[i] = column[0];
     }
     counters_.range += size_;
-    frame_.kernel.range(
+    kernel.range(
         RangeBatchOf<Real>{padded(size_),
                            {memory_.ends[0].data(), memory_.ends[1].data(), memory_.ends[2].data()},
                            {memory_.ends[3].data(), memory_.ends[4].data(), memory_.ends[5].data()},

@@ -24,7 +24,8 @@ struct Segment {
     std::uint32_t pixel;
     bool inside;  ///< surely inside the clip box
     Real from, to;
-    Real step;  ///< how far the next cell reaches
+    Real step;             ///< how far the next cell reaches
+    const Kernel* kernel;  ///< of f on it
 
     [[nodiscard]] Real end() const { return std::min(to, from + step); }
 };
@@ -98,7 +99,16 @@ private:
     /// Newton's method wants slopes that differ by no more than this factor.
     static constexpr Real most_bend = 16;
 
+    /// How many segments from this one on have its kernel, at most those of a batch.
+    [[nodiscard]] std::size_t same_kernel(std::size_t first) const {
+        const std::size_t most = std::min(capacity, segments_.size() - first);
+        std::size_t count = 1;
+        while (count < most && segments_[first + count].kernel == segments_[first].kernel)
+            ++count;
+        return count;
+    }
     void place(std::span<const Segment<Real>> segments, Real margin);
+    void evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count);
     /// Finds those segments that the natural interval extension rejects: of those that forms say
     /// little of.
     void ask_ranges(std::span<const Segment<Real>> segments, Real finest);
@@ -151,6 +161,14 @@ void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real
 }
 
 template <class Real, class Cell>
+void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum,
+                                            std::size_t count) {
+    places_.pad(count);
+    counters_.form += count;
+    kernel.ray_form(form_batch(frame_, frustum, 0, count, places_, forms_));
+}
+
+template <class Real, class Cell>
 void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments, Real finest) {
     ranges_.clear();
     asked_.clear();
@@ -163,7 +181,7 @@ void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments,
         ranges_.push(segment.pixel, static_cast<double>(segment.from),
                      static_cast<double>(segment.end()));
     }
-    ranges_.evaluate();
+    ranges_.evaluate(*segments.front().kernel);
     for (std::size_t k = 0; k < asked_.size(); ++k)
         excluded_[asked_[k]] = ranges_.excludes_zero(k);
 }
@@ -176,7 +194,8 @@ void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i, 
     roots_.push({segment.pixel, segment.inside, static_cast<double>(from), static_cast<double>(to),
                  s - reach, s + reach, static_cast<double>(guess),
                  -static_cast<double>(forms_.slope_neg_lo[i]),
-                 static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i]), false});
+                 static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i]),
+                 segment.kernel, false});
 }
 
 template <class Real, class Cell>
@@ -221,6 +240,7 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
 
 template <class Real, class Cell>
 void RayMarcher<Real, Cell>::look_around(Real finest) {
+    if (rests_.empty()) return;
     ranges_.clear();
     const auto width = static_cast<double>(finest);
     for (const Rest<Real>& rest : rests_) {
@@ -232,7 +252,7 @@ void RayMarcher<Real, Cell>::look_around(Real finest) {
         for (const double s : {from, to, from - width, to + width})
             push(s, s);
     }
-    ranges_.evaluate();
+    ranges_.evaluate(*rests_.front().segment.kernel);
 }
 
 template <class Real, class Cell>
@@ -274,9 +294,9 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
             return std::nullopt;
         }
         const bool continuous = what.continuous || ranges_.continuous(boxes_a_rest * rest);
-        goes_on = undecided(
-            Segment<Real>{segment.pixel, segment.inside, what.from, what.to, what.to - what.from},
-            continuous);
+        goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
+                                          what.to - what.from, segment.kernel},
+                            continuous);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;
@@ -288,11 +308,11 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     while (!segments_.empty()) {
         std::size_t kept = 0;
-        for (std::size_t first = 0; first < segments_.size(); first += capacity) {
-            const std::size_t count = std::min(capacity, segments_.size() - first);
+        for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
+            count = same_kernel(first);
             const auto segments = std::span(segments_).subspan(first, count);
             place(segments, settings.margin);
-            evaluate(frame_, frustum, count, places_, forms_, counters_);
+            evaluate_forms(*segments.front().kernel, frustum, count);
             ask_ranges(segments, settings.finest);
             rests_.clear();
             for (std::size_t i = 0; i < count; ++i) {

@@ -84,6 +84,7 @@ struct Stretch {
     double guess;               ///< in [from, to]
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
+    const Kernel* kernel;       ///< of f in this part of the ray
     bool again = true;          ///< what is not proved is left to RootFinder::take_open
 };
 
@@ -93,7 +94,7 @@ inline double value_error(double r) {
 }
 
 /// Solves stretches in batches: Newton's method in the type of the tile's cells, `Real`, then in
-/// double.
+/// double. A batch's stretches have the same kernel.
 template <class Real>
 class RootFinder {
 public:
@@ -102,6 +103,7 @@ public:
         : frame_(frame), view_(view), found_(found), counters_(counters) {}
 
     void push(const Stretch& stretch) {
+        if (size_ > 0 && stretches_[0].kernel != stretch.kernel) solve();
         stretches_[size_++] = stretch;
         if (size_ == capacity) solve();
     }
@@ -148,18 +150,18 @@ void RootFinder<Real>::take_first_steps() {
         guess_[i] = static_cast<Real>(stretch.guess);
     }
     counters_.value += 2 * size_;
-    frame_.kernel.newton(NewtonBatchOf<Real>{count,
-                                             col_,
-                                             row_,
-                                             from_,
-                                             to_,
-                                             view_.rays<Real>(),
-                                             frame_.scene.uniforms.template points<Real>(),
-                                             static_cast<Real>(view_.small_step()),
-                                             first_steps - 1,
-                                             guess_,
-                                             {gradient_[0], gradient_[1], gradient_[2]},
-                                             slope_});
+    stretches_[0].kernel->newton(NewtonBatchOf<Real>{count,
+                                                     col_,
+                                                     row_,
+                                                     from_,
+                                                     to_,
+                                                     view_.rays<Real>(),
+                                                     frame_.scene.uniforms.template points<Real>(),
+                                                     static_cast<Real>(view_.small_step()),
+                                                     first_steps - 1,
+                                                     guess_,
+                                                     {gradient_[0], gradient_[1], gradient_[2]},
+                                                     slope_});
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
         stretch.guess = std::clamp(static_cast<double>(guess_[i]), stretch.from, stretch.to);
@@ -174,9 +176,9 @@ void RootFinder<Real>::evaluate() {
         float_slope_[i] = static_cast<float>(slope_[i]);
     }
     counters_.value += size_;
-    frame_.kernel.ray_value(RayValueBatch{count, col_, row_, float_slope_, 0, s_,
-                                          view_.rays<double>(),
-                                          frame_.scene.uniforms.points<double>(), f_});
+    stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_slope_, 0, s_,
+                                                  view_.rays<double>(),
+                                                  frame_.scene.uniforms.points<double>(), f_});
 }
 
 /// A root in [lo, hi], or one that may be there.

@@ -32,25 +32,20 @@
 // Highway includes this file again for each instruction set.
 #include "engine/trace/beam_cells-inl.hpp"
 #include "engine/trace/beam_leaf-inl.hpp"
-#include "engine/trace/beam_ranges-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
+#include "engine/trace/beam_tree-inl.hpp"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is monotone
-constexpr int least_pixels = 4;  ///< smaller tiles are not made
-constexpr int first_slabs = 8;
-
 /// What a thread keeps from tile to tile.
 template <class Real>
 struct BeamMemory {
-    Cells<Real> cells[2];
+    TreeMemory<Real> tree;
     Found<Real> found;
-    RangeMemory<Real> ranges;
     MarchMemory<Real> rays;
     MarchMemory<double> fine_rays;
 };
@@ -60,129 +55,66 @@ class BeamTile {
 public:
     BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
              Counters& counters)
-        : frame_(frame),
-          tile_(tile),
+        : tile_(tile),
           hits_(hits),
-          counters_(counters),
           view_(frame, tile),
-          cells_(&memory.cells[0]),
-          next_(&memory.cells[1]),
+          tree_(frame, tile, view_, memory.tree, counters),
           found_(memory.found),
           roots_(frame, view_, found_, counters),
           leaves_(frame, tile, view_, found_, roots_, counters),
           small_leaves_(frame, tile, view_, found_, roots_, counters),
-          ranges_(frame, view_, memory.ranges, counters),
           marcher_(frame, view_, memory.rays, found_, roots_, counters),
-          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters) {}
+          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters),
+          fair_guess_(static_cast<Real>(0.005 * view_.extent())) {}
 
     void trace();
 
 private:
-    using Place = typename Cells<Real>::Place;
-    /// A quarter of the tile at work.
-    struct Child {
-        Place place;
-        std::size_t index;
-        DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
-    };
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-    /// The first cells; false when no ray meets the clip box.
-    bool start();
+    /// Cells of one size; their children are made.
     void descend(int pixels);
-    /// By natural interval extensions, cells on which f is not known to be continuous: they are
-    /// sharper beside poles and jumps.
-    void reject_by_ranges(int pixels);
-    /// Cells first to last of one tile; its children go to next_.
-    void visit_tile(std::size_t first, std::size_t last, int pixels);
-    void push_children(int pixels);
-    void push_child(const Child& tile, int pixels, std::size_t parent);
+    /// Those of a run.
+    void visit_run(const CellRun& run, int pixels);
+    /// Those of one tile, first to last.
+    void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
     /// The pixels of a smooth cell.
-    void solve_leaf(std::size_t cell, int pixels);
+    void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
-    void march_pixels(std::size_t cell, int pixels);
+    void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
     void hand_on_row(int row);
 
-    [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
-        const bool needed =
-            std::ranges::any_of(open_, [&](std::size_t cell) { return cells_->inside[cell] == 0; });
-        if (!needed) return {};
-        const double half = 0.5 * (pixels - 1);
-        return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
-                            half * view_.pixel());
-    }
-    [[nodiscard]] Place place(int col, int row, int pixels) const {
-        const double half = 0.5 * (pixels - 1);
-        return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
-                row};
-    }
-
-    const TraceFrame& frame_;
     const Tile& tile_;
     TileHits& hits_;
-    Counters& counters_;
     BeamView view_;
-    Cells<Real>* cells_;
-    Cells<Real>* next_;
+    CellTree<Real> tree_;
     Found<Real>& found_;
     RootFinder<Real> roots_;
     LeafSolver<Real, leaf_pixels> leaves_;
     LeafSolver<Real, least_pixels> small_leaves_;
-    RangeList<Real> ranges_;
     RayMarcher<Real, Real> marcher_;
     RayMarcher<double, Real> fine_marcher_;
-    std::vector<std::size_t> asked_;  ///< cells in ranges_
-    std::vector<std::size_t> open_;   ///< cells of the tile at work that go on to its children
-    DepthRange all_{};                ///< of the tile's rays
-    double s_most_ = 0;
-    Real margin_ = 0;
-    Real fair_guess_ = 0;
+    Real fair_guess_;
+    std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
 };
-
-template <class Real>
-bool BeamTile<Real>::start() {
-    const double half = 0.5 * (tile_size - 1);
-    const double radius = half * view_.pixel();
-    all_ = view_.depths(view_.u(half), view_.v(half), radius, radius);
-    if (all_.empty()) return false;
-    s_most_ = std::max(std::abs(all_.enter_lo), std::abs(all_.exit_hi)) * (1.0 + 0x1p-10);
-    const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
-    margin_ = static_cast<Real>(2 * finest);
-    fair_guess_ = static_cast<Real>(0.005 * view_.extent());
-    const Place at = place(0, 0, tile_size);
-    const Real near = -upper_end(Real{}, -all_.enter_lo);
-    const Real far = upper_end(Real{}, all_.exit_hi);
-    Real from = near;
-    for (int i = 1; i <= first_slabs; ++i) {
-        const Real part = static_cast<Real>(i) / first_slabs;
-        const Real to = i == first_slabs ? far : near + (far - near) * part;
-        const bool inside =
-            static_cast<double>(from) >= all_.enter_hi && static_cast<double>(to) <= all_.exit_lo;
-        cells_->push(at, from, to, margin_, inside);
-        from = to;
-    }
-    return true;
-}
 
 template <class Real>
 void BeamTile<Real>::trace() {
     found_.begin(hits_);
-    cells_->size = 0;
-    if (!start()) return;
-    for (int pixels = tile_size; pixels >= least_pixels && cells_->size > 0; pixels /= 2) {
-        next_->size = 0;
+    if (tree_.cells().size == 0) return;
+    for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
         descend(pixels);
-        std::swap(cells_, next_);
+        tree_.go_down();
     }
     roots_.solve();
     for (const Stretch& stretch : roots_.take_open()) {
         const Real from = -upper_end(Real{}, -stretch.from);
         const Real to = upper_end(Real{}, stretch.to);
-        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from});
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
     }
     march_rays();
     hand_on();
@@ -190,51 +122,39 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
-    evaluate(frame_, view_.frustum<Real>(pixels), cells_->size, cells_->places, cells_->forms,
-             counters_);
-    CellJudge<Real>(pixels).judge(*cells_);
-    reject_by_ranges(pixels);
-    for (std::size_t first = 0; first < cells_->size;) {
+    for (const CellRun& run : tree_.judge(pixels))
+        visit_run(run, pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::visit_run(const CellRun& run, int pixels) {
+    const Cells<Real>& cells = tree_.cells();
+    const std::size_t end = run.first + run.count;
+    for (std::size_t first = run.first; first < end;) {
         std::size_t last = first + 1;
-        while (last < cells_->size && cells_->col[last] == cells_->col[first] &&
-               cells_->row[last] == cells_->row[first]) {
+        while (last < end && cells.col[last] == cells.col[first] &&
+               cells.row[last] == cells.row[first]) {
             ++last;
         }
-        visit_tile(first, last, pixels);
+        visit_tile(run, first, last, pixels);
         first = last;
     }
 }
 
 template <class Real>
-void BeamTile<Real>::reject_by_ranges(int pixels) {
-    ranges_.clear();
-    asked_.clear();
-    const double half = 0.5 * (pixels - 1);
-    for (std::size_t i = 0; i < cells_->size; ++i) {
-        if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
-        asked_.push_back(i);
-        ranges_.push(view_.u(cells_->col[i] + half), view_.v(cells_->row[i] + half),
-                     half * view_.pixel(), half * view_.pixel(),
-                     static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
-    }
-    ranges_.evaluate();
-    for (std::size_t k = 0; k < asked_.size(); ++k) {
-        if (ranges_.excludes_zero(k)) cells_->set_bit(&CellBits::rejected, asked_[k]);
-    }
-}
-
-template <class Real>
-void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels) {
+void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size_t last,
+                                int pixels) {
+    const Cells<Real>& cells = tree_.cells();
     open_.clear();
     for (std::size_t i = first; i < last; ++i) {
-        if (cells_->bit(&CellBits::rejected, i)) continue;
-        const bool smooth = cells_->bit(&CellBits::smooth, i);
-        const bool finished = cells_->bit(&CellBits::finished, i);
+        if (cells.bit(&CellBits::rejected, i)) continue;
+        const bool smooth = cells.bit(&CellBits::smooth, i);
+        const bool finished = cells.bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
         if (smooth && (pixels <= leaf_pixels || whole)) {
-            solve_leaf(i, pixels);
+            solve_leaf(i, pixels, tree_.kernel_of(run, i));
         } else if (pixels <= least_pixels) {
-            march_pixels(i, pixels);
+            march_pixels(i, pixels, tree_.kernel_of(run, i));
         } else {
             open_.push_back(i);
         }
@@ -242,91 +162,49 @@ void BeamTile<Real>::visit_tile(std::size_t first, std::size_t last, int pixels)
     }
     leaves_.solve();
     small_leaves_.solve();
-    if (!open_.empty()) push_children(pixels);
-}
-
-template <class Real>
-void BeamTile<Real>::push_children(int pixels) {
-    const int half = pixels / 2;
-    const std::size_t parent = open_.front();
-    for (std::size_t child = 0; child < 4; ++child) {
-        const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
-        const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
-        if (col >= tile_.cols || row >= tile_.rows) continue;
-        const Child tile{place(col, row, half), child, depths_of(col, row, half)};
-        for (const std::size_t cell : open_) {
-            push_child(tile, half, cell);
-            if (cells_->child_finished(child, cell)) break;
-        }
-    }
-}
-
-template <class Real>
-void BeamTile<Real>::push_child(const Child& tile, int pixels, std::size_t parent) {
-    Real from = cells_->child_from[tile.index][parent];
-    Real to = cells_->child_to[tile.index][parent];
-    bool inside = cells_->inside[parent] != 0;
-    if (!inside) {
-        from = std::max(from, -upper_end(Real{}, -tile.depths.enter_lo));
-        to = std::min(to, upper_end(Real{}, tile.depths.exit_hi));
-        inside = static_cast<double>(from) >= tile.depths.enter_hi &&
-                 static_cast<double>(to) <= tile.depths.exit_lo;
-    }
-    if (!(from <= to)) return;
-    const Real length = to - from;
-    const Real parent_length = cells_->to[parent] - cells_->from[parent];
-    const Real width = 2 * static_cast<Real>((view_.distance() + static_cast<double>(from)) *
-                                             view_.pixel() * pixels);
-    int parts = 1;
-    if (length > width && length > static_cast<Real>(0.6) * parent_length) {
-        parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
-    }
-    Real begin = from;
-    for (int i = 1; i <= parts; ++i) {
-        const Real end =
-            i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(tile.place, begin, end, margin_, inside);
-        begin = end;
-    }
+    if (!open_.empty()) tree_.push_children(run, open_, pixels);
 }
 
 /// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
 template <class Real>
 bool BeamTile<Real>::is_accurate(std::size_t cell) const {
-    const Forms<Real>& f = cells_->forms;
-    return f.e[cell] * cells_->places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
+    return f.e[cell] * cells.places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
 }
 
 template <class Real>
-void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
-    const Forms<Real>& f = cells_->forms;
+void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kernel) {
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
     const Real half = static_cast<Real>(0.5 * (pixels - 1));
     const Real ku = f.k[0][cell] / half;
     const Real kv = f.k[1][cell] / half;
     const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
-    Leaf<Real> leaf{cells_->col[cell],
-                    cells_->row[cell],
-                    cells_->inside[cell] != 0,
+    Leaf<Real> leaf{cells.col[cell],
+                    cells.row[cell],
+                    cells.inside[cell] != 0,
                     first,
                     ku,
                     kv,
                     f.k[2][cell],
                     f.e[cell],
-                    cells_->places.s[cell],
-                    cells_->places.s_radius[cell],
-                    cells_->from[cell],
-                    cells_->to[cell],
+                    cells.places.s[cell],
+                    cells.places.s_radius[cell],
+                    cells.from[cell],
+                    cells.to[cell],
                     -f.slope_neg_lo[cell],
                     f.slope_hi[cell],
-                    f.r[cell]};
+                    f.r[cell],
+                    kernel};
     if (pixels < leaf_pixels) {
         small_leaves_.add(leaf);
         return;
     }
     for (int row = 0; row < pixels; row += leaf_pixels) {
         for (int col = 0; col < pixels; col += leaf_pixels) {
-            leaf.col = cells_->col[cell] + col;
-            leaf.row = cells_->row[cell] + row;
+            leaf.col = cells.col[cell] + col;
+            leaf.row = cells.row[cell] + row;
             leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
             if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.add(leaf);
         }
@@ -334,8 +212,9 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels) {
 }
 
 template <class Real>
-void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
-    const Forms<Real>& f = cells_->forms;
+void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* kernel) {
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
     const auto number = [cell](const std::vector<Real>& column) {
         return static_cast<double>(column[cell]);
     };
@@ -345,32 +224,32 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
     const double kv = number(f.k[1]) / half;
     const double kt = number(f.k[2]);
     const double e = number(f.e) + 0x1p-10 * half * (std::abs(ku) + std::abs(kv));
-    const double s = number(cells_->places.s);
-    const double reach = number(cells_->places.s_radius);
+    const double s = number(cells.places.s);
+    const double reach = number(cells.places.s_radius);
     const double scale = std::abs(kt) > 0 ? reach / kt : 0;
     const double radius = std::abs(kt) > 0 ? e * std::abs(scale) + 4 * view_.depth_error()
                                            : std::numeric_limits<double>::infinity();
-    const double from = number(cells_->from);
-    const double to = number(cells_->to);
-    for (int row = 0; row < pixels && cells_->row[cell] + row < tile_.rows; ++row) {
-        for (int col = 0; col < pixels && cells_->col[cell] + col < tile_.cols; ++col) {
+    const double from = number(cells.from);
+    const double to = number(cells.to);
+    for (int row = 0; row < pixels && cells.row[cell] + row < tile_.rows; ++row) {
+        for (int col = 0; col < pixels && cells.col[cell] + col < tile_.cols; ++col) {
             const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
             double ray_from = std::max(from, middle - radius);
             double ray_to = std::min(to, middle + radius);
             if (!(ray_from <= ray_to)) continue;
-            const auto pixel = static_cast<std::uint32_t>((cells_->row[cell] + row) * tile_size +
-                                                          cells_->col[cell] + col);
+            const auto pixel = static_cast<std::uint32_t>((cells.row[cell] + row) * tile_size +
+                                                          cells.col[cell] + col);
             if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
-            if (cells_->inside[cell] == 0) {
-                const DepthRange clip = view_.depths(view_.u(cells_->col[cell] + col),
-                                                     view_.v(cells_->row[cell] + row), 0.0, 0.0);
+            if (cells.inside[cell] == 0) {
+                const DepthRange clip = view_.depths(view_.u(cells.col[cell] + col),
+                                                     view_.v(cells.row[cell] + row), 0.0, 0.0);
                 ray_from = std::max(ray_from, clip.enter_lo);
                 ray_to = std::min(ray_to, clip.exit_hi);
                 if (!(ray_from <= ray_to)) continue;
             }
             const Real begin = -upper_end(Real{}, -ray_from);
             const Real end = upper_end(Real{}, ray_to);
-            marcher_.push({pixel, cells_->inside[cell] != 0, begin, end, end - begin});
+            marcher_.push({pixel, cells.inside[cell] != 0, begin, end, end - begin, kernel});
         }
     }
 }
@@ -378,7 +257,7 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels) {
 template <class Real>
 void BeamTile<Real>::march_rays() {
     // Cells in this type are decided down to some hundred of its units.
-    const double rough = std::max(view_.tolerance(), 256 * s_most_ * unit);
+    const double rough = std::max(view_.tolerance(), 256 * tree_.s_most() * unit);
     const bool final = rough <= view_.tolerance();
     const auto stop = [&](std::uint32_t pixel, double from, double to, bool continuous) {
         if (!continuous) {
@@ -389,12 +268,13 @@ void BeamTile<Real>::march_rays() {
         return false;
     };
     const auto finest = static_cast<Real>(rough);
-    marcher_.march({finest, final ? finest / 4 : margin_, final},
+    marcher_.march({finest, final ? finest / 4 : tree_.margin(), final},
                    [&](const Segment<Real>& segment, bool continuous) {
                        const auto from = static_cast<double>(segment.from);
                        const auto to = static_cast<double>(segment.to);
                        if (final) return stop(segment.pixel, from, to, continuous);
-                       fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from});
+                       fine_marcher_.push(
+                           {segment.pixel, segment.inside, from, to, to - from, segment.kernel});
                        return true;
                    });
     fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), true},

@@ -41,15 +41,15 @@ double tolerance_of(const TraceFrame& frame) {
 
 }  // namespace
 
-BeamView::BeamView(const TraceFrame& frame, const Tile& tile)
+BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
     : view_(frame.view),
       clip_(frame.scene.clip),
       base_(view_.eye + view_.look_distance * view_.forward),
       pixel_(view_.pixel_size(frame.height)),
       u_first_((tile.col + 0.5 - 0.5 * frame.width) * pixel_),
       v_first_((0.5 * frame.height - tile.row - 0.5) * pixel_),
-      u_most_(std::max(std::abs(u_first_), std::abs(u(tile_size)))),
-      v_most_(std::max(std::abs(v_first_), std::abs(v(tile_size)))),
+      u_most_(std::max(std::abs(u_first_), std::abs(u(side)))),
+      v_most_(std::max(std::abs(v_first_), std::abs(v(side)))),
       extent_(std::min(clip_.size(), view_.look_distance)),
       tolerance_(tolerance_of(frame)),
       float_rays_(make_rays<float>()),

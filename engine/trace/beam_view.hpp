@@ -22,7 +22,8 @@ struct DepthRange {
 /// are finest.
 class BeamView {
 public:
-    BeamView(const TraceFrame& frame, const Tile& tile);
+    /// `side`: of the tile, at most, in pixels.
+    BeamView(const TraceFrame& frame, const Tile& tile, int side = tile_size);
 
     /// Of a pixel's centre, in the tile.
     [[nodiscard]] double u(double col) const { return u_first_ + col * pixel_; }

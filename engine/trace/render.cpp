@@ -1,6 +1,7 @@
 #include "engine/trace/render.hpp"
 
 #include "engine/num/rounding.hpp"
+#include "engine/trace/frame_kernels.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -50,8 +52,17 @@ private:
         return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
     }
 
+    /// Surface i with the kernel for the tile.
+    [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile) const {
+        const TraceFrame& whole = surfaces_[i];
+        if (kernels_[i] == nullptr) return whole;
+        return {whole.scene, kernels_[i]->of(tile), whole.view,     whole.width, whole.height,
+                whole.stop,  whole.depth,           whole.precision};
+    }
+
     const Tracer& tracer_;
     std::vector<TraceFrame> surfaces_;
+    std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     Framebuffer& out_;
     const std::atomic<bool>* cancel_;
 };
@@ -62,6 +73,11 @@ FramePainter::FramePainter(const Scene& scene, const Camera& camera, const Trace
     const ViewFrame view(camera);
     for (const Kernel& kernel : scene.surfaces)
         surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
+    for (const TraceFrame& surface : surfaces_) {
+        const bool pays = tracer_.shortens || surface.kernel.interpreted;
+        kernels_.push_back(
+            pays && surface.kernel.shortener ? std::make_unique<FrameKernels>(surface) : nullptr);
+    }
 }
 
 bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
@@ -72,7 +88,7 @@ bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) co
         if (cancelled()) return false;
         TileHits& hits = workspace.hits[i];
         hits.clear();
-        tracer_.trace_tile(surfaces_[i], tile, hits, counters);
+        tracer_.trace_tile(frame_of(i, tile), tile, hits, counters);
         if (!several) return true;
         workspace.nearest.add(hits, static_cast<std::uint8_t>(i));
         tile.limits = workspace.nearest.limits();
@@ -87,7 +103,7 @@ Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
     if (!trace(tile, workspace, counters)) return counters;
     clear_tile(tile, out_);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        find_gradients(surfaces_[i], workspace.hits[i], counters);
+        find_gradients(frame_of(i, tile), workspace.hits[i], counters);
         shade_tile(surfaces_[i], static_cast<std::uint8_t>(i), tile, workspace.hits[i], out_);
     }
     return counters;

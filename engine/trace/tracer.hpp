@@ -94,6 +94,8 @@ struct Tracer {
     /// clear.
     void (*trace_tile)(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
+    /// Whether it is quicker with shortened kernels than with machine code of many choices.
+    bool shortens = false;
 };
 
 std::span<const Tracer> tracers();

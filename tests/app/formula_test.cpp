@@ -1,4 +1,5 @@
 #include "app/formula.hpp"
+
 #include "engine/num/rounding.hpp"
 
 #include <gtest/gtest.h>
@@ -59,6 +60,37 @@ TEST(CompileFormula, MakesCodeInDoubleOnDemand) {
     EXPECT_EQ(deep.kernels[1].range_float, formula->kernels[1].range_float);
     const auto at_once = compile_formula("x^2 + y = z; z = 2", {}, Precision::Double);
     EXPECT_TRUE(at_once.value().has_code(Precision::Double));
+}
+
+std::string union_of(int count) {
+    std::string text = "min(";
+    for (int i = 1; i <= count; ++i)
+        text += (i == 1 ? "" : ", ") + ("x + y*z - " + std::to_string(i) + "z/50");
+    return text + ")";
+}
+
+TEST(CompileFormula, ShortensWhereManyChoicesMakeItPay) {
+    const Formula few = compile_formula(union_of(20)).value();
+    EXPECT_EQ(few.code, CodeState::Machine);
+    EXPECT_EQ(few.kernels[0].shortener, nullptr);
+    EXPECT_FALSE(few.kernels[0].interpreted);
+    const Formula many = compile_formula(union_of(45)).value();
+    EXPECT_EQ(many.code, CodeState::Machine);
+    EXPECT_NE(many.kernels[0].shortener, nullptr);
+    EXPECT_FALSE(many.kernels[0].interpreted);
+}
+
+TEST(CompileFormula, InterpretsVeryManyChoices) {
+    const Formula formula = compile_formula(union_of(100)).value();
+    EXPECT_EQ(formula.code, CodeState::Interpreted);
+    EXPECT_NE(formula.kernels[0].shortener, nullptr);
+    EXPECT_TRUE(formula.kernels[0].interpreted);
+    const Formula two =
+        compile_formula(union_of(100) + " = 0; z = x", {}, Precision::Double).value();
+    EXPECT_EQ(two.code, CodeState::Machine);
+    EXPECT_TRUE(two.has_code(Precision::Double));
+    EXPECT_TRUE(two.kernels[0].interpreted);
+    EXPECT_FALSE(two.kernels[1].interpreted);
 }
 
 TEST(CompileFormula, RefusesWhatIsNoSurface) {

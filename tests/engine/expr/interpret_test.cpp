@@ -2,7 +2,7 @@
 
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/parse.hpp"
-#include "engine/expr/slots.hpp"
+#include "engine/expr/tape.hpp"
 #include "engine/num/rounding.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/mpfr_number.hpp"
@@ -253,7 +253,7 @@ TEST(Interpret, UsesItsSlotsAgain) {
         sum = builder.apply(Op::Max, builder.apply(Op::Sin, term), sum);
     }
     const Expr expr = builder.finish(sum);
-    EXPECT_LT(assign_slots(expr, facts_of(expr)).count, 10);
+    EXPECT_LT(Tape(expr).slots(), 10);
     RandomNumbers random(52);
     for (int i = 0; i < 20; ++i) {
         const float x = static_cast<float>(random.uniform(-2, 2));

@@ -194,7 +194,7 @@ bool is_in_box(const Target& target, const Box& clip) {
     Counters counters;
     {
         const UpwardRounding upward;
-        tracers().front().trace_tile(frame, tile, hits, counters);
+        find_tracer("k-bisection")->trace_tile(frame, tile, hits, counters);
     }
     const int digits = precision == Precision::Float ? 24 : 53;
     const glm::dvec3 far = glm::max(glm::abs(shot.clip.lo), glm::abs(shot.clip.hi));

@@ -1,0 +1,238 @@
+// The cells of a tile, from the first ones down to the smallest.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_BEAM_TREE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_TREE_INL
+#undef ZEROSET_BEAM_TREE_INL
+#else
+#define ZEROSET_BEAM_TREE_INL
+#endif
+
+#include "engine/trace/beam_ranges-inl.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is monotone
+constexpr int least_pixels = 4;  ///< smaller tiles are not made
+constexpr int first_slabs = 8;
+
+/// What a CellTree keeps from tile to tile.
+template <class Real>
+struct TreeMemory {
+    Cells<Real> cells[2];
+    CellRuns runs;
+    CellKernels kernels;
+    RangeMemory<Real> ranges;
+    std::vector<std::size_t> asked;
+};
+
+/// Cells of one size after the other: what kernels say of them, and those of the next size.
+template <class Real>
+class CellTree {
+public:
+    CellTree(const TraceFrame& frame, const Tile& tile, const BeamView& view,
+             TreeMemory<Real>& memory, Counters& counters)
+        : frame_(frame),
+          tile_(tile),
+          view_(view),
+          counters_(counters),
+          cells_(&memory.cells[0]),
+          next_(&memory.cells[1]),
+          runs_(memory.runs),
+          kernels_(memory.kernels),
+          asked_(memory.asked),
+          ranges_(frame, view, memory.ranges, counters) {
+        start();
+    }
+
+    [[nodiscard]] const Cells<Real>& cells() const { return *cells_; }
+    /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
+    std::span<const CellRun> judge(int pixels);
+    /// Makes the quarters of a tile in a run, for `open`: its cells that may hold roots.
+    void push_children(const CellRun& run, std::span<const std::size_t> open, int pixels);
+    /// Goes on with the cells that were pushed.
+    void go_down() {
+        std::swap(cells_, next_);
+        next_->size = 0;
+    }
+    /// Of f in one cell of the run.
+    const Kernel* kernel_of(const CellRun& run, std::size_t cell) {
+        return kernels_.shortened(run, std::span(&cell, 1));
+    }
+    /// Not below |s| in any cell.
+    [[nodiscard]] double s_most() const { return s_most_; }
+    /// All cells are longer than their slabs by more than this at both ends.
+    [[nodiscard]] Real margin() const { return margin_; }
+
+private:
+    using Place = typename Cells<Real>::Place;
+    /// A quarter of the tile at work.
+    struct Child {
+        Place place;
+        std::size_t index;
+        DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
+        Real margin;
+    };
+
+    /// The first cells; none when no ray meets the clip box.
+    void start();
+    /// By natural interval extensions, cells on which f is not known to be continuous: they are
+    /// sharper beside poles and jumps.
+    void reject_by_ranges(const CellRun& run, int pixels);
+    void push_child(const Child& tile, int pixels, std::size_t parent);
+
+    [[nodiscard]] DepthRange depths_of(std::span<const std::size_t> open, int col, int row,
+                                       int pixels) const {
+        const bool needed =
+            std::ranges::any_of(open, [&](std::size_t cell) { return cells_->inside[cell] == 0; });
+        if (!needed) return {};
+        const double half = 0.5 * (pixels - 1);
+        return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
+                            half * view_.pixel());
+    }
+    [[nodiscard]] Place place(int col, int row, int pixels, const Kernel* kernel) const {
+        const double half = 0.5 * (pixels - 1);
+        return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
+                row, kernel};
+    }
+    /// How much longer than their slabs cells are: from size to size a little less, so that they
+    /// lie in those that their kernels were shortened for.
+    [[nodiscard]] Real margin_of(int pixels) const {
+        return margin_ *
+               static_cast<Real>(0.75 + 0.25 * std::bit_width(static_cast<unsigned>(pixels)));
+    }
+
+    const TraceFrame& frame_;
+    const Tile& tile_;
+    const BeamView& view_;
+    Counters& counters_;
+    Cells<Real>* cells_;
+    Cells<Real>* next_;
+    CellRuns& runs_;
+    CellKernels& kernels_;
+    std::vector<std::size_t>& asked_;  ///< cells in ranges_
+    RangeList<Real> ranges_;
+    double s_most_ = 0;
+    Real margin_ = 0;
+};
+
+template <class Real>
+void CellTree<Real>::start() {
+    cells_->size = 0;
+    next_->size = 0;
+    kernels_.clear();
+    const double half = 0.5 * (tile_size - 1);
+    const double radius = half * view_.pixel();
+    const DepthRange all = view_.depths(view_.u(half), view_.v(half), radius, radius);
+    if (all.empty()) return;
+    s_most_ = std::max(std::abs(all.enter_lo), std::abs(all.exit_hi)) * (1.0 + 0x1p-10);
+    const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
+    const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
+    margin_ = static_cast<Real>(2 * finest);
+    const Place at = place(0, 0, tile_size, &frame_.kernel);
+    const Real near = -upper_end(Real{}, -all.enter_lo);
+    const Real far = upper_end(Real{}, all.exit_hi);
+    Real from = near;
+    for (int i = 1; i <= first_slabs; ++i) {
+        const Real part = static_cast<Real>(i) / first_slabs;
+        const Real to = i == first_slabs ? far : near + (far - near) * part;
+        const bool inside =
+            static_cast<double>(from) >= all.enter_hi && static_cast<double>(to) <= all.exit_lo;
+        cells_->push(at, from, to, margin_of(tile_size), inside);
+        from = to;
+    }
+}
+
+template <class Real>
+std::span<const CellRun> CellTree<Real>::judge(int pixels) {
+    const FrustumOf<Real> frustum = view_.frustum<Real>(pixels);
+    cells_->places.pad(cells_->size);
+    runs_.divide(std::span(cells_->kernel).first(cells_->size));
+    for (CellRun& run : runs_.all())
+        evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
+    CellJudge<Real>(pixels).judge(*cells_);
+    for (const CellRun& run : runs_.all())
+        reject_by_ranges(run, pixels);
+    return runs_.all();
+}
+
+template <class Real>
+void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
+    ranges_.clear();
+    asked_.clear();
+    const double half = 0.5 * (pixels - 1);
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+        if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
+        asked_.push_back(i);
+        ranges_.push(view_.u(cells_->col[i] + half), view_.v(cells_->row[i] + half),
+                     half * view_.pixel(), half * view_.pixel(),
+                     static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
+    }
+    ranges_.evaluate(*run.kernel);
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+        if (ranges_.excludes_zero(k)) cells_->set_bit(&CellBits::rejected, asked_[k]);
+    }
+}
+
+template <class Real>
+void CellTree<Real>::push_children(const CellRun& run, std::span<const std::size_t> open,
+                                   int pixels) {
+    const int half = pixels / 2;
+    const Kernel* const kernel = kernels_.shortened(run, open);
+    const Real margin = margin_of(half);
+    const std::size_t parent = open.front();
+    for (std::size_t child = 0; child < 4; ++child) {
+        const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
+        const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
+        if (col >= tile_.cols || row >= tile_.rows) continue;
+        const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half),
+                         margin};
+        for (const std::size_t cell : open) {
+            push_child(tile, half, cell);
+            if (cells_->child_finished(child, cell)) break;
+        }
+    }
+}
+
+template <class Real>
+void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t parent) {
+    Real from = cells_->child_from[tile.index][parent];
+    Real to = cells_->child_to[tile.index][parent];
+    bool inside = cells_->inside[parent] != 0;
+    if (!inside) {
+        from = std::max(from, -upper_end(Real{}, -tile.depths.enter_lo));
+        to = std::min(to, upper_end(Real{}, tile.depths.exit_hi));
+        inside = static_cast<double>(from) >= tile.depths.enter_hi &&
+                 static_cast<double>(to) <= tile.depths.exit_lo;
+    }
+    if (!(from <= to)) return;
+    const Real length = to - from;
+    const Real parent_length = cells_->to[parent] - cells_->from[parent];
+    const Real width = 2 * static_cast<Real>((view_.distance() + static_cast<double>(from)) *
+                                             view_.pixel() * pixels);
+    int parts = 1;
+    if (length > width && length > static_cast<Real>(0.6) * parent_length) {
+        parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
+    }
+    Real begin = from;
+    for (int i = 1; i <= parts; ++i) {
+        const Real end =
+            i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
+        next_->push(tile.place, begin, end, tile.margin, inside);
+        begin = end;
+    }
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,154 @@
+#include "engine/trace/frame_kernels.hpp"
+
+#include "engine/num/scalar.hpp"
+#include "engine/trace/beam_view.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t slabs = batch_multiple;
+
+/// Smaller regions are not made: tracers look at their tiles themselves.
+constexpr int least_side = 2 * tile_size;
+
+/// A square of pixels times slabs of depth, from the entry of its rays into the clip box to their
+/// exit.
+template <class Real>
+class RegionCells {
+public:
+    RegionCells(const TraceFrame& frame, const Tile& square, int side);
+
+    /// Whether the rays meet the clip box.
+    [[nodiscard]] bool any() const { return any_; }
+    /// The kernel for what may hold a root; nothing where it is not shorter.
+    std::optional<Kernel> shortened(const Shortener& shortener);
+
+private:
+    static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+    const TraceFrame& frame_;
+    bool any_ = false;
+    FrustumOf<Real> frustum_{};
+    std::array<Real, slabs> u_, v_, s_, s_radius_;
+};
+
+template <class Real>
+RegionCells<Real>::RegionCells(const TraceFrame& frame, const Tile& square, int side)
+    : frame_(frame) {
+    const BeamView view(frame, square, side);
+    const double half = 0.5 * (side - 1);
+    const double radius = half * view.pixel();
+    const DepthRange all = view.depths(view.u(half), view.v(half), radius, radius);
+    any_ = !all.empty();
+    if (!any_) return;
+    const double s_most = std::max(std::abs(all.enter_lo), std::abs(all.exit_hi)) * (1.0 + 0x1p-10);
+    frustum_ = view.frustum<Real>(side);
+    const double length = (all.exit_hi - all.enter_lo) / slabs;
+    // Longer than all cells of its tiles that end where it does.
+    const double margin = 0.01 * length + 256 * s_most * unit + 16 * view.tolerance();
+    for (std::size_t i = 0; i < slabs; ++i) {
+        u_[i] = static_cast<Real>(view.u(half));
+        v_[i] = static_cast<Real>(view.v(half));
+        s_[i] = static_cast<Real>(all.enter_lo + (static_cast<double>(i) + 0.5) * length);
+        s_radius_[i] = upper_end(Real{}, 0.5 * length + margin);
+    }
+}
+
+template <class Real>
+std::optional<Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
+    std::array<Real, slabs> c, e, r, slope_neg_lo, slope_hi;
+    std::array<std::array<Real, slabs>, 3> k;
+    std::array<ContinuityMask<Real>, slabs> continuous, nowhere;
+    ChoiceRecord record;
+    shortener.form(FormBatchOf<Real>{slabs,
+                                     u_.data(),
+                                     v_.data(),
+                                     s_.data(),
+                                     s_radius_.data(),
+                                     frustum_.base,
+                                     frame_.scene.uniforms.template boxes<Real>(),
+                                     c.data(),
+                                     {k[0].data(), k[1].data(), k[2].data()},
+                                     e.data(),
+                                     r.data(),
+                                     slope_neg_lo.data(),
+                                     slope_hi.data(),
+                                     continuous.data(),
+                                     nowhere.data()},
+                   record);
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < slabs; ++i) {
+        const Real reach = std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
+        if (nowhere[i] == 0 && !(std::abs(c[i]) > reach)) open.push_back(i);
+    }
+    if (open.empty()) return std::nullopt;
+    return shortener.shortened(record, open);
+}
+
+template <class Real>
+std::optional<Kernel> shortened_for(const TraceFrame& frame, const Tile& square, int side,
+                                    const Shortener& shortener) {
+    RegionCells<Real> cells(frame, square, side);
+    if (!cells.any()) return std::nullopt;
+    return cells.shortened(shortener);
+}
+
+}  // namespace
+
+struct FrameKernels::Region {
+    Region(int first_col, int first_row, int pixels)
+        : col(first_col), row(first_row), side(pixels) {}
+
+    int col, row, side;  ///< a square of pixels, of which a part may lie outside the image
+    std::once_flag made{};
+    const Kernel* kernel = nullptr;
+    Kernel own{};  ///< if it is not that of the region around it
+    std::array<std::unique_ptr<Region>, 4> quarters{};
+};
+
+FrameKernels::FrameKernels(const TraceFrame& frame) : frame_(frame) {
+    const auto longest = static_cast<unsigned>(std::max({frame.width, frame.height, tile_size}));
+    whole_ = std::make_unique<Region>(0, 0, static_cast<int>(std::bit_ceil(longest)));
+}
+
+FrameKernels::~FrameKernels() = default;
+
+void FrameKernels::make(Region& region, const Kernel& around) const {
+    region.kernel = &around;
+    if (around.shortener == nullptr) return;
+    const Tile square{region.col, region.row, region.side, region.side};
+    auto kernel = frame_.precision == Precision::Double
+                      ? shortened_for<double>(frame_, square, region.side, *around.shortener)
+                      : shortened_for<float>(frame_, square, region.side, *around.shortener);
+    if (kernel) {
+        region.own = std::move(*kernel);
+        region.kernel = &region.own;
+    }
+    const int half = region.side / 2;
+    if (half < least_side) return;
+    for (int i = 0; i < 4; ++i) {
+        region.quarters[static_cast<std::size_t>(i)] = std::make_unique<Region>(
+            region.col + (i & 1) * half, region.row + (i >> 1) * half, half);
+    }
+}
+
+const Kernel& FrameKernels::of(const Tile& tile) {
+    Region* region = whole_.get();
+    const Kernel* kernel = &frame_.kernel;
+    while (region != nullptr) {
+        std::call_once(region->made, [&] { make(*region, *kernel); });
+        kernel = region->kernel;
+        const int half = region->side / 2;
+        const std::size_t right = tile.col >= region->col + half ? 1 : 0;
+        const std::size_t below = tile.row >= region->row + half ? 2 : 0;
+        region = region->quarters[right + below].get();
+    }
+    return *kernel;
+}
+
+}  // namespace zeroset
