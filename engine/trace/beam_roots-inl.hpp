@@ -29,12 +29,23 @@ public:
 
     Found() : depth(tile_pixels, none) {}
 
-    /// Begins a tile whose certificates and gradients go to `hits`, which is clear.
-    void begin(TileHits& hits) {
-        if (any_) std::ranges::fill(depth, none);
+    /// Begins a tile whose certificates and gradients go to `hits`, which is clear. What is not
+    /// wanted of its rays is behind a root that `end` takes away.
+    void begin(TileHits& hits, const Tile& tile, const BeamView& view) {
+        if (any_ || !limits_.empty()) std::ranges::fill(depth, none);
         any_ = false;
         hits_ = &hits;
         without_gradient.clear();
+        limits_.clear();
+        if (tile.limits == nullptr) return;
+        for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel)
+            depth[pixel] = upper_end(Real{}, view.limit(pixel));
+        limits_ = depth;
+    }
+    void end() {
+        for (std::size_t pixel = 0; pixel < limits_.size(); ++pixel) {
+            if (depth[pixel] == limits_[pixel]) depth[pixel] = none;
+        }
     }
     /// A root at s, if it is the nearest so far.
     void add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
@@ -72,6 +83,7 @@ public:
 
 private:
     bool any_ = false;
+    std::vector<Real> limits_;  ///< what `depth` began with, empty: with `none`
     TileHits* hits_ = nullptr;
 };
 

@@ -104,7 +104,7 @@ private:
 
 template <class Real>
 void BeamTile<Real>::trace() {
-    found_.begin(hits_);
+    found_.begin(hits_, tile_, view_);
     if (tree_.cells().size == 0) return;
     for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
         descend(pixels);
@@ -117,6 +117,7 @@ void BeamTile<Real>::trace() {
         marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
     }
     march_rays();
+    found_.end();
     hand_on();
 }
 

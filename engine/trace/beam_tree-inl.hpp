@@ -133,14 +133,15 @@ void CellTree<Real>::start() {
     const double half = 0.5 * (tile_size - 1);
     const double radius = half * view_.pixel();
     const DepthRange all = view_.depths(view_.u(half), view_.v(half), radius, radius);
-    if (all.empty()) return;
+    const double farthest = std::min(all.exit_hi, view_.limit());
+    if (!(all.enter_lo <= farthest)) return;
     s_most_ = std::max(std::abs(all.enter_lo), std::abs(all.exit_hi)) * (1.0 + 0x1p-10);
     const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
     const Place at = place(0, 0, tile_size, &frame_.kernel);
     const Real near = -upper_end(Real{}, -all.enter_lo);
-    const Real far = upper_end(Real{}, all.exit_hi);
+    const Real far = upper_end(Real{}, farthest);
     Real from = near;
     for (int i = 1; i <= first_slabs; ++i) {
         const Real part = static_cast<Real>(i) / first_slabs;

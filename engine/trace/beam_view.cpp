@@ -43,6 +43,7 @@ double tolerance_of(const TraceFrame& frame) {
 
 BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
     : view_(frame.view),
+      tile_(tile),
       clip_(frame.scene.clip),
       base_(view_.eye + view_.look_distance * view_.forward),
       pixel_(view_.pixel_size(frame.height)),
@@ -66,6 +67,25 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
         nearest_ = std::min(nearest_, along - depth_error_);
         farthest_ = std::max(farthest_, along + depth_error_);
     }
+}
+
+double BeamView::limit(std::size_t pixel) const {
+    if (tile_.limits == nullptr) return unbounded;
+    const double across = std::hypot(u(static_cast<double>(pixel % tile_size)),
+                                     v(static_cast<double>(pixel / tile_size)));
+    const double spare = 0x1p-20 * (view_.look_distance + clip_.size());
+    return static_cast<double>(tile_.limits[pixel]) / std::hypot(1.0, across) -
+           view_.look_distance + spare;
+}
+
+double BeamView::limit() const {
+    if (tile_.limits == nullptr) return unbounded;
+    double farthest = -unbounded;
+    for (int row = 0; row < tile_.rows; ++row) {
+        for (int col = 0; col < tile_.cols; ++col)
+            farthest = std::max(farthest, limit(static_cast<std::size_t>(row * tile_size + col)));
+    }
+    return farthest;
 }
 
 DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {

@@ -58,6 +58,12 @@ public:
 
     [[nodiscard]] const RaysOf<double>& double_rays() const { return double_rays_; }
 
+    /// Behind what depth nothing is wanted on the ray of a pixel of the tile (Tile::limits), or a
+    /// little farther; +inf: all is.
+    [[nodiscard]] double limit(std::size_t pixel) const;
+    /// The same for all rays of the tile.
+    [[nodiscard]] double limit() const;
+
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }
     /// A step of Newton's method after which the next one is below what float tells apart.
@@ -72,6 +78,7 @@ private:
     [[nodiscard]] RaysOf<Real> make_rays() const;
 
     const ViewFrame& view_;
+    const Tile& tile_;
     const Box& clip_;
     glm::dvec3 base_;
     double pixel_, u_first_, v_first_;
