@@ -131,8 +131,9 @@ public:
     /// Goes on with the next step where `again` holds in any lane.
     void end_steps(const StepLoop& loop, const Lanes& next, const LaneMask& again) {
         llvm::Value* const left = builder_.CreateSub(loop.steps_left, builder_.getInt32(1));
-        llvm::Value* const wanted = builder_.CreateAnd(
-            builder_.CreateOrReduce(again.value), builder_.CreateICmpSGE(left, builder_.getInt32(0)));
+        llvm::Value* const wanted =
+            builder_.CreateAnd(builder_.CreateOrReduce(again.value),
+                               builder_.CreateICmpSGE(left, builder_.getInt32(0)));
         loop.s_in->addIncoming(next.value, builder_.GetInsertBlock());
         loop.steps_left->addIncoming(left, builder_.GetInsertBlock());
         llvm::BasicBlock* const done =

@@ -114,9 +114,9 @@ Lanes square_root(const Lanes& a) {
 Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
     if (!__builtin_cpu_supports("fma")) return a * b + c;
     llvm::IRBuilder<>& builder = a.emitter->builder;
-    auto* const fma = llvm::Intrinsic::getDeclaration(
-        builder.GetInsertBlock()->getModule(), llvm::Intrinsic::experimental_constrained_fma,
-        {a.value->getType()});
+    auto* const fma = llvm::Intrinsic::getDeclaration(builder.GetInsertBlock()->getModule(),
+                                                      llvm::Intrinsic::experimental_constrained_fma,
+                                                      {a.value->getType()});
     return {a.emitter, builder.CreateConstrainedFPCall(fma, {a.value, b.value, c.value}, "",
                                                        llvm::RoundingMode::Dynamic,
                                                        llvm::fp::ExceptionBehavior::ebIgnore)};

@@ -340,8 +340,7 @@ private:
     static Value turning(const Enclosure<Real>& g, const Box& at, Turn<Real> turn, In y, In x) {
         // No plane goes across the cut.
         if (g.continuous) {
-            turn.curvature =
-                select(*g.continuous, turn.curvature, like(turn.curvature, infinity));
+            turn.curvature = select(*g.continuous, turn.curvature, like(turn.curvature, infinity));
         }
         const Form f = angle_form(y.value.f, x.value.f, turn, at, g.range);
         const auto [by_y, by_x] = angle_slopes(y.value.f, x.value.f, turn);

@@ -44,8 +44,7 @@ void evaluate_at(const KernelFunction<ValueBatchOf<Real>>& value, const Real* un
                  const Real* s, std::size_t count, Points<Real>& points) {
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
-            points.x[k][i] =
-                points.origin[k][i] + s[i] * points.direction[k][i];
+            points.x[k][i] = points.origin[k][i] + s[i] * points.direction[k][i];
         }
     }
     value({count,
@@ -102,8 +101,7 @@ void ray_values_by_values(const void* code, const RayValueBatch* batch) {
             evaluate_at(value, batch->uniforms, batch->s + first, count, points);
             if (step == batch->steps) break;
             for (std::size_t i = 0; i < count; ++i) {
-                batch->s[first + i] -=
-                    points.f[i] / static_cast<double>(batch->slope[first + i]);
+                batch->s[first + i] -= points.f[i] / static_cast<double>(batch->slope[first + i]);
             }
         }
         std::copy_n(points.f.begin(), count, batch->f + first);

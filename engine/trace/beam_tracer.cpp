@@ -10,9 +10,10 @@
 // nothing is left is gone (Florez's rejection test). A quarter all of whose rays surely have a root
 // in the slab hides its later slabs (his inclusion test). Slabs that contract badly and are long
 // for their tile are halved.
-// Where f is continuous and df/ds excludes 0, a tile of 8x8 pixels is solved ray by ray: the form
-// gives each its stretch, Newton's method the root (beam_roots-inl.hpp). A tile of 4x4 pixels that
-// is not monotone yet goes on ray by ray (beam_rays-inl.hpp).
+// Where f is continuous and df/ds excludes 0, the rays of a tile of 8x8 pixels are solved together,
+// those of neighbouring slabs, too: the forms give each its stretch, Newton's method the root
+// (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
+// monotone yet goes on ray by ray (beam_rays-inl.hpp).
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of

@@ -82,7 +82,8 @@ struct TileHits {
     void pass(Pixel at, float distance);
 };
 
-/// Fills in the gradients of those of `points` that are still hits, by the code in the frame's type.
+/// Fills in the gradients of those of `points` that are still hits, by the code in the frame's
+/// type.
 void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters);
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,

@@ -44,8 +44,7 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
     const UpwardRounding upward;  // in a mutant, too: interpreters check it
     run(kernel.ray_value,
         RayValueBatch{cells_a_batch, col.data(), row.data(), slope.data(), 0, s.data(),
-                      cells.rays.origin, cells.uniforms.template points<double>(),
-                      value.data()});
+                      cells.rays.origin, cells.uniforms.template points<double>(), value.data()});
 }
 
 template <class Real>
