@@ -2,6 +2,7 @@
 #include "engine/expr/parse.hpp"
 #include "engine/num/sleef.hpp"
 #include "jit/compile.hpp"
+#include "tests/support/compiled.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/random_expression.hpp"
@@ -42,12 +43,7 @@ Expr parsed(std::string_view text) {
 }
 
 Kernel compiled(const Expr& expr, int lanes, bool with_double = false) {
-    auto kernel = jit::compile(expr, {.lanes = lanes, .with_double = with_double});
-    if (!kernel) {
-        ADD_FAILURE() << kernel.error().message;
-        return interpret(expr);
-    }
-    return *kernel;
+    return test::compiled(expr, jit::CompileOptions{.lanes = lanes, .with_double = with_double});
 }
 
 /// Where two answers first differ.

@@ -2,7 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
-#include "jit/compile.hpp"
+#include "tests/support/compiled.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
@@ -16,12 +16,7 @@
 namespace zeroset::test {
 namespace {
 
-Kernel compiled(const Expr& expr) {
-    auto kernel = jit::compile(expr, {.with_double = true});
-    if (kernel) return *kernel;
-    ADD_FAILURE() << kernel.error().message;
-    return interpret(expr);
-}
+Kernel machine_code(const Expr& expr) { return compiled(expr, {.with_double = true}); }
 
 template <class Real>
 class FormInclusion : public ::testing::Test {
@@ -40,7 +35,7 @@ protected:
 TYPED_TEST_SUITE(FormInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(FormInclusion, OfTheInterpreterHolds) { this->check(interpret, 400, 2, 21); }
-TYPED_TEST(FormInclusion, OfMachineCodeHolds) { this->check(compiled, 20, 10, 22); }
+TYPED_TEST(FormInclusion, OfMachineCodeHolds) { this->check(machine_code, 20, 10, 22); }
 
 }  // namespace
 }  // namespace zeroset::test

@@ -2,7 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
-#include "jit/compile.hpp"
+#include "tests/support/compiled.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,7 @@ int formulas(int usual) {
     return wanted == nullptr ? usual : std::atoi(wanted);
 }
 
-Kernel compiled(const Expr& expr) {
-    auto kernel = jit::compile(expr, {.with_double = true});
-    if (kernel) return *kernel;
-    ADD_FAILURE() << kernel.error().message;
-    return interpret(expr);
-}
+Kernel machine_code(const Expr& expr) { return compiled(expr, {.with_double = true}); }
 
 template <class Real>
 class KernelInclusion : public ::testing::Test {
@@ -45,7 +40,7 @@ protected:
 TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
-TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(compiled, formulas(30), 12); }
+TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(machine_code, formulas(30), 12); }
 
 Expr parsed(const char* text) { return parse(text).value(); }
 

@@ -277,7 +277,7 @@ TEST(SeveralSurfaces, TheSameOnAnyThreads) {
 }
 
 TEST(SeveralSurfaces, HaveGradientsOfPixelsThatTheyWon) {
-    const Scene scene = scene_of({"x^2 + y^2 + z^2 = 1", "sqrt(x) - y", "x*y*z = 0.1"});
+    const Scene scene = scene_of({"x^2 + y^2 + z^2 = 1", "z - 1/x", "sqrt(x) - y", "x*y*z = 0.1"});
     TraceSettings settings;
     settings.tracer = "k-bisection";  // it evaluates values for gradients only
     settings.stop.value = 10;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/expr/interpret.hpp"
+#include "jit/compile.hpp"
+
+#include <gtest/gtest.h>
+
+namespace zeroset::test {
+
+/// The graph's machine code; where there is none, a failure of the test, and the interpreter's.
+inline Kernel compiled(const Expr& expr, const jit::CompileOptions& options) {
+    auto kernel = jit::compile(expr, options);
+    if (kernel) return *kernel;
+    ADD_FAILURE() << kernel.error().message;
+    return interpret(expr);
+}
+
+}  // namespace zeroset::test
