@@ -105,8 +105,8 @@ private:
 
 template <class Real>
 void BeamTile<Real>::trace() {
-    found_.begin(hits_, tile_, view_);
     if (tree_.cells().size == 0) return;
+    found_.begin(hits_, tile_, view_);
     for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
         descend(pixels);
         tree_.go_down();
@@ -309,26 +309,15 @@ void BeamTile<Real>::hand_on_row(int row) {
     const hn::Rebind<float, decltype(dd)> d;
     const double v = view_.v(row);
     const auto square_up = hn::Set(dd, 1.0 + v * v);
-    const auto none = hn::Set(d, std::numeric_limits<float>::infinity());
     const auto first = static_cast<std::size_t>(row) * tile_size;
     for (std::size_t col = 0; col < tile_size; col += hn::Lanes(dd)) {
         const auto s = load_doubles(dd, &found_.depth[first + col]);
-        float* const to = &hits_.depth[first + col];
-        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) {
-            hn::StoreU(none, d, to);
-            continue;
-        }
+        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) continue;
         const auto u = hn::MulAdd(hn::Iota(dd, static_cast<double>(col)),
                                   hn::Set(dd, view_.pixel()), hn::Set(dd, view_.u(0)));
-        const auto square = hn::MulAdd(u, u, square_up);
-        // The root in float, and one step of Newton's method from it.
-        const auto near = hn::Sqrt(hn::DemoteTo(d, square));
-        const auto root = hn::PromoteTo(dd, near);
-        const auto half_inverse =
-            hn::PromoteTo(dd, hn::Mul(hn::ApproximateReciprocal(near), hn::Set(d, 0.5F)));
-        const auto stretch = hn::MulAdd(hn::NegMulAdd(root, root, square), half_inverse, root);
+        const auto stretch = hn::Sqrt(hn::MulAdd(u, u, square_up));
         const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.distance())), stretch);
-        hn::StoreU(hn::DemoteTo(d, depth), d, to);
+        hn::StoreU(hn::DemoteTo(d, depth), d, &hits_.depth[first + col]);
     }
 }
 
