@@ -192,8 +192,8 @@ bool LeafSolver<Real, pixels>::compact() {
         }
         if (hn::AllFalse(d, any)) continue;
         for (int col = 0; col < pixels; ++col) {
-            col_[slots_ * pixels + col] = static_cast<float>(run_->col + col);
-            row_[slots_ * pixels + col] = static_cast<float>(run_->row + row);
+            col_[slots_ * pixels + col] = from_middle(run_->col + col);
+            row_[slots_ * pixels + col] = from_middle(run_->row + row);
         }
         rows_[slots_++] = row;
     }

@@ -167,8 +167,8 @@ void RootFinder<Real>::take_first_steps() {
     const std::size_t count = padded(size_);
     for (std::size_t i = 0; i < count; ++i) {
         const Stretch& stretch = stretches_[i < size_ ? i : 0];
-        col_[i] = static_cast<float>(stretch.pixel % tile_size);
-        row_[i] = static_cast<float>(stretch.pixel / tile_size);
+        col_[i] = from_middle(static_cast<int>(stretch.pixel % tile_size));
+        row_[i] = from_middle(static_cast<int>(stretch.pixel / tile_size));
         from_[i] = static_cast<Real>(stretch.from);
         to_[i] = static_cast<Real>(stretch.to);
         guess_[i] = static_cast<Real>(stretch.guess);

@@ -265,8 +265,8 @@ void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, 
     if (!inside) {
         alignas(64) float cols[clip_lanes], rows[clip_lanes];
         for (int lane = 0; lane < clip_lanes; ++lane) {
-            cols[lane] = static_cast<float>(col + lane);
-            rows[lane] = static_cast<float>(cells.row[marched.cell] + row);
+            cols[lane] = from_middle(col + lane);
+            rows[lane] = from_middle(cells.row[marched.cell] + row);
         }
         ClipDepths(view_, cols, rows).narrow(from, to);
     }
