@@ -56,7 +56,8 @@ class BeamTile {
 public:
     BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
              Counters& counters)
-        : tile_(tile),
+        : frame_(frame),
+          tile_(tile),
           hits_(hits),
           view_(frame, tile),
           tree_(frame, tile, view_, memory.tree, counters),
@@ -97,6 +98,7 @@ private:
     void hand_on();
     void hand_on_row(int row);
 
+    const TraceFrame& frame_;
     const Tile& tile_;
     TileHits& hits_;
     BeamView view_;
@@ -116,6 +118,7 @@ void BeamTile<Real>::trace() {
     if (tree_.cells().size == 0) return;
     found_.begin(hits_, tile_, view_);
     for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
+        if (frame_.cancelled()) break;
         descend(pixels);
         tree_.go_down();
     }
@@ -132,8 +135,9 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
-    for (const CellRun& run : tree_.judge(pixels))
-        visit_run(run, pixels);
+    for (const CellRun& run : tree_.judge(pixels)) {
+        if (!frame_.cancelled()) visit_run(run, pixels);
+    }
 }
 
 template <class Real>
