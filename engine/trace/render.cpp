@@ -5,6 +5,7 @@
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
+#include "engine/trace/shadow.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
@@ -63,13 +64,14 @@ private:
     const Tracer& tracer_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
+    bool shadows_;
     Framebuffer& out_;
     const RenderWatch& watch_;
 };
 
 FramePainter::FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                            Framebuffer& out, const RenderWatch& watch)
-    : tracer_(*find_tracer(settings.tracer)), out_(out), watch_(watch) {
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows), out_(out), watch_(watch) {
     const ViewFrame view(camera);
     for (const Kernel& kernel : scene.surfaces) {
         surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
@@ -106,6 +108,8 @@ Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
     if (!trace(tile, workspace, counters)) return counters;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_gradients(frame_of(i, tile), workspace.hits[i], counters);
+    if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
+    if (cancelled()) return counters;
     draw_tile(surfaces_, workspace.hits, tile, out_);
     if (watch_.on_tile) watch_.on_tile({tile.col, tile.row, tile.cols, tile.rows});
     return counters;

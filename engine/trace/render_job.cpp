@@ -53,9 +53,11 @@ void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
 /// A full picture while it is drawn over a coarser one.
 class RenderJob::Growing {
 public:
-    Growing(RenderJob& job, const Work& work, std::shared_ptr<const Framebuffer> first)
+    Growing(RenderJob& job, const Work& work, bool shadows,
+            std::shared_ptr<const Framebuffer> first)
         : job_(job),
           work_(work),
+          shadows_(shadows),
           first_(std::move(first)),
           frame_(job.pool_.take(work.request.width, work.request.height)),
           columns_((work.request.width + tile_size - 1) / tile_size),
@@ -74,6 +76,7 @@ private:
 
     RenderJob& job_;
     const Work& work_;
+    bool shadows_;
     std::shared_ptr<const Framebuffer> first_;
     std::shared_ptr<Framebuffer> frame_;
     int columns_;
@@ -85,7 +88,9 @@ private:
 
 bool RenderJob::Growing::draw() {
     const RenderRequest& request = work_.request;
-    render_frame(request.scene, request.camera, request.settings, *frame_,
+    TraceSettings settings = request.settings;
+    settings.shadows = shadows_;
+    render_frame(request.scene, request.camera, settings, *frame_,
                  {&job_.cancel_, [this](const PixelRect& rect) { finish_tile(rect); }});
     return !job_.cancel_;
 }
@@ -208,7 +213,7 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, doubl
     };
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
-    Growing growing(*this, smaller, nullptr);
+    Growing growing(*this, smaller, false, nullptr);
     if (!growing.draw()) return nullptr;
     governor_.measured(pixels_of(smaller.request), growing.elapsed_ms());
     RenderResult result;
@@ -218,16 +223,27 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, doubl
     return growing.frame();
 }
 
+/// The surfaces first, their shadows when nothing moves.
 void RenderJob::draw_full(const Work& work, const std::shared_ptr<const Framebuffer>& first) {
-    Growing growing(*this, work, first);
+    Growing growing(*this, work, false, first);
     if (!growing.draw()) return;
     governor_.measured(pixels_of(work.request), growing.elapsed_ms());
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();
     result.counts = count_certificates(*growing.frame());
-    result.complete = true;
+    result.complete = !work.request.settings.shadows;
+    const CertificateCounts counts = result.counts;
     publish(work, std::move(result));
+    if (!work.request.settings.shadows || !rests(work)) return;
+    Growing shaded(*this, work, true, growing.frame());
+    if (!shaded.draw()) return;
+    RenderResult last;
+    last.frame = shaded.frame();
+    last.frame_ms = shaded.elapsed_ms();
+    last.counts = counts;
+    last.complete = true;
+    publish(work, std::move(last));
 }
 
 bool RenderJob::rests(const Work& work) {

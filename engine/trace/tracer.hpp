@@ -81,9 +81,13 @@ struct TileHits {
     /// the ray hit something afterwards or not; such a hit is not certified.
     std::vector<float> unsettled;
     bool any_unsettled = false;
+    std::vector<float> lit;  ///< of the key light, what reaches a hit: 0 or 1
+    bool any_dark = false;   ///< else `lit` is 1 everywhere
 
     TileHits();
     void clear();
+    /// No shadows.
+    void light_all();
     /// A hit whose gradient is to be found.
     void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
     void pass(Pixel at, float distance);

@@ -168,6 +168,18 @@ TEST(RenderJob, ShowsAFullPictureWhileItGrows) {
     EXPECT_GT(stretched, 0U);
 }
 
+TEST(RenderJob, DrawsShadowsLast) {
+    Watched watched;
+    RenderRequest request = request_for("(z + 1) (x^2 + y^2 + z^2 - 0.25) = 0", 64, 64);
+    request.settings.shadows = true;
+    const auto pictures = watched.pictures_until(watched.job.submit(request));
+    ASSERT_EQ(pictures.size(), 3U);
+    EXPECT_FALSE(pictures[1].complete);
+    EXPECT_EQ(pictures[1].frame->depth, pictures[2].frame->depth);
+    EXPECT_NE(pictures[1].frame->color, pictures[2].frame->color);
+    EXPECT_EQ(pictures[1].counts.certified, pictures[2].counts.certified);
+}
+
 TEST(RenderJob, DrawsPicturesOfOnePixel) {
     Watched watched;
     const auto number = watched.job.submit(request_for("z = 0", 1, 1));
