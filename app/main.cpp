@@ -53,6 +53,7 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     epsilon->excludes(delta);
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
     app.add_flag("--shadows", trace.shadows, "let the surfaces throw shadows");
+    app.add_flag("--antialias", trace.antialias, "smooth edges, by five rays a pixel");
 }
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {

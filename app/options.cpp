@@ -247,6 +247,7 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         settings.threads = *threads;
     }
     settings.shadows = text.shadows;
+    settings.antialias = text.antialias;
     return settings;
 }
 

@@ -24,6 +24,7 @@ struct ViewText {
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
     bool shadows = false;
+    bool antialias = false;
 };
 
 /// A surface and how to look at it.

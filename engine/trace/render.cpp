@@ -1,5 +1,6 @@
 #include "engine/trace/render.hpp"
 
+#include "engine/image/blend.hpp"
 #include "engine/num/rounding.hpp"
 #include "engine/trace/frame_kernels.hpp"
 #include "engine/trace/nearest.hpp"
@@ -13,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace zeroset {
@@ -22,6 +24,7 @@ namespace {
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
+    Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
 
 Tile tile_at(std::size_t index, int width, int height) {
@@ -38,20 +41,18 @@ std::size_t tile_count(int width, int height) {
     return along(width) * along(height);
 }
 
-/// A frame of a scene, tile by tile.
-class FramePainter {
+/// A scene at one resolution, tile by tile.
+class TilePainter {
 public:
-    FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                 Framebuffer& out, const RenderWatch& watch);
-    /// What it did. In upward rounding.
-    Counters paint(Tile tile, Workspace& workspace) const;
+    TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings, int width,
+                int height, const std::atomic<bool>* cancel);
+    /// False when cancelled; nothing is drawn then. In upward rounding.
+    bool paint(Tile tile, Workspace& workspace, const Canvas& out, Counters& counters) const;
 
 private:
     /// Fills workspace.hits with what each surface shows; false when cancelled.
     bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
-    [[nodiscard]] bool cancelled() const {
-        return watch_.cancel != nullptr && watch_.cancel->load(std::memory_order_relaxed);
-    }
+    [[nodiscard]] bool cancelled() const { return surfaces_.front().cancelled(); }
 
     /// Surface i with the kernel for the tile.
     [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile) const {
@@ -62,20 +63,17 @@ private:
     }
 
     const Tracer& tracer_;
+    bool shadows_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
-    bool shadows_;
-    Framebuffer& out_;
-    const RenderWatch& watch_;
 };
 
-FramePainter::FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                           Framebuffer& out, const RenderWatch& watch)
-    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows), out_(out), watch_(watch) {
-    const ViewFrame view(camera);
+TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
+                         int width, int height, const std::atomic<bool>* cancel)
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
     for (const Kernel& kernel : scene.surfaces) {
-        surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
-        surfaces_.back().cancel = watch.cancel;
+        surfaces_.push_back(trace_frame(scene, kernel, view, width, height, settings.stop));
+        surfaces_.back().cancel = cancel;
     }
     for (const TraceFrame& surface : surfaces_) {
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
@@ -84,7 +82,7 @@ FramePainter::FramePainter(const Scene& scene, const Camera& camera, const Trace
     }
 }
 
-bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
+bool TilePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
     const bool several = surfaces_.size() > 1;
     workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
     if (several) workspace.nearest.clear();
@@ -103,15 +101,65 @@ bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) co
     return true;
 }
 
-Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
-    Counters counters;
-    if (!trace(tile, workspace, counters)) return counters;
+bool TilePainter::paint(Tile tile, Workspace& workspace, const Canvas& out,
+                        Counters& counters) const {
+    if (!trace(tile, workspace, counters)) return false;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_gradients(frame_of(i, tile), workspace.hits[i], counters);
     if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
-    if (cancelled()) return counters;
-    draw_tile(surfaces_, workspace.hits, tile, out_);
-    if (watch_.on_tile) watch_.on_tile({tile.col, tile.row, tile.cols, tile.rows});
+    if (cancelled()) return false;
+    draw_tile(surfaces_, workspace.hits, tile, out);
+    return true;
+}
+
+/// A frame, at twice its resolution besides where it is antialiased.
+class FramePainter {
+public:
+    FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                 Framebuffer& out, const RenderWatch& watch)
+        : view_(camera),
+          painter_(scene, view_, settings, out.width, out.height, watch.cancel),
+          out_(out),
+          watch_(watch) {
+        if (settings.antialias) {
+            fine_painter_.emplace(scene, view_, settings, 2 * out.width, 2 * out.height,
+                                  watch.cancel);
+        }
+    }
+    /// What it did. In upward rounding.
+    Counters paint(const Tile& tile, Workspace& workspace) const;
+
+private:
+    /// Into workspace.fine; false when cancelled.
+    bool paint_fine(const Tile& tile, Workspace& workspace, Counters& counters) const;
+
+    ViewFrame view_;
+    TilePainter painter_;
+    std::optional<TilePainter> fine_painter_;
+    Framebuffer& out_;
+    const RenderWatch& watch_;
+};
+
+bool FramePainter::paint_fine(const Tile& tile, Workspace& workspace, Counters& counters) const {
+    const Canvas canvas{workspace.fine, 2 * tile.col, 2 * tile.row, 2 * out_.height};
+    for (int row = 0; row < 2 * tile.rows; row += tile_size) {
+        for (int col = 0; col < 2 * tile.cols; col += tile_size) {
+            const Tile part{canvas.col + col, canvas.row + row,
+                            std::min(tile_size, 2 * tile.cols - col),
+                            std::min(tile_size, 2 * tile.rows - row)};
+            if (!fine_painter_->paint(part, workspace, canvas, counters)) return false;
+        }
+    }
+    return true;
+}
+
+Counters FramePainter::paint(const Tile& tile, Workspace& workspace) const {
+    Counters counters;
+    if (fine_painter_ && !paint_fine(tile, workspace, counters)) return counters;
+    if (!painter_.paint(tile, workspace, {out_, 0, 0, out_.height}, counters)) return counters;
+    const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};
+    if (fine_painter_) blend_finer(workspace.fine, pixels, out_);
+    if (watch_.on_tile) watch_.on_tile(pixels);
     return counters;
 }
 

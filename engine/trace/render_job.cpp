@@ -53,11 +53,11 @@ void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
 /// A full picture while it is drawn over a coarser one.
 class RenderJob::Growing {
 public:
-    Growing(RenderJob& job, const Work& work, bool shadows,
+    Growing(RenderJob& job, const Work& work, TraceSettings settings,
             std::shared_ptr<const Framebuffer> first)
         : job_(job),
           work_(work),
-          shadows_(shadows),
+          settings_(std::move(settings)),
           first_(std::move(first)),
           frame_(job.pool_.take(work.request.width, work.request.height)),
           columns_((work.request.width + tile_size - 1) / tile_size),
@@ -68,6 +68,8 @@ public:
     bool draw();
     [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
     [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
+    /// Tells what the picture costs; from a good part of it, where it did not come to its end.
+    void tell(ResolutionGovernor& governor, const RenderRequest& request) const;
 
 private:
     void finish_tile(const PixelRect& rect);
@@ -76,7 +78,7 @@ private:
 
     RenderJob& job_;
     const Work& work_;
-    bool shadows_;
+    TraceSettings settings_;
     std::shared_ptr<const Framebuffer> first_;
     std::shared_ptr<Framebuffer> frame_;
     int columns_;
@@ -86,11 +88,16 @@ private:
     Clock::time_point shown_ = start_;  ///< guarded by showing_
 };
 
+void RenderJob::Growing::tell(ResolutionGovernor& governor, const RenderRequest& request) const {
+    const auto tiles = static_cast<double>(
+        std::ranges::count_if(done_, [](const std::atomic<bool>& tile) { return tile.load(); }));
+    const double part = tiles / static_cast<double>(done_.size());
+    if (part >= 0.25) governor.measured(pixels_of(request), elapsed_ms() / part);
+}
+
 bool RenderJob::Growing::draw() {
     const RenderRequest& request = work_.request;
-    TraceSettings settings = request.settings;
-    settings.shadows = shadows_;
-    render_frame(request.scene, request.camera, settings, *frame_,
+    render_frame(request.scene, request.camera, settings_, *frame_,
                  {&job_.cancel_, [this](const PixelRect& rect) { finish_tile(rect); }});
     return !job_.cancel_;
 }
@@ -213,9 +220,10 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, doubl
     };
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
-    Growing growing(*this, smaller, false, nullptr);
-    if (!growing.draw()) return nullptr;
-    governor_.measured(pixels_of(smaller.request), growing.elapsed_ms());
+    Growing growing(*this, smaller, stages_of(work.request.settings).front(), nullptr);
+    const bool drawn = growing.draw();
+    growing.tell(governor_, smaller.request);
+    if (!drawn) return nullptr;
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();
@@ -223,27 +231,36 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, doubl
     return growing.frame();
 }
 
-/// The surfaces first, their shadows when nothing moves.
-void RenderJob::draw_full(const Work& work, const std::shared_ptr<const Framebuffer>& first) {
-    Growing growing(*this, work, false, first);
-    if (!growing.draw()) return;
-    governor_.measured(pixels_of(work.request), growing.elapsed_ms());
-    RenderResult result;
-    result.frame = growing.frame();
-    result.frame_ms = growing.elapsed_ms();
-    result.counts = count_certificates(*growing.frame());
-    result.complete = !work.request.settings.shadows;
-    const CertificateCounts counts = result.counts;
-    publish(work, std::move(result));
-    if (!work.request.settings.shadows || !rests(work)) return;
-    Growing shaded(*this, work, true, growing.frame());
-    if (!shaded.draw()) return;
-    RenderResult last;
-    last.frame = shaded.frame();
-    last.frame_ms = shaded.elapsed_ms();
-    last.counts = counts;
-    last.complete = true;
-    publish(work, std::move(last));
+/// What full pictures are drawn with, one after the other.
+std::vector<TraceSettings> RenderJob::stages_of(const TraceSettings& settings) {
+    std::vector<TraceSettings> stages;
+    TraceSettings stage = settings;
+    stage.shadows = false;
+    stage.antialias = false;
+    stages.push_back(stage);
+    stage.shadows = settings.shadows;
+    if (settings.shadows) stages.push_back(stage);
+    stage.antialias = settings.antialias;
+    if (settings.antialias) stages.push_back(stage);
+    return stages;
+}
+
+void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture) {
+    const std::vector<TraceSettings> stages = stages_of(work.request.settings);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (i > 0 && !rests(work)) return;
+        Growing growing(*this, work, stages[i], picture);
+        const bool drawn = growing.draw();
+        if (i == 0) growing.tell(governor_, work.request);
+        if (!drawn) return;
+        RenderResult result;
+        result.frame = growing.frame();
+        result.frame_ms = growing.elapsed_ms();
+        result.counts = count_certificates(*growing.frame());
+        result.complete = i + 1 == stages.size();
+        picture = growing.frame();
+        publish(work, std::move(result));
+    }
 }
 
 bool RenderJob::rests(const Work& work) {

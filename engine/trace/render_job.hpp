@@ -57,8 +57,8 @@ struct RenderPace {
 
 /// Renders the newest request in the background. A first picture comes as quickly as it takes to
 /// draw one at a resolution that holds 60 a second; then, unless requests follow one another, the
-/// full one, which replaces it tile by tile. All members may be called from the UI thread; none
-/// waits for a frame.
+/// full one, which replaces it tile by tile, with shadows and antialiased where that is wanted. All
+/// members may be called from the UI thread; none waits for a frame.
 class RenderJob {
 public:
     /// `on_frame` is called from the job's threads after each picture.
@@ -93,7 +93,9 @@ private:
     void draw(const Work& work);
     /// A picture of the moment, by so many pixels along a side; nothing when it was cancelled.
     std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
-    void draw_full(const Work& work, const std::shared_ptr<const Framebuffer>& first);
+    /// The surfaces, then their shadows, then smooth edges, each over the picture before.
+    void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);
+    static std::vector<TraceSettings> stages_of(const TraceSettings& settings);
     /// Whether no other request has come, nor comes for a while if this one was part of a motion.
     bool rests(const Work& work);
     void publish(const Work& work, RenderResult result);

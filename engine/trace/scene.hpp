@@ -40,6 +40,8 @@ struct TraceSettings {
     StopCriterion stop;
     int threads = 0;       ///< 0: all cores
     bool shadows = false;  ///< of the key light
+    /// Four more rays a pixel, for its colour only: its depth and certificate are of its centre.
+    bool antialias = false;
 };
 
 /// Evaluations of each kernel, in points or boxes (not batches).

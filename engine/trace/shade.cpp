@@ -163,7 +163,7 @@ struct Row {
     std::uint32_t background;  ///< its colour
 };
 
-Row row_of(const Tile& tile, int row, const Framebuffer& out) {
+Row row_of(const Tile& tile, int row, const Canvas& out) {
     return {out.index(tile.col, tile.row + row), static_cast<std::size_t>(tile.cols),
             background_color(tile.row + row, out.height)};
 }
@@ -246,23 +246,23 @@ void shade_row(const Shading& shading, std::uint8_t surface, bool fresh, const R
 }
 
 void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const Tile& tile,
-                const TileHits& hits, Framebuffer& out) {
+                const TileHits& hits, const Canvas& out) {
     const Shading shading(frame.view, colors_of(surface));
     Light light;
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);
         if (illuminate_row(frame, shading, tile, row, hits, light)) {
-            shade_row(shading, surface, fresh, to, row, hits, light, out);
+            shade_row(shading, surface, fresh, to, row, hits, light, out.pixels);
         } else if (fresh) {
-            clear_pixels(to.first, to.count, to.background, out);
+            clear_pixels(to.first, to.count, to.background, out.pixels);
         }
     }
 }
 
-void clear_rows(const Tile& tile, Framebuffer& out) {
+void clear_rows(const Tile& tile, const Canvas& out) {
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);
-        clear_pixels(to.first, to.count, to.background, out);
+        clear_pixels(to.first, to.count, to.background, out.pixels);
     }
 }
 
@@ -278,11 +278,12 @@ HWY_EXPORT(clear_rows);
 HWY_EXPORT(shade_hits);
 
 /// Undecided where a ray is unsettled on pixels that are still misses.
-void mark_unsettled(const Tile& tile, const TileHits& hits, Framebuffer& out) {
+void mark_unsettled(const Tile& tile, const TileHits& hits, const Canvas& out) {
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const auto at = static_cast<std::size_t>(row * tile_size + col);
-            Certificate& certificate = out.certificate[out.index(tile.col + col, tile.row + row)];
+            Certificate& certificate =
+                out.pixels.certificate[out.index(tile.col + col, tile.row + row)];
             const bool unsettled = hits.unsettled[at] < std::numeric_limits<float>::infinity();
             if (unsettled && certificate == Certificate::Miss) {
                 certificate = Certificate::Undecided;
@@ -306,7 +307,7 @@ std::uint32_t background_color(int row, int height) {
 }
 
 void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> hits,
-               const Tile& tile, Framebuffer& out) {
+               const Tile& tile, const Canvas& out) {
     bool fresh = true;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (!hits[i].any) continue;
