@@ -2,6 +2,7 @@
 #include "app/gallery.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
+#include "engine/trace/floor.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/tracer.hpp"
 
@@ -109,6 +110,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
 struct BenchCell {
     FrameTiming timing;
     double compile_ms = 0.0;
+    double floor_ms = 0.0;  ///< see KnownFrame
     double range_per_ray = 0.0, form_per_ray = 0.0, value_per_ray = 0.0;
     CertificateCounts counts;
 };
@@ -125,6 +127,8 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     BenchCell cell;
     cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);
     cell.compile_ms = formula->compile_ms;
+    const KnownFrame known(scene, camera, settings, frame);
+    cell.floor_ms = time_repeats(plan.repeats, [&] { known.draw(frame); }).median_ms;
     const auto rays = static_cast<double>(frame.color.size());
     cell.range_per_ray = static_cast<double>(cell.timing.counters.range) / rays;
     cell.form_per_ray = static_cast<double>(cell.timing.counters.form) / rays;
@@ -140,6 +144,8 @@ Json json_of(const BenchCell& cell) {
               {"max", cell.timing.max_ms},
               {"repeats", cell.timing.repeats}}},
             {"compile_ms", cell.compile_ms},
+            {"floor_ms", cell.floor_ms},
+            {"times_floor", cell.timing.median_ms / cell.floor_ms},
             {"range_per_ray", cell.range_per_ray},
             {"form_per_ray", cell.form_per_ray},
             {"value_per_ray", cell.value_per_ray},
@@ -149,16 +155,19 @@ Json json_of(const BenchCell& cell) {
 }
 
 void print_heading(const BenchPlan& plan) {
-    std::printf("%dx%d, %d repeats, medians; cells: boxes and beams evaluated per ray\n%-20s",
-                plan.size.width, plan.size.height, plan.repeats, "surface");
+    std::printf(
+        "%dx%d, %d repeats, medians; cells: boxes and beams evaluated per ray; floor: times "
+        "what f and its gradient take once for each pixel that is hit\n%-20s",
+        plan.size.width, plan.size.height, plan.repeats, "surface");
     for (const TraceSettings& settings : plan.settings) {
-        std::printf(" %14s ms      fps    cells compile ms", settings.tracer.c_str());
+        std::printf(" %14s ms      fps  floor    cells compile ms", settings.tracer.c_str());
     }
     std::printf("\n");
 }
 
 void print_cell(const BenchCell& cell) {
-    std::printf(" %17.3f %8.1f %8.2f %10.1f", cell.timing.median_ms, 1000.0 / cell.timing.median_ms,
+    std::printf(" %17.3f %8.1f %6.1f %8.2f %10.1f", cell.timing.median_ms,
+                1000.0 / cell.timing.median_ms, cell.timing.median_ms / cell.floor_ms,
                 cell.range_per_ray + cell.form_per_ray, cell.compile_ms);
 }
 
@@ -176,6 +185,7 @@ int run_bench(const BenchCommand& command) {
     if (table) print_heading(*plan);
     Json surfaces = Json::array();
     std::vector<double> log_sums(plan->settings.size(), 0.0);
+    std::vector<double> log_floors(plan->settings.size(), 0.0);
     for (const BenchItem& item : plan->items) {
         Json row{{"name", item.name}};
         if (table) std::printf("%-20s", item.name.c_str());
@@ -184,6 +194,7 @@ int run_bench(const BenchCommand& command) {
             if (!cell) return report(cell.error());
             if (table) print_cell(*cell);
             log_sums[i] += std::log(cell->timing.median_ms);
+            log_floors[i] += std::log(cell->timing.median_ms / cell->floor_ms);
             row[plan->settings[i].tracer] = json_of(*cell);
         }
         if (table) std::printf("\n");
@@ -191,11 +202,15 @@ int run_bench(const BenchCommand& command) {
         surfaces.push_back(std::move(row));
     }
     Json means = Json::object();
+    Json floors = Json::object();
     if (table) std::printf("%-20s", "geometric mean");
     for (std::size_t i = 0; i < plan->settings.size(); ++i) {
         const double mean = std::exp(log_sums[i] / static_cast<double>(plan->items.size()));
         means[plan->settings[i].tracer] = mean;
-        if (table) std::printf(" %17.3f %8.1f %19s", mean, 1000.0 / mean, "");
+        const double times_floor =
+            std::exp(log_floors[i] / static_cast<double>(plan->items.size()));
+        floors[plan->settings[i].tracer] = times_floor;
+        if (table) std::printf(" %17.3f %8.1f %6.1f %19s", mean, 1000.0 / mean, times_floor, "");
     }
     if (table) std::printf("\n");
     if (!command.json) return exit_ok;
@@ -205,6 +220,7 @@ int run_bench(const BenchCommand& command) {
                                   {"threads", threads > 0 ? threads : core_count()},
                                   {"d_stop", plan->settings.front().stop.value},
                                   {"geometric_mean_ms", means},
+                                  {"geometric_mean_times_floor", floors},
                                   {"surfaces", surfaces}}
                                  .dump(2) +
                              "\n";

@@ -8,15 +8,13 @@
 
 namespace zeroset {
 
-FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                        Framebuffer& frame, int repeats, bool warm_up) {
+FrameTiming time_repeats(int repeats, const std::function<void()>& work) {
     FrameTiming timing;
     timing.repeats = repeats;
-    if (warm_up) render_frame(scene, camera, settings, frame);
     std::vector<double> times;
     for (int i = 0; i < repeats; ++i) {
         const auto start = std::chrono::steady_clock::now();
-        timing.counters = render_frame(scene, camera, settings, frame);
+        work();
         const std::chrono::duration<double, std::milli> elapsed =
             std::chrono::steady_clock::now() - start;
         times.push_back(elapsed.count());
@@ -27,6 +25,16 @@ FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSet
         times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
     timing.min_ms = times.front();
     timing.max_ms = times.back();
+    return timing;
+}
+
+FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                        Framebuffer& frame, int repeats, bool warm_up) {
+    if (warm_up) render_frame(scene, camera, settings, frame);
+    Counters counters;
+    FrameTiming timing =
+        time_repeats(repeats, [&] { counters = render_frame(scene, camera, settings, frame); });
+    timing.counters = counters;
     return timing;
 }
 

@@ -4,6 +4,8 @@
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
+#include <functional>
+
 namespace zeroset {
 
 /// Times of a frame drawn again and again, tracing and shading, without writing files.
@@ -12,6 +14,9 @@ struct FrameTiming {
     int repeats = 0;
     Counters counters;  ///< of one frame
 };
+
+/// Does `work` again and again.
+FrameTiming time_repeats(int repeats, const std::function<void()>& work);
 
 /// Draws `repeats` frames into `frame`, after one that is not counted if `warm_up`.
 FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,

@@ -7,6 +7,7 @@
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
 #include "engine/trace/shadow.hpp"
+#include "engine/trace/tile_grid.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
@@ -26,20 +27,6 @@ struct Workspace {
     NearestSurfaces nearest;
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
-
-Tile tile_at(std::size_t index, int width, int height) {
-    const int columns = (width + tile_size - 1) / tile_size;
-    const int col = static_cast<int>(index) % columns * tile_size;
-    const int row = static_cast<int>(index) / columns * tile_size;
-    return {col, row, std::min(tile_size, width - col), std::min(tile_size, height - row)};
-}
-
-std::size_t tile_count(int width, int height) {
-    const auto along = [](int pixels) {
-        return static_cast<std::size_t>((pixels + tile_size - 1) / tile_size);
-    };
-    return along(width) * along(height);
-}
 
 /// A scene at one resolution, tile by tile.
 class TilePainter {
@@ -173,11 +160,11 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
     const FramePainter painter(scene, camera, settings, frame, watch);
     std::mutex mutex;
     Counters total;
-    parallel_for(tile_count(frame.width, frame.height), settings.threads, [&](std::size_t index) {
+    const TileGrid grid(frame.width, frame.height);
+    parallel_for(grid.size(), settings.threads, [&](std::size_t index) {
         thread_local Workspace workspace;
         const UpwardRounding upward;
-        const Tile tile = tile_at(index, frame.width, frame.height);
-        const Counters counters = painter.paint(tile, workspace);
+        const Counters counters = painter.paint(grid.tile(index), workspace);
         const std::scoped_lock lock(mutex);
         total += counters;
     });

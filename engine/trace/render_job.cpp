@@ -1,6 +1,7 @@
 #include "engine/trace/render_job.hpp"
 
 #include "engine/trace/render.hpp"
+#include "engine/trace/tile_grid.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
@@ -60,9 +61,8 @@ public:
           settings_(std::move(settings)),
           first_(std::move(first)),
           frame_(job.pool_.take(work.request.width, work.request.height)),
-          columns_((work.request.width + tile_size - 1) / tile_size),
-          done_(static_cast<std::size_t>(columns_) *
-                static_cast<std::size_t>((work.request.height + tile_size - 1) / tile_size)) {}
+          grid_(work.request.width, work.request.height),
+          done_(grid_.size()) {}
 
     /// Whether it came to its end.
     bool draw();
@@ -81,7 +81,7 @@ private:
     TraceSettings settings_;
     std::shared_ptr<const Framebuffer> first_;
     std::shared_ptr<Framebuffer> frame_;
-    int columns_;
+    TileGrid grid_;
     std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
     std::mutex showing_;
     Clock::time_point start_ = Clock::now();
@@ -103,7 +103,7 @@ bool RenderJob::Growing::draw() {
 }
 
 void RenderJob::Growing::finish_tile(const PixelRect& rect) {
-    done_[static_cast<std::size_t>(rect.row / tile_size * columns_ + rect.col / tile_size)] = true;
+    done_[grid_.index_of(rect.col, rect.row)] = true;
     if (first_ == nullptr) return;
     const std::unique_lock lock(showing_, std::try_to_lock);
     if (!lock || Clock::now() - shown_ < job_.pace_.growth_shown_after) return;
@@ -116,12 +116,10 @@ void RenderJob::Growing::finish_tile(const PixelRect& rect) {
 
 std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
     auto picture = job_.pool_.take(frame_->width, frame_->height);
-    for (std::size_t tile = 0; tile < done_.size(); ++tile) {
-        const int col = static_cast<int>(tile) % columns_ * tile_size;
-        const int row = static_cast<int>(tile) / columns_ * tile_size;
-        const PixelRect rect{col, row, std::min(tile_size, frame_->width - col),
-                             std::min(tile_size, frame_->height - row)};
-        if (done_[tile]) {
+    for (std::size_t i = 0; i < grid_.size(); ++i) {
+        const Tile tile = grid_.tile(i);
+        const PixelRect rect{tile.col, tile.row, tile.cols, tile.rows};
+        if (done_[i]) {
             copy(*frame_, rect, *picture);
         } else {
             stretch(*first_, rect, *picture);
