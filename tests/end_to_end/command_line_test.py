@@ -114,6 +114,14 @@ class RenderTest(ProgramTest):
             files.append((self.folder / "depth.pfm").read_bytes())
         self.assertEqual([files[0]] * 4, files)
 
+    def test_looks_change_the_picture_only(self):
+        pictures, depths = set(), set()
+        for options in ([], ["--shadows"], ["--antialias"], ["--shadows", "--antialias"]):
+            self.depth("@tangle", "--size", "80x60", "-o", "out.png", *options)
+            pictures.add((self.folder / "out.png").read_bytes())
+            depths.add((self.folder / "depth.pfm").read_bytes())
+        self.assertEqual((len(pictures), len(depths)), (4, 1))
+
     def error_of(self, *options):
         """Hits, and the largest error of depth on clear hits of the unit sphere."""
         camera, worst = Camera.default(Box.of(2)), 0.0
@@ -262,6 +270,9 @@ class BenchTest(ProgramTest):
                 cell = row["beams"]
                 self.assertGreater(cell["frame_ms"]["median"], 0)
                 self.assertGreater(cell["form_per_ray"], 0)
+                self.assertGreater(cell["floor_ms"], 0)
+                self.assertAlmostEqual(cell["times_floor"] * cell["floor_ms"],
+                                       cell["frame_ms"]["median"])
                 self.assertEqual(cell["certified"] + cell["undecided"] + cell["miss"], 24 * 24)
 
     def test_the_suite_of_the_gallery(self):
