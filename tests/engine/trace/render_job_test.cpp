@@ -38,10 +38,17 @@ RenderRequest request_for(std::string_view text, int width, int height) {
     return request;
 }
 
+/// No picture is shown while it grows, however slow the machine.
+RenderPace whole_pictures() {
+    RenderPace pace;
+    pace.growth_shown_after = std::chrono::hours(1);
+    return pace;
+}
+
 /// A job whose pictures are all kept, but for those that nobody had time to take.
 class Watched {
 public:
-    explicit Watched(const RenderPace& pace = {}) : job([this] { keep(); }, pace) {}
+    explicit Watched(const RenderPace& pace = whole_pictures()) : job([this] { keep(); }, pace) {}
 
     /// All pictures up to the complete one of request `number`.
     std::vector<RenderResult> pictures_until(std::uint64_t number) {
@@ -78,7 +85,7 @@ public:
 
 /// First pictures are as coarse as can be, and nothing rests within a test's time.
 RenderPace restless() {
-    RenderPace pace;
+    RenderPace pace = whole_pictures();
     pace.budget_ms = 1e-9;
     pace.at_once_ms = 0.0;
     pace.rest_after = std::chrono::hours(1);
@@ -110,7 +117,7 @@ TEST(RenderJob, DrawsAQuickPictureFirst) {
 }
 
 TEST(RenderJob, DrawsAtOnceWhatIsKnownToBeQuick) {
-    RenderPace pace;
+    RenderPace pace = whole_pictures();
     pace.at_once_ms = 1e9;
     pace.rest_after = std::chrono::milliseconds(0);
     Watched watched(pace);
