@@ -87,7 +87,9 @@ private:
             case Notation::Root: return root(node, pieces);
             case Notation::Internal:
                 if (node.op == Op::Oriented) return infix(node, pieces);
+                if (node.op == Op::Length) return length(node, pieces);
                 break;
+            case Notation::Wave: return wave(node, info, pieces);
             case Notation::Call: break;
         }
         return call(node, info, pieces);
@@ -112,6 +114,22 @@ private:
         }
         pieces = {{{}, node.a, Atom, true}, {"^(1/" + std::to_string(node.number) + ")"}};
         return Power;
+    }
+
+    static int length(const Node& node, std::vector<Piece>& pieces) {
+        pieces = {
+            {"sqrt("}, {{}, node.a, Atom, true}, {"^2 + "}, {{}, node.b, Atom, true}, {"^2)"}};
+        return Atom;
+    }
+
+    static int wave(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
+        const std::string times = node.number == 1 ? "" : std::to_string(node.number) + "*";
+        pieces = {{std::string(info.spelling) + "(" + times + "atan2("},
+                  {{}, node.a, Or, true},
+                  {", "},
+                  {{}, node.b, Or, true},
+                  {"))"}};
+        return Atom;
     }
 
     static int call(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
