@@ -54,7 +54,9 @@ LaneMask logical(Operation operation, const LaneMask& a, const LaneMask& b, auto
 
 LaneMask compare(llvm::CmpInst::Predicate predicate, const Lanes& a, const Lanes& b) {
     const auto make = [&] { return a.emitter->builder.CreateFCmp(predicate, a.value, b.value); };
-    return {a.emitter, a.emitter->once(Comparison + predicate, {a.value, b.value}, make)};
+    return {a.emitter,
+            a.emitter->once(static_cast<unsigned>(Comparison) + static_cast<unsigned>(predicate),
+                            {a.value, b.value}, make)};
 }
 
 Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> arguments) {
@@ -77,7 +79,7 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
     };
     std::array<llvm::Value*, 3> key{};
     std::ranges::copy(arguments, key.begin());
-    const auto operation = LibraryCall + static_cast<unsigned>(function);
+    const auto operation = static_cast<unsigned>(LibraryCall) + static_cast<unsigned>(function);
     return {kind.emitter, kind.emitter->once(operation, key, make)};
 }
 

@@ -80,10 +80,16 @@ private:
     /// Those of one tile, first to last.
     void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
+    /// Goes on with the cells of the smallest but one tiles: from the front, so that what is behind
+    /// the roots found so far is left out.
+    void look_closer();
+    /// The farthest root found so far of the least_pixels x least_pixels pixels from there on.
+    [[nodiscard]] Real farthest_found(int col, int row) const;
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
     void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
+    /// Finds the roots on single rays.
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
@@ -101,23 +107,27 @@ private:
     RayMarcher<double, Real> fine_marcher_;
     Real fair_guess_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
+
+    /// A tile whose cells have not all been looked at closer.
+    struct Waiting {
+        const Kernel* kernel;
+        std::size_t next, end;  ///< in waiting_cells_, front to back
+    };
+    std::vector<Waiting> waiting_;
+    std::vector<std::size_t> waiting_cells_;
 };
 
 template <class Real>
 void BeamTile<Real>::trace() {
     found_.begin(hits_, tile_, view_);
     if (tree_.cells().size == 0) return;
-    for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
+    for (int pixels = tile_size; pixels > 2 * least_pixels && tree_.cells().size > 0; pixels /= 2) {
         descend(pixels);
         tree_.go_down();
     }
-    roots_.solve();
-    for (const Stretch& stretch : roots_.take_open()) {
-        const Real from = -upper_end(Real{}, -stretch.from);
-        const Real to = upper_end(Real{}, stretch.to);
-        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
-    }
+    descend(2 * least_pixels);
     march_rays();
+    look_closer();
     found_.end();
     hand_on();
 }
@@ -164,7 +174,46 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     }
     leaves_.solve();
     small_leaves_.solve();
-    if (!open_.empty()) tree_.push_children(run, open_, pixels);
+    if (open_.empty()) return;
+    const Kernel* const kernel = tree_.kernel_of(run, open_);
+    if (pixels > 2 * least_pixels) {
+        tree_.push_children(kernel, open_, pixels, [](int, int) { return Found<Real>::none; });
+        return;
+    }
+    const std::size_t begin = waiting_cells_.size();
+    waiting_cells_.insert(waiting_cells_.end(), open_.begin(), open_.end());
+    waiting_.push_back({kernel, begin, waiting_cells_.size()});
+}
+
+template <class Real>
+void BeamTile<Real>::look_closer() {
+    while (!waiting_.empty()) {
+        for (Waiting& tile : waiting_) {
+            const std::size_t first = tile.next++;
+            tree_.push_children(tile.kernel, std::span(waiting_cells_).subspan(first, 1),
+                                2 * least_pixels,
+                                [this](int col, int row) { return farthest_found(col, row); });
+        }
+        std::erase_if(waiting_, [](const Waiting& tile) { return tile.next == tile.end; });
+        tree_.go_down();
+        descend(least_pixels);
+        march_rays();
+        tree_.go_up();
+    }
+}
+
+template <class Real>
+Real BeamTile<Real>::farthest_found(int col, int row) const {
+    constexpr hn::CappedTag<Real, least_pixels> d;
+    auto farthest = hn::Zero(d);
+    for (int y = row; y < row + least_pixels; ++y) {
+        for (int x = col; x < col + least_pixels; x += static_cast<int>(hn::Lanes(d))) {
+            const auto pixel = static_cast<std::size_t>(y * tile_size + x);
+            const auto depth = hn::LoadU(d, &found_.depth[pixel]);
+            farthest = x == col && y == row ? depth : hn::Max(farthest, depth);
+        }
+    }
+    return hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
 /// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
@@ -258,6 +307,12 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
 
 template <class Real>
 void BeamTile<Real>::march_rays() {
+    roots_.solve();
+    for (const Stretch& stretch : roots_.take_open()) {
+        const Real from = -upper_end(Real{}, -stretch.from);
+        const Real to = upper_end(Real{}, stretch.to);
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
+    }
     // Cells in this type are decided down to some hundred of its units.
     const double rough = std::max(view_.tolerance(), 256 * tree_.s_most() * unit);
     const bool final = rough <= view_.tolerance();

@@ -3,7 +3,7 @@
 #include "engine/expr/clear_poles.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
-#include "engine/expr/plain_angles.hpp"
+#include "engine/expr/polar_form.hpp"
 #include "engine/expr/simplify.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
