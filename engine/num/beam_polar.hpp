@@ -84,18 +84,20 @@ Beam<Real> turn_form(const PolarBeam<Real>& p, int n) {
     return {turn, nothing, nothing};
 }
 
-/// The length of the vector, from its range near the origin.
+/// The length of the vector; near the origin only its bounds, 0 and a + (sqrt 2 - 1) b for x and y
+/// of sizes up to a >= b.
 template <class Real>
 Beam<Real> length_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam<Real>& x) {
     const auto number = [&](double value) { return like(x.r, value); };
-    const Interval<Real> range = square_root(power_nonnegative(absolute(y.range()), 2) +
-                                             power_nonnegative(absolute(x.range()), 2));
+    const Real& most_x = x.largest();
+    const Real& most_y = y.largest();
+    const Real size = fused(number(0x1.aap-2), minimum(most_x, most_y), maximum(most_x, most_y));
     const Real& length = p.middle.length;
     Affine<Real> form = scaled(p.along, length);
     const Real half_bend = number(0.25) * p.most_across * p.most_turn * length;
     form.c = length + half_bend;
     form.e = form.e + half_bend;
-    const Real size = range.hi;
+    const Interval<Real> range{number(0), size};
     return {form_or_interval(p.beside, form, range), y.r + x.r + number(4) * size, size};
 }
 

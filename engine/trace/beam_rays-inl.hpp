@@ -305,6 +305,7 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
 template <class Real, class Cell>
 template <class Undecided>
 void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecided undecided) {
+    if (segments_.empty()) return;
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     while (!segments_.empty()) {
         std::size_t kept = 0;

@@ -71,6 +71,7 @@ public:
     void trace();
 
 private:
+    static constexpr std::size_t cells_a_wave = 16;  ///< of look_closer, at least
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
     /// Cells of one size; their children are made.
@@ -126,8 +127,8 @@ void BeamTile<Real>::trace() {
         tree_.go_down();
     }
     descend(2 * least_pixels);
-    march_rays();
     look_closer();
+    march_rays();
     found_.end();
     hand_on();
 }
@@ -188,9 +189,11 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
 template <class Real>
 void BeamTile<Real>::look_closer() {
     while (!waiting_.empty()) {
+        const std::size_t most = 1 + cells_a_wave / waiting_.size();
         for (Waiting& tile : waiting_) {
-            const std::size_t first = tile.next++;
-            tree_.push_children(tile.kernel, std::span(waiting_cells_).subspan(first, 1),
+            const std::size_t count = std::min(most, tile.end - tile.next);
+            const std::size_t first = std::exchange(tile.next, tile.next + count);
+            tree_.push_children(tile.kernel, std::span(waiting_cells_).subspan(first, count),
                                 2 * least_pixels,
                                 [this](int col, int row) { return farthest_found(col, row); });
         }
