@@ -12,6 +12,9 @@
 namespace zeroset::jit {
 namespace {
 
+/// Whether the machine rounds a product and a sum together.
+bool can_fuse() { return __builtin_cpu_supports("fma"); }
+
 // Operations that are no intrinsics.
 enum Operation : unsigned {
     Negation = 1U << 24U,
@@ -166,8 +169,10 @@ Lanes square_root(const Lanes& a) {
     return rounded(llvm::Intrinsic::experimental_constrained_sqrt, a, {a.value}, {a.value});
 }
 
+double ray_roundings(const Lanes& /*kind*/) { return can_fuse() ? 4.0 : 6.0; }
+
 Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
-    if (!__builtin_cpu_supports("fma")) return a * b + c;
+    if (!can_fuse()) return a * b + c;
     return rounded(llvm::Intrinsic::experimental_constrained_fma, a, {a.value, b.value, c.value},
                    unordered_pair(a.value, b.value, c.value));
 }

@@ -96,4 +96,7 @@ Lanes elementary(Elementary function, const Lanes& a, const Lanes& b);
 
 const Format& format_of(const Lanes& kind);
 
+/// See engine/expr/frustum.hpp: two more where products are rounded on their own.
+double ray_roundings(const Lanes& kind);
+
 }  // namespace zeroset::jit

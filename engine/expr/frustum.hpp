@@ -55,12 +55,19 @@ struct CellLanes {
     Lanes u, v, s, s_radius;
 };
 
+/// The coordinates of a RaysOf are off by less than so many units of their terms' sizes: one for
+/// its numbers, three for sums, in code that rounds products together with the sums.
+template <class Lanes>
+double ray_roundings(const Lanes& /*kind*/) {
+    return 4.0;
+}
+
 /// Coordinate i over cells, and its slope along the rays. The roundings of u, v and of the few
 /// operations here are below four units of `size` together: of the terms' sizes at these depths.
 template <class Lanes>
 BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lanes>& cell,
                             std::size_t i) {
-    const Lanes four = like(cell.u, 4.0);
+    const Lanes units = like(cell.u, ray_roundings(cell.u));
     const Lanes across = cell.u * view.right[i] + cell.v * view.up[i];
     const Lanes direction = view.forward[i] + across;
     const Lanes from_eye = view.distance + cell.s;
@@ -72,8 +79,8 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
     const Lanes size = view.size[i] + (magnitude(cell.s) + cell.s_radius) * view.direction_size[i];
     const Affine<Lanes> slope{
         direction, {view.by_u[i], view.by_v[i], std::nullopt}, like(cell.u, 0.0)};
-    return {Beam<Lanes>{x, size * four, size},
-            slope_beam(Beam<Lanes>{slope, view.direction_size[i] * four, view.direction_size[i]})};
+    return {Beam<Lanes>{x, size * units, size},
+            slope_beam(Beam<Lanes>{slope, view.direction_size[i] * units, view.direction_size[i]})};
 }
 
 /// The same over cells without width: a form in the depth alone, in fewer operations.

@@ -109,8 +109,9 @@ struct FormBatchOf {
     Real* c;
     Real* k[3];
     Real* e;
-    /// out: an evaluation of f by the value kernel at a point of the cell, its coordinates rounded,
-    /// is off by less than u r, where each operation is off by less than u times its result
+    /// out: an evaluation of f by the value kernel at a point of the cell, its coordinates those of
+    /// a RaysOf, is off by less than u r, where each operation is off by less than u times its
+    /// result
     Real* r;
     Real* slope_neg_lo;  ///< out: -lo of an enclosure of df/ds where f is continuous; +inf: unknown
     Real* slope_hi;
@@ -118,9 +119,10 @@ struct FormBatchOf {
     ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
 };
 
-/// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row) is o + s d,
+/// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row), counted from
+/// the middle of the tile, is o + s d,
 ///   o = origin + col origin_by_col + row origin_by_row, and d likewise.
-/// Only numbers: kernels take it as an array.
+/// Rounded to nearest: FormBatchOf::r counts on it. Only numbers: kernels take it as an array.
 template <class Real>
 struct RaysOf {
     Real origin[3], origin_by_col[3], origin_by_row[3];
@@ -131,7 +133,7 @@ struct RaysOf {
 template <class Real>
 struct NewtonBatchOf {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
-    const float* col;  ///< of the pixels, whole numbers
+    const float* col;  ///< of the pixels, from the middle of the tile
     const float* row;
     const Real* from;  ///< the stretches of the rays where roots are looked for
     const Real* to;
@@ -148,7 +150,7 @@ struct NewtonBatchOf {
 /// f on the rays of `size` pixels, in double, after some steps of Newton's method.
 struct RayValueBatch {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
-    const float* col;  ///< of the pixels, whole numbers
+    const float* col;  ///< of the pixels, from the middle of the tile
     const float* row;
     const float* slope;      ///< df/ds near s
     int steps;               ///< at least 0

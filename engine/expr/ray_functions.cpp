@@ -21,7 +21,7 @@ struct Points {
     Column<Real> f;
 };
 
-/// The rays of `count` pixels.
+/// The rays of `count` pixels. Fused: ray_roundings() counts on it.
 template <class Real>
 void place_rays(const Real* numbers, const float* col, const float* row, std::size_t count,
                 Points<Real>& points) {
@@ -30,10 +30,11 @@ void place_rays(const Real* numbers, const float* col, const float* row, std::si
         for (std::size_t i = 0; i < count; ++i) {
             const auto c = static_cast<Real>(col[i]);
             const auto r = static_cast<Real>(row[i]);
-            points.origin[k][i] =
-                rays.origin[k] + c * rays.origin_by_col[k] + r * rays.origin_by_row[k];
+            points.origin[k][i] = std::fma(r, rays.origin_by_row[k],
+                                           std::fma(c, rays.origin_by_col[k], rays.origin[k]));
             points.direction[k][i] =
-                rays.direction[k] + c * rays.direction_by_col[k] + r * rays.direction_by_row[k];
+                std::fma(r, rays.direction_by_row[k],
+                         std::fma(c, rays.direction_by_col[k], rays.direction[k]));
         }
     }
 }
@@ -44,7 +45,7 @@ void evaluate_at(const KernelFunction<ValueBatchOf<Real>>& value, const Real* un
                  const Real* s, std::size_t count, Points<Real>& points) {
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < count; ++i) {
-            points.x[k][i] = points.origin[k][i] + s[i] * points.direction[k][i];
+            points.x[k][i] = std::fma(s[i], points.direction[k][i], points.origin[k][i]);
         }
     }
     value({count,

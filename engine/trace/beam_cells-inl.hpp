@@ -169,6 +169,7 @@ struct Cells {
         kernel[size] = at.kernel;
         ++size;
     }
+    void pop() { --size; }
     [[nodiscard]] bool bit(LaneBits CellBits::* member, std::size_t cell) const {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         return (bits[cell / lanes].*member >> (cell % lanes) & 1U) != 0;

@@ -59,6 +59,11 @@ public:
         return bits_of(dd, hn::And(known_, hn::Or(hn::Lt(load_doubles(dd, hi), enter_lo_),
                                                   hn::Gt(load_doubles(dd, lo), exit_hi_))));
     }
+    /// Takes away what is surely outside, of stretches of the rays.
+    void narrow(hn::Vec<ClipTag>& from, hn::Vec<ClipTag>& to) const {
+        from = hn::IfThenElse(known_, hn::Max(from, enter_lo_), from);
+        to = hn::IfThenElse(known_, hn::Min(to, exit_hi_), to);
+    }
 
 private:
     static constexpr ClipTag dd{};

@@ -36,13 +36,12 @@ public:
     void add(const Leaf<Real>& leaf) {
         if (run_ && run_->continues_with(leaf)) {
             run_->add(leaf);
+            place<false>(leaf);
         } else {
             solve();
             run_.emplace(leaf);
-            std::fill_n(from_, items, std::numeric_limits<Real>::infinity());
-            std::fill_n(to_, items, -std::numeric_limits<Real>::infinity());
+            place<true>(leaf);
         }
-        place(leaf);
     }
     /// Works off what has been added.
     void solve();
@@ -64,6 +63,8 @@ private:
         V s;       ///< near it
     };
 
+    /// The stretches of a leaf's rays, empty where from > to; joined to those before.
+    template <bool first_of_run>
     void place(const Leaf<Real>& leaf);
     /// Leaves out rows without stretches; false when none is left.
     bool compact();
@@ -124,6 +125,7 @@ private:
 };
 
 template <class Real, int pixels>
+template <bool first_of_run>
 void LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
     const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
     const Real scale = leaf.reach / std::copysign(steepness, leaf.kt);
@@ -143,17 +145,24 @@ void LeafSolver<Real, pixels>::place(const Leaf<Real>& leaf) {
             const V middle = hn::NegMulAdd(x, by_col, hn::Set(d, first));
             const V ray_from = hn::Max(hn::Sub(middle, radius), from);  // `from` where NaN
             const V ray_to = hn::Min(hn::Add(middle, radius), to);
+            const V guess = hn::Min(hn::Max(middle, ray_from), ray_to);
+            if constexpr (first_of_run) {
+                hn::Store(ray_from, d, from_ + i);
+                hn::Store(ray_to, d, to_ + i);
+                hn::Store(guess, d, guess_ + i);
+                continue;
+            }
             const M some = hn::Le(ray_from, ray_to);
             const V before_from = hn::Load(d, from_ + i);
             const V before_to = hn::Load(d, to_ + i);
-            const V before = hn::Load(d, guess_ + i);
-            const V guess = hn::Min(hn::Max(middle, ray_from), ray_to);
-            const M better =
-                hn::And(some, hn::Or(hn::Gt(before_from, before_to), hn::Ge(middle, from)));
-            hn::Store(hn::IfThenElse(better, guess, before), d, guess_ + i);
-            hn::Store(hn::IfThenElse(some, hn::Min(before_from, ray_from), before_from), d,
-                      from_ + i);
-            hn::Store(hn::IfThenElse(some, hn::Max(before_to, ray_to), before_to), d, to_ + i);
+            const M only = hn::AndNot(hn::Le(before_from, before_to), some);
+            const M better = hn::Or(only, hn::And(some, hn::Ge(middle, from)));
+            const auto join = [&](V before, V both, V alone) {
+                return hn::IfThenElse(only, alone, hn::IfThenElse(some, both, before));
+            };
+            hn::Store(join(before_from, hn::Min(before_from, ray_from), ray_from), d, from_ + i);
+            hn::Store(join(before_to, hn::Max(before_to, ray_to), ray_to), d, to_ + i);
+            hn::Store(hn::IfThenElse(better, guess, hn::Load(d, guess_ + i)), d, guess_ + i);
         }
     }
 }
@@ -183,8 +192,8 @@ bool LeafSolver<Real, pixels>::compact() {
         }
         if (hn::AllFalse(d, any)) continue;
         for (int col = 0; col < pixels; ++col) {
-            col_[slots_ * pixels + col] = static_cast<float>(run_->col + col);
-            row_[slots_ * pixels + col] = static_cast<float>(run_->row + row);
+            col_[slots_ * pixels + col] = from_middle(run_->col + col);
+            row_[slots_ * pixels + col] = from_middle(run_->row + row);
         }
         rows_[slots_++] = row;
     }
@@ -309,7 +318,7 @@ HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M pro
     hn::StoreU(hn::IfThenElse(nearest, s, before), d, &found_.depth[pixel]);
     for (std::size_t k = 0; k < 3; ++k)
         store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));
-    found_.certify(pixel, bits_of(d, nearest), lanes);
+    found_.template certify<lanes>(pixel, bits_of(d, nearest));
 }
 
 /// What is not proved goes to the root finder.

@@ -12,6 +12,7 @@
 #include "engine/trace/beam_ranges-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 
+#include <bit>
 #include <optional>
 #include <span>
 
@@ -38,6 +39,37 @@ struct MarchSettings {
     bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
 };
 
+/// What forms say of segments.
+template <class Real>
+struct Verdicts {
+    /// The parts of the segments that were evaluated, and where in them f may vanish.
+    std::vector<Real> begin, end, from, to;
+    std::vector<Real> guess;  ///< a guess of the root
+
+    /// Of the segments of a vector.
+    struct Bits {
+        LaneBits rejected;   ///< no root in the part
+        LaneBits weak;       ///< the form says little; the natural interval extension may say more
+        LaneBits monotone;   ///< f is continuous, with a slope that bends little
+        LaneBits certain;    ///< then there is a root
+        LaneBits contracts;  ///< the form leaves less than three fifths of the part
+    };
+    std::vector<Bits> bits;
+
+    explicit Verdicts(std::size_t capacity) : bits(capacity / hn::Lanes(LanesOf<Real>())) {
+        for (std::vector<Real>* column : {&begin, &end, &from, &to, &guess})
+            column->resize(capacity);
+    }
+    [[nodiscard]] bool bit(LaneBits Bits::* member, std::size_t i) const {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        return (bits[i / lanes].*member >> (i % lanes) & 1U) != 0;
+    }
+    void reject(std::size_t i) {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        bits[i / lanes].rejected |= LaneBits{1} << (i % lanes);
+    }
+};
+
 /// What is left of a segment that is not cut any further.
 template <class Real>
 struct Rest {
@@ -57,7 +89,7 @@ struct MarchMemory {
     CellPlaces<Real> places;
     Forms<Real> forms;
     RangeMemory<Real> ranges;
-    std::array<bool, capacity> excluded{};
+    Verdicts<Real> verdicts{capacity};
 
     MarchMemory() {
         places.resize(capacity);
@@ -83,7 +115,7 @@ public:
           asked_(memory.asked),
           places_(memory.places),
           forms_(memory.forms),
-          excluded_(memory.excluded) {}
+          verdicts_(memory.verdicts) {}
 
     void push(const Segment<Real>& segment) { segments_.push_back(segment); }
 
@@ -109,9 +141,11 @@ private:
     }
     void place(std::span<const Segment<Real>> segments, Real margin);
     void evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count);
-    /// Finds those segments that the natural interval extension rejects: of those that forms say
-    /// little of.
-    void ask_ranges(std::span<const Segment<Real>> segments, Real finest);
+    /// What the forms say of the segments.
+    void judge(std::size_t count, Real finest);
+    void judge_vector(std::size_t i, Real finest);
+    /// Rejects by the natural interval extension: of those that forms say little of.
+    void ask_ranges(std::span<const Segment<Real>> segments);
     /// Goes on with one segment after its cell i was evaluated; false when it is finished.
     bool advance(Segment<Real>& segment, std::size_t i, Real finest);
     /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
@@ -122,16 +156,12 @@ private:
     template <class Undecided>
     std::optional<Segment<Real>> decide(std::size_t rest, const MarchSettings<Real>& settings,
                                         Undecided undecided);
-    [[nodiscard]] bool rejected(std::size_t i) const {
-        return forms_.nowhere[i] != 0 ||
-               std::abs(forms_.c[i]) > std::abs(forms_.k[2][i]) + forms_.e[i];
-    }
     static bool go_behind(Segment<Real>& segment) {
         segment.from = segment.end();
         segment.step += segment.step;
         return segment.from < segment.to;
     }
-    void solve(const Segment<Real>& segment, std::size_t i, Real from, Real to, Real guess);
+    void solve(const Segment<Real>& segment, std::size_t i);
 
     const TraceFrame& frame_;
     const BeamView& view_;
@@ -144,7 +174,8 @@ private:
     std::vector<std::size_t>& asked_;
     CellPlaces<Real>& places_;
     Forms<Real>& forms_;
-    std::array<bool, capacity>& excluded_;
+    Verdicts<Real>& verdicts_;
+    std::array<Real, tile_size> u_, v_;  ///< of the tile's columns and rows
 };
 
 template <class Real, class Cell>
@@ -153,10 +184,12 @@ void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real
         const Segment<Real>& segment = segments[i];
         const Real end = segment.end();
         const Real middle = Real{0.5} * segment.from + Real{0.5} * end;
-        places_.u[i] = static_cast<Real>(view_.u(segment.pixel % tile_size));
-        places_.v[i] = static_cast<Real>(view_.v(segment.pixel / tile_size));
+        places_.u[i] = u_[segment.pixel % tile_size];
+        places_.v[i] = v_[segment.pixel / tile_size];
         places_.s[i] = middle;
         places_.s_radius[i] = std::max(end - middle, middle - segment.from) + margin;
+        verdicts_.begin[i] = segment.from;
+        verdicts_.end[i] = end;
     }
 }
 
@@ -169,30 +202,91 @@ void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumO
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments, Real finest) {
-    ranges_.clear();
-    asked_.clear();
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Segment<Real>& segment = segments[i];
-        excluded_[i] = rejected(i);
-        const bool weak = forms_.continuous[i] == 0 || segment.end() - segment.from <= finest;
-        if (excluded_[i] || !weak) continue;
-        asked_.push_back(i);
-        ranges_.push(segment.pixel, static_cast<double>(segment.from),
-                     static_cast<double>(segment.end()));
-    }
-    ranges_.evaluate(*segments.front().kernel);
-    for (std::size_t k = 0; k < asked_.size(); ++k)
-        excluded_[asked_[k]] = ranges_.excludes_zero(k);
+void RayMarcher<Real, Cell>::judge(std::size_t count, Real finest) {
+    for (std::size_t i = 0; i < count; i += hn::Lanes(LanesOf<Real>()))
+        judge_vector(i, finest);
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i, Real from, Real to,
-                                   Real guess) {
+void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
+    constexpr LanesOf<Real> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    const auto load = [&](const std::vector<Real>& column) {
+        return hn::LoadU(d, column.data() + i);
+    };
+    const auto mask = [&](const std::vector<ContinuityMask<Real>>& masks) {
+        return hn::MaskFromVec(hn::BitCast(d, hn::LoadU(du, masks.data() + i)));
+    };
+    const auto zero = hn::Zero(d);
+    const auto c = load(forms_.c);
+    const auto k = load(forms_.k[2]);
+    const auto e = load(forms_.e);
+    const auto s = load(places_.s);
+    const auto reach = load(places_.s_radius);
+    const auto begin = load(verdicts_.begin);
+    const auto end = load(verdicts_.end);
+    // Where the linear part, widened by its error and the roundings here, may vanish.
+    const auto sloped = hn::Gt(hn::Abs(k), zero);
+    const auto inverse = hn::IfThenElseZero(sloped, hn::Div(reach, k));
+    const auto middle = hn::NegMulAdd(c, inverse, s);
+    const auto size = hn::Add(hn::Add(hn::Abs(s), hn::Abs(middle)), reach);
+    const auto radius = hn::MulAdd(size, hn::Set(d, 8 * std::numeric_limits<Real>::epsilon()),
+                                   hn::Mul(e, hn::Abs(inverse)));
+    const auto lo = hn::Sub(middle, radius);
+    const auto hi = hn::Add(middle, radius);
+    const auto bounded = hn::And(sloped, hn::Le(lo, hi));  // false where NaN
+    const auto from = hn::IfThenElse(bounded, hn::Max(begin, lo), begin);
+    const auto to = hn::IfThenElse(bounded, hn::Min(end, hi), end);
+    const auto far = hn::Gt(hn::Abs(c), hn::Add(hn::Abs(k), e));
+    const auto rejected = hn::Or(hn::Or(far, mask(forms_.nowhere)), hn::Gt(from, to));
+    const auto continuous = mask(forms_.continuous);
+    // The derivative's least and greatest size, if it keeps its sign.
+    const auto rising = hn::Neg(load(forms_.slope_neg_lo));
+    const auto falling = hn::Neg(load(forms_.slope_hi));
+    const auto least = hn::Max(rising, falling);
+    const auto most = hn::Neg(hn::Min(rising, falling));
+    const auto straight =
+        hn::And(hn::Gt(least, zero), hn::Le(most, hn::Mul(least, hn::Set(d, most_bend))));
+    const auto length = hn::Sub(end, begin);
+    const auto short_already = hn::Le(length, hn::Set(d, finest));
+    hn::StoreU(from, d, verdicts_.from.data() + i);
+    hn::StoreU(to, d, verdicts_.to.data() + i);
+    hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts_.guess.data() + i);
+    verdicts_.bits[i / hn::Lanes(d)] = {
+        bits_of(d, rejected), bits_of(d, hn::Or(hn::Not(continuous), short_already)),
+        bits_of(d, hn::And(continuous, straight)),
+        bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
+        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, static_cast<Real>(0.6)))))};
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments) {
+    ranges_.clear();
+    asked_.clear();
+    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+    for (std::size_t first = 0; first < segments.size(); first += lanes) {
+        const auto& bits = verdicts_.bits[first / lanes];
+        for (LaneBits open = bits.weak & ~bits.rejected; open != 0; open &= open - 1) {
+            const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(open));
+            if (i >= segments.size()) break;
+            asked_.push_back(i);
+            ranges_.push(segments[i].pixel, static_cast<double>(verdicts_.begin[i]),
+                         static_cast<double>(verdicts_.end[i]));
+        }
+    }
+    ranges_.evaluate(*segments.front().kernel);
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+        if (ranges_.excludes_zero(k)) verdicts_.reject(asked_[k]);
+    }
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) {
     const double s = static_cast<double>(places_.s[i]);
     const double reach = static_cast<double>(places_.s_radius[i]);
-    roots_.push({segment.pixel, segment.inside, static_cast<double>(from), static_cast<double>(to),
-                 s - reach, s + reach, static_cast<double>(guess),
+    roots_.push({segment.pixel, segment.inside, static_cast<double>(verdicts_.from[i]),
+                 static_cast<double>(verdicts_.to[i]), s - reach, s + reach,
+                 static_cast<double>(verdicts_.guess[i]),
                  -static_cast<double>(forms_.slope_neg_lo[i]),
                  static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i]),
                  segment.kernel, false});
@@ -200,41 +294,22 @@ void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i, 
 
 template <class Real, class Cell>
 bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real finest) {
+    using Bits = typename Verdicts<Real>::Bits;
     if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) return false;
-    if (excluded_[i]) return go_behind(segment);
-    const Real end = segment.end();
-    const Real c = forms_.c[i];
-    const Real k = forms_.k[2][i];
-    const Real e = forms_.e[i];
-    const bool continuous = forms_.continuous[i] != 0;
-    // Where the linear part, widened by its error and the roundings here, may vanish.
-    const Real inverse = std::abs(k) > 0 ? places_.s_radius[i] / k : Real{0};
-    const Real middle = places_.s[i] - c * inverse;
-    const Real radius = e * std::abs(inverse) +
-                        8 * std::numeric_limits<Real>::epsilon() *
-                            (std::abs(places_.s[i]) + std::abs(middle) + places_.s_radius[i]);
-    const bool contracts = std::abs(k) > 0 && middle - radius <= middle + radius;
-    const Real from = contracts ? std::max(segment.from, middle - radius) : segment.from;
-    const Real to = contracts ? std::min(end, middle + radius) : end;
-    if (from > to) return go_behind(segment);
-    const Real rising = -forms_.slope_neg_lo[i];
-    const Real falling = -forms_.slope_hi[i];
-    // The derivative's least and greatest size, if it keeps its sign.
-    const Real least = std::max(rising, falling);
-    const Real most = -std::min(rising, falling);
-    if (continuous && least > 0 && most <= most_bend * least) {
-        solve(segment, i, from, to, std::clamp(middle, from, to));
-        const bool certain = contracts && middle - radius > segment.from && middle + radius < end;
-        return !(certain && segment.inside) && go_behind(segment);
+    if (verdicts_.bit(&Bits::rejected, i)) return go_behind(segment);
+    if (verdicts_.bit(&Bits::monotone, i)) {
+        solve(segment, i);
+        return !(verdicts_.bit(&Bits::certain, i) && segment.inside) && go_behind(segment);
     }
-    if (to - from <= finest || !(from < from + Real{0.5} * (to - from))) {
-        rests_.push_back({segment, from, to, continuous});
+    const Real from = verdicts_.from[i];
+    const Real to = verdicts_.to[i];
+    const Real width = to - from;
+    if (width <= finest || !(from < from + Real{0.5} * width)) {
+        rests_.push_back({segment, from, to, forms_.continuous[i] != 0});
         return false;
     }
-    const Real width = to - from;
-    const bool contracted = width < static_cast<Real>(0.6) * (end - segment.from);
     segment.from = from;
-    segment.step = contracted ? width : Real{0.5} * width;
+    segment.step = verdicts_.bit(&Bits::contracts, i) ? width : Real{0.5} * width;
     return true;
 }
 
@@ -306,6 +381,10 @@ template <class Real, class Cell>
 template <class Undecided>
 void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecided undecided) {
     if (segments_.empty()) return;
+    for (int i = 0; i < tile_size; ++i) {
+        u_[static_cast<std::size_t>(i)] = static_cast<Real>(view_.u(i));
+        v_[static_cast<std::size_t>(i)] = static_cast<Real>(view_.v(i));
+    }
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     while (!segments_.empty()) {
         std::size_t kept = 0;
@@ -314,7 +393,8 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             const auto segments = std::span(segments_).subspan(first, count);
             place(segments, settings.margin);
             evaluate_forms(*segments.front().kernel, frustum, count);
-            ask_ranges(segments, settings.finest);
+            judge(count, settings.finest);
+            ask_ranges(segments);
             rests_.clear();
             for (std::size_t i = 0; i < count; ++i) {
                 Segment<Real> segment = segments[i];

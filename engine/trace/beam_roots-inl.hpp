@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
@@ -27,12 +29,15 @@ class Found {
 public:
     static constexpr Real none = std::numeric_limits<Real>::infinity();
 
-    Found() : depth(tile_pixels, none) {}
-
     /// Begins a tile whose certificates and gradients go to `hits`, which is clear. What is not
     /// wanted of its rays is behind a root that `end` takes away.
     void begin(TileHits& hits, const Tile& tile, const BeamView& view) {
-        if (any_ || !limits_.empty()) std::ranges::fill(depth, none);
+        if constexpr (std::is_same_v<Real, float>) {
+            depth = hits.depth.data();
+        } else {
+            own_.assign(tile_pixels, none);
+            depth = own_.data();
+        }
         any_ = false;
         hits_ = &hits;
         without_gradient.clear();
@@ -40,7 +45,7 @@ public:
         if (tile.limits == nullptr) return;
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel)
             depth[pixel] = upper_end(Real{}, view.limit(pixel));
-        limits_ = depth;
+        limits_.assign(depth, depth + tile_pixels);
     }
     void end() {
         for (std::size_t pixel = 0; pixel < limits_.size(); ++pixel) {
@@ -62,27 +67,34 @@ public:
         add(pixel, s, known, {});
         without_gradient.push_back(pixel);
     }
-    /// Certified roots of up to `most` pixels from `pixel` on, those of `bits`, whose depths and
-    /// gradients are written to `depth` and `gradients`.
-    void certify(std::size_t pixel, LaneBits bits, int most) {
+    /// Certified roots of those of `most` pixels from `pixel` on whose bits are set, whose depths
+    /// and gradients are written to `depth` and `gradients`.
+    template <std::size_t most>
+    void certify(std::size_t pixel, LaneBits bits) {
+        static_assert(most <= 8);
         any_ = true;
         Certificate* const known = &hits_->certificate[pixel];
-        if (bits == (1U << most) - 1U) {
-            std::fill_n(known, most, Certificate::Certified);
-            return;
-        }
-        for (; bits != 0; bits &= bits - 1)
-            known[std::countr_zero(bits)] = Certificate::Certified;
+        // A byte for each bit, all ones or 0.
+        const std::uint64_t spread = (bits * 0x0101010101010101U) & 0x8040201008040201U;
+        const std::uint64_t set = ((spread + 0x7F7F7F7F7F7F7F7FU) | spread) >> 7U;
+        const std::uint64_t bytes = (set & 0x0101010101010101U) * 0xFFU;
+        std::uint64_t all = 0;
+        std::memcpy(&all, known, most);
+        constexpr auto certified = static_cast<std::uint64_t>(Certificate::Certified);
+        all = (all & ~bytes) | (bytes & (certified * 0x0101010101010101U));
+        std::memcpy(known, &all, most);
     }
     float* gradients(std::size_t axis, std::size_t pixel) { return &hits_->gradient[axis][pixel]; }
     [[nodiscard]] bool any() const { return any_; }
 
-    /// s of the nearest root of each pixel, in rows of tile_size; +inf: none.
-    std::vector<Real> depth;
+    /// s of the nearest root of each pixel, in rows of tile_size; +inf: none. In float it stands
+    /// where the distances from the eye are wanted.
+    Real* depth = nullptr;
     std::vector<std::uint32_t> without_gradient;  ///< pixels with a root but no gradient
 
 private:
     bool any_ = false;
+    std::vector<Real> own_;     ///< depths that have no place in the hits
     std::vector<Real> limits_;  ///< what `depth` began with, empty: with `none`
     TileHits* hits_ = nullptr;
 };
@@ -155,8 +167,8 @@ void RootFinder<Real>::take_first_steps() {
     const std::size_t count = padded(size_);
     for (std::size_t i = 0; i < count; ++i) {
         const Stretch& stretch = stretches_[i < size_ ? i : 0];
-        col_[i] = static_cast<float>(stretch.pixel % tile_size);
-        row_[i] = static_cast<float>(stretch.pixel / tile_size);
+        col_[i] = from_middle(static_cast<int>(stretch.pixel % tile_size));
+        row_[i] = from_middle(static_cast<int>(stretch.pixel / tile_size));
         from_[i] = static_cast<Real>(stretch.from);
         to_[i] = static_cast<Real>(stretch.to);
         guess_[i] = static_cast<Real>(stretch.guess);

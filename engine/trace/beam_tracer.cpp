@@ -90,7 +90,18 @@ private:
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
     void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
+<<<<<<< HEAD
     /// Finds the roots on single rays.
+=======
+    /// A cell whose pixels go on one by one.
+    struct Marched {
+        std::size_t cell;
+        const Kernel* kernel;
+        double radius;  ///< roots are no farther from where the form's linear part vanishes
+        double by_col;  ///< how much nearer that is from column to column
+    };
+    void march_some(const Marched& marched, int first_col, int row, double middle);
+>>>>>>> origin/main
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
@@ -120,9 +131,9 @@ private:
 
 template <class Real>
 void BeamTile<Real>::trace() {
-    found_.begin(hits_, tile_, view_);
     if (tree_.cells().size == 0) return;
-    for (int pixels = tile_size; pixels > 2 * least_pixels && tree_.cells().size > 0; pixels /= 2) {
+    found_.begin(hits_, tile_, view_);
+    for (int pixels = tile_size; pixels > 2 * least_pixels; pixels /= 2) {
         descend(pixels);
         tree_.go_down();
     }
@@ -135,6 +146,7 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
+    if (tree_.cells().size == 0) return;
     for (const CellRun& run : tree_.judge(pixels))
         visit_run(run, pixels);
 }
@@ -273,38 +285,61 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
         return static_cast<double>(column[cell]);
     };
     const double half = 0.5 * (pixels - 1);
-    const double c = number(f.c);
     const double ku = number(f.k[0]) / half;
     const double kv = number(f.k[1]) / half;
     const double kt = number(f.k[2]);
     const double e = number(f.e) + 0x1p-10 * half * (std::abs(ku) + std::abs(kv));
-    const double s = number(cells.places.s);
-    const double reach = number(cells.places.s_radius);
-    const double scale = std::abs(kt) > 0 ? reach / kt : 0;
+    const double scale = std::abs(kt) > 0 ? number(cells.places.s_radius) / kt : 0;
     const double radius = std::abs(kt) > 0 ? e * std::abs(scale) + 4 * view_.depth_error()
                                            : std::numeric_limits<double>::infinity();
-    const double from = number(cells.from);
-    const double to = number(cells.to);
+    const double first = number(cells.places.s) - (number(f.c) - half * (ku - kv)) * scale;
+    const Marched marched{cell, kernel, radius, ku * scale};
     for (int row = 0; row < pixels && cells.row[cell] + row < tile_.rows; ++row) {
-        for (int col = 0; col < pixels && cells.col[cell] + col < tile_.cols; ++col) {
-            const double middle = s - (c + ku * (col - half) - kv * (row - half)) * scale;
-            double ray_from = std::max(from, middle - radius);
-            double ray_to = std::min(to, middle + radius);
-            if (!(ray_from <= ray_to)) continue;
-            const auto pixel = static_cast<std::uint32_t>((cells.row[cell] + row) * tile_size +
-                                                          cells.col[cell] + col);
-            if (ray_from > static_cast<double>(found_.depth[pixel])) continue;
-            if (cells.inside[cell] == 0) {
-                const DepthRange clip = view_.depths(view_.u(cells.col[cell] + col),
-                                                     view_.v(cells.row[cell] + row), 0.0, 0.0);
-                ray_from = std::max(ray_from, clip.enter_lo);
-                ray_to = std::min(ray_to, clip.exit_hi);
-                if (!(ray_from <= ray_to)) continue;
-            }
-            const Real begin = -upper_end(Real{}, -ray_from);
-            const Real end = upper_end(Real{}, ray_to);
-            marcher_.push({pixel, cells.inside[cell] != 0, begin, end, end - begin, kernel});
+        for (int col = 0; col < pixels && cells.col[cell] + col < tile_.cols; col += clip_lanes)
+            march_some(marched, col, row, first - (ku * col - kv * row) * scale);
+    }
+}
+
+/// The pixels of a vector; `middle`: where the linear part of the form vanishes on the first ray.
+template <class Real>
+void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, double middle) {
+    constexpr ClipTag d;
+    const Cells<Real>& cells = tree_.cells();
+    const int col = cells.col[marched.cell] + first_col;
+    const auto pixel = static_cast<std::size_t>((cells.row[marched.cell] + row) * tile_size + col);
+    const bool inside = cells.inside[marched.cell] != 0;
+    const auto radius = hn::Set(d, marched.radius);
+    const auto middles =
+        hn::NegMulAdd(hn::Iota(d, 0.0), hn::Set(d, marched.by_col), hn::Set(d, middle));
+    // The cell's ends where NaN.
+    const auto lo = hn::Sub(middles, radius);
+    const auto hi = hn::Add(middles, radius);
+    const auto cell_from = hn::Set(d, static_cast<double>(cells.from[marched.cell]));
+    const auto cell_to = hn::Set(d, static_cast<double>(cells.to[marched.cell]));
+    auto from = hn::IfThenElse(hn::Gt(lo, cell_from), lo, cell_from);
+    auto to = hn::IfThenElse(hn::Lt(hi, cell_to), hi, cell_to);
+    if (!inside) {
+        alignas(64) float cols[clip_lanes], rows[clip_lanes];
+        for (int lane = 0; lane < clip_lanes; ++lane) {
+            cols[lane] = from_middle(col + lane);
+            rows[lane] = from_middle(cells.row[marched.cell] + row);
         }
+        ClipDepths(view_, cols, rows).narrow(from, to);
+    }
+    const auto depth = load_doubles(d, &found_.depth[pixel]);
+    const auto wanted = hn::And(hn::Le(from, to), hn::Le(from, depth));
+    LaneBits bits =
+        bits_of(d, hn::And(wanted, hn::FirstN(d, static_cast<std::size_t>(tile_.cols - col))));
+    if (bits == 0) return;
+    alignas(64) double froms[clip_lanes], tos[clip_lanes];
+    hn::Store(from, d, froms);
+    hn::Store(to, d, tos);
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const Real begin = -upper_end(Real{}, -froms[lane]);
+        const Real end = upper_end(Real{}, tos[lane]);
+        marcher_.push({static_cast<std::uint32_t>(pixel + lane), inside, begin, end, end - begin,
+                       marched.kernel});
     }
 }
 
@@ -367,26 +402,15 @@ void BeamTile<Real>::hand_on_row(int row) {
     const hn::Rebind<float, decltype(dd)> d;
     const double v = view_.v(row);
     const auto square_up = hn::Set(dd, 1.0 + v * v);
-    const auto none = hn::Set(d, std::numeric_limits<float>::infinity());
     const auto first = static_cast<std::size_t>(row) * tile_size;
     for (std::size_t col = 0; col < tile_size; col += hn::Lanes(dd)) {
         const auto s = load_doubles(dd, &found_.depth[first + col]);
-        float* const to = &hits_.depth[first + col];
-        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) {
-            hn::StoreU(none, d, to);
-            continue;
-        }
+        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) continue;
         const auto u = hn::MulAdd(hn::Iota(dd, static_cast<double>(col)),
                                   hn::Set(dd, view_.pixel()), hn::Set(dd, view_.u(0)));
-        const auto square = hn::MulAdd(u, u, square_up);
-        // The root in float, and one step of Newton's method from it.
-        const auto near = hn::Sqrt(hn::DemoteTo(d, square));
-        const auto root = hn::PromoteTo(dd, near);
-        const auto half_inverse =
-            hn::PromoteTo(dd, hn::Mul(hn::ApproximateReciprocal(near), hn::Set(d, 0.5F)));
-        const auto stretch = hn::MulAdd(hn::NegMulAdd(root, root, square), half_inverse, root);
+        const auto stretch = hn::Sqrt(hn::MulAdd(u, u, square_up));
         const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.distance())), stretch);
-        hn::StoreU(hn::DemoteTo(d, depth), d, to);
+        hn::StoreU(hn::DemoteTo(d, depth), d, &hits_.depth[first + col]);
     }
 }
 

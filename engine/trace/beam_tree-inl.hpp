@@ -50,7 +50,8 @@ public:
           runs_(memory.runs),
           kernels_(memory.kernels),
           asked_(memory.asked),
-          ranges_(frame, view, memory.ranges, counters) {
+          ranges_(frame, view, memory.ranges, counters),
+          distance_(static_cast<Real>(view.distance())) {
         start();
     }
 
@@ -89,6 +90,7 @@ private:
         std::size_t index;
         DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
         Real margin;
+        Real width_by_depth;  ///< twice the tile's width at the distance 1 from the eye
     };
 
     /// The first cells; none when no ray meets the clip box.
@@ -129,6 +131,7 @@ private:
     CellKernels& kernels_;
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
     RangeList<Real> ranges_;
+    Real distance_;  ///< from the eye to the plane s = 0
     double s_most_ = 0;
     Real margin_ = 0;
 };
@@ -197,6 +200,7 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
                                    int pixels, auto farthest) {
     const int half = pixels / 2;
     const Real margin = margin_of(half);
+    const auto width_by_depth = static_cast<Real>(2 * view_.pixel() * half);
     const std::size_t parent = open.front();
     for (std::size_t child = 0; child < 4; ++child) {
         const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
@@ -204,7 +208,7 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
         if (col >= tile_.cols || row >= tile_.rows) continue;
         const Real limit = farthest(col, row);
         const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half),
-                         margin};
+                         margin, width_by_depth};
         for (const std::size_t cell : open) {
             if (cells_->from[cell] > limit) break;
             push_child(tile, half, cell);
@@ -224,15 +228,16 @@ void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t paren
         inside = static_cast<double>(from) >= tile.depths.enter_hi &&
                  static_cast<double>(to) <= tile.depths.exit_lo;
     }
-    if (!(from <= to)) return;
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
-    const Real width = 2 * static_cast<Real>((view_.distance() + static_cast<double>(from)) *
-                                             view_.pixel() * pixels);
-    int parts = 1;
-    if (length > width && length > static_cast<Real>(0.6) * parent_length) {
-        parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
+    const Real width = tile.width_by_depth * (distance_ + from);
+    if (!(length > width && length > static_cast<Real>(0.6) * parent_length)) {
+        // Written in any case: whether it is empty is hard to predict.
+        next_->push(tile.place, from, to, tile.margin, inside);
+        if (!(from <= to)) next_->pop();
+        return;
     }
+    const int parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
     Real begin = from;
     for (int i = 1; i <= parts; ++i) {
         const Real end =

@@ -1,5 +1,6 @@
 #include "engine/trace/beam_view.hpp"
 
+#include "engine/num/rounding.hpp"
 #include "engine/num/scalar.hpp"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 
 namespace zeroset {
 namespace {
+
+/// Of the middle of a tile, in pixels.
+constexpr double from_first = 0.5 * (tile_size - 1);
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
@@ -134,9 +138,10 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
 template <class Real>
 RaysOf<Real> BeamView::make_rays() const {
     using Wide = long double;
+    const NearestRounding nearest;
     const Wide pixel = pixel_;
-    const Wide u = u_first_;
-    const Wide v = v_first_;
+    const Wide u = u_first_ + from_first * pixel;
+    const Wide v = v_first_ - from_first * pixel;
     RaysOf<Real> rays{};
     for (int i = 0; i < 3; ++i) {
         const Wide right = view_.right[i];

@@ -15,6 +15,12 @@ struct DepthRange {
     [[nodiscard]] bool empty() const { return !(enter_lo <= exit_hi); }
 };
 
+/// A column or row of a tile as RaysOf counts it.
+constexpr float from_middle(float pixels) {
+    return pixels - 0.5F * static_cast<float>(tile_size - 1);
+}
+constexpr float from_middle(int pixels) { return from_middle(static_cast<float>(pixels)); }
+
 /// The rays of a tile as beams see them: the point at depth s on the ray of a pixel at (u, v) of
 /// the image plane is
 ///   base + (distance + s) (u right + v up) + s forward

@@ -101,11 +101,9 @@ bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) co
 Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
     Counters counters;
     if (!trace(tile, workspace, counters)) return counters;
-    clear_tile(tile, out_);
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_gradients(frame_of(i, tile), workspace.hits[i], counters);
-        shade_tile(surfaces_[i], static_cast<std::uint8_t>(i), tile, workspace.hits[i], out_);
-    }
+    draw_tile(surfaces_, workspace.hits, tile, out_);
     return counters;
 }
 

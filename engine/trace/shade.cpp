@@ -45,39 +45,40 @@ HWY_INLINE V per_root(V x) {
     return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5F)));
 }
 
-HWY_INLINE V3 select(hn::Mask<D> mask, const V3& a, const V3& b) {
-    return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y),
-            hn::IfThenElse(mask, a.z, b.z)};
-}
+/// A direction as a vector times a number: its length is 1.
+struct Direction {
+    V3 along;
+    V scale;
+};
 
 /// Whether x is neither so small nor so large that its digits are lost.
 HWY_INLINE hn::Mask<D> is_moderate(V x) {
     return hn::And(hn::Gt(x, hn::Set(d, 1e-30F)), hn::Lt(x, hn::Set(d, 1e30F)));
 }
 
-/// a / |a|, or `otherwise` where a is 0, too large or not a number.
-HWY_INLINE V3 normalized(const V3& a, const V3& otherwise) {
+/// Of `a`, or `otherwise` where a is 0, too large or not a number.
+HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise) {
     const V square = dot(a, a);
-    const auto moderate = is_moderate(square);
-    const V3 n = scaled(a, per_root(square));
-    if (hn::AllTrue(d, moderate)) return n;
+    if (hn::AllTrue(d, is_moderate(square))) return {a, per_root(square)};
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
     const V size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
     const auto usable = hn::And(hn::Gt(size, hn::Set(d, 1e-37F)), hn::Lt(size, hn::Set(d, 1e37F)));
     const V3 b = scaled(a, hn::Div(hn::Set(d, 1.0F), size));
-    const V3 rescaled = scaled(b, per_root(dot(b, b)));
-    return select(usable, select(moderate, n, rescaled), otherwise);
+    const auto pick = [&](V usual, V rare) { return hn::IfThenElse(usable, usual, rare); };
+    const V3& c = otherwise.along;
+    return {{pick(b.x, c.x), pick(b.y, c.y), pick(b.z, c.z)},
+            pick(per_root(dot(b, b)), otherwise.scale)};
 }
 
-/// A channel of the picture, 0 to 255, from linear light; gamma 2.
+/// A channel of the picture, 0 to 255, from linear light; gamma 2. In upward rounding.
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
-    const hn::RebindToSigned<D> di;
     const hn::RebindToUnsigned<D> du;
-    const V dark = hn::Set(d, 1e-12F);
-    const V within = hn::Min(hn::Max(light, dark), hn::Set(d, 1.0F));
+    const V within = hn::Min(hn::Max(light, hn::Set(d, 1e-12F)), hn::Set(d, 1.0F));
     const V value = hn::Mul(within, per_root(within));
-    const V scaled_value = hn::MulAdd(value, hn::Set(d, 255.0F), hn::Set(d, 0.5F));
-    return hn::BitCast(du, hn::ConvertTo(di, scaled_value));
+    // Whole numbers are the last bits of floats of this size.
+    const V last_bits = hn::Set(d, 0x1.8p23F);
+    const V number = hn::Add(hn::MulAdd(value, hn::Set(d, 255.0F), hn::Set(d, -0.5F)), last_bits);
+    return hn::And(hn::BitCast(du, number), hn::Set(du, 0xFFU));
 }
 
 /// What all pixels of a surface share, in all lanes: the lights, which move with the camera, and
@@ -97,21 +98,27 @@ struct Shading {
     }
 };
 
-/// Colours of hits from their rays and gradients.
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const V3& along,
-                                                   const V3& gradient) {
-    const hn::RebindToUnsigned<D> du;
+/// What falls on the pixels of a row of a tile, in all its vectors.
+struct Light {
+    alignas(64) float diffuse[tile_size];
+    alignas(64) float gloss[tile_size];   ///< of the highlight, before it is sharpened
+    alignas(64) float facing[tile_size];  ///< at least 0: the front is seen
+};
+
+/// The light on hits from their rays and gradients, to the pixels from `col` on.
+HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gradient,
+                           std::size_t col, Light& light) {
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
     const V two = hn::Set(d, 2.0F);
-    const V3 to_viewer = scaled(along, hn::Neg(per_root(dot(along, along))));
-    const V3 outward = normalized(gradient, to_viewer);
-    const V facing = dot(outward, to_viewer);
-    const auto front = hn::Ge(facing, zero);
-    const V side = hn::CopySign(hn::Set(d, 1.0F), facing);
-    const V to_key = hn::Mul(dot(outward, shading.key), side);
-    const V to_fill = hn::Mul(dot(outward, shading.fill), side);
-    const V to_sky = hn::Mul(dot(outward, shading.up), side);
+    const V towards_viewer = hn::Neg(per_root(dot(along, along)));
+    const Direction outward = direction_of(gradient, {along, towards_viewer});
+    const V facing = hn::Mul(dot(outward.along, along), towards_viewer);
+    const V to_side = hn::CopySign(outward.scale, facing);
+    const V to_key = hn::Mul(dot(outward.along, shading.key), to_side);
+    const V to_fill = hn::Mul(dot(outward.along, shading.fill), to_side);
+    const V to_sky = hn::Mul(dot(outward.along, shading.up), to_side);
+    const V to_viewer = hn::Mul(hn::Abs(facing), outward.scale);
     const V key_light = hn::Max(to_key, zero);
     const V fill_light = hn::Max(to_fill, zero);
     const V sky = hn::MulAdd(to_sky, half, half);
@@ -120,11 +127,24 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
                                             hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
     // Of the normal and the direction halfway between light and viewer, unit vectors; their sum
     // may vanish.
-    const V square = hn::Max(hn::MulAdd(dot(shading.key, to_viewer), two, two), hn::Set(d, 1e-6F));
-    V gloss = hn::Max(hn::Mul(hn::Add(to_key, hn::Abs(facing)), per_root(square)), zero);
+    const V key_to_viewer = hn::Mul(dot(shading.key, along), towards_viewer);
+    const V square = hn::Max(hn::MulAdd(key_to_viewer, two, two), hn::Set(d, 1e-6F));
+    const V gloss = hn::Max(hn::Mul(hn::Add(to_key, to_viewer), per_root(square)), zero);
+    hn::Store(diffuse, d, &light.diffuse[col]);
+    hn::Store(gloss, d, &light.gloss[col]);
+    hn::Store(facing, d, &light.facing[col]);
+}
+
+/// The colours of the pixels from `col` on.
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> colored(const Shading& shading, const Light& light,
+                                                    std::size_t col) {
+    const hn::RebindToUnsigned<D> du;
+    const V diffuse = hn::Load(d, &light.diffuse[col]);
+    V gloss = hn::Load(d, &light.gloss[col]);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
     const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
+    const auto front = hn::Ge(hn::Load(d, &light.facing[col]), hn::Zero(d));
     auto color = hn::Set(du, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
         const V albedo = hn::IfThenElse(front, shading.front[channel], shading.back[channel]);
@@ -134,79 +154,112 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> shaded(const Shading& shading, const
     return color;
 }
 
-/// Writes certificate and surface of the pixels whose bits are set.
-void write_labels(const Certificate* known, std::uint8_t surface, unsigned bits, std::size_t pixel,
-                  Framebuffer& out) {
+/// A row of a tile in the picture.
+struct Row {
+    std::size_t first;         ///< pixel of the picture
+    std::size_t count;         ///< of pixels
+    std::uint32_t background;  ///< its colour
+};
+
+Row row_of(const Tile& tile, int row, const Framebuffer& out) {
+    return {out.index(tile.col, tile.row + row), static_cast<std::size_t>(tile.cols),
+            background_color(tile.row + row, out.height)};
+}
+
+/// Misses: `count` pixels from `pixel` on.
+HWY_INLINE void clear_pixels(std::size_t pixel, std::size_t count, std::uint32_t background,
+                             Framebuffer& out) {
+    std::fill_n(&out.color[pixel], count, background);
+    std::fill_n(&out.depth[pixel], count, std::numeric_limits<float>::infinity());
+    std::memset(&out.certificate[pixel], static_cast<int>(Certificate::Miss), count);
+    std::memset(&out.surface[pixel], no_surface, count);
+}
+
+/// Writes the pixels of a vector whose bits are set.
+HWY_INLINE void write_some(const hn::Vec<hn::RebindToUnsigned<D>>& color, V depth,
+                           const Certificate* known, std::uint8_t surface, unsigned bits,
+                           std::size_t pixel, Framebuffer& out) {
+    constexpr std::size_t lanes = hn::MaxLanes(d);
+    alignas(64) std::uint32_t colors[lanes];
+    alignas(64) float depths[lanes];
+    hn::Store(color, hn::RebindToUnsigned<D>(), colors);
+    hn::Store(depth, d, depths);
     for (; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        out.color[pixel + lane] = colors[lane];
+        out.depth[pixel + lane] = depths[lane];
         out.certificate[pixel + lane] = known[lane];
         out.surface[pixel + lane] = surface;
     }
 }
 
-void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t surface,
-               const Tile& tile, int row, const TileHits& hits, Framebuffer& out) {
-    const hn::RebindToUnsigned<D> du;
-    constexpr std::size_t lanes = hn::MaxLanes(d);
+/// Lights the hits of a row; whether there are any.
+bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile& tile, int row,
+                    const TileHits& hits, Light& light) {
     const double size = frame.view.pixel_size(frame.height);
-    const glm::dvec3 first =
-        frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height);
-    const V3 start = splat(first);
+    const V3 start = splat(
+        frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height));
     const V3 step = splat(size * frame.view.right);
-    const auto cols = static_cast<std::size_t>(tile.cols);
-    for (std::size_t col = 0; col < cols; col += lanes) {
+    bool any = false;
+    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        const V depth = hn::LoadU(d, &hits.depth[at]);
-        auto hit = hn::Lt(depth, hn::Inf(d));
-        if (hn::AllFalse(d, hit)) continue;
-        hit = hn::And(hit, hn::FirstN(d, cols - col));
+        if (hn::AllFalse(d, hn::Lt(hn::LoadU(d, &hits.depth[at]), hn::Inf(d)))) continue;
+        any = true;
         const V along = hn::Iota(d, static_cast<float>(col));
         const V3 ray{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
                      hn::MulAdd(along, step.z, start.z)};
         const V3 gradient{hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
                           hn::LoadU(d, &hits.gradient[2][at])};
-        const auto color = shaded(shading, ray, gradient);
-        const std::size_t pixel = out.index(tile.col + static_cast<int>(col), tile.row + row);
-        if (hn::AllTrue(d, hit)) {
-            hn::StoreU(color, du, &out.color[pixel]);
+        illuminate(shading, ray, gradient, col, light);
+    }
+    return any;
+}
+
+/// `fresh`: the picture holds nothing yet, so that misses are to be written, too.
+void shade_row(const Shading& shading, std::uint8_t surface, bool fresh, const Row& to, int row,
+               const TileHits& hits, const Light& light, Framebuffer& out) {
+    constexpr std::size_t lanes = hn::MaxLanes(d);
+    for (std::size_t col = 0; col < to.count; col += lanes) {
+        const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+        const std::size_t pixel = to.first + col;
+        const V depth = hn::LoadU(d, &hits.depth[at]);
+        const auto hit = hn::And(hn::Lt(depth, hn::Inf(d)), hn::FirstN(d, to.count - col));
+        const bool all = hn::AllTrue(d, hit);
+        if (fresh && !all) clear_pixels(pixel, std::min(lanes, to.count - col), to.background, out);
+        if (!all && hn::AllFalse(d, hit)) continue;
+        const auto color = colored(shading, light, col);
+        if (all) {
+            hn::StoreU(color, hn::RebindToUnsigned<D>(), &out.color[pixel]);
             hn::StoreU(depth, d, &out.depth[pixel]);
             std::memcpy(&out.certificate[pixel], &hits.certificate[at], lanes);
             std::memset(&out.surface[pixel], surface, lanes);
         } else {
-            hn::BlendedStore(color, hn::RebindMask(du, hit), du, &out.color[pixel]);
-            hn::BlendedStore(depth, hit, d, &out.depth[pixel]);
             std::uint8_t bytes[8] = {};
             hn::StoreMaskBits(d, hit, bytes);
-            write_labels(&hits.certificate[at], surface,
-                         bytes[0] | static_cast<unsigned>(bytes[1]) << 8U, pixel, out);
+            write_some(color, depth, &hits.certificate[at], surface,
+                       bytes[0] | static_cast<unsigned>(bytes[1]) << 8U, pixel, out);
         }
     }
 }
 
-void shade_hits(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
+void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const Tile& tile,
                 const TileHits& hits, Framebuffer& out) {
     const Shading shading(frame.view, colors_of(surface));
-    for (int row = 0; row < tile.rows; ++row)
-        shade_row(frame, shading, surface, tile, row, hits, out);
+    Light light;
+    for (int row = 0; row < tile.rows; ++row) {
+        const Row to = row_of(tile, row, out);
+        if (illuminate_row(frame, shading, tile, row, hits, light)) {
+            shade_row(shading, surface, fresh, to, row, hits, light, out);
+        } else if (fresh) {
+            clear_pixels(to.first, to.count, to.background, out);
+        }
+    }
 }
 
-template <class Tag, class T = hn::TFromD<Tag>>
-HWY_INLINE void fill(Tag tag, T value, std::size_t count, T* out) {
-    std::size_t i = 0;
-    for (; i + hn::Lanes(tag) <= count; i += hn::Lanes(tag))
-        hn::StoreU(hn::Set(tag, value), tag, out + i);
-    std::fill(out + i, out + count, value);
-}
-
-void clear_pixels(const Tile& tile, Framebuffer& out) {
-    const auto count = static_cast<std::size_t>(tile.cols);
-    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
-        const std::size_t begin = out.index(tile.col, row);
-        fill(hn::RebindToUnsigned<D>(), background_color(row, out.height), count,
-             &out.color[begin]);
-        fill(d, std::numeric_limits<float>::infinity(), count, &out.depth[begin]);
-        std::memset(&out.certificate[begin], static_cast<int>(Certificate::Miss), count);
-        std::memset(&out.surface[begin], no_surface, count);
+void clear_rows(const Tile& tile, Framebuffer& out) {
+    for (int row = 0; row < tile.rows; ++row) {
+        const Row to = row_of(tile, row, out);
+        clear_pixels(to.first, to.count, to.background, out);
     }
 }
 
@@ -218,7 +271,7 @@ HWY_AFTER_NAMESPACE();
 namespace zeroset {
 namespace {
 
-HWY_EXPORT(clear_pixels);
+HWY_EXPORT(clear_rows);
 HWY_EXPORT(shade_hits);
 
 /// Undecided where a ray is unsettled on pixels that are still misses.
@@ -237,10 +290,6 @@ void mark_unsettled(const Tile& tile, const TileHits& hits, Framebuffer& out) {
 
 }  // namespace
 
-void clear_tile(const Tile& tile, Framebuffer& out) {
-    HWY_DYNAMIC_DISPATCH(clear_pixels)(tile, out);
-}
-
 std::uint32_t background_color(int row, int height) {
     const double t = (row + 0.5) / height;
     const auto mixed = [t](double top, double bottom) {
@@ -249,10 +298,19 @@ std::uint32_t background_color(int row, int height) {
     return 0xFF000000U | mixed(58, 24) << 16U | mixed(50, 20) << 8U | mixed(44, 18);
 }
 
-void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
-                const TileHits& hits, Framebuffer& out) {
-    if (hits.any_unsettled) mark_unsettled(tile, hits, out);
-    if (hits.any) HWY_DYNAMIC_DISPATCH(shade_hits)(frame, surface, tile, hits, out);
+void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> hits,
+               const Tile& tile, Framebuffer& out) {
+    bool fresh = true;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (!hits[i].any) continue;
+        HWY_DYNAMIC_DISPATCH(shade_hits)
+        (surfaces[i], static_cast<std::uint8_t>(i), fresh, tile, hits[i], out);
+        fresh = false;
+    }
+    if (fresh) HWY_DYNAMIC_DISPATCH(clear_rows)(tile, out);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (hits[i].any_unsettled) mark_unsettled(tile, hits[i], out);
+    }
 }
 
 }  // namespace zeroset

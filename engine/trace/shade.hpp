@@ -3,17 +3,16 @@
 #include "engine/trace/tracer.hpp"
 
 #include <cstdint>
+#include <span>
 
 namespace zeroset {
 
-/// Background and misses in the whole tile.
-void clear_tile(const Tile& tile, Framebuffer& out);
-
-/// Two-sided shading by the gradient, in the colours of surface number `surface`: front where the
-/// viewer stands on the side f > 0, back on the other. Writes the hits of the surface, and
-/// Undecided where a ray is unsettled on pixels that are still misses; the rest of the tile stays.
-void shade_tile(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
-                const TileHits& hits, Framebuffer& out);
+/// Draws a tile of the picture: what was hit of each surface (hits[i] of surface i; no pixel is hit
+/// in two), by two-sided shading with the gradient in the surface's colours: front where the viewer
+/// stands on the side f > 0, back on the other. Elsewhere the background, and Undecided where a ray
+/// is unsettled.
+void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> hits,
+               const Tile& tile, Framebuffer& out);
 
 /// The background of an image row, RGBA.
 std::uint32_t background_color(int row, int height);

@@ -1,6 +1,7 @@
 #include "tests/oracle/form_inclusion.hpp"
 
 #include "engine/num/rounding.hpp"
+#include "engine/trace/beam_view.hpp"
 #include "tests/support/oracle/mpfi_evaluator.hpp"
 #include "tests/support/random_expression.hpp"
 
@@ -37,8 +38,8 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
     std::array<float, cells_a_batch> slope{};  // no steps are taken
     std::array<double, cells_a_batch> s{};
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
-        col[i] = cells.near[i].col;
-        row[i] = cells.near[i].row;
+        col[i] = from_middle(cells.near[i].col);
+        row[i] = from_middle(cells.near[i].row);
         s[i] = cells.near[i].s;
     }
     const UpwardRounding upward;  // in a mutant, too: interpreters check it
