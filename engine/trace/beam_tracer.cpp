@@ -90,9 +90,6 @@ private:
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
     void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
-<<<<<<< HEAD
-    /// Finds the roots on single rays.
-=======
     /// A cell whose pixels go on one by one.
     struct Marched {
         std::size_t cell;
@@ -101,7 +98,7 @@ private:
         double by_col;  ///< how much nearer that is from column to column
     };
     void march_some(const Marched& marched, int first_col, int row, double middle);
->>>>>>> origin/main
+    /// Finds the roots on single rays.
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
