@@ -18,13 +18,13 @@ template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::wave(In y, In x, int n, auto at_middle) {
     const PolarBeam<Real> p = polar_beam(y.value.f, x.value.f);
     const Form turn = turn_form(p, n);
-    const FunctionBounds<Real> g = wave_over(turn, at_middle(p));
+    const auto at = at_middle(p);
     Slope slope;
     if (y.value.slope || x.value.slope) {
         const SlopeBeam<Real> turning = turning_slope(p, polar_slope_of(p, y, x));
-        slope = slope_of_curve(turn, g) * scale(turning, n);
+        slope = wave_along(turn, derivative(at)) * scale(turning, n);
     }
-    Value result = of(wave_form(p, y.value.f, x.value.f, turn, g, n), slope, y, x);
+    Value result = of(wave_form(p, y.value.f, x.value.f, turn, at, n), slope, y, x);
     result.everywhere = conjunction(result.everywhere, {p.beside});
     result.continuous = conjunction(result.continuous, {p.beside});
     return result;
@@ -37,7 +37,8 @@ BeamValue<Real> BeamAlgebra<Real>::angle_sin(In y, In x, int n) {
 
 template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::angle_cos(In y, In x, int n) {
-    return wave(y, x, n, [n](const PolarBeam<Real>& p) { return multiple_cos_at(p, n); });
+    return wave(y, x, n,
+                [n](const PolarBeam<Real>& p) { return derivative(multiple_sin_at(p, n)); });
 }
 
 template <class Real>

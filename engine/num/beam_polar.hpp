@@ -150,34 +150,64 @@ SlopeBeam<Real> length_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& m
     return rounded(select(p.beside, rate, any), number(16) * m.size);
 }
 
-/// The sine of n times the middle's angle.
+/// A sine or cosine of n times the angle, and its derivative by that, at the middle: both off by no
+/// more than `error`.
 template <class Real>
-WaveAtMiddle<Real> multiple_sin_at(const PolarBeam<Real>& p, int n) {
+struct WavePoint {
+    Real value, slope;
+    Real error;
+};
+
+template <class Real>
+WavePoint<Real> multiple_sin_at(const PolarBeam<Real>& p, int n) {
     const Complex<Real> wave = power(p.middle.direction, n);
-    const Real error = like(wave.re, 0.5 * format_of(wave.re).relative_gap * power_error(n));
-    const auto near = [&](const Real& a) {
-        return within_one(Interval<Real>{error - a, a + error});
-    };
-    return {near(wave.im), near(wave.re)};
+    const double unit = 0.5 * format_of(wave.re).relative_gap;
+    return {wave.im, wave.re, like(wave.re, unit * power_error(n))};
 }
+/// The derivative of a wave is the wave a quarter of a turn ahead.
 template <class Real>
-WaveAtMiddle<Real> multiple_cos_at(const PolarBeam<Real>& p, int n) {
-    const WaveAtMiddle<Real> sine = multiple_sin_at(p, n);
-    return {sine.slope, -sine.value};
+WavePoint<Real> derivative(const WavePoint<Real>& wave) {
+    return {wave.slope, -wave.value, wave.error};
 }
 
-/// A wave of n times the angle; `g` bounds it over the turn from the middle.
+/// A wave g by Taylor's theorem, its second derivative being -g; or its range where that is
+/// narrower. Its roundings are below 12 units.
+template <class Real>
+Beam<Real> wave_along(const Beam<Real>& turn, const WavePoint<Real>& at) {
+    const auto number = [&](double value) { return like(turn.r, value); };
+    const Real one = number(1);
+    const Real half = number(0.5);
+    const Real& d = turn.spread();
+    const Real steepest = minimum(magnitude(at.slope) + at.error + d, one);
+    const Real far = fused(steepest, d, at.error);
+    // 1 where NaN.
+    const Real hi = minimum(at.value + far, one);
+    const Real neg_lo = minimum(far - at.value, one);
+    const Real half_square = half * d * d;
+    const Real above = maximum(neg_lo, number(0)) * half_square;
+    const Real below = maximum(hi, number(0)) * half_square;
+    Affine<Real> form = scaled(turn.f, at.slope);
+    form.c = at.value + half * (above - below);
+    form.e = form.e + half * (above + below) + fused(at.error, d, at.error);
+    const Real width = hi + neg_lo;
+    const auto better = form.e + form.e < width;  // false where NaN
+    const Affine<Real> range{half * (hi - neg_lo), {}, half * width};
+    return {select(better, form, range), number(4), one};
+}
+
+/// A wave of n times the angle, `at` the middle.
 template <class Real>
 Beam<Real> wave_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam<Real>& x,
-                     const Beam<Real>& turn, const FunctionBounds<Real>& g, int n) {
+                     const Beam<Real>& turn, const WavePoint<Real>& at, int n) {
     const auto number = [&](double value) { return like(x.r, value); };
-    const Beam<Real> form = curve(turn, g);
+    const Beam<Real> form = wave_along(turn, at);
     const Complex<Real>& to = p.middle.direction;
     const Real by_y = magnitude(to.re) + p.most_turn;
     const Real by_x = magnitude(to.im) + p.most_turn;
-    const Real by_turn = number(n) * largest(g.slope) * p.middle.per_length * p.per_nearest;
-    const Real r = fused(by_turn, fused(by_y, y.r, by_x * x.r), number(power_error(n) + 4));
-    return {form.f, select(p.beside, r, number(1)), form.size};
+    const Real steepest = minimum(magnitude(at.slope) + turn.spread() + at.error, number(1));
+    const Real by_turn = number(n) * steepest * p.middle.per_length * p.per_nearest;
+    const Real r = fused(by_turn, fused(by_y, y.r, by_x * x.r), number(power_error(n)) + form.r);
+    return {form.f, select(p.beside, r, form.r), form.size};
 }
 
 }  // namespace zeroset
