@@ -3,6 +3,8 @@
 #include "engine/num/beam_functions.hpp"
 #include "engine/num/polar.hpp"
 
+#include <cstddef>
+
 // Beam forms of a point (x, y) in polar coordinates, over any carrier, in upward rounding. With c
 // the middle of x + iy,
 //   (x + iy) / c = 1 + along + i across
@@ -133,7 +135,8 @@ SlopeBeam<Real> turning_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& 
     const Real bend = largest_m * square * p.per_nearest;
     rate.e = rate.e + fused(off_outward, p.most_across, fused(off_around, p.most_along, bend));
     const Real& per_length = p.middle.per_length;
-    return rounded(scaled(rate, per_length), like(per_length, 16.0) * m.size * per_length);
+    const Real size = fused(p.most_turn, m.size, m.size) * per_length;
+    return rounded(scaled(rate, per_length), like(size, 16.0) * size);
 }
 
 /// The real part of m exp(-i turn), with the turn at most Q; whatever the turn near the origin.
@@ -147,7 +150,8 @@ SlopeBeam<Real> length_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& m
     const Real sine = q * (p.most_along + p.most_across * q) * magnitude(m.around.c);
     rate.e = rate.e + cosine + fused(deviation(m.around), q, sine);
     const Affine<Real> any{number(0), {}, m.size};
-    return rounded(select(p.beside, rate, any), number(16) * m.size);
+    const Real size = select(p.beside, fused(q, m.size, m.size), m.size);
+    return rounded(select(p.beside, rate, any), number(16) * size);
 }
 
 /// A sine or cosine of n times the angle, and its derivative by that, at the middle: both off by no

@@ -13,7 +13,8 @@
 // Where f is continuous and df/ds excludes 0, the rays of a tile of 8x8 pixels are solved together,
 // those of neighbouring slabs, too: the forms give each its stretch, Newton's method the root
 // (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
-// monotone yet goes on ray by ray (beam_rays-inl.hpp).
+// monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front, a
+// few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of

@@ -221,6 +221,32 @@ TEST(Jit, RefusesLanesThatNoMachineHas) {
     }
 }
 
+/// A length and an angle's sine begin with the same root and quotient.
+TEST(Jit, EmitsWhatOperatorsShareOnce) {
+    ExprBuilder builder;
+    const NodeId y = builder.variable(1);
+    const NodeId x = builder.variable(0);
+    const Expr expr = builder.finish(builder.apply(Op::Add, builder.apply(Op::Length, y, x),
+                                                   builder.apply(Op::AngleSin, y, x, 0, 3)));
+    const auto ir = jit::ir(expr, {.lanes = 4});
+    ASSERT_TRUE(ir.has_value());
+    const std::size_t begin = ir->find("define void @zeroset_value");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string value = ir->substr(begin, ir->find("\ndefine", begin) - begin);
+    const auto count = [&](const std::string& operation) {
+        int found = 0;
+        for (std::size_t at = 0;
+             (at = value.find("= call <4 x float> @llvm.experimental." + operation, at)) !=
+             std::string::npos;
+             ++at) {
+            ++found;
+        }
+        return found;
+    };
+    EXPECT_EQ(count("constrained.sqrt"), 1);
+    EXPECT_EQ(count("constrained.fdiv"), 1);
+}
+
 TEST(Jit, PrintsItsFunctions) {
     const Expr expr = parsed("x^2 + sin(y)");
     for (const int lanes : machine_lanes()) {
