@@ -13,12 +13,12 @@ struct Complex {
 
 template <class Real>
 Complex<Real> operator*(const Complex<Real>& a, const Complex<Real>& b) {
-    return {fused(a.re, b.re, -(a.im * b.im)), fused(a.re, b.im, a.im * b.re)};
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
 
 template <class Real>
 Complex<Real> square(const Complex<Real>& a) {
-    return {fused(a.re, a.re, -(a.im * a.im)), (a.re + a.re) * a.im};
+    return {a.re * a.re - a.im * a.im, (a.re + a.re) * a.im};
 }
 
 /// a^n for n >= 1.
