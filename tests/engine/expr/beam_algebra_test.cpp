@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 // How tight beam forms are. That they hold is tested against MPFI (tests/oracle).
 
@@ -115,6 +117,23 @@ TEST(BeamForm, OfAWaveBesideTheOriginIsItsRange) {
     EXPECT_FALSE(length.continuous.has_value());
     EXPECT_LE(length.f.range().hi, 1.1 * std::hypot(0.01 + 0x1p-4, 0.02 + 0x1p-4));
     EXPECT_GE(length.slope->range().hi, std::numbers::sqrt2);
+}
+
+/// As of a quotient that overflows: nothing is known of the rounding, whichever operand is taken.
+TEST(BeamForm, OfTheLargerKeepsUnknownRoundings) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    const Form known = variable(0.5, 0.25);
+    Form unknown = variable(-3.0, 0.25);
+    unknown.f.r = std::numeric_limits<double>::quiet_NaN();
+    for (const Op op : {Op::Min, Op::Max}) {
+        const Node node{.op = op};
+        for (const auto& [a, b] : {std::pair(known, unknown), std::pair(unknown, known)}) {
+            const Form larger = apply(algebra, node, {a, facts}, {b, facts}, {a, facts});
+            EXPECT_TRUE(std::isnan(larger.f.r)) << op_info(op).name;
+        }
+    }
 }
 
 TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {
