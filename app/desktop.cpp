@@ -166,7 +166,7 @@ void Desktop::take_frame() {
     if (result) {
         state_.shown = {result->frame, result->camera};
         upload_frame();
-        if (result->coarseness == 1) {
+        if (result->complete) {
             const bool newest = result->request == request_;
             state_.picture = {!newest,          result->frame->width, result->frame->height,
                               result->frame_ms, result->counts,       result->precision};

@@ -52,6 +52,7 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     d_stop->excludes(epsilon)->excludes(delta);
     epsilon->excludes(delta);
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
+    app.add_flag("--shadows", trace.shadows, "let the surfaces throw shadows");
 }
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {

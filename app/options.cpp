@@ -246,6 +246,7 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         if (!threads) return std::unexpected(threads.error());
         settings.threads = *threads;
     }
+    settings.shadows = text.shadows;
     return settings;
 }
 

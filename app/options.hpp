@@ -23,6 +23,7 @@ struct ViewText {
 /// What the user typed for tracing.
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
+    bool shadows = false;
 };
 
 /// A surface and how to look at it.

@@ -13,6 +13,11 @@ enum class Certificate : std::uint8_t {
     Undecided,  ///< may hold a root where the search stopped; drawn if depth is finite
 };
 
+/// Some pixels of a picture: columns and rows from (col, row) on.
+struct PixelRect {
+    int col, row, cols, rows;
+};
+
 /// No surface is hit.
 inline constexpr std::uint8_t no_surface = 255;
 

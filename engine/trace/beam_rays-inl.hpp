@@ -387,6 +387,10 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
     }
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     while (!segments_.empty()) {
+        if (frame_.cancelled()) {
+            segments_.clear();
+            return;
+        }
         std::size_t kept = 0;
         for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
             count = same_kernel(first);

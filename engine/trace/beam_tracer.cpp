@@ -13,8 +13,8 @@
 // Where f is continuous and df/ds excludes 0, the rays of a tile of 8x8 pixels are solved together,
 // those of neighbouring slabs, too: the forms give each its stretch, Newton's method the root
 // (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
-// monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front, a
-// few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
+// monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front,
+// a few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of
@@ -57,7 +57,8 @@ class BeamTile {
 public:
     BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
              Counters& counters)
-        : tile_(tile),
+        : frame_(frame),
+          tile_(tile),
           hits_(hits),
           view_(frame, tile),
           tree_(frame, tile, view_, memory.tree, counters),
@@ -105,6 +106,7 @@ private:
     void hand_on();
     void hand_on_row(int row);
 
+    const TraceFrame& frame_;
     const Tile& tile_;
     TileHits& hits_;
     BeamView view_;
@@ -131,7 +133,7 @@ template <class Real>
 void BeamTile<Real>::trace() {
     if (tree_.cells().size == 0) return;
     found_.begin(hits_, tile_, view_);
-    for (int pixels = tile_size; pixels > 2 * least_pixels; pixels /= 2) {
+    for (int pixels = tile_size; pixels > 2 * least_pixels && !frame_.cancelled(); pixels /= 2) {
         descend(pixels);
         tree_.go_down();
     }
@@ -145,8 +147,9 @@ void BeamTile<Real>::trace() {
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
     if (tree_.cells().size == 0) return;
-    for (const CellRun& run : tree_.judge(pixels))
-        visit_run(run, pixels);
+    for (const CellRun& run : tree_.judge(pixels)) {
+        if (!frame_.cancelled()) visit_run(run, pixels);
+    }
 }
 
 template <class Real>
@@ -198,7 +201,7 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
 
 template <class Real>
 void BeamTile<Real>::look_closer() {
-    while (!waiting_.empty()) {
+    while (!waiting_.empty() && !frame_.cancelled()) {
         const std::size_t most = 1 + cells_a_wave / waiting_.size();
         for (Waiting& tile : waiting_) {
             const std::size_t count = std::min(most, tile.end - tile.next);

@@ -235,7 +235,7 @@ void Group<Real>::run() {
     bool more = true;
     for (;;) {
         more = more && refill();
-        if (marching_.empty()) break;
+        if (marching_.empty() || frame_.cancelled()) break;
         batch_.evaluate(frame_, 2 * marching_.size(), counters_);
         // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;

@@ -5,6 +5,7 @@
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
+#include "engine/trace/shadow.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
@@ -41,38 +42,41 @@ std::size_t tile_count(int width, int height) {
 class FramePainter {
 public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                 Framebuffer& out, const std::atomic<bool>* cancel);
-    /// What it did; the tile stays as it was when cancelled. In upward rounding.
+                 Framebuffer& out, const RenderWatch& watch);
+    /// What it did. In upward rounding.
     Counters paint(Tile tile, Workspace& workspace) const;
 
 private:
     /// Fills workspace.hits with what each surface shows; false when cancelled.
     bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
     [[nodiscard]] bool cancelled() const {
-        return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
+        return watch_.cancel != nullptr && watch_.cancel->load(std::memory_order_relaxed);
     }
 
     /// Surface i with the kernel for the tile.
     [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile) const {
         const TraceFrame& whole = surfaces_[i];
         if (kernels_[i] == nullptr) return whole;
-        return {whole.scene, kernels_[i]->of(tile), whole.view,     whole.width, whole.height,
-                whole.stop,  whole.depth,           whole.precision};
+        return {whole.scene, kernels_[i]->of(tile), whole.view,      whole.width, whole.height,
+                whole.stop,  whole.depth,           whole.precision, whole.cancel};
     }
 
     const Tracer& tracer_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
+    bool shadows_;
     Framebuffer& out_;
-    const std::atomic<bool>* cancel_;
+    const RenderWatch& watch_;
 };
 
 FramePainter::FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                           Framebuffer& out, const std::atomic<bool>* cancel)
-    : tracer_(*find_tracer(settings.tracer)), out_(out), cancel_(cancel) {
+                           Framebuffer& out, const RenderWatch& watch)
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows), out_(out), watch_(watch) {
     const ViewFrame view(camera);
-    for (const Kernel& kernel : scene.surfaces)
+    for (const Kernel& kernel : scene.surfaces) {
         surfaces_.push_back(trace_frame(scene, kernel, view, out.width, out.height, settings.stop));
+        surfaces_.back().cancel = watch.cancel;
+    }
     for (const TraceFrame& surface : surfaces_) {
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
         kernels_.push_back(
@@ -89,6 +93,7 @@ bool FramePainter::trace(Tile tile, Workspace& workspace, Counters& counters) co
         TileHits& hits = workspace.hits[i];
         hits.clear();
         tracer_.trace_tile(frame_of(i, tile), tile, hits, counters);
+        if (cancelled()) return false;
         if (!several) return true;
         workspace.nearest.add(hits, static_cast<std::uint8_t>(i));
         tile.limits = workspace.nearest.limits();
@@ -103,18 +108,21 @@ Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
     if (!trace(tile, workspace, counters)) return counters;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_gradients(frame_of(i, tile), workspace.hits[i], counters);
+    if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
+    if (cancelled()) return counters;
     draw_tile(surfaces_, workspace.hits, tile, out_);
+    if (watch_.on_tile) watch_.on_tile({tile.col, tile.row, tile.cols, tile.rows});
     return counters;
 }
 
 }  // namespace
 
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                      Framebuffer& frame, const std::atomic<bool>* cancel) {
+                      Framebuffer& frame, const RenderWatch& watch) {
     assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
     assert(!scene.surfaces.empty() && scene.surfaces.size() <= max_surfaces);
     const NearestRounding nearest;  // the view does not depend on the caller's mode
-    const FramePainter painter(scene, camera, settings, frame, cancel);
+    const FramePainter painter(scene, camera, settings, frame, watch);
     std::mutex mutex;
     Counters total;
     parallel_for(tile_count(frame.width, frame.height), settings.threads, [&](std::size_t index) {

@@ -4,15 +4,25 @@
 #include "engine/trace/scene.hpp"
 
 #include <atomic>
+#include <functional>
 
 namespace zeroset {
+
+/// Who looks on while a frame is drawn.
+struct RenderWatch {
+    /// When it becomes true, render_frame returns within milliseconds; tiles that are not finished
+    /// stay as they were.
+    const std::atomic<bool>* cancel = nullptr;
+    /// Called on the tracing threads, several at once, for each tile that is finished: its pixels
+    /// are not touched again.
+    std::function<void(const PixelRect&)> on_tile;
+};
 
 /// Traces and shades one frame into `frame` (its size is the image's size), on `settings.threads`
 /// cores. Each pixel shows the surface that is hit nearest to the eye, of equal depths the first;
 /// its hit is certified only if no surface has a cell before it that could not be settled.
-/// Returns early, with the frame half done, when `*cancel` becomes true (looked at before each
-/// surface of a tile). `settings.tracer` must be the name of a tracer (engine/trace/tracer.hpp).
+/// `settings.tracer` must be the name of a tracer (engine/trace/tracer.hpp).
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                      Framebuffer& frame, const std::atomic<bool>* cancel = nullptr);
+                      Framebuffer& frame, const RenderWatch& watch = {});
 
 }  // namespace zeroset

@@ -4,19 +4,130 @@
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
 
-// Pixels of the full picture per pixel of a pass, in each direction.
-constexpr int coarseness_of_passes[] = {8, 4, 2, 1};
+using Milliseconds = std::chrono::duration<double, std::milli>;
+
+std::size_t pixels_of(const RenderRequest& request) {
+    return static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
+}
+
+bool same_surfaces(const std::vector<Kernel>& a, const std::vector<Kernel>& b) {
+    return std::ranges::equal(a, b, {}, &Kernel::range_float, &Kernel::range_float);
+}
+
+/// Copies the pixels of `rect` that are at the same places of a picture of another size.
+void stretch(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
+    for (int row = rect.row; row < rect.row + rect.rows; ++row) {
+        const int from_row = row * from.height / to.height;
+        for (int col = rect.col; col < rect.col + rect.cols; ++col) {
+            const std::size_t source = from.index(col * from.width / to.width, from_row);
+            const std::size_t target = to.index(col, row);
+            to.color[target] = from.color[source];
+            to.depth[target] = from.depth[source];
+            to.certificate[target] = from.certificate[source];
+            to.surface[target] = from.surface[source];
+        }
+    }
+}
+
+void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
+    const auto count = static_cast<std::size_t>(rect.cols);
+    for (int row = rect.row; row < rect.row + rect.rows; ++row) {
+        const std::size_t first = from.index(rect.col, row);
+        std::copy_n(&from.color[first], count, &to.color[first]);
+        std::copy_n(&from.depth[first], count, &to.depth[first]);
+        std::copy_n(&from.certificate[first], count, &to.certificate[first]);
+        std::copy_n(&from.surface[first], count, &to.surface[first]);
+    }
+}
 
 }  // namespace
 
-RenderJob::RenderJob(std::function<void()> on_frame)
-    : on_frame_(std::move(on_frame)), thread_([this] { run(); }) {}
+/// A full picture while it is drawn over a coarser one.
+class RenderJob::Growing {
+public:
+    Growing(RenderJob& job, const Work& work, bool shadows,
+            std::shared_ptr<const Framebuffer> first)
+        : job_(job),
+          work_(work),
+          shadows_(shadows),
+          first_(std::move(first)),
+          frame_(job.pool_.take(work.request.width, work.request.height)),
+          columns_((work.request.width + tile_size - 1) / tile_size),
+          done_(static_cast<std::size_t>(columns_) *
+                static_cast<std::size_t>((work.request.height + tile_size - 1) / tile_size)) {}
+
+    /// Whether it came to its end.
+    bool draw();
+    [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
+    [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
+
+private:
+    void finish_tile(const PixelRect& rect);
+    /// The tiles that are done, and the coarser picture elsewhere.
+    [[nodiscard]] std::shared_ptr<const Framebuffer> snapshot() const;
+
+    RenderJob& job_;
+    const Work& work_;
+    bool shadows_;
+    std::shared_ptr<const Framebuffer> first_;
+    std::shared_ptr<Framebuffer> frame_;
+    int columns_;
+    std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
+    std::mutex showing_;
+    Clock::time_point start_ = Clock::now();
+    Clock::time_point shown_ = start_;  ///< guarded by showing_
+};
+
+bool RenderJob::Growing::draw() {
+    const RenderRequest& request = work_.request;
+    TraceSettings settings = request.settings;
+    settings.shadows = shadows_;
+    render_frame(request.scene, request.camera, settings, *frame_,
+                 {&job_.cancel_, [this](const PixelRect& rect) { finish_tile(rect); }});
+    return !job_.cancel_;
+}
+
+void RenderJob::Growing::finish_tile(const PixelRect& rect) {
+    done_[static_cast<std::size_t>(rect.row / tile_size * columns_ + rect.col / tile_size)] = true;
+    if (first_ == nullptr) return;
+    const std::unique_lock lock(showing_, std::try_to_lock);
+    if (!lock || Clock::now() - shown_ < job_.pace_.growth_shown_after) return;
+    RenderResult result;
+    result.frame = snapshot();
+    result.frame_ms = elapsed_ms();
+    job_.publish(work_, std::move(result));
+    shown_ = Clock::now();
+}
+
+std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
+    auto picture = job_.pool_.take(frame_->width, frame_->height);
+    for (std::size_t tile = 0; tile < done_.size(); ++tile) {
+        const int col = static_cast<int>(tile) % columns_ * tile_size;
+        const int row = static_cast<int>(tile) / columns_ * tile_size;
+        const PixelRect rect{col, row, std::min(tile_size, frame_->width - col),
+                             std::min(tile_size, frame_->height - row)};
+        if (done_[tile]) {
+            copy(*frame_, rect, *picture);
+        } else {
+            stretch(*first_, rect, *picture);
+        }
+    }
+    return picture;
+}
+
+RenderJob::RenderJob(std::function<void()> on_frame, const RenderPace& pace)
+    : on_frame_(std::move(on_frame)),
+      pace_(pace),
+      governor_(pace.budget_ms),
+      thread_([this] { run(); }) {}
 
 RenderJob::~RenderJob() {
     {
@@ -32,12 +143,20 @@ std::uint64_t RenderJob::submit(RenderRequest request) {
     std::uint64_t number = 0;
     {
         const std::scoped_lock lock(mutex_);
+        const auto now = Clock::now();
+        pending_in_motion_ = newest_ > 0 && now - submitted_ < pace_.rest_after;
+        submitted_ = now;
+        if (!starving(request, now)) cancel_ = true;
         pending_ = std::move(request);
         number = ++newest_;
-        cancel_ = true;
     }
     wake_.notify_one();
     return number;
+}
+
+bool RenderJob::starving(const RenderRequest& next, Clock::time_point now) const {
+    return drawing_ && first_ && same_surfaces(next.scene.surfaces, surfaces_) &&
+           now - published_ > pace_.starving_after;
 }
 
 std::optional<RenderResult> RenderJob::take() {
@@ -50,47 +169,102 @@ bool RenderJob::busy() const {
     return drawing_ || pending_.has_value();
 }
 
+std::optional<RenderJob::Work> RenderJob::wait_for_work() {
+    std::unique_lock lock(mutex_);
+    drawing_ = false;
+    wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
+    if (stop_) return std::nullopt;
+    Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_,
+              Precision::Float};
+    if (!same_surfaces(surfaces_, work.request.scene.surfaces)) governor_.forget();
+    surfaces_ = work.request.scene.surfaces;
+    drawing_ = true;
+    first_ = true;
+    cancel_ = false;
+    return work;
+}
+
 void RenderJob::run() {
-    for (;;) {
-        RenderRequest request;
-        std::uint64_t number = 0;
-        {
-            std::unique_lock lock(mutex_);
-            drawing_ = false;
-            wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
-            if (stop_) return;
-            request = std::move(*std::exchange(pending_, std::nullopt));
-            number = newest_;
-            drawing_ = true;
-            cancel_ = false;
-        }
-        draw(request, number);
+    while (auto work = wait_for_work()) {
+        const RenderRequest& request = work->request;
+        work->precision =
+            frame_precision(request.scene, ViewFrame(request.camera), request.settings.stop);
+        draw(*work);
     }
 }
 
-void RenderJob::draw(const RenderRequest& request, std::uint64_t number) {
-    const Precision precision =
-        frame_precision(request.scene, ViewFrame(request.camera), request.settings.stop);
-    for (const int coarseness : coarseness_of_passes) {
-        const auto pixels = [&](int full) {
-            return std::max(1, (full + coarseness - 1) / coarseness);
-        };
-        auto frame = std::make_shared<Framebuffer>(pixels(request.width), pixels(request.height));
-        const auto start = std::chrono::steady_clock::now();
-        render_frame(request.scene, request.camera, request.settings, *frame, &cancel_);
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        RenderResult result{
-            frame,          number,   coarseness, elapsed.count(), count_certificates(*frame),
-            request.camera, precision};
-        {
-            const std::scoped_lock lock(mutex_);
-            if (cancel_) return;
-            finished_ = std::move(result);
-            if (coarseness == 1) drawing_ = false;
-        }
-        on_frame_();
+void RenderJob::draw(const Work& work) {
+    const std::size_t pixels = pixels_of(work.request);
+    const double expected = governor_.expected_ms(pixels);
+    const bool at_once = !work.in_motion && expected > 0 && expected < pace_.at_once_ms;
+    const double scale = governor_.choose(pixels);
+    if (at_once || scale == 1.0) {
+        draw_full(work, nullptr);
+        return;
     }
+    const auto first = draw_first(work, scale);
+    if (first != nullptr && rests(work)) draw_full(work, first);
+}
+
+std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, double scale) {
+    Work smaller = work;
+    const auto scaled = [scale](int side) {
+        return std::max(1, static_cast<int>(std::lround(scale * side)));
+    };
+    smaller.request.width = scaled(work.request.width);
+    smaller.request.height = scaled(work.request.height);
+    Growing growing(*this, smaller, false, nullptr);
+    if (!growing.draw()) return nullptr;
+    governor_.measured(pixels_of(smaller.request), growing.elapsed_ms());
+    RenderResult result;
+    result.frame = growing.frame();
+    result.frame_ms = growing.elapsed_ms();
+    publish(work, std::move(result));
+    return growing.frame();
+}
+
+/// The surfaces first, their shadows when nothing moves.
+void RenderJob::draw_full(const Work& work, const std::shared_ptr<const Framebuffer>& first) {
+    Growing growing(*this, work, false, first);
+    if (!growing.draw()) return;
+    governor_.measured(pixels_of(work.request), growing.elapsed_ms());
+    RenderResult result;
+    result.frame = growing.frame();
+    result.frame_ms = growing.elapsed_ms();
+    result.counts = count_certificates(*growing.frame());
+    result.complete = !work.request.settings.shadows;
+    const CertificateCounts counts = result.counts;
+    publish(work, std::move(result));
+    if (!work.request.settings.shadows || !rests(work)) return;
+    Growing shaded(*this, work, true, growing.frame());
+    if (!shaded.draw()) return;
+    RenderResult last;
+    last.frame = shaded.frame();
+    last.frame_ms = shaded.elapsed_ms();
+    last.counts = counts;
+    last.complete = true;
+    publish(work, std::move(last));
+}
+
+bool RenderJob::rests(const Work& work) {
+    std::unique_lock lock(mutex_);
+    const auto until = work.in_motion ? submitted_ + pace_.rest_after : submitted_;
+    return !wake_.wait_until(lock, until, [this] { return stop_ || pending_.has_value(); });
+}
+
+void RenderJob::publish(const Work& work, RenderResult result) {
+    result.request = work.number;
+    result.camera = work.request.camera;
+    result.precision = work.precision;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (cancel_) return;
+        if (result.complete) drawing_ = false;
+        first_ = false;
+        published_ = Clock::now();
+        finished_ = std::move(result);
+    }
+    on_frame_();
 }
 
 }  // namespace zeroset

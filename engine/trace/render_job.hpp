@@ -1,10 +1,13 @@
 #pragma once
 
+#include "engine/image/frame_pool.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/precision.hpp"
+#include "engine/trace/resolution.hpp"
 #include "engine/trace/scene.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -12,6 +15,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace zeroset {
 
@@ -24,45 +28,95 @@ struct RenderRequest {
     int height = 0;
 };
 
-/// A finished pass. Coarse passes have smaller frames that are shown stretched.
+/// A picture as far as it has come. It is smaller than the full one, to be shown stretched, or as
+/// large.
 struct RenderResult {
     std::shared_ptr<const Framebuffer> frame;
     std::uint64_t request = 0;  ///< what submit() returned
-    int coarseness = 1;         ///< pixels of the full picture per pixel of the frame; 1: final
-    double frame_ms = 0.0;
-    CertificateCounts counts;
+    bool complete = false;      ///< the full picture, to its last pixel
+    double frame_ms = 0.0;      ///< that tracing it has taken so far
+    CertificateCounts counts;   ///< of a complete one
     Camera camera;
     Precision precision = Precision::Float;
 };
 
-/// Renders the newest request in the background, coarse passes first. All members may be called
-/// from the UI thread; none waits for a frame.
+/// When a RenderJob does what.
+struct RenderPace {
+    /// Of a first picture: with what the window does besides it makes 60 a second.
+    double budget_ms = 12.0;
+    /// A full picture that is this quick needs none before it, unless something moves.
+    double at_once_ms = 25.0;
+    /// Requests that follow one another so closely are one motion; it has ended when none comes for
+    /// that long.
+    std::chrono::milliseconds rest_after{120};
+    /// Nothing new for so long on the screen: the picture in flight is finished first.
+    std::chrono::milliseconds starving_after{66};
+    /// How often a growing picture is shown.
+    std::chrono::milliseconds growth_shown_after{60};
+};
+
+/// Renders the newest request in the background. A first picture comes as quickly as it takes to
+/// draw one at a resolution that holds 60 a second; then, unless requests follow one another, the
+/// full one, which replaces it tile by tile. All members may be called from the UI thread; none
+/// waits for a frame.
 class RenderJob {
 public:
-    /// `on_frame` is called from the job's thread after each finished pass.
-    explicit RenderJob(std::function<void()> on_frame);
+    /// `on_frame` is called from the job's threads after each picture.
+    explicit RenderJob(std::function<void()> on_frame, const RenderPace& pace = {});
     ~RenderJob();
     RenderJob(const RenderJob&) = delete;
     RenderJob& operator=(const RenderJob&) = delete;
 
-    /// Cancels the pass in flight and starts on `request`. Returns its number.
+    /// Starts on `request`; what was being drawn ends within milliseconds, unless that would leave
+    /// the screen without any new picture for long. Returns its number.
     std::uint64_t submit(RenderRequest request);
-    /// The newest finished pass not yet taken, or nothing.
+    /// The newest picture not yet taken, or nothing.
     std::optional<RenderResult> take();
     /// Whether a request is waiting or being drawn.
     [[nodiscard]] bool busy() const;
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    /// A request being drawn.
+    struct Work {
+        RenderRequest request;
+        std::uint64_t number = 0;
+        bool in_motion = false;  ///< it followed another one closely
+        Precision precision = Precision::Float;
+    };
+    class Growing;
+
     void run();
-    void draw(const RenderRequest& request, std::uint64_t number);
+    /// The next request; nothing at the end.
+    std::optional<Work> wait_for_work();
+    void draw(const Work& work);
+    /// A picture of the moment, by so many pixels along a side; nothing when it was cancelled.
+    std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
+    void draw_full(const Work& work, const std::shared_ptr<const Framebuffer>& first);
+    /// Whether no other request has come, nor comes for a while if this one was part of a motion.
+    bool rests(const Work& work);
+    void publish(const Work& work, RenderResult result);
+    /// Whether the picture in flight is to be finished although another is wanted: else, while
+    /// something moves, there might be none at all.
+    [[nodiscard]] bool starving(const RenderRequest& next, Clock::time_point now) const;
 
     std::function<void()> on_frame_;
+    RenderPace pace_;
+    FramePool pool_;
+    ResolutionGovernor governor_;  ///< the job's thread's
+
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<RenderRequest> pending_;
     std::optional<RenderResult> finished_;
     std::uint64_t newest_ = 0;
+    Clock::time_point submitted_;  ///< the newest request
+    Clock::time_point published_;  ///< the last picture
+    bool pending_in_motion_ = false;
     bool drawing_ = false;
+    bool first_ = false;            ///< no picture of the request being drawn has come yet
+    std::vector<Kernel> surfaces_;  ///< of the request being drawn
     bool stop_ = false;
     std::atomic<bool> cancel_{false};
     std::thread thread_;

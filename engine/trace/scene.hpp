@@ -38,7 +38,8 @@ inline constexpr int max_d_stop = 22;
 struct TraceSettings {
     std::string tracer = "beams";
     StopCriterion stop;
-    int threads = 0;  ///< 0: all cores
+    int threads = 0;       ///< 0: all cores
+    bool shadows = false;  ///< of the key light
 };
 
 /// Evaluations of each kernel, in points or boxes (not batches).

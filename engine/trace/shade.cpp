@@ -88,7 +88,7 @@ struct Shading {
     V front[3], back[3];
 
     Shading(const ViewFrame& view, const SurfaceColors& colors)
-        : key(splat(glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward))),
+        : key(splat(key_light(view))),
           fill(splat(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
           up(splat(view.up)) {
         for (int channel = 0; channel < 3; ++channel) {
@@ -105,8 +105,9 @@ struct Light {
     alignas(64) float facing[tile_size];  ///< at least 0: the front is seen
 };
 
-/// The light on hits from their rays and gradients, to the pixels from `col` on.
-HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gradient,
+/// The light on hits from their rays and gradients, to the pixels from `col` on; `lit`: how much of
+/// the key light.
+HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gradient, V lit,
                            std::size_t col, Light& light) {
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
@@ -119,7 +120,7 @@ HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gr
     const V to_fill = hn::Mul(dot(outward.along, shading.fill), to_side);
     const V to_sky = hn::Mul(dot(outward.along, shading.up), to_side);
     const V to_viewer = hn::Mul(hn::Abs(facing), outward.scale);
-    const V key_light = hn::Max(to_key, zero);
+    const V key_light = hn::Mul(hn::Max(to_key, zero), lit);
     const V fill_light = hn::Max(to_fill, zero);
     const V sky = hn::MulAdd(to_sky, half, half);
     const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
@@ -129,7 +130,8 @@ HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gr
     // may vanish.
     const V key_to_viewer = hn::Mul(dot(shading.key, along), towards_viewer);
     const V square = hn::Max(hn::MulAdd(key_to_viewer, two, two), hn::Set(d, 1e-6F));
-    const V gloss = hn::Max(hn::Mul(hn::Add(to_key, to_viewer), per_root(square)), zero);
+    const V gloss =
+        hn::Mul(hn::Max(hn::Mul(hn::Add(to_key, to_viewer), per_root(square)), zero), lit);
     hn::Store(diffuse, d, &light.diffuse[col]);
     hn::Store(gloss, d, &light.gloss[col]);
     hn::Store(facing, d, &light.facing[col]);
@@ -210,7 +212,8 @@ bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile&
                      hn::MulAdd(along, step.z, start.z)};
         const V3 gradient{hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
                           hn::LoadU(d, &hits.gradient[2][at])};
-        illuminate(shading, ray, gradient, col, light);
+        const V lit = hits.any_dark ? hn::LoadU(d, &hits.lit[at]) : hn::Set(d, 1.0F);
+        illuminate(shading, ray, gradient, lit, col, light);
     }
     return any;
 }
@@ -289,6 +292,10 @@ void mark_unsettled(const Tile& tile, const TileHits& hits, Framebuffer& out) {
 }
 
 }  // namespace
+
+glm::dvec3 key_light(const ViewFrame& view) {
+    return glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward);
+}
 
 std::uint32_t background_color(int row, int height) {
     const double t = (row + 0.5) / height;

@@ -14,6 +14,9 @@ namespace zeroset {
 void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> hits,
                const Tile& tile, Framebuffer& out);
 
+/// Towards the light that makes highlights and shadows, which moves with the camera. Length 1.
+glm::dvec3 key_light(const ViewFrame& view);
+
 /// The background of an image row, RGBA.
 std::uint32_t background_color(int row, int height);
 

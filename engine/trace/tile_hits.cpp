@@ -46,11 +46,18 @@ TileHits::TileHits() {
     for (std::vector<float>& axis : gradient)
         axis.resize(pixels);
     unsettled.resize(pixels, none);
+    lit.resize(pixels, 1.0F);
+}
+
+void TileHits::light_all() {
+    if (any_dark) std::ranges::fill(lit, 1.0F);
+    any_dark = false;
 }
 
 void TileHits::clear() {
     if (any) std::ranges::fill(depth, none);
     if (any_unsettled) std::ranges::fill(unsettled, none);
+    light_all();
     any = false;
     any_unsettled = false;
     points.clear();

@@ -5,6 +5,7 @@
 #include "engine/trace/scene.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -25,6 +26,12 @@ struct TraceFrame {
     StopCriterion stop;
     SearchDepth depth;    ///< what `stop` comes to in this view
     Precision precision;  ///< of the kernel's code to use; it has it
+    const std::atomic<bool>* cancel = nullptr;
+
+    /// What is found from now on is of no use. Tracers look at it every millisecond or so.
+    [[nodiscard]] bool cancelled() const {
+        return cancel != nullptr && cancel->load(std::memory_order_relaxed);
+    }
 };
 
 /// What the view wants, if all of the scene's kernels have code for it; else float.
@@ -74,9 +81,13 @@ struct TileHits {
     /// the ray hit something afterwards or not; such a hit is not certified.
     std::vector<float> unsettled;
     bool any_unsettled = false;
+    std::vector<float> lit;  ///< of the key light, what reaches a hit: 0 or 1
+    bool any_dark = false;   ///< else `lit` is 1 everywhere
 
     TileHits();
     void clear();
+    /// No shadows.
+    void light_all();
     /// A hit whose gradient is to be found.
     void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
     void pass(Pixel at, float distance);
@@ -92,7 +103,7 @@ struct Tracer {
     std::string_view name;
     std::string_view about;  ///< one line
     /// One surface, one tile. Called in upward rounding, from many threads at once. `hits` is
-    /// clear.
+    /// clear. When cancelled it ends soon, and the hits are some of the tile's.
     void (*trace_tile)(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
     /// Whether it is quicker with shortened kernels than with machine code of many choices.

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string_view>
 #include <vector>
 
-// Pictures in the background: coarse ones first, the newest request only, and an end at any time.
+// Pictures in the background: a quick one, then the full one; the newest request only, and an end
+// at any time.
 
 namespace zeroset::test {
 namespace {
@@ -36,65 +38,152 @@ RenderRequest request_for(std::string_view text, int width, int height) {
     return request;
 }
 
-/// A job whose passes are all kept.
+/// A job whose pictures are all kept, but for those that nobody had time to take.
 class Watched {
 public:
-    /// All passes up to the final one of request `number`.
-    std::vector<RenderResult> passes_until(std::uint64_t number) {
-        std::unique_lock lock(mutex_);
-        const bool came = changed_.wait_for(lock, patience, [&] {
-            return !passes_.empty() && passes_.back().request == number &&
-                   passes_.back().coarseness == 1;
-        });
-        EXPECT_TRUE(came) << "request " << number << " was never finished";
-        return passes_;
+    explicit Watched(const RenderPace& pace = {}) : job([this] { keep(); }, pace) {}
+
+    /// All pictures up to the complete one of request `number`.
+    std::vector<RenderResult> pictures_until(std::uint64_t number) {
+        return wait_for(
+            [number](const RenderResult& last) { return last.request == number && last.complete; });
+    }
+    /// All pictures up to the first one of request `number`.
+    std::vector<RenderResult> pictures_to(std::uint64_t number) {
+        return wait_for([number](const RenderResult& last) { return last.request == number; });
     }
 
 private:
     void keep() {
         auto result = job.take();
         const std::scoped_lock lock(mutex_);
-        if (result) passes_.push_back(std::move(*result));
+        if (result) pictures_.push_back(std::move(*result));
         changed_.notify_all();
+    }
+    std::vector<RenderResult> wait_for(const std::function<bool(const RenderResult&)>& wanted) {
+        std::unique_lock lock(mutex_);
+        const bool came = changed_.wait_for(
+            lock, patience, [&] { return !pictures_.empty() && wanted(pictures_.back()); });
+        EXPECT_TRUE(came) << "the picture never came";
+        return pictures_;
     }
 
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<RenderResult> passes_;
+    std::vector<RenderResult> pictures_;
 
 public:
-    RenderJob job{[this] { keep(); }};  // ends before what it writes to
+    RenderJob job;  // ends before what it writes to
 };
 
-TEST(RenderJob, DrawsCoarsePassesFirst) {
+/// First pictures are as coarse as can be, and nothing rests within a test's time.
+RenderPace restless() {
+    RenderPace pace;
+    pace.budget_ms = 1e-9;
+    pace.at_once_ms = 0.0;
+    pace.rest_after = std::chrono::hours(1);
+    return pace;
+}
+
+TEST(RenderJob, DrawsAQuickPictureFirst) {
     Watched watched;
     EXPECT_FALSE(watched.job.busy());
     EXPECT_FALSE(watched.job.take());
     const auto number = watched.job.submit(request_for("x^2 + y^2 + z^2 = 1", 101, 67));
-    const auto passes = watched.passes_until(number);
-    ASSERT_GE(passes.size(), 2U);
-    for (std::size_t i = 0; i < passes.size(); ++i) {
-        const RenderResult& pass = passes[i];
-        EXPECT_EQ(pass.request, number);
-        EXPECT_EQ(pass.frame->width, (101 + pass.coarseness - 1) / pass.coarseness);
-        EXPECT_EQ(pass.frame->height, (67 + pass.coarseness - 1) / pass.coarseness);
-        EXPECT_EQ(pass.counts.certified + pass.counts.undecided + pass.counts.miss,
-                  pass.frame->color.size());
-        EXPECT_GT(pass.counts.certified, 0U);
-        EXPECT_GT(pass.frame_ms, 0.0);
+    const auto pictures = watched.pictures_until(number);
+    ASSERT_EQ(pictures.size(), 2U);
+    const RenderResult& first = pictures[0];
+    const RenderResult& full = pictures[1];
+    EXPECT_FALSE(first.complete);
+    EXPECT_EQ(first.frame->width, 25);  // a quarter, as long as nothing is known of the cost
+    EXPECT_EQ(first.frame->height, 17);
+    EXPECT_TRUE(full.complete);
+    EXPECT_EQ(full.frame->width, 101);
+    EXPECT_EQ(full.frame->height, 67);
+    EXPECT_EQ(full.counts.certified + full.counts.undecided + full.counts.miss, 101U * 67U);
+    EXPECT_GT(full.counts.certified, 0U);
+    for (const RenderResult& picture : pictures) {
+        EXPECT_EQ(picture.request, number);
+        EXPECT_GT(picture.frame_ms, 0.0);
     }
-    const auto finer = [](const RenderResult& a, const RenderResult& b) {
-        return a.coarseness > b.coarseness;
-    };
-    EXPECT_TRUE(std::ranges::is_sorted(passes, finer));
-    EXPECT_EQ(passes.back().coarseness, 1);
     EXPECT_FALSE(watched.job.busy());
+}
+
+TEST(RenderJob, DrawsAtOnceWhatIsKnownToBeQuick) {
+    RenderPace pace;
+    pace.at_once_ms = 1e9;
+    pace.rest_after = std::chrono::milliseconds(0);
+    Watched watched(pace);
+    const RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 64, 64);
+    watched.pictures_until(watched.job.submit(request));
+    const auto number = watched.job.submit(request);
+    const auto pictures = watched.pictures_until(number);
+    ASSERT_EQ(pictures.size(), 3U);
+    EXPECT_TRUE(pictures[2].complete);
+}
+
+TEST(RenderJob, DrawsOnlyQuickPicturesWhileSomethingMoves) {
+    Watched watched(restless());
+    const RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 160, 160);
+    watched.pictures_to(watched.job.submit(request));
+    for (int i = 0; i < 5; ++i) {
+        const auto number = watched.job.submit(request);
+        const RenderResult last = watched.pictures_to(number).back();
+        EXPECT_FALSE(last.complete);
+        EXPECT_EQ(last.frame->width, 20);  // an eighth: nothing is coarser
+        EXPECT_TRUE(watched.job.busy());
+    }
+}
+
+TEST(RenderJob, ShowsAFullPictureWhileItGrows) {
+    RenderPace pace;
+    pace.growth_shown_after = std::chrono::milliseconds(0);
+    Watched watched(pace);
+    RenderRequest request = request_for("x^2 + y^2 + z^2 = 4", 256, 192);
+    request.settings.threads = 1;
+    const auto number = watched.job.submit(request);
+    const auto pictures = watched.pictures_until(number);
+    ASSERT_GE(pictures.size(), 3U);
+    const Framebuffer& first = *pictures.front().frame;
+    const Framebuffer& full = *pictures.back().frame;
+    const RenderResult& half_way = pictures[pictures.size() / 2];
+    const Framebuffer& grown = *half_way.frame;
+    EXPECT_FALSE(half_way.complete);
+    ASSERT_EQ(grown.width, 256);
+    ASSERT_EQ(grown.height, 192);
+    // Some tiles are drawn, elsewhere the first picture is stretched.
+    std::size_t drawn = 0;
+    std::size_t stretched = 0;
+    for (int row = 0; row < 192; ++row) {
+        for (int col = 0; col < 256; ++col) {
+            const float depth = grown.depth[full.index(col, row)];
+            const float fine = full.depth[full.index(col, row)];
+            const float coarse =
+                first.depth[first.index(col * first.width / 256, row * first.height / 192)];
+            ASSERT_TRUE(depth == fine || depth == coarse);
+            if (fine != coarse) ++(depth == fine ? drawn : stretched);
+        }
+    }
+    EXPECT_GT(drawn, 0U);
+    EXPECT_GT(stretched, 0U);
+}
+
+TEST(RenderJob, DrawsShadowsLast) {
+    Watched watched;
+    RenderRequest request = request_for("(z + 1) (x^2 + y^2 + z^2 - 0.25) = 0", 64, 64);
+    request.settings.shadows = true;
+    const auto pictures = watched.pictures_until(watched.job.submit(request));
+    ASSERT_EQ(pictures.size(), 3U);
+    EXPECT_FALSE(pictures[1].complete);
+    EXPECT_EQ(pictures[1].frame->depth, pictures[2].frame->depth);
+    EXPECT_NE(pictures[1].frame->color, pictures[2].frame->color);
+    EXPECT_EQ(pictures[1].counts.certified, pictures[2].counts.certified);
 }
 
 TEST(RenderJob, DrawsPicturesOfOnePixel) {
     Watched watched;
     const auto number = watched.job.submit(request_for("z = 0", 1, 1));
-    EXPECT_EQ(watched.passes_until(number).back().frame->color.size(), 1U);
+    EXPECT_EQ(watched.pictures_until(number).back().frame->color.size(), 1U);
 }
 
 TEST(RenderJob, TheNewestRequestWins) {
@@ -105,12 +194,12 @@ TEST(RenderJob, TheNewestRequestWins) {
         EXPECT_GT(number, last);
         last = number;
     }
-    const auto passes = watched.passes_until(last);
-    EXPECT_EQ(passes.back().frame->height, 229);
+    const auto pictures = watched.pictures_until(last);
+    EXPECT_EQ(pictures.back().frame->height, 229);
     EXPECT_FALSE(watched.job.busy());
     EXPECT_FALSE(watched.job.take());
-    for (std::size_t i = 1; i < passes.size(); ++i) {
-        EXPECT_GE(passes[i].request, passes[i - 1].request);
+    for (std::size_t i = 1; i < pictures.size(); ++i) {
+        EXPECT_GE(pictures[i].request, pictures[i - 1].request);
     }
 }
 
@@ -121,8 +210,8 @@ TEST(RenderJob, ANewRequestEndsTheOneBeforeSoon) {
     watched.job.submit(slow);
     EXPECT_TRUE(watched.job.busy());
     const auto number = watched.job.submit(request_for("z = 0", 16, 16));
-    const auto passes = watched.passes_until(number);
-    EXPECT_EQ(passes.back().frame->width, 16);
+    const auto pictures = watched.pictures_until(number);
+    EXPECT_EQ(pictures.back().frame->width, 16);
 }
 
 TEST(RenderJob, EndsWhileItDraws) {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -280,9 +282,64 @@ TEST_P(TracerTest, StopsWhenCancelled) {
     Framebuffer frame(200, 200);
     const std::atomic<bool> cancel{true};
     const Counters counters = render_frame(scene, default_camera(scene.clip),
-                                           settings_at(GetParam(), 22), frame, &cancel);
+                                           settings_at(GetParam(), 22), frame, {&cancel, {}});
     EXPECT_EQ(counters.range, 0U);
     EXPECT_EQ(count_certificates(frame).miss, frame.color.size());
+}
+
+/// Counts the calls of a kernel's function; if asked to, it cancels the frame with each.
+template <class Batch>
+struct Counting {
+    KernelFunction<Batch> whole;
+    std::atomic<bool>* cancel;
+    int calls = 0;
+
+    static void call(const void* code, const Batch* batch) {
+        auto& self = *static_cast<Counting*>(const_cast<void*>(code));
+        ++self.calls;
+        if (self.cancel != nullptr) *self.cancel = true;
+        self.whole(*batch);
+    }
+    Counting(KernelFunction<Batch>& function, std::atomic<bool>* cancels)
+        : whole(function), cancel(cancels) {
+        function = {call, std::shared_ptr<const void>(this, [](const void*) {})};
+    }
+};
+
+TEST_P(TracerTest, StopsAmidATile) {
+    int calls[2];
+    for (const bool cancels : {false, true}) {
+        Scene scene = scene_of("sin(9x) sin(9y) sin(9z) = 0.1", Box::cube(2));
+        Framebuffer frame(64, 64);
+        frame.depth.assign(frame.depth.size(), 7.0F);
+        std::atomic<bool> cancel{false};
+        const Counting forms(scene.surfaces[0].form_float, cancels ? &cancel : nullptr);
+        const Counting ranges(scene.surfaces[0].range_float, cancels ? &cancel : nullptr);
+        int tiles = 0;
+        render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 22), frame,
+                     {&cancel, [&](const PixelRect&) { ++tiles; }});
+        EXPECT_EQ(tiles, cancels ? 0 : 1);
+        EXPECT_EQ(std::ranges::count(frame.depth, 7.0F), cancels ? 64 * 64 : 0);
+        calls[cancels ? 1 : 0] = forms.calls + ranges.calls;
+    }
+    EXPECT_GE(calls[1], 1);
+    EXPECT_LT(2 * calls[1], calls[0]);
+}
+
+TEST_P(TracerTest, TellsOfEachTileOnce) {
+    const Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
+    Framebuffer frame(150, 100);
+    std::mutex mutex;
+    std::vector<int> told(frame.depth.size());
+    render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 8), frame,
+                 {nullptr, [&](const PixelRect& tile) {
+                      const std::scoped_lock lock(mutex);
+                      for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+                          for (int col = tile.col; col < tile.col + tile.cols; ++col)
+                              ++told[frame.index(col, row)];
+                      }
+                  }});
+    EXPECT_EQ(std::ranges::count(told, 1), 150 * 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllTracers, TracerTest, ::testing::ValuesIn(tracer_names()),

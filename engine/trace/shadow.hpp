@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/trace/tracer.hpp"
+
+#include <span>
+
+namespace zeroset {
+
+/// Where the light is that throws shadows: towards the key light (shade.hpp) from the point looked
+/// at, so far that its rays are nearly parallel.
+glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip);
+
+/// Finds which hits of a tile that light does not reach, by enclosures along the
+/// ways to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. `hits[i]`
+/// are those of surface i, with their gradients. In upward rounding.
+void find_shadows(std::span<const TraceFrame> surfaces, const Tile& tile, std::span<TileHits> hits,
+                  Counters& counters);
+
+}  // namespace zeroset
