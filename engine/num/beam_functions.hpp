@@ -14,12 +14,6 @@ Real largest(const Interval<Real>& a) {
     return maximum(a.neg_lo, a.hi);
 }
 
-/// The larger of two bounds; NaN, which bounds nothing, where either is.
-template <class Real>
-Real larger_bound(const Real& a, const Real& b) {
-    return select(unordered(a, b), a + b, maximum(a, b));
-}
-
 /// The form `b` where the mask holds, else the interval.
 template <class Mask, class Real>
 Affine<Real> form_or_interval(const Mask& use_form, const Affine<Real>& form,

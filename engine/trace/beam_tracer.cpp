@@ -37,6 +37,7 @@
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 #include "engine/trace/beam_tree-inl.hpp"
+#include "engine/trace/beam_waves-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -73,7 +74,6 @@ public:
     void trace();
 
 private:
-    static constexpr std::size_t cells_a_wave = 16;  ///< of look_closer, at least
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
     /// Cells of one size; their children are made.
@@ -83,11 +83,8 @@ private:
     /// Those of one tile, first to last.
     void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
-    /// Goes on with the cells of the smallest but one tiles: from the front, so that what is behind
-    /// the roots found so far is left out.
+    /// Goes on with the cells of tiles that wait.
     void look_closer();
-    /// The farthest root found so far of the least_pixels x least_pixels pixels from there on.
-    [[nodiscard]] Real farthest_found(int col, int row) const;
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
@@ -119,14 +116,7 @@ private:
     RayMarcher<double, Real> fine_marcher_;
     Real fair_guess_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
-
-    /// A tile whose cells have not all been looked at closer.
-    struct Waiting {
-        const Kernel* kernel;
-        std::size_t next, end;  ///< in waiting_cells_, front to back
-    };
-    std::vector<Waiting> waiting_;
-    std::vector<std::size_t> waiting_cells_;
+    WaitingTiles<Real, 2 * least_pixels> waiting_;
 };
 
 template <class Real>
@@ -190,46 +180,19 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     small_leaves_.solve();
     if (open_.empty()) return;
     const Kernel* const kernel = tree_.kernel_of(run, open_);
-    if (pixels > 2 * least_pixels) {
-        tree_.push_children(kernel, open_, pixels, [](int, int) { return Found<Real>::none; });
-        return;
-    }
-    const std::size_t begin = waiting_cells_.size();
-    waiting_cells_.insert(waiting_cells_.end(), open_.begin(), open_.end());
-    waiting_.push_back({kernel, begin, waiting_cells_.size()});
+    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, open_);
+    tree_.push_children(kernel, open_, pixels, [](int, int) { return Found<Real>::none; });
 }
 
 template <class Real>
 void BeamTile<Real>::look_closer() {
     while (!waiting_.empty() && !frame_.cancelled()) {
-        const std::size_t most = 1 + cells_a_wave / waiting_.size();
-        for (Waiting& tile : waiting_) {
-            const std::size_t count = std::min(most, tile.end - tile.next);
-            const std::size_t first = std::exchange(tile.next, tile.next + count);
-            tree_.push_children(tile.kernel, std::span(waiting_cells_).subspan(first, count),
-                                2 * least_pixels,
-                                [this](int col, int row) { return farthest_found(col, row); });
-        }
-        std::erase_if(waiting_, [](const Waiting& tile) { return tile.next == tile.end; });
+        waiting_.divide_some(tree_, found_);
         tree_.go_down();
         descend(least_pixels);
         march_rays();
         tree_.go_up();
     }
-}
-
-template <class Real>
-Real BeamTile<Real>::farthest_found(int col, int row) const {
-    constexpr hn::CappedTag<Real, least_pixels> d;
-    auto farthest = hn::Zero(d);
-    for (int y = row; y < row + least_pixels; ++y) {
-        for (int x = col; x < col + least_pixels; x += static_cast<int>(hn::Lanes(d))) {
-            const auto pixel = static_cast<std::size_t>(y * tile_size + x);
-            const auto depth = hn::LoadU(d, &found_.depth[pixel]);
-            farthest = x == col && y == row ? depth : hn::Max(farthest, depth);
-        }
-    }
-    return hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
 /// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
