@@ -116,9 +116,20 @@ private:
         return Power;
     }
 
-    static int length(const Node& node, std::vector<Piece>& pieces) {
-        pieces = {
-            {"sqrt("}, {{}, node.a, Atom, true}, {"^2 + "}, {{}, node.b, Atom, true}, {"^2)"}};
+    /// Of a chain of lengths, the innermost first, whose operands stand the other way round
+    /// (engine/expr/polar_form.hpp).
+    int length(const Node& node, std::vector<Piece>& pieces) const {
+        std::vector<NodeId> legs;
+        const Node* inner = &node;
+        for (; nodes_[inner->a].op == Op::Length; inner = &nodes_[inner->a])
+            legs.push_back(inner->b);
+        legs.push_back(inner->a);
+        legs.push_back(inner->b);
+        for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
+            pieces.push_back({leg == legs.rbegin() ? "sqrt(" : "^2 + "});
+            pieces.push_back({{}, *leg, Atom, true});
+        }
+        pieces.push_back({"^2)"});
         return Atom;
     }
 

@@ -80,8 +80,8 @@ TEST(PlainAngles, TakesThemFromLengths) {
 
 TEST(PolarForm, TakesLengthsTogether) {
     const auto polar = [](const char* text) { return polar_form(*parse(text)).canonical(); };
-    EXPECT_EQ(polar("sqrt(x^2 + y^2) - 1"), "sqrt(y^2 + x^2) - 1");
-    EXPECT_EQ(polar("sqrt(x^2 + y^4 + (z - 1)^2)"), "sqrt(sqrt((y^2)^2 + x^2)^2 + (z - 1)^2)");
+    EXPECT_EQ(polar("sqrt(x^2 + y^2) - 1"), "sqrt(x^2 + y^2) - 1");
+    EXPECT_EQ(polar("sqrt(x^2 + y^4 + (z - 1)^2)"), "sqrt(x^2 + (y^2)^2 + (z - 1)^2)");
     const Expr length = polar_form(*parse("sqrt((x - 1)^2 + y^2)"));
     EXPECT_EQ(length.node(length.root()).op, Op::Length);
     EXPECT_EQ(value_at(length, {4, 4, 0, 0}).value, 5.0);

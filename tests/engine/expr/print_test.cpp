@@ -118,7 +118,7 @@ TEST(Canonical, WritesLengthsAndWavesAsTheyAreTyped) {
     const NodeId sum = builder.apply(Op::Add, builder.variable(0), builder.variable(1));
     const NodeId z = builder.variable(2);
     EXPECT_EQ(builder.finish(builder.apply(Op::Length, sum, z)).canonical(),
-              "sqrt((x + y)^2 + z^2)");
+              "sqrt(z^2 + (x + y)^2)");
     EXPECT_EQ(builder.finish(builder.apply(Op::AngleSin, sum, z, 0, 3)).canonical(),
               "sin(3*atan2(x + y, z))");
     EXPECT_EQ(builder.finish(builder.apply(Op::AngleCos, z, sum, 0, 1)).canonical(),
