@@ -4,58 +4,110 @@
 
 #include <llvm/IR/Intrinsics.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
 namespace zeroset::jit {
 namespace {
 
 /// Whether the machine rounds a product and a sum together.
 bool can_fuse() { return __builtin_cpu_supports("fma"); }
 
-Lanes arithmetic(llvm::Intrinsic::ID id, const Lanes& a, const Lanes& b) {
-    return {a.emitter, a.emitter->constrained(id, a.value, b.value)};
+// Operations that are no intrinsics.
+enum Operation : unsigned {
+    Negation = 1U << 24U,
+    Choice,
+    SignChoice,
+    Both,
+    Either,
+    Complement,
+    Comparison,               ///< plus the predicate
+    LibraryCall = 1U << 25U,  ///< plus the function
+};
+
+/// In an order that is the same for a, b and b, a.
+std::array<llvm::Value*, 3> unordered_pair(llvm::Value* a, llvm::Value* b,
+                                           llvm::Value* c = nullptr) {
+    return std::less<>()(a, b) ? std::array{a, b, c} : std::array{b, a, c};
+}
+
+Lanes intrinsic(llvm::Intrinsic::ID id, const Lanes& a) {
+    const auto make = [&] { return a.emitter->builder.CreateUnaryIntrinsic(id, a.value); };
+    return {a.emitter, a.emitter->once(id, {a.value}, make)};
+}
+
+/// Rounded in the mode of the time when it runs. `key`: the operands, as Emitter::once takes them.
+Lanes rounded(llvm::Intrinsic::ID id, const Lanes& a, llvm::ArrayRef<llvm::Value*> operands,
+              const std::array<llvm::Value*, 3>& key) {
+    const auto make = [&]() -> llvm::Value* {
+        llvm::IRBuilder<>& builder = a.emitter->builder;
+        auto* const function = llvm::Intrinsic::getDeclaration(
+            builder.GetInsertBlock()->getModule(), id, {a.value->getType()});
+        return builder.CreateConstrainedFPCall(function, operands, "", llvm::RoundingMode::Dynamic,
+                                               llvm::fp::ExceptionBehavior::ebIgnore);
+    };
+    return {a.emitter, a.emitter->once(id, key, make)};
+}
+
+LaneMask logical(Operation operation, const LaneMask& a, const LaneMask& b, auto make) {
+    return {a.emitter, a.emitter->once(operation, unordered_pair(a.value, b.value), make)};
 }
 
 LaneMask compare(llvm::CmpInst::Predicate predicate, const Lanes& a, const Lanes& b) {
-    return {a.emitter, a.emitter->builder.CreateFCmp(predicate, a.value, b.value)};
+    const auto make = [&] { return a.emitter->builder.CreateFCmp(predicate, a.value, b.value); };
+    return {a.emitter,
+            a.emitter->once(static_cast<unsigned>(Comparison) + static_cast<unsigned>(predicate),
+                            {a.value, b.value}, make)};
 }
 
 Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> arguments) {
-    llvm::IRBuilder<>& builder = kind.emitter->builder;
-    const VectorKind& vectors = kind.emitter->kind;
-    llvm::Type* const vector = kind.emitter->real_vector();
-    const std::vector<llvm::Type*> parameters(arguments.size(), vector);
-    auto* const type = llvm::FunctionType::get(vector, parameters, false);
-    const auto address =
-        reinterpret_cast<std::uintptr_t>(elementary_code(function, vectors.lanes, vectors.type));
-    llvm::Value* const code = builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
-    llvm::CallInst* const made = builder.CreateCall(type, code, arguments);
-    // It leaves the rounding mode as it was, and may be left out.
-    made->setDoesNotAccessMemory();
-    made->setDoesNotThrow();
-    made->addFnAttr(llvm::Attribute::WillReturn);
-    return {kind.emitter, made};
+    const auto make = [&]() -> llvm::Value* {
+        llvm::IRBuilder<>& builder = kind.emitter->builder;
+        const VectorKind& vectors = kind.emitter->kind;
+        llvm::Type* const vector = kind.emitter->real_vector();
+        const std::vector<llvm::Type*> parameters(arguments.size(), vector);
+        auto* const type = llvm::FunctionType::get(vector, parameters, false);
+        const auto address = reinterpret_cast<std::uintptr_t>(
+            elementary_code(function, vectors.lanes, vectors.type));
+        llvm::Value* const code =
+            builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
+        llvm::CallInst* const made = builder.CreateCall(type, code, arguments);
+        // It leaves the rounding mode as it was, and may be left out.
+        made->setDoesNotAccessMemory();
+        made->setDoesNotThrow();
+        made->addFnAttr(llvm::Attribute::WillReturn);
+        return made;
+    };
+    std::array<llvm::Value*, 3> key{};
+    std::ranges::copy(arguments, key.begin());
+    const auto operation = static_cast<unsigned>(LibraryCall) + static_cast<unsigned>(function);
+    return {kind.emitter, kind.emitter->once(operation, key, make)};
 }
 
 }  // namespace
 
-llvm::Value* Emitter::constrained(llvm::Intrinsic::ID id, llvm::Value* a, llvm::Value* b) const {
-    return builder.CreateConstrainedFPBinOp(id, a, b, nullptr, "", nullptr,
-                                            llvm::RoundingMode::Dynamic,
-                                            llvm::fp::ExceptionBehavior::ebIgnore);
-}
-
 Lanes operator+(const Lanes& a, const Lanes& b) {
-    return arithmetic(llvm::Intrinsic::experimental_constrained_fadd, a, b);
+    return rounded(llvm::Intrinsic::experimental_constrained_fadd, a, {a.value, b.value},
+                   unordered_pair(a.value, b.value));
 }
 Lanes operator-(const Lanes& a, const Lanes& b) {
-    return arithmetic(llvm::Intrinsic::experimental_constrained_fsub, a, b);
+    return rounded(llvm::Intrinsic::experimental_constrained_fsub, a, {a.value, b.value},
+                   {a.value, b.value});
 }
 Lanes operator*(const Lanes& a, const Lanes& b) {
-    return arithmetic(llvm::Intrinsic::experimental_constrained_fmul, a, b);
+    return rounded(llvm::Intrinsic::experimental_constrained_fmul, a, {a.value, b.value},
+                   unordered_pair(a.value, b.value));
 }
 Lanes operator/(const Lanes& a, const Lanes& b) {
-    return arithmetic(llvm::Intrinsic::experimental_constrained_fdiv, a, b);
+    return rounded(llvm::Intrinsic::experimental_constrained_fdiv, a, {a.value, b.value},
+                   {a.value, b.value});
 }
-Lanes operator-(const Lanes& a) { return {a.emitter, a.emitter->builder.CreateFNeg(a.value)}; }
+Lanes operator-(const Lanes& a) {
+    const auto make = [&] { return a.emitter->builder.CreateFNeg(a.value); };
+    return {a.emitter, a.emitter->once(Negation, {a.value}, make)};
+}
 
 LaneMask operator>(const Lanes& a, const Lanes& b) {
     return compare(llvm::CmpInst::FCMP_OGT, a, b);
@@ -77,12 +129,14 @@ LaneMask unordered(const Lanes& a, const Lanes& b) {
 }
 
 LaneMask both(const LaneMask& a, const LaneMask& b) {
-    return {a.emitter, a.emitter->builder.CreateAnd(a.value, b.value)};
+    return logical(Both, a, b, [&] { return a.emitter->builder.CreateAnd(a.value, b.value); });
 }
 LaneMask either(const LaneMask& a, const LaneMask& b) {
-    return {a.emitter, a.emitter->builder.CreateOr(a.value, b.value)};
+    return logical(Either, a, b, [&] { return a.emitter->builder.CreateOr(a.value, b.value); });
 }
-LaneMask no(const LaneMask& a) { return {a.emitter, a.emitter->builder.CreateNot(a.value)}; }
+LaneMask no(const LaneMask& a) {
+    return logical(Complement, a, a, [&] { return a.emitter->builder.CreateNot(a.value); });
+}
 
 Lanes like(const Lanes& kind, double value) {
     return {kind.emitter, llvm::ConstantFP::get(kind.emitter->real_vector(), value)};
@@ -92,47 +146,39 @@ Lanes maximum(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
 Lanes minimum(const Lanes& a, const Lanes& b) { return select(a < b, a, b); }
 
 Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false) {
-    return {if_true.emitter,
-            if_true.emitter->builder.CreateSelect(condition.value, if_true.value, if_false.value)};
+    Emitter* const emitter = if_true.emitter;
+    const auto make = [&] {
+        return emitter->builder.CreateSelect(condition.value, if_true.value, if_false.value);
+    };
+    return {emitter, emitter->once(Choice, {condition.value, if_true.value, if_false.value}, make)};
 }
 
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear) {
-    llvm::IRBuilder<>& builder = x.emitter->builder;
-    llvm::Type* const integers = x.emitter->vector_of(x.emitter->integer());
-    llvm::Value* const bits = builder.CreateBitCast(x.value, integers);
-    llvm::Value* const is_set = builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
-    return {x.emitter, builder.CreateSelect(is_set, if_set.value, if_clear.value)};
+    const auto make = [&] {
+        llvm::IRBuilder<>& builder = x.emitter->builder;
+        llvm::Type* const integers = x.emitter->vector_of(x.emitter->integer());
+        llvm::Value* const bits = builder.CreateBitCast(x.value, integers);
+        llvm::Value* const is_set =
+            builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
+        return builder.CreateSelect(is_set, if_set.value, if_clear.value);
+    };
+    return {x.emitter, x.emitter->once(SignChoice, {x.value, if_set.value, if_clear.value}, make)};
 }
 
 Lanes square_root(const Lanes& a) {
-    llvm::IRBuilder<>& builder = a.emitter->builder;
-    auto* const root = llvm::Intrinsic::getDeclaration(
-        builder.GetInsertBlock()->getModule(), llvm::Intrinsic::experimental_constrained_sqrt,
-        {a.value->getType()});
-    return {a.emitter,
-            builder.CreateConstrainedFPCall(root, {a.value}, "", llvm::RoundingMode::Dynamic,
-                                            llvm::fp::ExceptionBehavior::ebIgnore)};
+    return rounded(llvm::Intrinsic::experimental_constrained_sqrt, a, {a.value}, {a.value});
 }
 
 double ray_roundings(const Lanes& /*kind*/) { return can_fuse() ? 4.0 : 6.0; }
 
 Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c) {
     if (!can_fuse()) return a * b + c;
-    llvm::IRBuilder<>& builder = a.emitter->builder;
-    auto* const fma = llvm::Intrinsic::getDeclaration(builder.GetInsertBlock()->getModule(),
-                                                      llvm::Intrinsic::experimental_constrained_fma,
-                                                      {a.value->getType()});
-    return {a.emitter, builder.CreateConstrainedFPCall(fma, {a.value, b.value, c.value}, "",
-                                                       llvm::RoundingMode::Dynamic,
-                                                       llvm::fp::ExceptionBehavior::ebIgnore)};
+    return rounded(llvm::Intrinsic::experimental_constrained_fma, a, {a.value, b.value, c.value},
+                   unordered_pair(a.value, b.value, c.value));
 }
 
-Lanes magnitude(const Lanes& a) {
-    return {a.emitter, a.emitter->builder.CreateUnaryIntrinsic(llvm::Intrinsic::fabs, a.value)};
-}
-Lanes round_down(const Lanes& a) {
-    return {a.emitter, a.emitter->builder.CreateUnaryIntrinsic(llvm::Intrinsic::floor, a.value)};
-}
+Lanes magnitude(const Lanes& a) { return intrinsic(llvm::Intrinsic::fabs, a); }
+Lanes round_down(const Lanes& a) { return intrinsic(llvm::Intrinsic::floor, a); }
 
 Lanes elementary(Elementary function, const Lanes& a) { return call(a, function, {a.value}); }
 Lanes elementary(Elementary function, const Lanes& a, const Lanes& b) {

@@ -4,18 +4,27 @@
 #include "engine/num/sleef.hpp"
 #include "jit/lower.hpp"
 
+#include <llvm/ADT/DenseMap.h>
 #include <llvm/IR/IRBuilder.h>
+
+#include <array>
+#include <tuple>
 
 // The carrier that builds IR: the same operations as engine/num/scalar.hpp, each on a vector of
 // floats or doubles. Private to jit/.
 //
 // Arithmetic is emitted as constrained intrinsics with dynamic rounding, so no pass may fold or
-// reorder it as if rounding were to nearest; signs and comparisons are exact in every mode.
+// reorder it as if rounding were to nearest; signs and comparisons are exact in every mode. LLVM
+// finds no common subexpressions in such code, so an operation is emitted once only. Code is
+// emitted in the order in which it runs: what has been emitted is known wherever more of it comes.
 
 namespace zeroset::jit {
 
 /// Where and how wide code is emitted. Outlives all Lanes made with it.
-struct Emitter {
+class Emitter {
+public:
+    Emitter(llvm::IRBuilder<>& code, const VectorKind& vectors) : builder(code), kind(vectors) {}
+
     llvm::IRBuilder<>& builder;
     VectorKind kind;
 
@@ -31,8 +40,17 @@ struct Emitter {
         return is_float() ? builder.getInt32Ty() : builder.getInt64Ty();
     }
     [[nodiscard]] llvm::Type* real_vector() const { return vector_of(real()); }
-    [[nodiscard]] llvm::Value* constrained(llvm::Intrinsic::ID id, llvm::Value* a,
-                                           llvm::Value* b) const;
+
+    /// An operation's result: that of `make()` where it is the first of its kind on the operands.
+    llvm::Value* once(unsigned operation, std::array<llvm::Value*, 3> operands, auto make) {
+        auto& result = known_[{operation, operands[0], operands[1], operands[2]}];
+        if (result == nullptr) result = make();
+        return result;
+    }
+
+private:
+    using Operation = std::tuple<unsigned, llvm::Value*, llvm::Value*, llvm::Value*>;
+    llvm::DenseMap<Operation, llvm::Value*> known_;
 };
 
 struct LaneMask {

@@ -23,6 +23,8 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
         case Op::Variable: break;
         case Op::IntPower: return algebra.int_power(a, node.number);
         case Op::OddRoot: return algebra.odd_root(a, node.number);
+        case Op::AngleSin: return algebra.angle_sin(a, b, node.number);
+        case Op::AngleCos: return algebra.angle_cos(a, b, node.number);
 #define ZEROSET_APPLY_1(id, method) \
     case Op::id: return algebra.method(a);
 #define ZEROSET_APPLY_2(id, method) \
@@ -33,6 +35,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
 #define ZEROSET_OP_Infix(id, method, arity) ZEROSET_APPLY_##arity(id, method)
 #define ZEROSET_OP_Power(id, method, arity)
 #define ZEROSET_OP_Root(id, method, arity)
+#define ZEROSET_OP_Wave(id, method, arity)
 #define ZEROSET_OP_Call(id, method, arity) ZEROSET_APPLY_##arity(id, method)
 #define ZEROSET_OP_Compare(id, method, arity) ZEROSET_APPLY_##arity(id, method)
 #define ZEROSET_OP_Logic(id, method, arity) ZEROSET_APPLY_##arity(id, method)
@@ -45,6 +48,7 @@ typename Algebra::Value apply(Algebra& algebra, const Node& node,
 #undef ZEROSET_OP_Infix
 #undef ZEROSET_OP_Power
 #undef ZEROSET_OP_Root
+#undef ZEROSET_OP_Wave
 #undef ZEROSET_OP_Call
 #undef ZEROSET_OP_Compare
 #undef ZEROSET_OP_Logic

@@ -2,6 +2,7 @@
 
 #include "engine/expr/interval_algebra.hpp"
 #include "engine/num/beam_angle.hpp"
+#include "engine/num/beam_polar.hpp"
 
 #include <optional>
 
@@ -176,6 +177,9 @@ public:
         const Box range = select(around_origin, within<Real>(most), beside);
         return turning({range, {}, no(around_origin), no(around_origin)}, at, turn, y, x);
     }
+    Value angle_sin(In y, In x, int n);
+    Value angle_cos(In y, In x, int n);
+    Value length(In y, In x);
     Value oriented(In a, In b);
     Value sinh(In a) {
         const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };
@@ -347,6 +351,8 @@ private:
         const Slope slope = sum(times(by_y, y.value.slope), times(by_x, x.value.slope));
         return with_domain(of(f, slope, y, x), g);
     }
+    Value wave(In y, In x, int n, auto at_middle);
+    PolarSlope<Real> polar_slope_of(const PolarBeam<Real>& p, In y, In x);
     Value larger(In a, In b, double sign) {
         const Kink<Real> kink = kink_of((a.value.f - b.value.f).range());
         Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
@@ -368,3 +374,4 @@ private:
 }  // namespace zeroset
 
 #include "engine/expr/beam_branches.hpp"
+#include "engine/expr/beam_polar_algebra.hpp"

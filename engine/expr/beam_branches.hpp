@@ -35,7 +35,7 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
     const Enclosure<Real> both_sides = zeroset::choose(of_c, side(a), side(b));
     const auto holds = no(may_fail(condition));
     const auto fails = no(may_hold(condition));
-    const Form undecided = interval_form(both_sides.range, maximum(a.value.f.r, b.value.f.r));
+    const Form undecided = interval_form(both_sides.range, larger_bound(a.value.f.r, b.value.f.r));
     const Form f = select(holds, a.value.f, select(fails, b.value.f, undecided));
     const SlopeBeam<Real> zero = no_slope();
     const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;

@@ -43,6 +43,9 @@ public:
     Value atan(In a) { return zeroset::atan(a.value); }
     Value atan2(In y, In x) { return zeroset::atan2(y.value, x.value); }
     Value angle(In y, In x) { return zeroset::atan2(y.value, x.value); }
+    Value angle_sin(In y, In x, int n) { return zeroset::angle_sin(y.value, x.value, n); }
+    Value angle_cos(In y, In x, int n) { return zeroset::angle_cos(y.value, x.value, n); }
+    Value length(In y, In x) { return zeroset::length(y.value, x.value); }
     Value oriented(In a, In b) { return zeroset::oriented(a.value, b.value.value); }
     Value sinh(In a) { return zeroset::sinh(a.value); }
     Value cosh(In a) { return zeroset::cosh(a.value); }

@@ -22,7 +22,7 @@ inline constexpr std::size_t longest_text = 100'000;
 
 struct Node {
     Op op = Op::Constant;
-    std::int32_t number = 0;  ///< the variable, the exponent of IntPower, the degree of OddRoot
+    std::int32_t number = 0;  ///< the variable, exponent, degree, factor of the angle
     NodeId a = 0;             ///< operands; always smaller than the node's own id
     NodeId b = 0;
     NodeId c = 0;
@@ -45,8 +45,8 @@ public:
     [[nodiscard]] std::span<const std::string> parameters() const { return parameters_; }
     [[nodiscard]] bool uses_variable(int variable) const;
     /// The formula with every operator written out; parsing it gives the same graph unless it is
-    /// cut, longer than `longest_text`, or has Oriented, written as the quotient that it stands
-    /// for.
+    /// cut, longer than `longest_text`, or has an operator that is never read, written as what it
+    /// stands for.
     [[nodiscard]] std::string canonical() const;
     /// Equal graphs have equal keys.
     [[nodiscard]] std::string key() const;

@@ -17,6 +17,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Acos:
         case Op::Cosh:
         case Op::Acosh:
+        case Op::Length:
         case Op::Less:
         case Op::LessEqual:
         case Op::And:
@@ -51,6 +52,8 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Cot:
         case Op::Atan2:
         case Op::Angle:
+        case Op::AngleSin:
+        case Op::AngleCos:
         case Op::Oriented:
         case Op::Log:
         case Op::Log10:

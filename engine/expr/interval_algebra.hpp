@@ -81,6 +81,17 @@ public:
     Value angle(In y, In x) {
         return composed(zeroset::angle(range(y), range(x)), y.value, x.value);
     }
+    Value angle_sin(In y, In x, int n) {
+        return wave(y, x, n, [](const Interval<Real>& a) { return zeroset::sin(a); });
+    }
+    Value angle_cos(In y, In x, int n) {
+        return wave(y, x, n, [](const Interval<Real>& a) { return zeroset::cos(a); });
+    }
+    Value length(In y, In x) {
+        return total(square_root(power(range(y), 2, y.facts.nonnegative) +
+                                 power(range(x), 2, x.facts.nonnegative)),
+                     y, x);
+    }
     Value oriented(In a, In b) { return with_divisor(zeroset::oriented(a.value, range(b)), a, b); }
     Value sinh(In a) { return odd({odd_increasing(Elementary::Sinh, range(a))}, a); }
     Value cosh(In a) { return total(zeroset::cosh(range(a)), a); }
@@ -125,6 +136,12 @@ private:
     static Value odd(Value g, In a) {
         if (a.facts.nonnegative) g.range.neg_lo = minimum(like(g.range.hi, 0.0), g.range.neg_lo);
         return composed(g, a.value);
+    }
+    /// A wave of n times an angle.
+    static Value wave(In y, In x, int n, auto function) {
+        Value g = zeroset::angle(range(y), range(x));
+        g.range = function(scale(g.range, n));
+        return composed(g, y.value, x.value);
     }
     /// Nowhere defined for the divisor 0.
     static Value with_divisor(Value g, In a, In b) {

@@ -14,7 +14,17 @@ enum class Op : std::uint8_t {
 #undef ZEROSET_OP
 };
 
-enum class Notation : std::uint8_t { Prefix, Infix, Power, Root, Call, Compare, Logic, Internal };
+enum class Notation : std::uint8_t {
+    Prefix,
+    Infix,
+    Power,
+    Root,
+    Call,
+    Compare,
+    Logic,
+    Internal,
+    Wave
+};
 
 /// A row of op.def.
 struct OpInfo {

@@ -87,7 +87,9 @@ private:
             case Notation::Root: return root(node, pieces);
             case Notation::Internal:
                 if (node.op == Op::Oriented) return infix(node, pieces);
+                if (node.op == Op::Length) return length(node, pieces);
                 break;
+            case Notation::Wave: return wave(node, info, pieces);
             case Notation::Call: break;
         }
         return call(node, info, pieces);
@@ -112,6 +114,33 @@ private:
         }
         pieces = {{{}, node.a, Atom, true}, {"^(1/" + std::to_string(node.number) + ")"}};
         return Power;
+    }
+
+    /// Of a chain of lengths, the innermost first, whose operands stand the other way round
+    /// (engine/expr/polar_form.hpp).
+    int length(const Node& node, std::vector<Piece>& pieces) const {
+        std::vector<NodeId> legs;
+        const Node* inner = &node;
+        for (; nodes_[inner->a].op == Op::Length; inner = &nodes_[inner->a])
+            legs.push_back(inner->b);
+        legs.push_back(inner->a);
+        legs.push_back(inner->b);
+        for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
+            pieces.push_back({leg == legs.rbegin() ? "sqrt(" : "^2 + "});
+            pieces.push_back({{}, *leg, Atom, true});
+        }
+        pieces.push_back({"^2)"});
+        return Atom;
+    }
+
+    static int wave(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
+        const std::string times = node.number == 1 ? "" : std::to_string(node.number) + "*";
+        pieces = {{std::string(info.spelling) + "(" + times + "atan2("},
+                  {{}, node.a, Or, true},
+                  {", "},
+                  {{}, node.b, Or, true},
+                  {"))"}};
+        return Atom;
     }
 
     static int call(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {

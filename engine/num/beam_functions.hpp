@@ -232,11 +232,11 @@ Beam<Real> larger(const Beam<Real>& a, const Beam<Real>& b, const Kink<Real>& ki
     Affine<Real> f = scaled(a.f, half + lean) + scaled(b.f, half - lean);
     f.c = f.c + quarter * like(a.r, sign);
     f.e = f.e + quarter;
-    const Real size = maximum(a.size, b.size);
+    const Real size = larger_bound(a.size, b.size);
     // Where one of the forms is taken as it is, nothing is rounded.
     const Real rounding =
         select(either(kink.above, kink.below), like(a.r, 0.0), like(a.r, 4.0) * size);
-    return {f, maximum(a.r, b.r) + rounding, size};
+    return {f, larger_bound(a.r, b.r) + rounding, size};
 }
 
 /// Between two forms: w a + (1 - w) b, whatever w in [0, 1].

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/num/polar.hpp"
 #include "engine/num/sleef.hpp"
 #include "engine/num/steps.hpp"
 
@@ -163,6 +164,29 @@ Dual<Real> atan2(const Dual<Real>& y, const Dual<Real>& x) {
     const Real radius2 = x.value * x.value + y.value * y.value;
     return chain(elementary(Elementary::Atan2, y.value, x.value), x.value / radius2, y,
                  -(y.value / radius2), x);
+}
+
+/// sin(n atan2(y, x)); NaN at the origin.
+template <class Real>
+Dual<Real> angle_sin(const Dual<Real>& y, const Dual<Real>& x, int n) {
+    const PolarPoint<Real> p = polar_point(y.value, x.value);
+    const Complex<Real> wave = power(p.direction, n);
+    const Real slope = like(wave.re, n) * p.per_length * wave.re;
+    return chain(wave.im, slope * p.direction.re, y, -(slope * p.direction.im), x);
+}
+
+template <class Real>
+Dual<Real> angle_cos(const Dual<Real>& y, const Dual<Real>& x, int n) {
+    const PolarPoint<Real> p = polar_point(y.value, x.value);
+    const Complex<Real> wave = power(p.direction, n);
+    const Real slope = like(wave.re, n) * p.per_length * wave.im;
+    return chain(wave.re, -(slope * p.direction.re), y, slope * p.direction.im, x);
+}
+
+template <class Real>
+Dual<Real> length(const Dual<Real>& y, const Dual<Real>& x) {
+    const PolarPoint<Real> p = polar_point(y.value, x.value);
+    return chain(p.length, p.direction.im, y, p.direction.re, x);
 }
 
 template <class Real>

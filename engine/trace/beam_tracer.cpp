@@ -13,7 +13,8 @@
 // Where f is continuous and df/ds excludes 0, the rays of a tile of 8x8 pixels are solved together,
 // those of neighbouring slabs, too: the forms give each its stretch, Newton's method the root
 // (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
-// monotone yet goes on ray by ray (beam_rays-inl.hpp).
+// monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front,
+// a few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of
@@ -36,6 +37,7 @@
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 #include "engine/trace/beam_tree-inl.hpp"
+#include "engine/trace/beam_waves-inl.hpp"
 
 #include <hwy/highway.h>
 
@@ -81,6 +83,8 @@ private:
     /// Those of one tile, first to last.
     void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
+    /// Goes on with the cells of tiles that wait.
+    void look_closer();
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
     /// The pixels of a cell one by one.
@@ -93,6 +97,7 @@ private:
         double by_col;  ///< how much nearer that is from column to column
     };
     void march_some(const Marched& marched, int first_col, int row, double middle);
+    /// Finds the roots on single rays.
     void march_rays();
     void pass(std::uint32_t pixel, double s);
     void hand_on();
@@ -111,23 +116,19 @@ private:
     RayMarcher<double, Real> fine_marcher_;
     Real fair_guess_;
     std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
+    WaitingTiles<Real, 2 * least_pixels> waiting_;
 };
 
 template <class Real>
 void BeamTile<Real>::trace() {
     if (tree_.cells().size == 0) return;
     found_.begin(hits_, tile_, view_);
-    for (int pixels = tile_size; pixels >= least_pixels && tree_.cells().size > 0; pixels /= 2) {
-        if (frame_.cancelled()) break;
+    for (int pixels = tile_size; pixels > 2 * least_pixels && !frame_.cancelled(); pixels /= 2) {
         descend(pixels);
         tree_.go_down();
     }
-    roots_.solve();
-    for (const Stretch& stretch : roots_.take_open()) {
-        const Real from = -upper_end(Real{}, -stretch.from);
-        const Real to = upper_end(Real{}, stretch.to);
-        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
-    }
+    descend(2 * least_pixels);
+    look_closer();
     march_rays();
     found_.end();
     hand_on();
@@ -135,6 +136,7 @@ void BeamTile<Real>::trace() {
 
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
+    if (tree_.cells().size == 0) return;
     for (const CellRun& run : tree_.judge(pixels)) {
         if (!frame_.cancelled()) visit_run(run, pixels);
     }
@@ -176,7 +178,21 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     }
     leaves_.solve();
     small_leaves_.solve();
-    if (!open_.empty()) tree_.push_children(run, open_, pixels);
+    if (open_.empty()) return;
+    const Kernel* const kernel = tree_.kernel_of(run, open_);
+    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, open_);
+    tree_.push_children(kernel, open_, pixels, [](int, int) { return Found<Real>::none; });
+}
+
+template <class Real>
+void BeamTile<Real>::look_closer() {
+    while (!waiting_.empty() && !frame_.cancelled()) {
+        waiting_.divide_some(tree_, found_);
+        tree_.go_down();
+        descend(least_pixels);
+        march_rays();
+        tree_.go_up();
+    }
 }
 
 /// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
@@ -293,6 +309,12 @@ void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, 
 
 template <class Real>
 void BeamTile<Real>::march_rays() {
+    roots_.solve();
+    for (const Stretch& stretch : roots_.take_open()) {
+        const Real from = -upper_end(Real{}, -stretch.from);
+        const Real to = upper_end(Real{}, stretch.to);
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
+    }
     // Cells in this type are decided down to some hundred of its units.
     const double rough = std::max(view_.tolerance(), 256 * tree_.s_most() * unit);
     const bool final = rough <= view_.tolerance();

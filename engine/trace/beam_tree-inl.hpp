@@ -58,16 +58,24 @@ public:
     [[nodiscard]] const Cells<Real>& cells() const { return *cells_; }
     /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
     std::span<const CellRun> judge(int pixels);
-    /// Makes the quarters of a tile in a run, for `open`: its cells that may hold roots.
-    void push_children(const CellRun& run, std::span<const std::size_t> open, int pixels);
+    /// Makes the quarters of a tile, for `open`: its cells that may hold roots, with the kernel of
+    /// f in them. `farthest(col, row)` is the depth from which on nothing is wanted in the quarter
+    /// that begins there.
+    void push_children(const Kernel* kernel, std::span<const std::size_t> open, int pixels,
+                       auto farthest);
     /// Goes on with the cells that were pushed.
     void go_down() {
         std::swap(cells_, next_);
         next_->size = 0;
     }
-    /// Of f in one cell of the run.
+    /// Goes back to the cells from which it went down; nothing was pushed since.
+    void go_up() { go_down(); }
+    /// Of f in some cells of the run, or in one.
+    const Kernel* kernel_of(const CellRun& run, std::span<const std::size_t> cells) {
+        return kernels_.shortened(run, cells);
+    }
     const Kernel* kernel_of(const CellRun& run, std::size_t cell) {
-        return kernels_.shortened(run, std::span(&cell, 1));
+        return kernel_of(run, std::span(&cell, 1));
     }
     /// Not below |s| in any cell.
     [[nodiscard]] double s_most() const { return s_most_; }
@@ -188,10 +196,9 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
 }
 
 template <class Real>
-void CellTree<Real>::push_children(const CellRun& run, std::span<const std::size_t> open,
-                                   int pixels) {
+void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::size_t> open,
+                                   int pixels, auto farthest) {
     const int half = pixels / 2;
-    const Kernel* const kernel = kernels_.shortened(run, open);
     const Real margin = margin_of(half);
     const auto width_by_depth = static_cast<Real>(2 * view_.pixel() * half);
     const std::size_t parent = open.front();
@@ -199,9 +206,11 @@ void CellTree<Real>::push_children(const CellRun& run, std::span<const std::size
         const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
         const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
+        const Real limit = farthest(col, row);
         const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half),
                          margin, width_by_depth};
         for (const std::size_t cell : open) {
+            if (cells_->from[cell] > limit) break;
             push_child(tile, half, cell);
             if (cells_->child_finished(child, cell)) break;
         }

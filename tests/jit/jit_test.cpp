@@ -91,6 +91,7 @@ TEST_P(JitOperator, HasTheInterpretersBits) {
     const Batches batches(random, 4096);
     std::vector<int> numbers{0};
     if (GetParam().notation == Notation::Power) numbers = {2, 3, 4, 5, 6, 7, 8, 9, 16, 17};
+    if (GetParam().notation == Notation::Wave) numbers = {1, 2, 3, 6, 9, 18};
     if (GetParam().notation == Notation::Root) numbers = {3, 5, 7, 9, 17};
     for (const int n : numbers) {
         expect_same_bits(operator_on_variables(GetParam(), n), batches);
@@ -218,6 +219,32 @@ TEST(Jit, RefusesLanesThatNoMachineHas) {
         EXPECT_FALSE(jit::ir(expr, {.lanes = lanes}).has_value());
         EXPECT_FALSE(jit::assembly(expr, {.lanes = lanes}).has_value());
     }
+}
+
+/// A length and an angle's sine begin with the same root and quotient.
+TEST(Jit, EmitsWhatOperatorsShareOnce) {
+    ExprBuilder builder;
+    const NodeId y = builder.variable(1);
+    const NodeId x = builder.variable(0);
+    const Expr expr = builder.finish(builder.apply(Op::Add, builder.apply(Op::Length, y, x),
+                                                   builder.apply(Op::AngleSin, y, x, 0, 3)));
+    const auto ir = jit::ir(expr, {.lanes = 4});
+    ASSERT_TRUE(ir.has_value());
+    const std::size_t begin = ir->find("define void @zeroset_value");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string value = ir->substr(begin, ir->find("\ndefine", begin) - begin);
+    const auto count = [&](const std::string& operation) {
+        int found = 0;
+        for (std::size_t at = 0;
+             (at = value.find("= call <4 x float> @llvm.experimental." + operation, at)) !=
+             std::string::npos;
+             ++at) {
+            ++found;
+        }
+        return found;
+    };
+    EXPECT_EQ(count("constrained.sqrt"), 1);
+    EXPECT_EQ(count("constrained.fdiv"), 1);
 }
 
 TEST(Jit, PrintsItsFunctions) {

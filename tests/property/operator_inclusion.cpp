@@ -190,6 +190,7 @@ Node random_operator_node(const OpInfo& info, RandomNumbers& random) {
     if (info.notation == Notation::Power) {
         node.number = random.one_in(9) ? 16 : random.between(2, 9);
     }
+    if (info.notation == Notation::Wave) node.number = random.between(1, 20);
     if (info.notation == Notation::Root) {
         node.number = random.one_in(9) ? 101 : 2 * random.between(1, 4) + 1;
     }

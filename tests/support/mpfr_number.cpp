@@ -89,6 +89,14 @@ Reference angle(const MpfrNumber& y, const MpfrNumber& x) {
     return defined(computed(mpfr_atan2, y, x));
 }
 
+/// A sine or cosine of n times the angle.
+Reference wave(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), int n, const MpfrNumber& y,
+               const MpfrNumber& x) {
+    const Reference turn = angle(y, x);
+    if (!turn.defined || turn.is_unknown()) return turn;
+    return periodic(function, MpfrNumber(n) * turn.value);
+}
+
 Reference integer_power(const MpfrNumber& a, int n) {
     MpfrNumber result;
     mpfr_pow_si(result.get(), a.get(), n, MPFR_RNDN);
@@ -156,6 +164,9 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::Atan: return defined(computed(mpfr_atan, a));
         case Op::Atan2:
         case Op::Angle: return angle(a, b);
+        case Op::AngleSin: return wave(mpfr_sin, n, a, b);
+        case Op::AngleCos: return wave(mpfr_cos, n, a, b);
+        case Op::Length: return defined(computed(mpfr_hypot, a, b));
         case Op::Oriented:
             if (b.sign() == 0) return undefined();
             return defined(b.sign() < 0 ? -a : a);

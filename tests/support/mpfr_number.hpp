@@ -60,8 +60,8 @@ struct Reference {
     [[nodiscard]] bool is_unknown() const { return defined && value.is_nan(); }
 };
 
-/// The operator at its operands (those that it does not have are any number); `n` is the exponent
-/// of IntPower, the degree of OddRoot. Angle is taken for atan2. Fails the running test for an
+/// The operator at its operands (those that it does not have are any number); `n` is the node's
+/// number. Angle is taken for atan2. Fails the running test for an
 /// operator that it does not know.
 Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, const MpfrNumber& c);
 inline Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b) {

@@ -55,11 +55,12 @@ NodeId made(ExprBuilder& builder, const OpInfo& info, const std::array<NodeId, 3
         case Notation::Infix: return made_infix(builder, info.op, a, b);
         case Notation::Power: return make_power(builder, a, builder.constant(n));
         case Notation::Root: return make_root(builder, a, 2 * (std::abs(n) % 5) + 3);
+        case Notation::Wave: return builder.apply(info.op, a, b, 0, std::abs(n) + 1);
         case Notation::Call:
         case Notation::Compare:
         case Notation::Logic: break;
         case Notation::Internal:
-            if (info.op == Op::Oriented) return builder.apply(info.op, a, b);
+            if (info.op != Op::Angle) return builder.apply(info.op, a, b);
             return make_call(
                 builder, Op::Sin,
                 make_multiply(builder, builder.constant(n), make_call(builder, Op::Atan2, a, b)),
@@ -105,7 +106,8 @@ Expr operator_on_variables(const OpInfo& info, int n) {
         const auto index = static_cast<std::size_t>(k);
         return takes_condition(info, k) ? conditions.at(index) : variables.at(index);
     };
-    const bool numbered = info.notation == Notation::Power || info.notation == Notation::Root;
+    const bool numbered = info.notation == Notation::Power || info.notation == Notation::Root ||
+                          info.notation == Notation::Wave;
     return builder.finish(builder.apply(info.op, operand(0), info.arity < 2 ? 0 : operand(1),
                                         info.arity < 3 ? 0 : operand(2), numbered ? n : 0));
 }

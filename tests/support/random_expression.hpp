@@ -9,7 +9,7 @@ namespace zeroset::test {
 /// may be one deeper). All of it could have been parsed.
 Expr random_expression(RandomNumbers& random, int depth);
 
-/// The operator on x, y, z, with `n` for IntPower and OddRoot. Operands that are conditions are
+/// The operator on x, y, z, with `n` where it has a number. Operands that are conditions are
 /// x < y as the first, z <= x as the second.
 Expr operator_on_variables(const OpInfo& info, int n = 3);
 

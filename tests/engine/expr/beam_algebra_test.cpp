@@ -8,6 +8,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
 
 // How tight beam forms are. That they hold is tested against MPFI (tests/oracle).
 
@@ -55,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
                          ::testing::Values(Op::Divide, Op::OddRoot, Op::Sqrt, Op::Exp, Op::Log,
                                            Op::Log10, Op::Log2, Op::Sin, Op::Cos, Op::Tan, Op::Cot,
                                            Op::Asin, Op::Acos, Op::Atan, Op::Atan2, Op::Angle,
-                                           Op::Sinh, Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh,
-                                           Op::Atanh),
+                                           Op::AngleSin, Op::AngleCos, Op::Length, Op::Sinh,
+                                           Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh, Op::Atanh),
                          [](const auto& op) { return std::string(op_info(op.param).name); });
 
 /// A tangent whose error lies on one side has half of it in the middle.
@@ -88,6 +91,49 @@ TEST(BeamForm, OfAnAngleDoesNotCrossTheCut) {
     const Form angle = form_of(Op::Angle, {0.0, -0.5}, 0x1p-6);
     EXPECT_TRUE(*angle.continuous);
     EXPECT_LT(angle.f.f.e, 0.01);
+}
+
+/// sin(n angle) bends by n^2 sin / rho^2 at most; a length by 1 / rho.
+TEST(BeamForm, OfAWaveIsBoundedByTheSquareOfItsFactor) {
+    const double d = 0x1p-10;
+    const int n = 6;
+    const double angle = std::numbers::pi / 12;  // a crest
+    const std::array middles{0.5 * std::sin(angle), 0.5 * std::cos(angle)};
+    const Form wave = form_of(Op::AngleSin, middles, d, n);
+    const double across = std::abs(std::cos(angle) - std::sin(angle)) * d / 0.5;
+    EXPECT_NEAR(wave.f.f.c, 1.0, n * n * across * across);
+    EXPECT_NEAR(wave.f.f.e, 0.25 * n * n * across * across, 0.01 * wave.f.f.e);
+    const Form length = form_of(Op::Length, middles, d);
+    EXPECT_NEAR(length.f.f.c, 0.5, d * d);
+    EXPECT_NEAR(length.f.f.e, 0.25 * 0.5 * across * across, 0.01 * length.f.f.e);
+}
+
+TEST(BeamForm, OfAWaveBesideTheOriginIsItsRange) {
+    const Form wave = form_of(Op::AngleCos, {0.01, 0.02}, 0x1p-4, 3);
+    EXPECT_FALSE(*wave.continuous);
+    EXPECT_NEAR(wave.f.range().neg_lo, 1.0, 1e-14);
+    EXPECT_NEAR(wave.f.range().hi, 1.0, 1e-14);
+    const Form length = form_of(Op::Length, {0.01, 0.02}, 0x1p-4);
+    EXPECT_FALSE(length.continuous.has_value());
+    EXPECT_LE(length.f.range().hi, 1.1 * std::hypot(0.01 + 0x1p-4, 0.02 + 0x1p-4));
+    EXPECT_GE(length.slope->range().hi, std::numbers::sqrt2);
+}
+
+/// As of a quotient that overflows: nothing is known of the rounding, whichever operand is taken.
+TEST(BeamForm, OfTheLargerKeepsUnknownRoundings) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    const Form known = variable(0.5, 0.25);
+    Form unknown = variable(-3.0, 0.25);
+    unknown.f.r = std::numeric_limits<double>::quiet_NaN();
+    for (const Op op : {Op::Min, Op::Max}) {
+        const Node node{.op = op};
+        for (const auto& [a, b] : {std::pair(known, unknown), std::pair(unknown, known)}) {
+            const Form larger = apply(algebra, node, {a, facts}, {b, facts}, {a, facts});
+            EXPECT_EQ(larger.f.r, std::numeric_limits<double>::infinity()) << op_info(op).name;
+        }
+    }
 }
 
 TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {

@@ -3,7 +3,7 @@
 #include "engine/expr/clear_poles.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
-#include "engine/expr/plain_angles.hpp"
+#include "engine/expr/polar_form.hpp"
 #include "engine/expr/simplify.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace zeroset {
@@ -75,6 +76,47 @@ TEST(PlainAngles, TakesThemFromLengths) {
     const Expr wave = plain_angles(*parse("sin(4*acos(z/sqrt(x^2 + y^2 + z^2)))"));
     EXPECT_TRUE(
         std::ranges::any_of(wave.nodes(), [](const Node& node) { return node.op == Op::Angle; }));
+}
+
+TEST(PolarForm, TakesLengthsTogether) {
+    const auto polar = [](const char* text) { return polar_form(*parse(text)).canonical(); };
+    EXPECT_EQ(polar("sqrt(x^2 + y^2) - 1"), "sqrt(x^2 + y^2) - 1");
+    EXPECT_EQ(polar("sqrt(x^2 + y^4 + (z - 1)^2)"), "sqrt(x^2 + (y^2)^2 + (z - 1)^2)");
+    const Expr length = polar_form(*parse("sqrt((x - 1)^2 + y^2)"));
+    EXPECT_EQ(length.node(length.root()).op, Op::Length);
+    EXPECT_EQ(value_at(length, {4, 4, 0, 0}).value, 5.0);
+    EXPECT_NEAR(*value_at(length, {4, 4, 0, 0}).slope[0], 0.6, 1e-15);
+    for (const char* text : {"sqrt(x^2 + y)", "sqrt(x^2 + 1)", "sqrt(x^2 + y^3)", "sqrt(x)"})
+        EXPECT_EQ(polar_form(*parse(text)).key(), parse(text)->key()) << text;
+}
+
+TEST(PolarForm, TakesWavesOfWholeMultiplesOfAngles) {
+    struct Case {
+        const char* text;
+        Op op;
+        int number;
+    };
+    for (const auto& [text, op, number] :
+         {Case{"sin(atan2(y, x))", Op::AngleSin, 1}, Case{"sin(3*atan2(y, x))", Op::AngleSin, 3},
+          Case{"cos(-(atan2(y, x)*4))", Op::AngleCos, 4},
+          Case{"cos(2*(3*atan2(y, x)))", Op::AngleCos, 6}}) {
+        const Expr expr = polar_form(*parse(text));
+        const Node& root = expr.node(expr.root());
+        EXPECT_EQ(root.op, op) << text;
+        EXPECT_EQ(root.number, number) << text;
+        const std::array at{-0.6, 0.35, 0.0, 0.0};
+        const Dual<double> typed = value_at(*parse(text), at);
+        const Dual<double> wave = value_at(expr, at);
+        EXPECT_NEAR(wave.value, typed.value, 1e-14) << text;
+        EXPECT_NEAR(*wave.slope[0], *typed.slope[0], 1e-13) << text;
+        EXPECT_NEAR(*wave.slope[1], *typed.slope[1], 1e-13) << text;
+    }
+    EXPECT_EQ(polar_form(*parse("sin(-3*atan2(y, x))")).canonical(), "-sin(3*atan2(y, x))");
+    EXPECT_TRUE(std::isnan(value_at(polar_form(*parse("sin(2*atan2(y, x))")), {}).value));
+    for (const char* text : {"sin(0.5*atan2(y, x))", "sin(z*atan2(y, x))", "sin(x)",
+                             "cos(5000*atan2(y, x))", "atan2(y, x)"}) {
+        EXPECT_EQ(polar_form(*parse(text)).key(), parse(text)->key()) << text;
+    }
 }
 
 /// At a root, the gradient of what is drawn is a positive multiple of the gradient of f.

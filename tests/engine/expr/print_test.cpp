@@ -96,8 +96,10 @@ TEST(Canonical, ParsesToTheSameGraphWhateverTheGraph) {
     test::RandomNumbers random(21);
     for (int i = 0; i < 8000 && !testing::Test::HasFailure(); ++i) {
         const Expr expr = test::random_expression(random, i % 7);
-        const bool drawn = std::ranges::any_of(
-            expr.nodes(), [](const Node& node) { return node.op == Op::Oriented; });
+        const bool drawn = std::ranges::any_of(expr.nodes(), [](const Node& node) {
+            return node.op == Op::Oriented || node.op == Op::Length || node.op == Op::AngleSin ||
+                   node.op == Op::AngleCos;
+        });
         if (!drawn) expect_round_trip(expr);
     }
 }
@@ -109,6 +111,18 @@ TEST(Canonical, WritesAnOrientedNumeratorAsItsQuotient) {
     EXPECT_EQ(builder.finish(inner).canonical(), "(x + y)/z");
     EXPECT_EQ(builder.finish(builder.apply(Op::Oriented, inner, sum)).canonical(),
               "(x + y)/z/(x + y)");
+}
+
+TEST(Canonical, WritesLengthsAndWavesAsTheyAreTyped) {
+    ExprBuilder builder;
+    const NodeId sum = builder.apply(Op::Add, builder.variable(0), builder.variable(1));
+    const NodeId z = builder.variable(2);
+    EXPECT_EQ(builder.finish(builder.apply(Op::Length, sum, z)).canonical(),
+              "sqrt(z^2 + (x + y)^2)");
+    EXPECT_EQ(builder.finish(builder.apply(Op::AngleSin, sum, z, 0, 3)).canonical(),
+              "sin(3*atan2(x + y, z))");
+    EXPECT_EQ(builder.finish(builder.apply(Op::AngleCos, z, sum, 0, 1)).canonical(),
+              "cos(atan2(z, x + y))");
 }
 
 TEST(Canonical, OfNothingIsEmpty) { EXPECT_EQ(Expr().canonical(), ""); }

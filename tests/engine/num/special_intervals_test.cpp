@@ -71,6 +71,7 @@ protected:
         for (const OpInfo& info : operators()) {
             std::vector<int> numbers{0};
             if (info.notation == Notation::Power) numbers = {2, 3, 4, 7};
+            if (info.notation == Notation::Wave) numbers = {1, 2, 7};
             if (info.notation == Notation::Root) numbers = {3, 5};
             for (const int number : numbers)
                 all.push_back({.op = info.op, .number = number});

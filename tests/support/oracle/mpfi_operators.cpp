@@ -140,6 +140,13 @@ MpfiEnclosure angle(In y, In x, bool counts_turns) {
     return total(computed(mpfi_atan2, y.range, x.range), y, x);
 }
 
+/// A sine or cosine of n times the angle.
+MpfiEnclosure angle_wave(MpfiFunction1 function, int n, In y, In x) {
+    MpfiEnclosure turn = angle(y, x, false);
+    turn.range = Box(n) * turn.range;
+    return wave(function, turn);
+}
+
 /// A condition from what it surely is: decided, it is continuous whatever its operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
@@ -222,6 +229,9 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Atan: return total(computed(mpfi_atan, a.range), a);
         case Op::Atan2: return angle(a, b, true);
         case Op::Angle: return angle(a, b, false);
+        case Op::AngleSin: return angle_wave(mpfi_sin, node.number, a, b);
+        case Op::AngleCos: return angle_wave(mpfi_cos, node.number, a, b);
+        case Op::Length: return total(computed(mpfi_hypot, a.range, b.range), a, b);
         case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
         case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);

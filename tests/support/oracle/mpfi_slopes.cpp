@@ -26,6 +26,16 @@ Box slope_of_power(const Box& a, int n) {
     return Box(n) * (n > 0 ? power(a, n - 1) : one_over(power(a, 1 - n)));
 }
 
+/// Of the point (b, a).
+Box slope_of_angle(const MpfiDual& a, const MpfiDual& b) {
+    const Box& y = a.value.range;
+    const Box& x = b.value.range;
+    return (a.slope * x - y * b.slope) / (square(x) + square(y));
+}
+Box wave_of(Op op, const Node& node, const MpfiDual& a, const MpfiDual& b) {
+    return enclosed({.op = op, .number = node.number}, a.value, b.value, b.value).range;
+}
+
 }  // namespace
 
 MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
@@ -79,7 +89,12 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::Acos: return -one_over(root(one - square(x))) * a.slope;
         case Op::Atan: return one_over(one + square(x)) * a.slope;
         case Op::Atan2:
-        case Op::Angle: return (a.slope * y - x * b.slope) / (square(x) + square(y));
+        case Op::Angle: return slope_of_angle(a, b);
+        case Op::AngleSin:
+            return wave_of(Op::AngleCos, node, a, b) * slope_of_angle(a, b) * Box(node.number);
+        case Op::AngleCos:
+            return -wave_of(Op::AngleSin, node, a, b) * slope_of_angle(a, b) * Box(node.number);
+        case Op::Length: return (x * a.slope + y * b.slope) / f;
         case Op::Oriented: return slope_of_choice(y.is_above(0), y.is_below(0), a.slope, -a.slope);
         case Op::Sinh: return range_of(Op::Cosh, x) * a.slope;
         case Op::Cosh: return range_of(Op::Sinh, x) * a.slope;

@@ -9,4 +9,8 @@ namespace zeroset {
 /// atan2(a, sqrt(T)). Both are undefined where r is 0.
 Expr plain_angles(const Expr& expr);
 
+/// The same function, with Length for square roots of sums of squares, and AngleSin and AngleCos
+/// for sines and cosines of whole multiples of angles.
+Expr polar_form(const Expr& expr);
+
 }  // namespace zeroset
