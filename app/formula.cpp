@@ -3,6 +3,7 @@
 #include "app/text.hpp"
 #include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
+#include "engine/expr/outer_choices.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>
@@ -49,16 +50,29 @@ CodeState code_for(const std::vector<Expr>& surfaces) {
     for (const Expr& surface : surfaces) {
         if (gets_machine_code(surface)) nodes += surface.nodes().size();
     }
-    if (nodes == 0 || nodes > most_nodes) return CodeState::Interpreted;
+    if (nodes > most_nodes) return CodeState::Interpreted;
     return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
+}
+
+/// Machine code of parts, and an interpreter of the choices between them.
+Kernel by_parts(const Expr& drawn, const jit::CompileOptions& options) {
+    const Expr surface = with_outer_choices(drawn);
+    std::vector<Facts> facts = facts_of(surface);
+    Parts parts = parts_of(surface, facts, quick_nodes);
+    parts.make_code([&](const Expr& shape) -> std::optional<Kernel> {
+        auto kernel = jit::compile(shape, options);
+        if (!kernel) return std::nullopt;
+        return std::move(*kernel);
+    });
+    return interpret(surface, std::move(facts), std::move(parts));
 }
 
 std::expected<Kernel, InputError> machine_code(const Expr& surface,
                                                const jit::CompileOptions& options) {
-    if (!gets_machine_code(surface)) return interpret(surface);
+    if (!gets_machine_code(surface)) return by_parts(surface, options);
     auto kernel = jit::compile(surface, options);
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
-    if (choices_in(surface) >= many_choices) kernel->shortener = interpret(surface).shortener;
+    if (choices_in(surface) >= many_choices) kernel->shortener = by_parts(surface, options).shortener;
     return std::move(*kernel);
 }
 
