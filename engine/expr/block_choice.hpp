@@ -71,8 +71,8 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
 /// sign matters.
 template <class Real>
 [[gnu::flatten]] ChoiceBits make_extreme(Op op, const Operand<BeamValue<Block<Real>>>& a,
-                        const Operand<BeamValue<Block<Real>>>& b, bool by_sign,
-                        BeamValue<Block<Real>>* place) {
+                                         const Operand<BeamValue<Block<Real>>>& b, bool by_sign,
+                                         BeamValue<Block<Real>>* place) {
     using Value = BeamValue<Block<Real>>;
     constexpr unsigned all = (1U << Block<Real>::lanes) - 1U;
     ChoiceBits bits{};
@@ -90,8 +90,8 @@ template <class Real>
     bits = choice_bits(bits.first | more.first, bits.second | more.second);
     if (copied()) return bits;
     const bool max = op == Op::Max;
-    const auto kink = decided_kink(difference, max ? bits.first : bits.second,
-                                   max ? bits.second : bits.first);
+    const auto kink =
+        decided_kink(difference, max ? bits.first : bits.second, max ? bits.second : bits.first);
     new (place) Value(BeamAlgebra<Block<Real>>().larger(a, b, kink, max ? 1.0 : -1.0));
     return bits;
 }

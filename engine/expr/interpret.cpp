@@ -7,9 +7,11 @@
 #include "engine/expr/part_values.hpp"
 #include "engine/expr/ray_functions.hpp"
 #include "engine/expr/tape.hpp"
+#include "engine/expr/unowned.hpp"
 #include "engine/num/block.hpp"
 
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -21,13 +23,34 @@ namespace {
 static_assert(batch_multiple % Block<float>::lanes == 0 &&
               batch_multiple % Block<double>::lanes == 0);
 
-/// This thread's room for the values of a graph, kept from call to call.
+/// This thread's room for the values of a graph, kept from call to call. The code of a part may be
+/// an interpreter, too, inside that of the whole: it has room of its own.
 template <class Value>
-std::vector<Value>& scratch(std::size_t slots) {
-    thread_local std::vector<Value> values;
-    if (values.size() < slots) values.resize(slots);
-    return values;
-}
+class Scratch {
+public:
+    explicit Scratch(std::size_t slots) : values_(room(depth()++)) {
+        if (values_.size() < slots) values_.resize(slots);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() { --depth(); }
+
+    Value* data() { return values_.data(); }
+
+private:
+    static std::size_t& depth() {
+        thread_local std::size_t calls = 0;
+        return calls;
+    }
+    static std::vector<Value>& room(std::size_t call) {
+        thread_local std::deque<std::vector<Value>> rooms;
+        while (rooms.size() <= call)
+            rooms.emplace_back();
+        return rooms[call];
+    }
+
+    std::vector<Value>& values_;
+};
 
 template <class Real>
 Block<Real> load(const Real* lanes) {
@@ -70,7 +93,8 @@ void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, OfPart part
     using Value = typename Algebra::Value;
     static_assert(std::is_trivially_destructible_v<Value>);
     Algebra algebra;
-    Value* const values = scratch<Value>(tape.slots()).data();
+    Scratch<Value> scratch(tape.slots());
+    Value* const values = scratch.data();
     const std::span<const Tape::Step> steps = tape.steps();
     const Parts& parts = tape.graph()->parts;
     const auto compute = [&](const Tape::Step& step, std::size_t item) {
@@ -232,8 +256,6 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
                                                        leaf, of_part, finish);
 }
 
-Kernel kernel_of(const std::shared_ptr<const Tape>& tape);
-
 class TapeShortener final : public Shortener {
 public:
     explicit TapeShortener(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
@@ -245,20 +267,13 @@ public:
         record_form(*tape_, batch, record);
     }
     [[nodiscard]] std::shared_ptr<const Kernel> shortened(
-        const ChoiceRecord& record, std::span<const std::size_t> cells) const override {
-        auto tape = tape_->shortened(record, cells);
-        if (!tape) return nullptr;
-        const auto& graph = tape->graph();
-        if (const auto part = tape->part(tape->root()); part != Parts::none)
-            return {graph, &graph->part_kernels[part]};
-        return std::make_shared<const Kernel>(
-            kernel_of(std::make_shared<const Tape>(std::move(*tape))));
-    }
+        const ChoiceRecord& record, std::span<const std::size_t> cells) const override;
 
 private:
     std::shared_ptr<const Tape> tape_;
 };
 
+/// All but the functions over rays.
 void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.range_float = {interpret_range<float>, tape};
     kernel.value_float = {interpret_value<float>, tape};
@@ -268,16 +283,35 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.value_double = {interpret_value<double>, tape};
     kernel.form_double = {interpret_form<double>, tape};
     kernel.ray_form_double = {interpret_ray_form<double>, tape};
-    add_ray_functions(kernel);
     kernel.has_double = true;
     kernel.interpreted = true;
-    if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
 }
 
-Kernel kernel_of(const std::shared_ptr<const Tape>& tape) {
+/// A tape and its kernel in one piece: thousands are made for a frame.
+struct TapeKernel {
+    explicit TapeKernel(Tape code) : tape(std::move(code)), shortener(unowned(tape)) {
+        set_code(kernel, unowned(tape));
+        add_ray_functions_in_place(kernel);
+        if (tape.choices() > 0) kernel.shortener = unowned<Shortener>(shortener);
+    }
+    TapeKernel(const TapeKernel&) = delete;
+    TapeKernel& operator=(const TapeKernel&) = delete;
+    ~TapeKernel() = default;
+
+    Tape tape;
+    TapeShortener shortener;
     Kernel kernel;
-    set_code(kernel, tape);
-    return kernel;
+};
+
+std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& record,
+                                                       std::span<const std::size_t> cells) const {
+    auto tape = tape_->shortened(record, cells);
+    if (!tape) return nullptr;
+    const auto& graph = tape->graph();
+    if (const auto part = tape->part(tape->root()); part != Parts::none)
+        return {graph, &graph->part_kernels[part]};
+    const auto made = std::make_shared<const TapeKernel>(std::move(*tape));
+    return {made, &made->kernel};
 }
 
 }  // namespace
@@ -288,8 +322,11 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
     Kernel kernel;
     kernel.parameters.assign(expr.parameters().begin(), expr.parameters().end());
     kernel.uses_w = expr.uses_variable(variable_w);
-    set_code(kernel, std::make_shared<const Tape>(std::make_shared<const TapeGraph>(
-                         expr, std::move(facts), std::move(parts))));
+    const auto tape = std::make_shared<const Tape>(
+        std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
+    set_code(kernel, tape);
+    add_ray_functions(kernel);
+    if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
     return kernel;
 }
 

@@ -208,13 +208,13 @@ class Shortener {
 public:
     virtual ~Shortener() = default;
 
-    /// As Kernel::form, and tells how the choices fall in each cell.
+    /// As Kernel::form of a function with f's signs and zeros; and how the choices fall.
     virtual void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const = 0;
     virtual void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const = 0;
     /// A kernel for the points of these cells of the recorded batch: there its function is defined
     /// where the whole one is, with the same signs and zeros, and beside the zeros the same one.
-    /// nullptr where it would not be shorter. Without the names of parameters. A copy of it lives no
-    /// longer than it.
+    /// nullptr where it would not be shorter. Without the names of parameters. A copy of it lives
+    /// no longer than it.
     [[nodiscard]] virtual std::shared_ptr<const Kernel> shortened(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const = 0;
 };

@@ -13,8 +13,8 @@ struct PartCode {
 };
 
 template <class Batch>
-constexpr bool over_points = requires(const Batch& batch) { batch.gradient; } ||
-                             std::is_same_v<Batch, RayValueBatch>;
+constexpr bool over_points =
+    requires(const Batch& batch) { batch.gradient; } || std::is_same_v<Batch, RayValueBatch>;
 
 /// Calls the function of the shape's kernel.
 template <auto function, class Batch>

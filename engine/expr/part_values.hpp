@@ -53,8 +53,9 @@ std::optional<BlockMask> known_mask(BlockMask mask) {
 
 /// The form, with a slope that is an interval. `on_rays`: the frustum's radii are 0.
 template <class Real>
-[[gnu::flatten]] void part_form(const PartShape& shape, const Part& part, const FormBatchOf<Real>& batch,
-               std::size_t item, bool on_rays, BeamValue<Block<Real>>& value) {
+[[gnu::flatten]] void part_form(const PartShape& shape, const Part& part,
+                                const FormBatchOf<Real>& batch, std::size_t item, bool on_rays,
+                                BeamValue<Block<Real>>& value) {
     using Lanes = Block<Real>;
     MaskBlock<Real> continuous;
     MaskBlock<Real> nowhere;

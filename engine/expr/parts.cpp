@@ -86,7 +86,8 @@ private:
 
 Index PartReader::append_constant(const Facts& facts, bool negated) {
     const Interval<double> box = negated ? -*facts.constant : *facts.constant;
-    if (!may_be_uniform(facts)) return append({.op = Op::Constant, .lo = -box.neg_lo, .hi = box.hi});
+    if (!may_be_uniform(facts))
+        return append({.op = Op::Constant, .lo = -box.neg_lo, .hi = box.hi});
     part_.constants.push_back(box);
     return append(
         {.op = Op::Constant, .number = static_cast<std::int32_t>(part_.constants.size())});
@@ -161,10 +162,11 @@ std::vector<NodeId> roots_of(const Expr& expr, std::span<const Facts> facts) {
         for_operands(id, [&](NodeId operand) { plain[id] = plain[id] && plain[operand]; });
     }
     std::vector<NodeId> roots;
+    if (plain[expr.root()]) return roots;
     needed[expr.root()] = true;
     for (NodeId id = expr.root() + 1; id-- > 0;) {
         if (!needed[id] || facts[id].uniform || is_leaf(expr.node(id), facts[id])) continue;
-        if (plain[id] && expr.node(id).op != Op::Oriented && id != expr.root()) {
+        if (plain[id] && expr.node(id).op != Op::Oriented) {
             roots.push_back(id);
         } else {
             for_operands(id, [&](NodeId operand) { needed[operand] = true; });
@@ -238,8 +240,8 @@ PartShape ShapeMaker::make() {
         added.push_back(0);
         added.back() = add(node, added);
     }
-    const auto varying = std::ranges::count_if(
-        uniform_of_place_, [](const auto& item) { return item.has_value(); });
+    const auto varying =
+        std::ranges::count_if(uniform_of_place_, [](const auto& item) { return item.has_value(); });
     std::vector<std::string> names;
     const std::size_t items = shared_.size() + static_cast<std::size_t>(varying);
     for (std::size_t item = 1; item < items; ++item)
@@ -296,9 +298,7 @@ const Real* joined(const PartShape& shape, std::span<const Real> own, const Real
 
 }  // namespace
 
-bool is_choice(Op op) {
-    return op == Op::Min || op == Op::Max || op == Op::If || op == Op::Where;
-}
+bool is_choice(Op op) { return op == Op::Min || op == Op::Max || op == Op::If || op == Op::Where; }
 
 bool is_alternative(Op choice, std::size_t k) {
     if (choice == Op::Where) return k == 0;

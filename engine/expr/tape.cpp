@@ -15,6 +15,8 @@ using Step = Tape::Step;
 constexpr Index never = 0;           ///< no step needs it: the first step has no operands
 constexpr Index always = ~Index{0};  ///< needed to the end
 
+bool is_sum(Op op) { return op == Op::Add || op == Op::Subtract; }
+
 /// The step's operand that its value is, where the choice falls so; 0 is the first.
 Index alternative(Op op, const Step& step, std::size_t which) {
     return step.operands[op == Op::If ? which + 1 : which];
@@ -43,6 +45,16 @@ std::size_t operand_count(const TapeGraph& graph, NodeId id) {
     return graph.is_first(id) ? 0 : static_cast<std::size_t>(arity(graph.expr.node(id).op));
 }
 
+/// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
+struct Room {
+    std::vector<Index> stands_for, last_use, place, unused;
+    std::vector<std::uint8_t> zero, by_value;
+};
+Room& room() {
+    thread_local Room instance;
+    return instance;
+}
+
 }  // namespace
 
 /// Makes a tape of those steps of another that are needed.
@@ -50,7 +62,16 @@ class Tape::Builder {
 public:
     /// `stands_for`: for each step, the one whose value is taken instead.
     Builder(std::span<const Step> steps, std::size_t uniform, std::span<const Index> stands_for)
-        : steps_(steps), uniform_(uniform), stands_for_(stands_for) {}
+        : steps_(steps),
+          uniform_(uniform),
+          stands_for_(stands_for),
+          last_use_(room().last_use),
+          place_(room().place),
+          unused_(room().unused) {
+        last_use_.assign(steps.size(), never);
+        place_.resize(steps.size());
+        unused_.clear();
+    }
 
     Tape build(std::shared_ptr<const TapeGraph> graph, Index root);
 
@@ -63,9 +84,9 @@ private:
     std::span<const Step> steps_;
     std::size_t uniform_;
     std::span<const Index> stands_for_;
-    std::vector<Index> last_use_ = std::vector<Index>(steps_.size(), never);
-    std::vector<Index> place_ = std::vector<Index>(steps_.size());  ///< in the new tape
-    std::vector<Index> unused_;                                     ///< slots
+    std::vector<Index>& last_use_;
+    std::vector<Index>& place_;   ///< in the new tape
+    std::vector<Index>& unused_;  ///< slots
 };
 
 void Tape::Builder::find_last_uses(const TapeGraph& graph, Index root) {
@@ -96,6 +117,7 @@ void Tape::Builder::append(Tape& tape, Index index) {
         unused_.pop_back();
     }
     const std::size_t operands = operand_count(*tape.graph_, step.node);
+    tape.sums_ = tape.sums_ || (operands > 0 && is_sum(tape.node(step).op));
     for (std::size_t k = 0; k < operands; ++k) {
         const Index operand = stands_for_[steps_[index].operands[k]];
         step.operands[k] = place_[operand];
@@ -122,7 +144,8 @@ Tape Tape::Builder::build(std::shared_ptr<const TapeGraph> graph, Index root) {
 
 /// From the root down through operators that make signs of signs.
 void Tape::mark_by_sign() {
-    std::vector<std::uint8_t> by_value(steps_.size(), 0);
+    std::vector<std::uint8_t>& by_value = room().by_value;
+    by_value.assign(steps_.size(), 0);
     steps_.back().by_sign = true;
     for (std::size_t i = steps_.size(); i-- > 0;) {
         Step& step = steps_[i];
@@ -184,7 +207,9 @@ Tape::Tape(std::shared_ptr<const TapeGraph> graph) {
 class Tape::Reduction {
 public:
     Reduction(const Tape& tape, const ChoiceRecord& record, std::span<const std::size_t> cells)
-        : tape_(tape), stands_for_(tape.steps_.size()), zero_(tape.steps_.size()) {
+        : tape_(tape), stands_for_(room().stands_for), zero_(room().zero) {
+        stands_for_.resize(tape.steps_.size());
+        zero_.resize(tape.steps_.size());
         for (Index i = 0; i < tape.steps_.size(); ++i)
             reduce(i, record, cells);
     }
@@ -203,8 +228,8 @@ private:
     [[nodiscard]] bool is_zero(const Step& step) const;
 
     const Tape& tape_;
-    std::vector<Index> stands_for_;
-    std::vector<bool> zero_;  ///< the value is the number 0
+    std::vector<Index>& stands_for_;
+    std::vector<std::uint8_t>& zero_;  ///< whether the value is the number 0
     bool any_ = false;
 };
 
@@ -212,7 +237,7 @@ void Tape::Reduction::reduce(Index i, const ChoiceRecord& record,
                              std::span<const std::size_t> cells) {
     const Step& step = tape_.steps_[i];
     stands_for_[i] = i;
-    zero_[i] = is_zero(step);
+    zero_[i] = tape_.sums_ && is_zero(step) ? 1 : 0;
     const std::optional<Index> taken = same_as(step, record, cells);
     if (!taken) return;
     // What is built on it may rely on that.
@@ -231,12 +256,13 @@ std::optional<Index> Tape::Reduction::same_as(const Step& step, const ChoiceReco
 }
 
 std::optional<Index> Tape::Reduction::summand(const Step& step) const {
+    if (!any_ || !tape_.sums_) return std::nullopt;
     const Op op = tape_.node(step).op;
-    if (!any_ || (op != Op::Add && op != Op::Subtract)) return std::nullopt;
+    if (!is_sum(op) || tape_.graph_->is_first(step.node)) return std::nullopt;
     const Index a = stands_for_[step.operands[0]];
     const Index b = stands_for_[step.operands[1]];
-    if (zero_[b]) return a;
-    return op == Op::Add && zero_[a] ? std::optional(b) : std::nullopt;
+    if (zero_[b] != 0) return a;
+    return op == Op::Add && zero_[a] != 0 ? std::optional(b) : std::nullopt;
 }
 
 bool Tape::Reduction::is_zero(const Step& step) const {
@@ -245,7 +271,7 @@ bool Tape::Reduction::is_zero(const Step& step) const {
     if (tape_.graph_->is_first(step.node)) return false;
     const Node& node = tape_.node(step);
     const auto operand_is_zero = [&](std::size_t k) {
-        return zero_[stands_for_[step.operands[k]]];
+        return zero_[stands_for_[step.operands[k]]] != 0;
     };
     const auto nonzero_constant = [&](std::size_t k) {
         const auto& box = tape_.facts(tape_.steps_[step.operands[k]]).constant;

@@ -83,6 +83,7 @@ private:
     std::size_t uniform_ = 0;
     Index slots_ = 0;
     std::size_t choices_ = 0;
+    bool sums_ = false;  ///< there are sums, which are shorter where a choice leaves a summand 0
 };
 
 }  // namespace zeroset

@@ -149,7 +149,7 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     const Cells<Real>& cells = tree_.cells();
     open_.clear();
     for (std::size_t i = first; i < last; ++i) {
-        if (cells.bit(&CellBits::rejected, i)) continue;
+        if (cells.bit(&CellBits::rejected, i) || tree_.is_hidden(i, pixels)) continue;
         const bool smooth = cells.bit(&CellBits::smooth, i);
         const bool finished = cells.bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
@@ -160,7 +160,9 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
         } else {
             open_.push_back(i);
         }
-        if (finished) break;
+        if (!finished) continue;
+        tree_.hide_behind(i, pixels);
+        break;
     }
     leaves_.solve();
     small_leaves_.solve();

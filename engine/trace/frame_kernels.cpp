@@ -93,7 +93,7 @@ std::shared_ptr<const Kernel> RegionCells<Real>::shortened(const Shortener& shor
 
 template <class Real>
 std::shared_ptr<const Kernel> shortened_for(const TraceFrame& frame, const Tile& square, int side,
-                                    const Shortener& shortener) {
+                                            const Shortener& shortener) {
     RegionCells<Real> cells(frame, square, side);
     if (!cells.any()) return nullptr;
     return cells.shortened(shortener);

@@ -41,9 +41,7 @@ protected:
 TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
-TYPED_TEST(KernelInclusion, OfPartsHolds) {
-    this->check(interpret_with_parts, formulas(300), 13);
-}
+TYPED_TEST(KernelInclusion, OfPartsHolds) { this->check(interpret_with_parts, formulas(300), 13); }
 TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(machine_code, formulas(30), 12); }
 
 Expr parsed(const char* text) { return parse(text).value(); }
