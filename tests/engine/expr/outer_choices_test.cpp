@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <string>
 
 namespace zeroset::test {
@@ -25,22 +27,31 @@ TEST(OuterChoices, LeaveNegationsSumsAndFactors) {
 
 TEST(OuterChoices, StayWhereTheyAreUsedTwiceOrDecideOtherThings) {
     for (const char* text : {"min(x, y) + min(x, y)^2", "sin(min(x, y))", "min(x, y)*z",
-                             "if(min(x, y) + 1 < z, x, y)", "min(x, y) - max(y, z)"}) {
+                             "if(min(x, y) < z, x, y)", "min(x, y) - max(y, z)"}) {
         EXPECT_EQ(moved(text), written(text));
     }
 }
 
-TEST(OuterChoices, KeepEveryValue) {
+/// How many floats apart.
+std::int64_t distance(std::uint64_t a, std::uint64_t b) {
+    const auto place = [](std::uint64_t bits) {
+        const auto size = static_cast<std::int64_t>(bits & 0x7fffffffU);
+        return (bits >> 31U & 1U) != 0 ? -size : size;
+    };
+    return std::abs(place(a) - place(b));
+}
+
+/// Constants that come together are rounded once.
+TEST(OuterChoices, KeepValues) {
     RandomNumbers random(6);
     for (int i = 0; i < 400; ++i) {
         const Expr expr = random_expression(random, random.between(2, 5));
         const KernelBatch batch(random, 32);
-        auto after = batch.run(interpret(with_outer_choices(expr))).value;
-        auto before = batch.run(interpret(expr)).value;
+        const auto after = batch.run(interpret(with_outer_choices(expr))).value;
+        const auto before = batch.run(interpret(expr)).value;
         // The gradients behind the values may have zeros of another sign.
-        after.resize(after.size() / 4);
-        before.resize(before.size() / 4);
-        EXPECT_EQ(after, before) << expr.canonical();
+        for (std::size_t k = 0; k < before.size() / 4; ++k)
+            EXPECT_LE(distance(after[k], before[k]), 1) << expr.canonical();
     }
 }
 
