@@ -3,6 +3,7 @@
 #include "app/text.hpp"
 #include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
+#include "engine/expr/outer_choices.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>
@@ -17,10 +18,10 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t quick_nodes = 2'000;
 constexpr std::size_t most_nodes = 8'000;
 
-// Of fewer, machine code of all is quicker than an interpreter of what matters.
-constexpr std::size_t many_choices = 40;
-// From so many on beams hardly ever need machine code of all.
-constexpr std::size_t most_choices = 80;
+// Of so many, machine code of the parts is quicker than that of all, and made sooner.
+constexpr std::size_t many_choices = 24;
+// Of the shapes of such parts; the rest is interpreted.
+constexpr std::size_t most_part_nodes = 1'000;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -42,27 +43,41 @@ std::size_t choices_in(const Expr& expr) {
     return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
 }
 
-bool gets_machine_code(const Expr& surface) { return choices_in(surface) < most_choices; }
+bool is_made_of_parts(const Expr& surface) { return choices_in(surface) >= many_choices; }
 
 CodeState code_for(const std::vector<Expr>& surfaces) {
     std::size_t nodes = 0;
     for (const Expr& surface : surfaces) {
-        if (gets_machine_code(surface)) nodes += surface.nodes().size();
+        if (!is_made_of_parts(surface)) nodes += surface.nodes().size();
     }
-    if (nodes == 0 || nodes > most_nodes) return CodeState::Interpreted;
+    if (nodes > most_nodes) return CodeState::Interpreted;
     return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
+}
+
+/// Machine code of parts, and an interpreter of the choices between them.
+Kernel by_parts(const Expr& drawn, const jit::CompileOptions& options) {
+    const Expr surface = with_outer_choices(drawn);
+    std::vector<Facts> facts = facts_of(surface);
+    Parts parts = parts_of(surface, facts, most_part_nodes);
+    parts.make_code([&](const Expr& shape) -> std::optional<Kernel> {
+        auto kernel = jit::compile(shape, options);
+        if (!kernel) return std::nullopt;
+        return std::move(*kernel);
+    });
+    Kernel kernel = interpret(surface, std::move(facts), std::move(parts));
+    kernel.has_double = options.with_double;
+    return kernel;
 }
 
 std::expected<Kernel, InputError> machine_code(const Expr& surface,
                                                const jit::CompileOptions& options) {
-    if (!gets_machine_code(surface)) return interpret(surface);
+    if (is_made_of_parts(surface)) return by_parts(surface, options);
     auto kernel = jit::compile(surface, options);
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
-    if (choices_in(surface) >= many_choices) kernel->shortener = interpret(surface).shortener;
     return std::move(*kernel);
 }
 
-/// Of those surfaces that get it.
+/// Of all surfaces, or of their parts.
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
                                                             Precision precision) {
     const jit::CompileOptions options{.with_double = precision == Precision::Double};

@@ -31,9 +31,9 @@ inline std::unexpected<InputError> wrong_input(std::string reason) {
 }
 
 enum class CodeState : std::uint8_t {
-    Machine,           ///< machine code
+    Machine,           ///< machine code, or that of the parts of what has many choices
     InterpretedFirst,  ///< large: interpreted; its machine code takes more than a second
-    Interpreted,       ///< too large for machine code, or of so many choices that it would not pay
+    Interpreted,       ///< too large for machine code
 };
 
 /// A text ready to be drawn.

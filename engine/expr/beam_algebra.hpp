@@ -234,6 +234,21 @@ public:
     Value choose(In c, In a, In b);
     Value where(In a, In c);
 
+    /// The larger one, or the smaller for `sign` -1; `kink` is that of a - b.
+    Value larger(In a, In b, const Kink<Real>& kink, double sign) {
+        Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
+        if (!a.value.slope && !b.value.slope) return result;
+        kind_ = &a.value.f.r;
+        const SlopeBeam<Real> zero = no_slope();
+        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
+        const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
+        const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
+        result.slope =
+            select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
+        return result;
+    }
+
 private:
     Real number(double value) { return like(*kind_, value); }
     const Format& format() { return format_of(*kind_); }
@@ -354,18 +369,7 @@ private:
     Value wave(In y, In x, int n, auto at_middle);
     PolarSlope<Real> polar_slope_of(const PolarBeam<Real>& p, In y, In x);
     Value larger(In a, In b, double sign) {
-        const Kink<Real> kink = kink_of((a.value.f - b.value.f).range());
-        Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
-        if (!a.value.slope && !b.value.slope) return result;
-        kind_ = &a.value.f.r;
-        const SlopeBeam<Real> zero = no_slope();
-        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
-        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
-        const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
-        const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
-        result.slope =
-            select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
-        return result;
+        return larger(a, b, kink_of((a.value.f - b.value.f).range()), sign);
     }
 
     const Real* kind_ = nullptr;  ///< any number of the carrier, of the operator at work

@@ -1,13 +1,17 @@
 #include "engine/expr/interpret.hpp"
 
 #include "engine/expr/algebra.hpp"
+#include "engine/expr/block_choice.hpp"
 #include "engine/expr/facts.hpp"
 #include "engine/expr/frustum.hpp"
+#include "engine/expr/part_values.hpp"
 #include "engine/expr/ray_functions.hpp"
 #include "engine/expr/tape.hpp"
+#include "engine/expr/unowned.hpp"
 #include "engine/num/block.hpp"
 
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -19,13 +23,34 @@ namespace {
 static_assert(batch_multiple % Block<float>::lanes == 0 &&
               batch_multiple % Block<double>::lanes == 0);
 
-/// This thread's room for the values of a graph, kept from call to call.
+/// This thread's room for the values of a graph, kept from call to call. The code of a part may be
+/// an interpreter, too, inside that of the whole: it has room of its own.
 template <class Value>
-std::vector<Value>& scratch(std::size_t slots) {
-    thread_local std::vector<Value> values;
-    if (values.size() < slots) values.resize(slots);
-    return values;
-}
+class Scratch {
+public:
+    explicit Scratch(std::size_t slots) : values_(room(depth()++)) {
+        if (values_.size() < slots) values_.resize(slots);
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() { --depth(); }
+
+    Value* data() { return values_.data(); }
+
+private:
+    static std::size_t& depth() {
+        thread_local std::size_t calls = 0;
+        return calls;
+    }
+    static std::vector<Value>& room(std::size_t call) {
+        thread_local std::deque<std::vector<Value>> rooms;
+        while (rooms.size() <= call)
+            rooms.emplace_back();
+        return rooms[call];
+    }
+
+    std::vector<Value>& values_;
+};
 
 template <class Real>
 Block<Real> load(const Real* lanes) {
@@ -47,24 +72,31 @@ void store(ContinuityMask<Real>* items, const std::optional<BlockMask>& mask, bo
         items[lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
 }
 
-/// Takes note of nothing.
-struct NoNotes {
-    template <class Values>
-    void operator()(const Tape::Step& /*step*/, std::size_t /*item*/, const Values& /*of*/) const {}
+/// Makes choices as other operators are made.
+struct NoChoices {
+    template <class Values, class Value>
+    bool operator()(const Tape::Step& /*step*/, std::size_t /*item*/, const Values& /*of*/,
+                    Value* /*place*/) const {
+        return false;
+    }
 };
 
 /// Evaluates the tape over `size` items by blocks of some lanes. `leaf(node, facts, item)` makes
 /// the value of a variable or a constant subexpression, for a uniform one whatever the item;
-/// `finish(root, item)` takes the results; `note(choice, item, operand)` is called after a choice
-/// that is not uniform was computed, with a function that gives its operands.
-template <class Algebra, std::size_t lanes, class Leaf, class Finish, class Note = NoNotes>
-void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, Finish finish,
-                      Note note = {}) {
+/// `part(shape, part, item)` that of a part; `finish(root, item)` takes the results.
+/// `choose(step, item, operand, place)`, with a function that gives operands, is asked for choices
+/// that are not uniform; it answers whether it made them in their place.
+template <class Algebra, std::size_t lanes, class Leaf, class OfPart, class Finish,
+          class Choose = NoChoices>
+void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, OfPart part, Finish finish,
+                      Choose choose = {}) {
     using Value = typename Algebra::Value;
     static_assert(std::is_trivially_destructible_v<Value>);
     Algebra algebra;
-    Value* const values = scratch<Value>(tape.slots()).data();
+    Scratch<Value> scratch(tape.slots());
+    Value* const values = scratch.data();
     const std::span<const Tape::Step> steps = tape.steps();
+    const Parts& parts = tape.graph()->parts;
     const auto compute = [&](const Tape::Step& step, std::size_t item) {
         const Node& node = tape.node(step);
         const Facts& facts = tape.facts(step);
@@ -74,14 +106,19 @@ void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, Finish fini
             return Operand<Value>{values[of.slot], tape.facts(of)};
         };
         // Made in its place, which no operand has: copying would cost as much as computing.
+        if (const std::uint32_t index = tape.part(step); index != Parts::none) {
+            const Part& of = parts.parts[index];
+            new (value) Value(part(parts.shapes[of.shape], of, item));
+            return;
+        }
         if (is_leaf(node, facts)) {
             new (value) Value(leaf(node, facts, item));
             return;
         }
+        if (step.choice != Tape::no_choice && choose(step, item, operand, value)) return;
         const int operands = arity(node.op);
         new (value) Value(apply(algebra, node, operand(0), operand(operands < 2 ? 0 : 1),
                                 operand(operands < 3 ? 0 : 2)));
-        if (step.choice != Tape::no_choice) note(step, item, operand);
     };
     for (const Tape::Step& step : steps.first(tape.uniform_steps()))
         compute(step, 0);
@@ -106,6 +143,9 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
         return {{Lanes::splat(batch->uniforms[2 * (v - 3)]),
                  Lanes::splat(batch->uniforms[2 * (v - 3) + 1])}};
     };
+    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
+        return part_range(shape, part, *batch, i);
+    };
     const auto finish = [&](const Enclosure<Lanes>& f, std::size_t i) {
         const Interval<Lanes> range = answer(f);
         store(batch->f_neg_lo + i, range.neg_lo);
@@ -113,11 +153,14 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
         store<Real>(batch->continuous + i, conjunction(f.everywhere, f.continuous), true);
     };
     interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Tape*>(code),
-                                                           batch->size, leaf, finish);
+                                                           batch->size, leaf, of_part, finish);
 }
 
-template <class Real, class Note>
-void interpret_form_noting(const Tape& tape, const FormBatchOf<Real>* batch, Note note) {
+/// `record`: of how choices fall; then the form may be that of a function with the same signs and
+/// zeros.
+template <class Real>
+void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_rays,
+                     ChoiceRecord* record) {
     using Lanes = Block<Real>;
     const auto view = frustum_lanes<Lanes>(
         [&](std::size_t index) { return Lanes::splat(batch->frustum[index]); });
@@ -135,6 +178,11 @@ void interpret_form_noting(const Tape& tape, const FormBatchOf<Real>* batch, Not
             {load(batch->u + i), load(batch->v + i), load(batch->s + i), load(batch->s_radius + i)},
             v);
     };
+    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
+        BeamValue<Lanes> value;
+        part_form(shape, part, *batch, i, on_rays, value);
+        return value;
+    };
     const auto finish = [&](const BeamValue<Lanes>& f, std::size_t i) {
         const FormResult<Lanes> result = form_result(f);
         store(batch->c + i, result.c);
@@ -149,67 +197,40 @@ void interpret_form_noting(const Tape& tape, const FormBatchOf<Real>* batch, Not
         if (nowhere) nowhere = no(*nowhere);
         store<Real>(batch->nowhere + i, nowhere, false);
     };
-    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, leaf, finish, note);
+    const auto choose = [&](const Tape::Step& step, std::size_t i, const auto& of,
+                            BeamValue<Lanes>* place) {
+        const Op op = tape.node(step).op;
+        const bool extreme = op == Op::Min || op == Op::Max;
+        ChoiceBits bits{};
+        if (extreme) {
+            bits = make_extreme<Real>(op, of(0), of(1), record != nullptr && step.by_sign, place);
+        } else if (record != nullptr) {
+            bits = choice_by_condition(op, of(op == Op::If ? 0 : 1).value);
+        }
+        if (record != nullptr)
+            record->bits[i / Lanes::lanes * record->choices + step.choice] = bits;
+        return extreme;
+    };
+    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, leaf, of_part, finish,
+                                                       choose);
 }
 
 template <class Real>
 void interpret_form(const void* code, const FormBatchOf<Real>* batch) {
-    interpret_form_noting(*static_cast<const Tape*>(code), batch, NoNotes());
+    interpret_cells(*static_cast<const Tape*>(code), batch, false, nullptr);
 }
 
-/// The cells where the condition holds; all where it is absent.
-unsigned bits_of(const std::optional<BlockMask>& mask) { return mask ? mask->bits : ~0U; }
-
-/// Where one operand of min or max may stand for both, by their signs: one that is above 0 leaves
-/// those of min to the other one, one below 0 those of max.
-template <class Lanes>
-ChoiceBits choice_by_sign(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
-    const auto left_out = [op](const BeamValue<Lanes>& x) {
-        const Interval<Lanes> range = x.f.range();
-        const Lanes zero = like(range.hi, 0.0);
-        const BlockMask apart = op == Op::Max ? range.hi < zero : range.neg_lo < zero;
-        return static_cast<std::uint16_t>(apart.bits & bits_of(x.everywhere));
-    };
-    return {left_out(b), left_out(a)};
-}
-
-/// Where a choice is one of its alternatives, from its operands' forms: the other one must be
-/// defined, too, and so must a condition.
-template <class Lanes>
-ChoiceBits choice_bits(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
-    const auto made = [](unsigned first, unsigned second) {
-        return ChoiceBits{static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
-    };
-    if (op == Op::If || op == Op::Where) {
-        const BeamValue<Lanes>& condition = op == Op::If ? a : b;
-        const unsigned defined = bits_of(condition.everywhere);
-        const Interval<Lanes> range = condition.f.range();
-        const unsigned holds = no(may_fail(range)).bits & defined;
-        return made(holds, op == Op::If ? no(may_hold(range)).bits & defined : 0U);
-    }
-    const Kink<Lanes> kink = kink_of((a.f - b.f).range());
-    const unsigned a_is_larger = kink.above.bits;
-    const unsigned b_is_larger = kink.below.bits;
-    return made((op == Op::Max ? a_is_larger : b_is_larger) & bits_of(b.everywhere),
-                (op == Op::Max ? b_is_larger : a_is_larger) & bits_of(a.everywhere));
+template <class Real>
+void interpret_ray_form(const void* code, const FormBatchOf<Real>* batch) {
+    interpret_cells(*static_cast<const Tape*>(code), batch, true, nullptr);
 }
 
 template <class Real>
 void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord& record) {
-    constexpr std::size_t lanes = Block<Real>::lanes;
-    record.lanes = lanes;
+    record.lanes = Block<Real>::lanes;
     record.choices = tape.choices();
-    record.bits.resize(batch.size / lanes * record.choices);
-    interpret_form_noting(tape, &batch, [&](const Tape::Step& step, std::size_t item, auto of) {
-        const Op op = tape.node(step).op;
-        ChoiceBits bits = choice_bits(op, of(0).value, of(1).value);
-        if (step.by_sign && (op == Op::Min || op == Op::Max)) {
-            const ChoiceBits more = choice_by_sign(op, of(0).value, of(1).value);
-            bits = {static_cast<std::uint16_t>(bits.first | more.first),
-                    static_cast<std::uint16_t>(bits.second | more.second)};
-        }
-        record.bits[item / lanes * record.choices + step.choice] = bits;
-    });
+    record.bits.resize(batch.size / record.lanes * record.choices);
+    interpret_cells(tape, &batch, false, &record);
 }
 
 template <class Real>
@@ -223,16 +244,17 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
         variable.slope[v] = Lanes::splat(1);
         return variable;
     };
+    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
+        return part_value(shape, part, *batch, i);
+    };
     const auto finish = [&](const Dual<Lanes>& f, std::size_t i) {
         store(batch->f + i, f.value);
         for (std::size_t k = 0; k < 3; ++k)
             store(batch->gradient[k] + i, f.slope[k].value_or(Lanes::splat(0)));
     };
     interpret_blocks<DualAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Tape*>(code), batch->size,
-                                                       leaf, finish);
+                                                       leaf, of_part, finish);
 }
-
-Kernel kernel_of(const std::shared_ptr<const Tape>& tape);
 
 class TapeShortener final : public Shortener {
 public:
@@ -244,45 +266,67 @@ public:
     void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const override {
         record_form(*tape_, batch, record);
     }
-    [[nodiscard]] std::optional<Kernel> shortened(
-        const ChoiceRecord& record, std::span<const std::size_t> cells) const override {
-        auto tape = tape_->shortened(record, cells);
-        if (!tape) return std::nullopt;
-        return kernel_of(std::make_shared<const Tape>(std::move(*tape)));
-    }
+    [[nodiscard]] std::shared_ptr<const Kernel> shortened(
+        const ChoiceRecord& record, std::span<const std::size_t> cells) const override;
 
 private:
     std::shared_ptr<const Tape> tape_;
 };
 
+/// All but the functions over rays.
 void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.range_float = {interpret_range<float>, tape};
     kernel.value_float = {interpret_value<float>, tape};
     kernel.form_float = {interpret_form<float>, tape};
-    kernel.ray_form_float = kernel.form_float;
+    kernel.ray_form_float = {interpret_ray_form<float>, tape};
     kernel.range_double = {interpret_range<double>, tape};
     kernel.value_double = {interpret_value<double>, tape};
     kernel.form_double = {interpret_form<double>, tape};
-    kernel.ray_form_double = kernel.form_double;
-    add_ray_functions(kernel);
+    kernel.ray_form_double = {interpret_ray_form<double>, tape};
     kernel.has_double = true;
     kernel.interpreted = true;
-    if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
 }
 
-Kernel kernel_of(const std::shared_ptr<const Tape>& tape) {
+/// A tape and its kernel in one piece: thousands are made for a frame.
+struct TapeKernel {
+    explicit TapeKernel(Tape code) : tape(std::move(code)), shortener(unowned(tape)) {
+        set_code(kernel, unowned(tape));
+        add_ray_functions_in_place(kernel);
+        if (tape.choices() > 0) kernel.shortener = unowned<Shortener>(shortener);
+    }
+    TapeKernel(const TapeKernel&) = delete;
+    TapeKernel& operator=(const TapeKernel&) = delete;
+    ~TapeKernel() = default;
+
+    Tape tape;
+    TapeShortener shortener;
     Kernel kernel;
-    set_code(kernel, tape);
-    return kernel;
+};
+
+std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& record,
+                                                       std::span<const std::size_t> cells) const {
+    auto tape = tape_->shortened(record, cells);
+    if (!tape) return nullptr;
+    const auto& graph = tape->graph();
+    if (const auto part = tape->part(tape->root()); part != Parts::none)
+        return {graph, &graph->part_kernels[part]};
+    const auto made = std::make_shared<const TapeKernel>(std::move(*tape));
+    return {made, &made->kernel};
 }
 
 }  // namespace
 
-Kernel interpret(const Expr& expr) {
+Kernel interpret(const Expr& expr) { return interpret(expr, facts_of(expr), {}); }
+
+Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
     Kernel kernel;
     kernel.parameters.assign(expr.parameters().begin(), expr.parameters().end());
     kernel.uses_w = expr.uses_variable(variable_w);
-    set_code(kernel, std::make_shared<const Tape>(expr));
+    const auto tape = std::make_shared<const Tape>(
+        std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
+    set_code(kernel, tape);
+    add_ray_functions(kernel);
+    if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
     return kernel;
 }
 

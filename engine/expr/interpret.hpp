@@ -2,16 +2,21 @@
 
 #include "engine/expr/expr.hpp"
 #include "engine/expr/kernel.hpp"
+#include "engine/expr/parts.hpp"
 #include "engine/num/dual.hpp"
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace zeroset {
 
 /// The reference kernel, in float and double: evaluates the graph block by block in C++. Bit-equal
 /// to the JIT's.
 Kernel interpret(const Expr& expr);
+
+/// The same, where parts of the graph have code of their own. `facts` are the graph's.
+Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts);
 
 /// f and its gradient in double at (x, y, z, w), not rounded outward; parameters that are not given
 /// are 1.

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -33,18 +32,27 @@ struct Uniforms {
     /// What batches in this type take as `uniforms`: over boxes and over points.
     template <class Real>
     [[nodiscard]] const Real* boxes() const {
-        if constexpr (std::is_same_v<Real, float>) {
-            return neg_lo_hi.data();
-        } else {
-            return neg_lo_hi_double.data();
-        }
+        return all_boxes<Real>().data();
     }
     template <class Real>
     [[nodiscard]] const Real* points() const {
+        return all_points<Real>().data();
+    }
+    /// Two numbers an item, and one.
+    template <class Real>
+    [[nodiscard]] std::span<const Real> all_boxes() const {
         if constexpr (std::is_same_v<Real, float>) {
-            return middle.data();
+            return neg_lo_hi;
         } else {
-            return middle_double.data();
+            return neg_lo_hi_double;
+        }
+    }
+    template <class Real>
+    [[nodiscard]] std::span<const Real> all_points() const {
+        if constexpr (std::is_same_v<Real, float>) {
+            return middle;
+        } else {
+            return middle_double;
         }
     }
 };
@@ -202,13 +210,14 @@ class Shortener {
 public:
     virtual ~Shortener() = default;
 
-    /// As Kernel::form, and tells how the choices fall in each cell.
+    /// As Kernel::form of a function with f's signs and zeros; and how the choices fall.
     virtual void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const = 0;
     virtual void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const = 0;
     /// A kernel for the points of these cells of the recorded batch: there its function is defined
     /// where the whole one is, with the same signs and zeros, and beside the zeros the same one.
-    /// Nothing where it would not be shorter. Without the names of parameters.
-    [[nodiscard]] virtual std::optional<Kernel> shortened(
+    /// nullptr where it would not be shorter. Without the names of parameters. A copy of it lives
+    /// no longer than it.
+    [[nodiscard]] virtual std::shared_ptr<const Kernel> shortened(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const = 0;
 };
 

@@ -1,9 +1,12 @@
 #include "engine/expr/ray_functions.hpp"
 
+#include "engine/expr/unowned.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -109,16 +112,24 @@ void ray_values_by_values(const void* code, const RayValueBatch* batch) {
     }
 }
 
+void set_ray_functions(
+    Kernel& kernel, std::shared_ptr<const KernelFunction<ValueBatchOf<float>>> in_float,
+    const std::shared_ptr<const KernelFunction<ValueBatchOf<double>>>& in_double) {
+    kernel.newton_float = {newton_by_values<float>, std::move(in_float)};
+    kernel.newton_double = {newton_by_values<double>, in_double};
+    kernel.ray_value = {ray_values_by_values, in_double};
+}
+
 }  // namespace
 
 void add_ray_functions(Kernel& kernel) {
-    const auto in_float =
-        std::make_shared<const KernelFunction<ValueBatchOf<float>>>(kernel.value_float);
-    const auto in_double =
-        std::make_shared<const KernelFunction<ValueBatchOf<double>>>(kernel.value_double);
-    kernel.newton_float = {newton_by_values<float>, in_float};
-    kernel.newton_double = {newton_by_values<double>, in_double};
-    kernel.ray_value = {ray_values_by_values, in_double};
+    set_ray_functions(
+        kernel, std::make_shared<const KernelFunction<ValueBatchOf<float>>>(kernel.value_float),
+        std::make_shared<const KernelFunction<ValueBatchOf<double>>>(kernel.value_double));
+}
+
+void add_ray_functions_in_place(Kernel& kernel) {
+    set_ray_functions(kernel, unowned(kernel.value_float), unowned(kernel.value_double));
 }
 
 }  // namespace zeroset

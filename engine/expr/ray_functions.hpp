@@ -8,4 +8,7 @@ namespace zeroset {
 /// their own. For code without: interpreted or shortened.
 void add_ray_functions(Kernel& kernel);
 
+/// The same for a kernel that stays where it is, and is not copied beyond its life.
+void add_ray_functions_in_place(Kernel& kernel);
+
 }  // namespace zeroset

@@ -1,8 +1,10 @@
 #include "engine/expr/tape.hpp"
 
 #include "engine/expr/algebra.hpp"
+#include "engine/expr/part_kernel.hpp"
 
 #include <numeric>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -13,7 +15,7 @@ using Step = Tape::Step;
 constexpr Index never = 0;           ///< no step needs it: the first step has no operands
 constexpr Index always = ~Index{0};  ///< needed to the end
 
-bool is_choice(Op op) { return op == Op::Min || op == Op::Max || op == Op::If || op == Op::Where; }
+bool is_sum(Op op) { return op == Op::Add || op == Op::Subtract; }
 
 /// The step's operand that its value is, where the choice falls so; 0 is the first.
 Index alternative(Op op, const Step& step, std::size_t which) {
@@ -22,9 +24,7 @@ Index alternative(Op op, const Step& step, std::size_t which) {
 
 /// Whether all that operand k does to the operator's sign comes from its own.
 bool hands_on_sign(Op op, std::size_t k) {
-    if (op == Op::Where) return k == 0;
-    if (op == Op::If) return k > 0;
-    return op == Op::Min || op == Op::Max || op == Op::Negate;
+    return is_choice(op) ? is_alternative(op, k) : op == Op::Negate;
 }
 
 /// Which alternative a choice is in all of the cells, if it is one.
@@ -42,8 +42,17 @@ std::optional<std::size_t> winner(const ChoiceRecord& record, Index choice,
 }
 
 std::size_t operand_count(const TapeGraph& graph, NodeId id) {
-    const Node& node = graph.expr.node(id);
-    return is_leaf(node, graph.facts[id]) ? 0 : static_cast<std::size_t>(arity(node.op));
+    return graph.is_first(id) ? 0 : static_cast<std::size_t>(arity(graph.expr.node(id).op));
+}
+
+/// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
+struct Room {
+    std::vector<Index> stands_for, last_use, place, unused;
+    std::vector<std::uint8_t> zero, by_value;
+};
+Room& room() {
+    thread_local Room instance;
+    return instance;
 }
 
 }  // namespace
@@ -53,7 +62,16 @@ class Tape::Builder {
 public:
     /// `stands_for`: for each step, the one whose value is taken instead.
     Builder(std::span<const Step> steps, std::size_t uniform, std::span<const Index> stands_for)
-        : steps_(steps), uniform_(uniform), stands_for_(stands_for) {}
+        : steps_(steps),
+          uniform_(uniform),
+          stands_for_(stands_for),
+          last_use_(room().last_use),
+          place_(room().place),
+          unused_(room().unused) {
+        last_use_.assign(steps.size(), never);
+        place_.resize(steps.size());
+        unused_.clear();
+    }
 
     Tape build(std::shared_ptr<const TapeGraph> graph, Index root);
 
@@ -66,9 +84,9 @@ private:
     std::span<const Step> steps_;
     std::size_t uniform_;
     std::span<const Index> stands_for_;
-    std::vector<Index> last_use_ = std::vector<Index>(steps_.size(), never);
-    std::vector<Index> place_ = std::vector<Index>(steps_.size());  ///< in the new tape
-    std::vector<Index> unused_;                                     ///< slots
+    std::vector<Index>& last_use_;
+    std::vector<Index>& place_;   ///< in the new tape
+    std::vector<Index>& unused_;  ///< slots
 };
 
 void Tape::Builder::find_last_uses(const TapeGraph& graph, Index root) {
@@ -99,6 +117,7 @@ void Tape::Builder::append(Tape& tape, Index index) {
         unused_.pop_back();
     }
     const std::size_t operands = operand_count(*tape.graph_, step.node);
+    tape.sums_ = tape.sums_ || (operands > 0 && is_sum(tape.node(step).op));
     for (std::size_t k = 0; k < operands; ++k) {
         const Index operand = stands_for_[steps_[index].operands[k]];
         step.operands[k] = place_[operand];
@@ -125,7 +144,8 @@ Tape Tape::Builder::build(std::shared_ptr<const TapeGraph> graph, Index root) {
 
 /// From the root down through operators that make signs of signs.
 void Tape::mark_by_sign() {
-    std::vector<std::uint8_t> by_value(steps_.size(), 0);
+    std::vector<std::uint8_t>& by_value = room().by_value;
+    by_value.assign(steps_.size(), 0);
     steps_.back().by_sign = true;
     for (std::size_t i = steps_.size(); i-- > 0;) {
         Step& step = steps_[i];
@@ -141,8 +161,29 @@ void Tape::mark_by_sign() {
     }
 }
 
-Tape::Tape(const Expr& expr) {
-    const auto graph = std::make_shared<TapeGraph>(TapeGraph{expr, facts_of(expr)});
+TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code)
+    : expr(graph), facts(std::move(known)), parts(std::move(with_code)) {
+    parts.of_node.resize(expr.nodes().size(), Parts::none);
+    // The code of parts does not know their constants.
+    const std::vector<Facts> whole = std::exchange(facts, {});
+    for (NodeId id = 0; id < whole.size(); ++id) {
+        const std::uint32_t part = parts.of_node[id];
+        if (part != Parts::none) {
+            facts.push_back(parts.shapes[parts.parts[part].shape].facts);
+        } else {
+            facts.push_back(parts.parts.empty() ? whole[id] : facts_of_node(expr.node(id), facts));
+        }
+    }
+    for (std::uint32_t part = 0; part < parts.parts.size(); ++part)
+        part_kernels.push_back(kernel_of_part(parts, part));
+}
+
+bool TapeGraph::is_first(NodeId id) const {
+    return parts.of_node[id] != Parts::none || is_leaf(expr.node(id), facts[id]);
+}
+
+Tape::Tape(std::shared_ptr<const TapeGraph> graph) {
+    const Expr& expr = graph->expr;
     const std::size_t count = expr.nodes().size();
     std::vector<Index> place(count);
     std::vector<Step> steps;
@@ -159,26 +200,98 @@ Tape::Tape(const Expr& expr) {
     }
     std::vector<Index> itself(count);
     std::iota(itself.begin(), itself.end(), Index{0});
-    *this = Builder(steps, uniform, itself).build(graph, place[expr.root()]);
+    *this = Builder(steps, uniform, itself).build(std::move(graph), place[expr.root()]);
+}
+
+/// What the steps of a tape come to where its choices fall in a known way.
+class Tape::Reduction {
+public:
+    Reduction(const Tape& tape, const ChoiceRecord& record, std::span<const std::size_t> cells)
+        : tape_(tape), stands_for_(room().stands_for), zero_(room().zero) {
+        stands_for_.resize(tape.steps_.size());
+        zero_.resize(tape.steps_.size());
+        for (Index i = 0; i < tape.steps_.size(); ++i)
+            reduce(i, record, cells);
+    }
+
+    /// For each step, the one whose value may be taken instead.
+    [[nodiscard]] std::span<const Index> stands_for() const { return stands_for_; }
+    [[nodiscard]] bool any() const { return any_; }
+
+private:
+    void reduce(Index i, const ChoiceRecord& record, std::span<const std::size_t> cells);
+    /// The operand that the step's value is.
+    [[nodiscard]] std::optional<Index> same_as(const Step& step, const ChoiceRecord& record,
+                                               std::span<const std::size_t> cells) const;
+    /// The other operand of a sum with 0.
+    [[nodiscard]] std::optional<Index> summand(const Step& step) const;
+    [[nodiscard]] bool is_zero(const Step& step) const;
+
+    const Tape& tape_;
+    std::vector<Index>& stands_for_;
+    std::vector<std::uint8_t>& zero_;  ///< whether the value is the number 0
+    bool any_ = false;
+};
+
+void Tape::Reduction::reduce(Index i, const ChoiceRecord& record,
+                             std::span<const std::size_t> cells) {
+    const Step& step = tape_.steps_[i];
+    stands_for_[i] = i;
+    zero_[i] = tape_.sums_ && is_zero(step) ? 1 : 0;
+    const std::optional<Index> taken = same_as(step, record, cells);
+    if (!taken) return;
+    // What is built on it may rely on that.
+    if (tape_.facts(step).nonnegative && !tape_.facts(tape_.steps_[*taken]).nonnegative) return;
+    stands_for_[i] = *taken;
+    zero_[i] = zero_[*taken];
+    any_ = true;
+}
+
+std::optional<Index> Tape::Reduction::same_as(const Step& step, const ChoiceRecord& record,
+                                              std::span<const std::size_t> cells) const {
+    if (step.choice == no_choice) return summand(step);
+    const std::optional<std::size_t> which = winner(record, step.choice, cells);
+    if (!which) return std::nullopt;
+    return stands_for_[alternative(tape_.node(step).op, step, *which)];
+}
+
+std::optional<Index> Tape::Reduction::summand(const Step& step) const {
+    if (!any_ || !tape_.sums_) return std::nullopt;
+    const Op op = tape_.node(step).op;
+    if (!is_sum(op) || tape_.graph_->is_first(step.node)) return std::nullopt;
+    const Index a = stands_for_[step.operands[0]];
+    const Index b = stands_for_[step.operands[1]];
+    if (zero_[b] != 0) return a;
+    return op == Op::Add && zero_[a] != 0 ? std::optional(b) : std::nullopt;
+}
+
+bool Tape::Reduction::is_zero(const Step& step) const {
+    const Facts& facts = tape_.facts(step);
+    if (facts.exact()) return facts.constant->hi == 0;
+    if (tape_.graph_->is_first(step.node)) return false;
+    const Node& node = tape_.node(step);
+    const auto operand_is_zero = [&](std::size_t k) {
+        return zero_[stands_for_[step.operands[k]]] != 0;
+    };
+    const auto nonzero_constant = [&](std::size_t k) {
+        const auto& box = tape_.facts(tape_.steps_[step.operands[k]]).constant;
+        return box && (box->neg_lo < 0 || box->hi < 0);
+    };
+    if (node.op == Op::Divide) return operand_is_zero(0) && nonzero_constant(1);
+    if (node.op == Op::Multiply) {
+        return (operand_is_zero(0) && nonzero_constant(1)) ||
+               (operand_is_zero(1) && nonzero_constant(0));
+    }
+    const bool keeps_zero = node.op == Op::Negate || node.op == Op::Abs || node.op == Op::Sqrt ||
+                            (node.op == Op::IntPower && node.number > 0);
+    return keeps_zero && operand_is_zero(0);
 }
 
 std::optional<Tape> Tape::shortened(const ChoiceRecord& record,
                                     std::span<const std::size_t> cells) const {
-    std::vector<Index> stands_for(steps_.size());
-    bool shorter = false;
-    for (Index i = 0; i < steps_.size(); ++i) {
-        const Step& step = steps_[i];
-        stands_for[i] = i;
-        if (step.choice == no_choice) continue;
-        const std::optional<std::size_t> which = winner(record, step.choice, cells);
-        if (!which) continue;
-        const Index taken = stands_for[alternative(node(step).op, step, *which)];
-        // What is built on it may rely on that.
-        if (facts(step).nonnegative && !facts(steps_[taken]).nonnegative) continue;
-        stands_for[i] = taken;
-        shorter = true;
-    }
-    if (!shorter) return std::nullopt;
+    const Reduction reduction(*this, record, cells);
+    if (!reduction.any()) return std::nullopt;
+    const std::span<const Index> stands_for = reduction.stands_for();
     return Builder(steps_, uniform_, stands_for).build(graph_, stands_for[steps_.size() - 1]);
 }
 

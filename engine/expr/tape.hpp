@@ -2,6 +2,7 @@
 
 #include "engine/expr/facts.hpp"
 #include "engine/expr/kernel.hpp"
+#include "engine/expr/parts.hpp"
 
 #include <array>
 #include <cstddef>
@@ -16,10 +17,21 @@
 
 namespace zeroset {
 
-/// A graph with what is known of its nodes, shared by all tapes made of it.
+/// A graph with what is known of its nodes and with its parts that have code of their own, shared
+/// by all tapes made of it.
 struct TapeGraph {
+    TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code);
+    TapeGraph(const TapeGraph&) = delete;
+    TapeGraph& operator=(const TapeGraph&) = delete;
+    ~TapeGraph() = default;
+
     Expr expr;
-    std::vector<Facts> facts;
+    std::vector<Facts> facts;  ///< of parts: what their code keeps to
+    Parts parts;
+    std::vector<Kernel> part_kernels;  ///< of each part; they live as long as this
+
+    /// Nothing is computed before it: it is taken from outside, or a part.
+    [[nodiscard]] bool is_first(NodeId id) const;
 };
 
 /// Immutable.
@@ -37,7 +49,7 @@ public:
         bool by_sign = false;           ///< of its value only the sign matters, and where it is 0
     };
 
-    explicit Tape(const Expr& expr);
+    explicit Tape(std::shared_ptr<const TapeGraph> graph);
 
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
     /// shorter. On whatever part of space these cells cover it computes a function with the same
@@ -54,17 +66,24 @@ public:
     [[nodiscard]] const Step& root() const { return steps_.back(); }
     [[nodiscard]] const Node& node(const Step& step) const { return graph_->expr.node(step.node); }
     [[nodiscard]] const Facts& facts(const Step& step) const { return graph_->facts[step.node]; }
+    /// The part that the step computes, or Parts::none.
+    [[nodiscard]] std::uint32_t part(const Step& step) const {
+        return graph_->parts.of_node[step.node];
+    }
+    [[nodiscard]] const std::shared_ptr<const TapeGraph>& graph() const { return graph_; }
 
 private:
     class Builder;
-    void mark_by_sign();
+    class Reduction;
     Tape() = default;
+    void mark_by_sign();
 
     std::shared_ptr<const TapeGraph> graph_;
     std::vector<Step> steps_;
     std::size_t uniform_ = 0;
     Index slots_ = 0;
     std::size_t choices_ = 0;
+    bool sums_ = false;  ///< there are sums, which are shorter where a choice leaves a summand 0
 };
 
 }  // namespace zeroset

@@ -81,6 +81,9 @@ inline int equal(__m128d x, __m128d y) { return _mm_movemask_pd(_mm_cmpeq_pd(x, 
 inline int unordered(__m128 x, __m128 y) { return _mm_movemask_ps(_mm_cmpunord_ps(x, y)); }
 inline int unordered(__m128d x, __m128d y) { return _mm_movemask_pd(_mm_cmpunord_pd(x, y)); }
 
+inline int sign_bits(__m128 x) { return _mm_movemask_ps(x); }
+inline int sign_bits(__m128d x) { return _mm_movemask_pd(x); }
+
 /// By the sign bits of `sign`.
 inline __m128 blend(__m128 sign, __m128 if_set, __m128 if_clear) {
     return _mm_blendv_ps(if_clear, if_set, sign);

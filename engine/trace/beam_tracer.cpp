@@ -80,6 +80,8 @@ private:
     void descend(int pixels);
     /// Those of a run.
     void visit_run(const CellRun& run, int pixels);
+    /// Some cells of one tile that may hold roots: their quarters are made, now or later.
+    void divide(const CellRun& run, std::span<const std::size_t> cells, int pixels);
     /// Those of one tile, first to last.
     void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
@@ -163,7 +165,7 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     const Cells<Real>& cells = tree_.cells();
     open_.clear();
     for (std::size_t i = first; i < last; ++i) {
-        if (cells.bit(&CellBits::rejected, i)) continue;
+        if (cells.bit(&CellBits::rejected, i) || tree_.is_hidden(i, pixels)) continue;
         const bool smooth = cells.bit(&CellBits::smooth, i);
         const bool finished = cells.bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
@@ -174,14 +176,23 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
         } else {
             open_.push_back(i);
         }
-        if (finished) break;
+        if (!finished) continue;
+        tree_.hide_behind(i, pixels);
+        break;
     }
     leaves_.solve();
     small_leaves_.solve();
-    if (open_.empty()) return;
-    const Kernel* const kernel = tree_.kernel_of(run, open_);
-    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, open_);
-    tree_.push_children(kernel, open_, pixels, [](int, int) { return Found<Real>::none; });
+    // The fewer slabs, the less matters in them; where nothing is left out they stay together.
+    const std::size_t most = run.kernel->shortener == nullptr ? cells.size : slabs_a_kernel;
+    for (std::size_t done = 0; done < open_.size(); done += most)
+        divide(run, std::span(open_).subspan(done, std::min(most, open_.size() - done)), pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::divide(const CellRun& run, std::span<const std::size_t> cells, int pixels) {
+    const Kernel* const kernel = tree_.kernel_of(run, cells);
+    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, cells);
+    tree_.push_children(kernel, cells, pixels, [](int, int) { return Found<Real>::none; });
 }
 
 template <class Real>

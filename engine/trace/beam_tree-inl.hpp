@@ -23,7 +23,10 @@ namespace zeroset::HWY_NAMESPACE {
 
 constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is monotone
 constexpr int least_pixels = 4;  ///< smaller tiles are not made
+constexpr int least_tiles = tile_size / least_pixels;
 constexpr int first_slabs = 8;
+/// Cells of so many neighbouring slabs of a tile share a shortened kernel.
+constexpr std::size_t slabs_a_kernel = 4;
 
 /// What a CellTree keeps from tile to tile.
 template <class Real>
@@ -33,6 +36,8 @@ struct TreeMemory {
     CellKernels kernels;
     RangeMemory<Real> ranges;
     std::vector<std::size_t> asked;
+    /// Beyond these depths nothing is looked for: for each of the smallest tiles, in rows.
+    std::array<Real, least_tiles * least_tiles> hidden;
 };
 
 /// Cells of one size after the other: what kernels say of them, and those of the next size.
@@ -50,6 +55,7 @@ public:
           runs_(memory.runs),
           kernels_(memory.kernels),
           asked_(memory.asked),
+          hidden_(memory.hidden),
           ranges_(frame, view, memory.ranges, counters),
           distance_(static_cast<Real>(view.distance())) {
         start();
@@ -58,6 +64,14 @@ public:
     [[nodiscard]] const Cells<Real>& cells() const { return *cells_; }
     /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
     std::span<const CellRun> judge(int pixels);
+    /// Whether every ray of the cell's tile, of this size, surely has a root before the cell.
+    [[nodiscard]] bool is_hidden(std::size_t cell, int pixels) const {
+        return is_hidden(cells_->col[cell], cells_->row[cell], pixels, cells_->from[cell]);
+    }
+    /// Every ray of the cell's tile, of this size, surely has a root in it.
+    void hide_behind(std::size_t cell, int pixels) {
+        hide(cells_->col[cell], cells_->row[cell], pixels, cells_->to[cell]);
+    }
     /// Makes the quarters of a tile, for `open`: its cells that may hold roots, with the kernel of
     /// f in them. `farthest(col, row)` is the depth from which on nothing is wanted in the quarter
     /// that begins there.
@@ -99,6 +113,8 @@ private:
     /// sharper beside poles and jumps.
     void reject_by_ranges(const CellRun& run, int pixels);
     void push_child(const Child& tile, int pixels, std::size_t parent);
+    [[nodiscard]] bool is_hidden(int col, int row, int pixels, Real from) const;
+    void hide(int col, int row, int pixels, Real to);
 
     [[nodiscard]] DepthRange depths_of(std::span<const std::size_t> open, int col, int row,
                                        int pixels) const {
@@ -130,6 +146,7 @@ private:
     CellRuns& runs_;
     CellKernels& kernels_;
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
+    std::array<Real, least_tiles * least_tiles>& hidden_;
     RangeList<Real> ranges_;
     Real distance_;  ///< from the eye to the plane s = 0
     double s_most_ = 0;
@@ -141,6 +158,7 @@ void CellTree<Real>::start() {
     cells_->size = 0;
     next_->size = 0;
     kernels_.clear();
+    hidden_.fill(std::numeric_limits<Real>::infinity());
     const double half = 0.5 * (tile_size - 1);
     const double radius = half * view_.pixel();
     const DepthRange all = view_.depths(view_.u(half), view_.v(half), radius, radius);
@@ -196,6 +214,26 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
 }
 
 template <class Real>
+bool CellTree<Real>::is_hidden(int col, int row, int pixels, Real from) const {
+    for (int r = row / least_pixels; r < (row + pixels) / least_pixels; ++r) {
+        for (int c = col / least_pixels; c < (col + pixels) / least_pixels; ++c) {
+            if (from < hidden_[static_cast<std::size_t>(r * least_tiles + c)]) return false;
+        }
+    }
+    return true;
+}
+
+template <class Real>
+void CellTree<Real>::hide(int col, int row, int pixels, Real to) {
+    for (int r = row / least_pixels; r < (row + pixels) / least_pixels; ++r) {
+        for (int c = col / least_pixels; c < (col + pixels) / least_pixels; ++c) {
+            Real& depth = hidden_[static_cast<std::size_t>(r * least_tiles + c)];
+            depth = std::min(depth, to);
+        }
+    }
+}
+
+template <class Real>
 void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::size_t> open,
                                    int pixels, auto farthest) {
     const int half = pixels / 2;
@@ -212,7 +250,9 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
         for (const std::size_t cell : open) {
             if (cells_->from[cell] > limit) break;
             push_child(tile, half, cell);
-            if (cells_->child_finished(child, cell)) break;
+            if (!cells_->child_finished(child, cell)) continue;
+            hide(col, row, half, cells_->to[cell]);
+            break;
         }
     }
 }
@@ -228,6 +268,7 @@ void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t paren
         inside = static_cast<double>(from) >= tile.depths.enter_hi &&
                  static_cast<double>(to) <= tile.depths.exit_lo;
     }
+    if (is_hidden(tile.place.col, tile.place.row, pixels, from)) return;
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
     const Real width = tile.width_by_depth * (distance_ + from);

@@ -3,7 +3,7 @@
 #include "engine/expr/kernel.hpp"
 
 #include <cstddef>
-#include <deque>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -55,11 +55,11 @@ public:
             cell -= run.first;
         auto kernel = run.kernel->shortener->shortened(run.record, in_run_);
         if (!kernel) return run.kernel;
-        return &kernels_.emplace_back(std::move(*kernel));
+        return kernels_.emplace_back(std::move(kernel)).get();
     }
 
 private:
-    std::deque<Kernel> kernels_;
+    std::vector<std::shared_ptr<const Kernel>> kernels_;
     std::vector<std::size_t> in_run_;
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -25,8 +26,8 @@ public:
 
     /// Whether the rays meet the clip box.
     [[nodiscard]] bool any() const { return any_; }
-    /// The kernel for what may hold a root; nothing where it is not shorter.
-    std::optional<Kernel> shortened(const Shortener& shortener);
+    /// The kernel for what may hold a root; nullptr where it is not shorter.
+    std::shared_ptr<const Kernel> shortened(const Shortener& shortener);
 
 private:
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -60,7 +61,7 @@ RegionCells<Real>::RegionCells(const TraceFrame& frame, const Tile& square, int 
 }
 
 template <class Real>
-std::optional<Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
+std::shared_ptr<const Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
     std::array<Real, slabs> c, e, r, slope_neg_lo, slope_hi;
     std::array<std::array<Real, slabs>, 3> k;
     std::array<ContinuityMask<Real>, slabs> continuous, nowhere;
@@ -86,15 +87,15 @@ std::optional<Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
         const Real reach = std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
         if (nowhere[i] == 0 && !(std::abs(c[i]) > reach)) open.push_back(i);
     }
-    if (open.empty()) return std::nullopt;
+    if (open.empty()) return nullptr;
     return shortener.shortened(record, open);
 }
 
 template <class Real>
-std::optional<Kernel> shortened_for(const TraceFrame& frame, const Tile& square, int side,
-                                    const Shortener& shortener) {
+std::shared_ptr<const Kernel> shortened_for(const TraceFrame& frame, const Tile& square, int side,
+                                            const Shortener& shortener) {
     RegionCells<Real> cells(frame, square, side);
-    if (!cells.any()) return std::nullopt;
+    if (!cells.any()) return nullptr;
     return cells.shortened(shortener);
 }
 
@@ -107,7 +108,7 @@ struct FrameKernels::Region {
     int col, row, side;  ///< a square of pixels, of which a part may lie outside the image
     std::once_flag made{};
     const Kernel* kernel = nullptr;
-    Kernel own{};  ///< if it is not that of the region around it
+    std::shared_ptr<const Kernel> own{};  ///< if it is not that of the region around it
     std::array<std::unique_ptr<Region>, 4> quarters{};
 };
 
@@ -126,8 +127,8 @@ void FrameKernels::make(Region& region, const Kernel& around) const {
                       ? shortened_for<double>(frame_, square, region.side, *around.shortener)
                       : shortened_for<float>(frame_, square, region.side, *around.shortener);
     if (kernel) {
-        region.own = std::move(*kernel);
-        region.kernel = &region.own;
+        region.own = std::move(kernel);
+        region.kernel = region.own.get();
     }
     const int half = region.side / 2;
     if (half < least_side) return;

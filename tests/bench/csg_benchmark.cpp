@@ -13,6 +13,7 @@
 // What many parts cost: unions, differences and smooth unions of 1 to 1000 spheres, all partly
 // visible; time of a frame, its ratio to that of 10 parts, and from text to first picture.
 //   csg_benchmark [--threads N] [--tracer NAME] [--size PIXELS] [--repeat N]
+//     [--series NAME] [--parts MOST]
 
 namespace zeroset {
 namespace {
@@ -21,6 +22,8 @@ struct Options {
     TraceSettings settings{.tracer = "beams", .stop = {{}, 10.0}, .threads = 1};
     int size = 512;
     int repeats = 5;
+    int most_parts = 1000;
+    std::string_view series;  ///< only this one; all where empty
 };
 
 struct Series {
@@ -63,6 +66,7 @@ void run(const Series& series, const Options& options) {
                 "first picture ms", "certified", "undecided");
     double of_ten = 0;
     for (const int count : {1, 10, 100, 1000}) {
+        if (count > options.most_parts) continue;
         const std::string text = series.text(test::visible_spheres(count, camera.eye));
         const auto start = Clock::now();
         const auto formula = prepare_formula(text, clip);
@@ -98,8 +102,11 @@ int main(int argc, char** argv) {
         if (name == "--threads") options.settings.threads = std::atoi(argv[i + 1]);
         if (name == "--tracer") options.settings.tracer = argv[i + 1];
         if (name == "--size") options.size = std::atoi(argv[i + 1]);
+        if (name == "--parts") options.most_parts = std::atoi(argv[i + 1]);
+        if (name == "--series") options.series = argv[i + 1];
         if (name == "--repeat") options.repeats = std::atoi(argv[i + 1]);
     }
-    for (const zeroset::Series& series : zeroset::all_series)
-        zeroset::run(series, options);
+    for (const zeroset::Series& series : zeroset::all_series) {
+        if (options.series.empty() || options.series == series.name) zeroset::run(series, options);
+    }
 }

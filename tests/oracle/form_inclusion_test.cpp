@@ -3,6 +3,7 @@
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
 #include "tests/support/compiled.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
@@ -35,6 +36,7 @@ protected:
 TYPED_TEST_SUITE(FormInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(FormInclusion, OfTheInterpreterHolds) { this->check(interpret, 400, 2, 21); }
+TYPED_TEST(FormInclusion, OfPartsHolds) { this->check(interpret_with_parts, 200, 2, 23); }
 TYPED_TEST(FormInclusion, OfMachineCodeHolds) { this->check(machine_code, 20, 10, 22); }
 
 }  // namespace

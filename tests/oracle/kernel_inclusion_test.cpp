@@ -3,6 +3,7 @@
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
 #include "tests/support/compiled.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,7 @@ protected:
 TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
 
 TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
+TYPED_TEST(KernelInclusion, OfPartsHolds) { this->check(interpret_with_parts, formulas(300), 13); }
 TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(machine_code, formulas(30), 12); }
 
 Expr parsed(const char* text) { return parse(text).value(); }

@@ -2,6 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>
@@ -127,8 +128,8 @@ Expr parsed(const std::string& text) {
 template <class Real>
 class Comparison {
 public:
-    Comparison(std::string text, RandomNumbers& random)
-        : text_(std::move(text)), random_(random), view_(random), whole_(interpret(parsed(text_))) {
+    Comparison(std::string text, const Kernel& whole, RandomNumbers& random)
+        : text_(std::move(text)), random_(random), view_(random), whole_(whole) {
         ChoiceRecord record;
         const FormBatchOf<Real> batch = forms_.batch(view_);
         whole_.shortener->form(batch, record);
@@ -136,10 +137,10 @@ public:
         const std::size_t last = std::min(cells, first_ + 1 + random.below(3));
         for (std::size_t cell = first_; cell < last; ++cell)
             chosen_.push_back(cell);
-        if (auto kernel = whole_.shortener->shortened(record, chosen_)) short_ = *kernel;
+        short_ = whole_.shortener->shortened(record, chosen_);
     }
     /// Whether it could be shortened at all.
-    explicit operator bool() const { return static_cast<bool>(short_); }
+    explicit operator bool() const { return short_ != nullptr; }
 
     /// Values of the whole and the short one at points of the cells.
     void compare(auto expectation) {
@@ -148,14 +149,14 @@ public:
                 const auto point = view_.point_in(cell, random_);
                 SCOPED_TRACE(text_ + " at " + std::to_string(point[0]) + ", " +
                              std::to_string(point[1]) + ", " + std::to_string(point[2]));
-                expectation(value_of(whole_, view_, point), value_of(short_, view_, point));
+                expectation(value_of(whole_, view_, point), value_of(*short_, view_, point));
             }
         }
     }
     /// The short one's forms enclose the values of the whole, and are no wider but for roundings.
     void compare_forms() {
         FormColumns<Real> columns;
-        short_.form(columns.batch(view_));
+        short_->form(columns.batch(view_));
         for (const std::size_t cell : chosen_) {
             SCOPED_TRACE(text_);
             EXPECT_LE(columns.reach(cell), forms_.reach(cell) * 1.001 + 1e-5);
@@ -175,31 +176,44 @@ private:
     RandomNumbers& random_;
     View<Real> view_;
     Kernel whole_;
-    Kernel short_;
+    std::shared_ptr<const Kernel> short_;
     FormColumns<Real> forms_;
     std::size_t first_ = 0;
     std::vector<std::size_t> chosen_;
 };
 
-template <class Real>
+struct Whole {
+    static Kernel kernel(const std::string& text) { return interpret(parsed(text)); }
+};
+struct InParts {
+    static Kernel kernel(const std::string& text) { return interpret_with_parts(parsed(text)); }
+};
+template <class Type, class Code>
+struct Way : Code {
+    using Real = Type;
+};
+
+template <class Way>
 class ShortenedKernel : public testing::Test {};
-using Reals = testing::Types<float, double>;
-TYPED_TEST_SUITE(ShortenedKernel, Reals);
+using Ways = testing::Types<Way<float, Whole>, Way<double, Whole>, Way<float, InParts>,
+                            Way<double, InParts>>;
+TYPED_TEST_SUITE(ShortenedKernel, Ways);
 
 constexpr int formulas = 700;
 
 TYPED_TEST(ShortenedKernel, HasTheSignsOfTheWholeOne) {
+    using Real = typename TypeParam::Real;
     RandomNumbers random(1);
     int shortened = 0;
     for (int i = 0; i < formulas; ++i) {
         const std::string text = random_solid(random, random.between(1, 4));
         const UpwardRounding upward;
-        Comparison<TypeParam> comparison(text, random);
+        Comparison<Real> comparison(text, TypeParam::kernel(text), random);
         if (!comparison) continue;
         ++shortened;
-        comparison.compare([](TypeParam whole, TypeParam part) {
+        comparison.compare([](Real whole, Real part) {
             // A root of either may be rounded to the other side.
-            if (std::abs(whole) < TypeParam(1e-5)) return;
+            if (std::abs(whole) < Real(1e-5)) return;
             EXPECT_EQ(std::isnan(whole), std::isnan(part));
             EXPECT_EQ(whole < 0, part < 0) << whole << " and " << part;
         });
@@ -209,15 +223,16 @@ TYPED_TEST(ShortenedKernel, HasTheSignsOfTheWholeOne) {
 
 /// Under a sum nothing follows from signs.
 TYPED_TEST(ShortenedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
+    using Real = typename TypeParam::Real;
     RandomNumbers random(2);
     int shortened = 0;
     for (int i = 0; i < formulas; ++i) {
         const std::string text = random_solid(random, random.between(1, 4)) + " + 0.25x";
         const UpwardRounding upward;
-        Comparison<TypeParam> comparison(text, random);
+        Comparison<Real> comparison(text, TypeParam::kernel(text), random);
         if (!comparison) continue;
         ++shortened;
-        comparison.compare([](TypeParam whole, TypeParam part) {
+        comparison.compare([](Real whole, Real part) {
             if (!(std::isnan(whole) && std::isnan(part))) {
                 EXPECT_NEAR(static_cast<double>(whole), static_cast<double>(part), 2e-6);
             }

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "engine/expr/beam_algebra.hpp"
+#include "engine/expr/kernel.hpp"
+#include "engine/num/block.hpp"
+
+#include <cstdint>
+#include <new>
+#include <optional>
+
+// Choices over blocks of cells: how they fall, and forms of what they come to.
+
+namespace zeroset {
+
+/// The cells where the condition holds; all where it is absent.
+inline unsigned bits_of(const std::optional<BlockMask>& mask) { return mask ? mask->bits : ~0U; }
+
+inline ChoiceBits choice_bits(unsigned first, unsigned second) {
+    return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
+}
+
+/// Where one operand of min or max may stand for both, by their signs: one that is above 0 leaves
+/// those of min to the other one, one below 0 those of max.
+template <class Lanes>
+ChoiceBits choice_by_sign(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
+    const auto left_out = [op](const BeamValue<Lanes>& x) {
+        const Interval<Lanes> range = x.f.range();
+        const Lanes zero = like(range.hi, 0.0);
+        const BlockMask apart = op == Op::Max ? range.hi < zero : range.neg_lo < zero;
+        return apart.bits & bits_of(x.everywhere);
+    };
+    return choice_bits(left_out(b), left_out(a));
+}
+
+/// Where `if` or `where` is one of its alternatives: the condition must be defined.
+template <class Lanes>
+ChoiceBits choice_by_condition(Op op, const BeamValue<Lanes>& condition) {
+    const unsigned defined = bits_of(condition.everywhere);
+    const Interval<Lanes> range = condition.f.range();
+    const unsigned holds = no(may_fail(range)).bits & defined;
+    return choice_bits(holds, op == Op::If ? no(may_hold(range)).bits & defined : 0U);
+}
+
+/// Where min or max is one of its operands, from the range of a - b: the other one must be defined,
+/// too.
+template <class Lanes>
+ChoiceBits choice_by_size(Op op, const Interval<Lanes>& difference, const BeamValue<Lanes>& a,
+                          const BeamValue<Lanes>& b) {
+    const Lanes zero = like(difference.hi, 0.0);
+    const unsigned a_is_larger = (difference.neg_lo <= zero).bits;
+    const unsigned b_is_larger = (difference.hi <= zero).bits;
+    return choice_bits((op == Op::Max ? a_is_larger : b_is_larger) & bits_of(b.everywhere),
+                       (op == Op::Max ? b_is_larger : a_is_larger) & bits_of(a.everywhere));
+}
+
+/// Lanes that stand for one of the operands as if it were surely the larger or smaller one.
+template <class Lanes>
+Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsigned below) {
+    Kink<Lanes> kink = kink_of(difference);
+    const Lanes one = like(difference.hi, 1.0);
+    const BlockMask up{static_cast<std::uint16_t>(above)};
+    const BlockMask down{static_cast<std::uint16_t>(below & ~above)};
+    kink.alpha = select(up, one, select(down, -one, kink.alpha));
+    kink.rest = select(either(up, down), like(one, 0.0), kink.rest);
+    kink.above = either(both(kink.above, no(down)), up);
+    kink.below = either(both(kink.below, no(up)), down);
+    return kink;
+}
+
+/// Makes min or max of a and b in `place` and tells where it is one of them. `by_sign`: only its
+/// sign matters.
+template <class Real>
+[[gnu::flatten]] ChoiceBits make_extreme(Op op, const Operand<BeamValue<Block<Real>>>& a,
+                                         const Operand<BeamValue<Block<Real>>>& b, bool by_sign,
+                                         BeamValue<Block<Real>>* place) {
+    using Value = BeamValue<Block<Real>>;
+    constexpr unsigned all = (1U << Block<Real>::lanes) - 1U;
+    ChoiceBits bits{};
+    // Copying is quicker than choosing lane by lane.
+    const auto copied = [&] {
+        const bool first = (bits.first & all) == all;
+        if (!first && (bits.second & all) != all) return false;
+        new (place) Value(first ? a.value : b.value);
+        return true;
+    };
+    if (by_sign) bits = choice_by_sign(op, a.value, b.value);
+    if (copied()) return bits;
+    const Interval<Block<Real>> difference = (a.value.f - b.value.f).range();
+    const ChoiceBits more = choice_by_size(op, difference, a.value, b.value);
+    bits = choice_bits(bits.first | more.first, bits.second | more.second);
+    if (copied()) return bits;
+    const bool max = op == Op::Max;
+    const auto kink =
+        decided_kink(difference, max ? bits.first : bits.second, max ? bits.second : bits.first);
+    new (place) Value(BeamAlgebra<Block<Real>>().larger(a, b, kink, max ? 1.0 : -1.0));
+    return bits;
+}
+
+}  // namespace zeroset

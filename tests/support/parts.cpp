@@ -1,0 +1,48 @@
+#include "tests/support/parts.hpp"
+
+#include "engine/expr/interpret.hpp"
+
+#include <vector>
+
+namespace zeroset::test {
+namespace {
+
+/// min(f, g) for the graph f; g has other constants. The nodes of f come first.
+Expr beside_another(const Expr& expr) {
+    ExprBuilder builder;
+    std::vector<NodeId> own;
+    std::vector<NodeId> other;
+    for (const Node& node : expr.nodes()) {
+        const auto add = [&](std::vector<NodeId>& to, double factor) {
+            if (node.op == Op::Constant) {
+                to.push_back(builder.constant(node.lo * factor, node.hi * factor));
+            } else if (node.op == Op::Variable) {
+                to.push_back(builder.variable(node.number));
+            } else {
+                to.push_back(
+                    builder.apply(node.op, to[node.a], to[node.b], to[node.c], node.number));
+            }
+        };
+        add(own, 1.0);
+        add(other, 0.75);
+    }
+    return builder.finish(builder.apply(Op::Min, own.back(), other.back()),
+                          {expr.parameters().begin(), expr.parameters().end()});
+}
+
+}  // namespace
+
+Kernel interpret_with_parts(const Expr& expr, const MakeCode& make) {
+    const Expr two = beside_another(expr);
+    Parts parts = parts_of(two, facts_of(two), 100'000);
+    parts.make_code(make);
+    parts.of_node.resize(expr.nodes().size());
+    return interpret(expr, facts_of(expr), std::move(parts));
+}
+
+Kernel interpret_with_parts(const Expr& expr) {
+    return interpret_with_parts(expr,
+                                [](const Expr& shape) { return std::optional(interpret(shape)); });
+}
+
+}  // namespace zeroset::test

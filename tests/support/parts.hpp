@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/expr/kernel.hpp"
+#include "engine/expr/parts.hpp"
+
+namespace zeroset::test {
+
+/// An interpreter of the choices of a formula, with code by `make` for its parts; their constants
+/// are uniforms, as if there were other parts of the same shapes.
+Kernel interpret_with_parts(const Expr& expr, const MakeCode& make);
+
+/// The same with interpreters of the parts.
+Kernel interpret_with_parts(const Expr& expr);
+
+}  // namespace zeroset::test
