@@ -114,7 +114,7 @@ Counters FramePainter::paint(Tile tile, Workspace& workspace) const {
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                       Framebuffer& frame, const std::atomic<bool>* cancel) {
     assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
-    assert(!scene.surfaces.empty() && scene.surfaces.size() <= max_surfaces);
+    assert(scene.surfaces.size() <= max_surfaces);
     const NearestRounding nearest;  // the view does not depend on the caller's mode
     const FramePainter painter(scene, camera, settings, frame, cancel);
     std::mutex mutex;

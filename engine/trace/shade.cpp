@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -185,7 +186,8 @@ void shade_row(const TraceFrame& frame, const Shading& shading, std::uint8_t sur
 
 void shade_hits(const TraceFrame& frame, std::uint8_t surface, const Tile& tile,
                 const TileHits& hits, Framebuffer& out) {
-    const Shading shading(frame.view, colors_of(surface));
+    const std::vector<SurfaceColors>& own = frame.scene.colors;
+    const Shading shading(frame.view, surface < own.size() ? own[surface] : colors_of(surface));
     for (int row = 0; row < tile.rows; ++row)
         shade_row(frame, shading, surface, tile, row, hits, out);
 }
