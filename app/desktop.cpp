@@ -1,22 +1,25 @@
 #include "app/desktop.hpp"
 
 #include "app/commands.hpp"
+#include "app/document_files.hpp"
+#include "app/document_scene.hpp"
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/gallery.hpp"
 #include "app/language.hpp"
 #include "app/options.hpp"
 #include "engine/trace/camera.hpp"
-#include "engine/trace/palette.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
-#include "ui/label.hpp"
+#include "ui/parameter_row.hpp"
 #include "ui/screen.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
+#include "document/colors.hpp"
+#include "document/play.hpp"
 #include <glm/ext/vector_int2.hpp>
 
 #include <algorithm>
@@ -32,17 +35,12 @@
 namespace zeroset {
 namespace {
 
-std::vector<ui::Reading> readings_of(const Program& program) {
-    std::vector<ui::Reading> readings;
-    std::size_t surface = 0;
-    for (const Reading& reading : program.readings) {
-        const bool drawn = reading.kind == StatementKind::Surface;
-        const std::optional<std::uint32_t> color =
-            drawn ? std::optional(swatch_color(surface++)) : std::nullopt;
-        readings.push_back({reading.text, color});
-    }
-    return readings;
-}
+/// Frames of a slider that plays and moves no picture.
+constexpr double frame_s = 1.0 / 60.0;
+/// A full picture that takes less is waited for before a slider that plays moves on.
+constexpr double quick_ms = 30.0;
+/// A slider that plays does not jump farther after a frame that took long.
+constexpr double longest_step_s = 0.25;
 
 std::string note_of(CodeState code) {
     switch (code) {
@@ -53,40 +51,54 @@ std::string note_of(CodeState code) {
     return {};
 }
 
+Sheet sheet_of(const Document& document) {
+    Sheet sheet;
+    for (const Statement& statement : document.statements)
+        sheet.push_back({statement.id, statement.text});
+    return sheet;
+}
+
+ui::UiState first_state(const DesktopOptions& options) {
+    ui::UiState state;
+    state.document = options.document;
+    state.theme = options.theme;
+    if (options.takes_keyboard) {
+        state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
+    }
+    state.language_help = language_help();
+    for (const GalleryItem& item : gallery())
+        state.gallery.push_back({item.title, item.equation, item.about});
+    return state;
+}
+
 }  // namespace
 
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
-    return a.formula == b.formula && a.clip.lo == b.clip.lo && a.clip.hi == b.clip.hi &&
-           a.camera == b.camera && (a.w == b.w || !a.formula->uses_w()) &&
-           a.parameters == b.parameters && a.stop.rule == b.stop.rule &&
-           a.stop.value == b.stop.value && a.size_px == b.size_px;
+    return a.formula == b.formula && a.clip == b.clip && a.camera == b.camera && a.stop == b.stop &&
+           a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
+      state_(first_state(options)),
+      session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
-      opening_(options.surface),
-      home_(options.surface.camera),
       formulas_([this] { window_.wake(); }),
-      pictures_([this] { window_.wake(); }) {
-    state_.equation = options.surface.equation;
-    state_.clip = options.surface.clip;
-    state_.w = options.surface.w;
-    state_.stop = options.settings.stop;
-    state_.theme = options.theme;
-    state_.focus_equation = options.takes_keyboard;
-    state_.mark_undecided = options.mark_undecided;
-    state_.reset_view = true;
-    state_.language_help = language_help();
-    for (const GalleryItem& item : gallery()) {
-        state_.gallery.push_back({item.title, item.equation, item.about});
-    }
+      pictures_([this] { window_.wake(); }) {}
+
+double Desktop::now_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
 void Desktop::draw_frame() {
+    const ui::WindowEvents events = window_.take_events();
+    if (events.close) session_.close();
+    session_.open(events.dropped);
     take_formula();
     take_double();
     take_frame();
+    play();
+    window_.hold_keys(state_.focus.has_value());
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
     window_.end_frame();
@@ -96,20 +108,28 @@ void Desktop::draw_frame() {
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
-    return answered_text_ == state_.equation && drawn && !state_.reset_view;
+    return answered_rows_ == sheet_of(state_.document) && drawn && state_.document.camera;
+}
+
+std::optional<double> Desktop::due_s() const {
+    std::optional<double> due = session_.due_s(now_s());
+    if (!state_.playing.empty() && !waits_for_picture()) {
+        const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
+        due = std::min(due.value_or(next), next);
+    }
+    return due;
 }
 
 void Desktop::take_formula() {
-    std::optional<FormulaResult> result = formulas_.take();
+    const std::optional<FormulaResult> result = formulas_.take();
     if (!result) return;
-    answered_text_ = result->text;
+    answered_rows_ = result->sheet;
+    state_.reports = result->reading.reports;
+    state_.surface_rows = result->reading.surface_rows;
     if (result->formula) {
-        show(std::move(*result->formula));
-    } else if (result->text == state_.equation) {
-        const InputError& error = result->formula.error();
-        state_.error = error.reason;
-        state_.error_at = error.offset;
-        state_.unfinished = error.unfinished;
+        show(*result);
+    } else {
+        state_.note = result->formula.error().reason;
     }
 }
 
@@ -121,44 +141,23 @@ void Desktop::take_double() {
     shown_ = std::move(formula);
 }
 
-void Desktop::show(std::shared_ptr<const Formula> formula) {
-    shown_ = std::move(formula);
-    const bool opens = opening_ && opening_->equation == shown_->text;
-    if (opens) {
-        state_.clip = opening_->clip;
-        state_.w = opening_->w;
-        state_.w_lo = std::min(-2.0, state_.w);
-        state_.w_hi = std::max(2.0, state_.w);
-        home_ = opening_->camera;
-        state_.reset_view = true;
-    }
-    show_parameters(opens ? opening_->parameters : ParameterValues{});
-    if (opens || (opening_ && opening_->equation != state_.equation)) opening_.reset();
-    state_.error.clear();
-    state_.error_at.reset();
-    state_.unfinished = false;
-    state_.readings = readings_of(shown_->program);
+void Desktop::show(const FormulaResult& result) {
+    const std::shared_ptr<const Formula>& formula = *result.formula;
+    // The same text again: what is shown may have more code.
+    const bool same = shown_ != nullptr && shown_->text == formula->text &&
+                      (shown_->code == formula->code || formula->code != CodeState::Machine);
+    if (!same) shown_ = formula;
+    state_.parameters = result.reading.parameters;
     state_.uses_w = shown_->uses_w();
     state_.note = note_of(shown_->code);
-    window_.set_title("Zeroset - " + ui::in_one_line(shown_->text));
-}
-
-/// A slider for each parameter, as it was left when the text had it last.
-void Desktop::show_parameters(const ParameterValues& opened) {
-    for (const ui::ParameterSlider& slider : state_.parameters)
-        known_sliders_[slider.name] = slider;
-    state_.parameters.clear();
-    for (const std::string& name : shown_->program.parameters) {
-        const auto known = known_sliders_.find(name);
-        ui::ParameterSlider slider =
-            known == known_sliders_.end() ? ui::ParameterSlider{name} : known->second;
-        if (const auto value = opened.find(name); value != opened.end()) {
-            slider.value = value->second;
-            slider.lo = std::min(slider.lo, slider.value);
-            slider.hi = std::max(slider.hi, slider.value);
-        }
-        state_.parameters.push_back(std::move(slider));
-    }
+    session_.amend(
+        [&result](Document& document) { choose_colors(document, result.reading.surface_rows); });
+    std::erase_if(state_.playing, [this](const auto& entry) {
+        const std::string& name = entry.first;
+        return name == ui::w_name
+                   ? !state_.uses_w
+                   : std::ranges::find(state_.parameters, name) == state_.parameters.end();
+    });
 }
 
 void Desktop::take_frame() {
@@ -166,73 +165,116 @@ void Desktop::take_frame() {
     if (result) {
         state_.shown = {result->frame, result->camera};
         upload_frame();
-        if (result->complete) {
+        const bool full = result->complete;
+        pictured_request_ = result->request;
+        pictured_fully_ = full;
+        if (full) {
             const bool newest = result->request == request_;
             state_.picture = {!newest,          result->frame->width, result->frame->height,
                               result->frame_ms, result->counts,       result->precision};
         }
     } else if (state_.shown.frame != nullptr &&
-               (state_.theme != uploaded_theme_ || state_.mark_undecided != uploaded_marks_)) {
+               (state_.theme != uploaded_theme_ ||
+                state_.document.mark_undecided != uploaded_marks_)) {
         upload_frame();
     }
 }
 
 void Desktop::upload_frame() {
-    const auto tint =
-        state_.mark_undecided ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
+    const bool marks = state_.document.mark_undecided;
+    const auto tint = marks ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
     texture_.upload(*state_.shown.frame, ui::behind_picture(state_.theme), tint);
     uploaded_theme_ = state_.theme;
-    uploaded_marks_ = state_.mark_undecided;
+    uploaded_marks_ = marks;
+}
+
+/// Whether the picture of the last step of a slider that plays is still to come.
+bool Desktop::waits_for_picture() const {
+    if (!state_.picture.tracing) return false;
+    const bool quick = state_.picture.frame_ms < quick_ms;
+    return pictured_request_ != request_ || (quick && !pictured_fully_);
+}
+
+void Desktop::play() {
+    const double now = now_s();
+    const double elapsed = std::min(now - played_s_, longest_step_s);
+    if (!state_.playing.empty() && waits_for_picture()) return;
+    played_s_ = now;
+    for (auto& [name, playing] : state_.playing) {
+        Slider slider = ui::slider_named(state_, name);
+        advance(slider, playing, elapsed);
+        ui::set_slider(state_, name, slider);
+    }
+    session_.played();
 }
 
 void Desktop::follow_edits() {
-    if (state_.surface) {
-        const GalleryItem& item = gallery()[*state_.surface];
-        state_.surface.reset();
-        state_.equation = item.equation;
-        opening_ = Surface{item.equation, item.clip, item.w, item.camera, {}};
-        submitted_text_.clear();  // the same equation again still resets its view
-        window_.wake();
-    }
-    if (state_.equation != submitted_text_) {
-        submitted_text_ = state_.equation;
-        const bool opens = opening_ && opening_->equation == state_.equation;
-        formulas_.submit(state_.equation, opens ? opening_->clip : state_.clip);
-    }
-    if (state_.reset_view) reset_view();
+    show_gallery_item();
+    session_.follow(now_s());
+    submit_rows();
+    find_view();
     submit_picture();
+    window_.set_title(session_.title() + " - Zeroset");
 }
 
-void Desktop::reset_view() {
+void Desktop::show_gallery_item() {
+    const auto picked = std::exchange(state_.surface, std::nullopt);
+    if (!picked) return;
+    const GalleryItem& item = gallery()[*picked];
+    Document document = document_of({item.equation, item.clip, item.w, item.camera, {}});
+    document.stop = state_.document.stop;
+    session_.show(std::move(document));
+    window_.wake();
+}
+
+void Desktop::submit_rows() {
+    Sheet sheet = sheet_of(state_.document);
+    if (sheet == submitted_rows_) return;
+    submitted_rows_ = sheet;
+    formulas_.submit(std::move(sheet), state_.document.clip);
+}
+
+/// Looks at the whole box where the document does not say, or when it is asked for.
+void Desktop::find_view() {
     const glm::ivec2 size = state_.viewport_px;
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
-    state_.camera = home_ ? *home_ : default_camera(state_.clip, aspect);
-    state_.reset_view = false;
+    const auto look = [aspect](Document& document) {
+        document.camera = document.home.value_or(default_camera(document.clip, aspect));
+    };
+    if (std::exchange(state_.reset_view, false)) look(state_.document);
+    if (!state_.document.camera) session_.amend(look);
 }
 
 std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     const glm::ivec2 size = state_.viewport_px;
-    if (shown_ == nullptr || state_.reset_view || size.x <= 0 || size.y <= 0) return std::nullopt;
-    Wanted wanted{shown_, state_.clip, state_.camera, state_.w, {}, state_.stop, size};
-    for (const ui::ParameterSlider& slider : state_.parameters)
-        wanted.parameters[slider.name] = slider.value;
+    const Document& document = state_.document;
+    if (shown_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) return std::nullopt;
+    Wanted wanted{shown_, document.clip, *document.camera, document.stop, size, {}, {}};
+    for (const int row : state_.surface_rows) {
+        const auto found = std::ranges::find(document.statements, row, &Statement::id);
+        if (found == document.statements.end() || !found->visible) continue;
+        wanted.surfaces.emplace_back(row, found->color.value_or(0));
+    }
+    if (shown_->uses_w()) wanted.uniforms.push_back(document.w.value);
+    for (const std::string& name : shown_->program.parameters)
+        wanted.uniforms.push_back(slider_of(document, name).value);
     return wanted;
 }
 
 void Desktop::submit_picture() {
     std::optional<Wanted> next = wanted_picture();
     if (!next || (submitted_ && same_picture(*submitted_, *next))) return;
-    Wanted& wanted = *next;
-    if (!shown_->has_code(wanted_precision(wanted.clip, ViewFrame(wanted.camera), wanted.stop))) {
+    const Wanted& wanted = *next;
+    const ViewFrame view(wanted.camera);
+    if (!shown_->has_code(wanted_precision(wanted.clip, view, wanted.stop))) {
         // The last picture stays until the code is there.
         if (deepening_ != shown_) formulas_.submit_double(shown_);
         deepening_ = shown_;
         return;
     }
-
     RenderRequest request;
-    request.scene = make_scene(*shown_, wanted.clip, wanted.w, wanted.parameters);
+    request.scene = document_scene(*shown_, state_.document, state_.surface_rows);
     request.camera = wanted.camera;
     request.settings = settings_;
     request.settings.stop = wanted.stop;
@@ -247,15 +289,19 @@ void Desktop::submit_picture() {
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
                                                   const TraceText& trace) {
     const std::string first = "@" + gallery().front().name;
-    auto surface = read_surface(equation.empty() ? first : equation, view);
+    const auto surface = read_surface(equation.empty() ? first : equation, view);
     if (!surface) return std::unexpected(surface.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
-    const bool stop_given = trace.d_stop || trace.epsilon || trace.delta;
-    constexpr double interactive_d_stop = 14.0;
-    if (!stop_given) settings->stop.value = interactive_d_stop;
     DesktopOptions options;
-    options.surface = std::move(*surface);
+    options.document = document_of(*surface);
+    options.equation = surface->equation;
+    options.given = surface->parameters;
+    if (surface->document) {
+        options.path = equation;
+        if (const auto loaded = load_document(equation)) options.note = loaded->note;
+    }
+    if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     options.settings = std::move(*settings);
     return options;
 }
@@ -268,7 +314,8 @@ int run_desktop(const DesktopOptions& options) {
         return exit_run_time;
     }
     Desktop desktop(**window, options);
-    while ((*window)->wait()) {
+    while (!desktop.closed()) {
+        (*window)->wait(desktop.due_s());
         desktop.draw_frame();
     }
     return exit_ok;

@@ -3,7 +3,7 @@
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/options.hpp"
-#include "engine/image/framebuffer.hpp"
+#include "app/session.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
@@ -11,23 +11,30 @@
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
+#include "document/document.hpp"
 #include <glm/ext/vector_int2.hpp>
 
+#include <chrono>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace zeroset {
 
 /// What the window starts with.
 struct DesktopOptions {
-    Surface surface;
+    Document document;
+    std::string path;       ///< of the document's file; empty: none
+    std::string note;       ///< what is to be said of the document; or empty
+    std::string equation;   ///< as it was given, where it is no document
+    ParameterValues given;  ///< those that were given by name
     TraceSettings settings;
     ui::Theme theme = ui::Theme::Dark;
-    bool takes_keyboard = true;  ///< the equation can be typed over at once
-    bool mark_undecided = false;
+    bool takes_keyboard = true;  ///< the first row can be typed over at once
+    bool keeps_files = true;     ///< as in SessionOptions
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -44,9 +51,12 @@ public:
 
     /// Takes what the jobs have finished, draws, and gives the jobs what has changed.
     void draw_frame();
-    /// Whether the last frame showed all there is: the reading or the error of the equation as it
-    /// stands, and the finished picture of the last good one. Until then the window is woken again.
+    /// Whether the last frame showed all there is: the reading or the errors of the rows as they
+    /// stand, and the finished picture of what can be drawn. Until then the window is woken again.
     [[nodiscard]] bool settled() const;
+    [[nodiscard]] bool closed() const { return session_.closed(); }
+    /// Seconds until there is something to draw or to do though nothing happens.
+    [[nodiscard]] std::optional<double> due_s() const;
 
 private:
     /// All that the picture depends on and that the window can change.
@@ -54,40 +64,47 @@ private:
         std::shared_ptr<const Formula> formula;
         Box clip;
         Camera camera;
-        double w = 0.0;
-        ParameterValues parameters;
         StopCriterion stop;
         glm::ivec2 size_px{0};
+        /// Of each visible surface: its row and its colour.
+        std::vector<std::pair<int, std::uint32_t>> surfaces;
+        std::vector<double> uniforms;  ///< w, where it is used, and the parameters
     };
     static bool same_picture(const Wanted& a, const Wanted& b);
 
     void take_formula();
-    void show(std::shared_ptr<const Formula> formula);
-    void show_parameters(const ParameterValues& opened);
+    void show(const FormulaResult& result);
     void take_double();
     void take_frame();
     void upload_frame();
     void follow_edits();
-    void reset_view();
+    void show_gallery_item();
+    void find_view();
+    void submit_rows();
+    void play();
+    [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<Wanted> wanted_picture() const;
     void submit_picture();
+    [[nodiscard]] double now_s() const;
 
     ui::Window& window_;
     ui::Texture texture_;
     ui::UiState state_;
+    Session session_;
     TraceSettings settings_;
 
-    std::string submitted_text_;
-    std::optional<std::string> answered_text_;  ///< what the newest reading or error is of
-    std::optional<Surface> opening_;            ///< was picked, waits for its formula
-    std::optional<Camera> home_;  ///< what Reset view goes back to, if it is not the default
-    std::map<std::string, ui::ParameterSlider> known_sliders_;  ///< of every text so far
-    std::shared_ptr<const Formula> shown_;                      ///< the last good one
+    std::optional<Sheet> submitted_rows_;
+    std::optional<Sheet> answered_rows_;        ///< what the newest reading is of
+    std::shared_ptr<const Formula> shown_;      ///< of the newest reading
     std::shared_ptr<const Formula> deepening_;  ///< `shown_`, when it waits for code in double
     std::optional<Wanted> submitted_;
     std::uint64_t request_ = 0;
+    std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
+    bool pictured_fully_ = false;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double played_s_ = 0.0;
 
     FormulaJob formulas_;
     RenderJob pictures_;

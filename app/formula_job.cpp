@@ -5,9 +5,31 @@
 namespace zeroset {
 namespace {
 
-FormulaResult result_of(std::string text, std::expected<Formula, InputError> formula) {
-    FormulaResult result{std::move(text), std::unexpected(InputError{})};
-    if (formula) {
+/// What prepares sheets: remembers the last good text of each row and the last formula.
+class Preparer {
+public:
+    FormulaResult prepare(Sheet sheet, const Box& region) {
+        SheetReading reading = reader_.read(sheet);
+        if (last_ == nullptr || last_->text != reading.text || region_ != region) {
+            auto formula = prepare_formula(reading.text, region);
+            if (!formula) {
+                return {std::move(sheet), std::move(reading), std::unexpected(formula.error())};
+            }
+            last_ = std::make_shared<const Formula>(std::move(*formula));
+            region_ = region;
+        }
+        return {std::move(sheet), std::move(reading), last_};
+    }
+
+private:
+    SheetReader reader_;
+    std::shared_ptr<const Formula> last_;
+    Box region_;
+};
+
+/// The result with machine code in place of the interpreter's.
+FormulaResult compiled(FormulaResult result) {
+    if (auto formula = with_machine_code(**result.formula)) {
         result.formula = std::make_shared<const Formula>(std::move(*formula));
     } else {
         result.formula = std::unexpected(std::move(formula.error()));
@@ -19,7 +41,7 @@ FormulaResult result_of(std::string text, std::expected<Formula, InputError> for
 
 FormulaJob::FormulaJob(std::function<void()> on_result)
     : on_result_(std::move(on_result)),
-      preparing_([this] { prepare_texts(); }),
+      preparing_([this] { prepare_sheets(); }),
       compiling_([this] { compile_more(); }) {}
 
 FormulaJob::~FormulaJob() {
@@ -32,11 +54,11 @@ FormulaJob::~FormulaJob() {
     compiling_.join();
 }
 
-void FormulaJob::submit(std::string text, const Box& region) {
+void FormulaJob::submit(Sheet sheet, const Box& region) {
     {
         const std::scoped_lock lock(mutex_);
-        newest_text_ = text;
-        pending_ = Request{std::move(text), region};
+        newest_ = sheet;
+        pending_ = Request{std::move(sheet), region};
         large_.reset();
     }
     wake_.notify_all();
@@ -60,14 +82,14 @@ std::shared_ptr<const Formula> FormulaJob::take_double() {
     return std::exchange(double_, nullptr);
 }
 
-/// Hands the result on, unless a newer text is waiting.
+/// Hands the result on, unless a newer sheet is waiting.
 void FormulaJob::publish(FormulaResult result) {
     {
         const std::scoped_lock lock(mutex_);
-        if (result.text == newest_text_) {
+        if (result.sheet == newest_) {
             const bool large =
                 result.formula && (*result.formula)->code == CodeState::InterpretedFirst;
-            if (large) large_ = *result.formula;
+            if (large) large_ = result;
             finished_ = std::move(result);
         }
     }
@@ -75,7 +97,8 @@ void FormulaJob::publish(FormulaResult result) {
     on_result_();
 }
 
-void FormulaJob::prepare_texts() {
+void FormulaJob::prepare_sheets() {
+    Preparer preparer;
     for (;;) {
         Request request;
         {
@@ -84,8 +107,7 @@ void FormulaJob::prepare_texts() {
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
         }
-        auto formula = prepare_formula(request.text, request.region);
-        publish(result_of(std::move(request.text), std::move(formula)));
+        publish(preparer.prepare(std::move(request.sheet), request.region));
     }
 }
 
@@ -101,19 +123,19 @@ void FormulaJob::publish_double(const Formula& formula) {
 
 void FormulaJob::compile_more() {
     for (;;) {
-        std::shared_ptr<const Formula> large;
+        std::optional<FormulaResult> large;
         std::shared_ptr<const Formula> deep;
         {
             std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return stop_ || large_ != nullptr || deep_ != nullptr; });
+            wake_.wait(lock, [this] { return stop_ || large_ || deep_ != nullptr; });
             if (stop_) return;
             deep = std::exchange(deep_, nullptr);
-            if (deep == nullptr) large = std::exchange(large_, nullptr);
+            if (deep == nullptr) large = std::exchange(large_, std::nullopt);
         }
         if (deep != nullptr) {
             publish_double(*deep);
         } else {
-            publish(result_of(large->text, with_machine_code(*large)));
+            publish(compiled(std::move(*large)));
         }
     }
 }

@@ -2,6 +2,8 @@
 
 #include "app/formula.hpp"
 
+#include "document/sheet.hpp"
+
 #include <condition_variable>
 #include <expected>
 #include <functional>
@@ -14,12 +16,13 @@
 namespace zeroset {
 
 struct FormulaResult {
-    std::string text;
-    std::expected<std::shared_ptr<const Formula>, InputError> formula;
+    Sheet sheet;
+    SheetReading reading;
+    std::expected<std::shared_ptr<const Formula>, InputError> formula;  ///< of reading.text
 };
 
-/// Compiles the newest text in the background. Members may be called from the UI thread and
-/// never wait for a compilation; texts overtaken by a newer one are dropped. A large formula
+/// Reads and compiles the newest sheet in the background. Members may be called from the UI thread
+/// and never wait for a compilation; sheets overtaken by a newer one are dropped. A large formula
 /// arrives twice: interpreted, and again when its machine code is ready.
 class FormulaJob {
 public:
@@ -30,7 +33,7 @@ public:
     FormulaJob& operator=(const FormulaJob&) = delete;
 
     /// `region`: where the formula will be looked at.
-    void submit(std::string text, const Box& region);
+    void submit(Sheet sheet, const Box& region);
     /// The newest result not yet taken, or nothing.
     std::optional<FormulaResult> take();
     /// Makes code in double for a formula, unless it is overtaken by another.
@@ -40,11 +43,11 @@ public:
 
 private:
     struct Request {
-        std::string text;
+        Sheet sheet;
         Box region;
     };
 
-    void prepare_texts();
+    void prepare_sheets();
     void compile_more();
     void publish_double(const Formula& formula);
     void publish(FormulaResult result);
@@ -53,11 +56,11 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<Request> pending_;
-    std::shared_ptr<const Formula> large_;   ///< waits for its machine code
+    std::optional<FormulaResult> large_;     ///< its formula waits for its machine code
     std::shared_ptr<const Formula> deep_;    ///< waits for its code in double
     std::shared_ptr<const Formula> double_;  ///< has it
     std::optional<FormulaResult> finished_;
-    std::string newest_text_;
+    Sheet newest_;
     bool stop_ = false;
     std::thread preparing_;
     std::thread compiling_;

@@ -1,4 +1,5 @@
-// The command line: zeroset [EQUATION | @NAME] opens the window, zeroset SUBCOMMAND needs none.
+// The command line: zeroset [EQUATION | @NAME | FILE] opens the window, zeroset SUBCOMMAND needs
+// none.
 
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
@@ -62,7 +63,7 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
         "Needs no display. An error in the equation is drawn as the window shows it: the exit code "
         "is 0.");
     add_value(*shot_app, "EQUATION", shot.equation,
-              "the formula, @NAME, or - (default: the gallery's first)");
+              "the formula, @NAME, FILE.zeroset.json, or - (default: the gallery's first)");
     add_value(*shot_app, "-o,--output", shot.output, "the picture: a PNG file");
     add_value(*shot_app, "--size", shot.size,
               "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
@@ -89,15 +90,21 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
 int open_window(const std::string& equation, const ViewText& view, const TraceText& trace) {
     const auto options = read_desktop_options(equation, view, trace);
     if (!options) return report(options.error());
-    const auto program = read_formula(options->surface.equation);
-    if (!program) return report(program.error());
-    const auto unknown = check_parameters(*program, options->surface.parameters);
-    return unknown ? report(*unknown) : run_desktop(*options);
+    // A document may have errors: its rows show them.
+    if (options->path.empty()) {
+        const auto program = read_formula(options->equation);
+        if (!program) return report(program.error());
+        const auto unknown = check_parameters(*program, options->given);
+        if (unknown) return report(*unknown);
+    }
+    return run_desktop(*options);
 }
 
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
-    add_value(*render_app, "EQUATION", render.equation, "the formula, @NAME, or -")->required();
+    add_value(*render_app, "EQUATION", render.equation,
+              "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
     add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
     add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
     add_view_options(*render_app, render.view);
@@ -152,7 +159,7 @@ int run(int argc, char** argv) {
     TraceText trace;
     add_value(app, "EQUATION", equation,
               "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
-              "gallery, or - for standard input");
+              "gallery, FILE.zeroset.json, or - for standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
     RenderCommand render;

@@ -1,5 +1,6 @@
 #include "app/options.hpp"
 
+#include "app/document_files.hpp"
 #include "app/gallery.hpp"
 #include "app/text.hpp"
 #include "engine/trace/tracer.hpp"
@@ -98,7 +99,46 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
     return camera;
 }
 
+/// What a document shows, for those who want one text and numbers.
+Surface surface_of(Document document) {
+    Surface surface{
+        joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
+    surface.document = std::move(document);
+    return surface;
+}
+
+/// Of @NAME or FILE.zeroset.json.
+OrInputError<Surface> stored_surface(const std::string& name) {
+    if (is_document_name(name)) {
+        auto loaded = load_document(name);
+        if (!loaded) return wrong_input(loaded.error());
+        return surface_of(std::move(loaded->document));
+    }
+    auto item = gallery_item(std::string_view(name).substr(1));
+    if (!item) return std::unexpected(item.error());
+    return Surface{item->equation, item->clip, item->w, item->camera, {}};
+}
+
 }  // namespace
+
+Document document_of(const Surface& surface) {
+    Document document = surface.document.value_or(Document());
+    if (!surface.document) {
+        for (const std::string& row : rows_of(surface.equation))
+            document.statements.emplace_back().text = row;
+        if (document.statements.empty()) document.statements.emplace_back();
+        document.home = surface.camera;
+    }
+    document.clip = surface.clip;
+    document.camera = surface.camera;
+    set_value(document.w, surface.w);
+    for (const auto& [name, value] : surface.parameters) {
+        Slider slider = slider_of(document, name);
+        set_value(slider, value);
+        document.parameters[name] = slider;
+    }
+    return renumbered(std::move(document), 1);
+}
 
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
                                                std::size_t count) {
@@ -156,10 +196,10 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text)
 }
 
 OrInputError<std::string> read_equation(const std::string& equation) {
-    if (equation.starts_with('@')) {
-        auto item = gallery_item(std::string_view(equation).substr(1));
-        if (!item) return std::unexpected(item.error());
-        return item->equation;
+    if (equation.starts_with('@') || is_document_name(equation)) {
+        auto surface = stored_surface(equation);
+        if (!surface) return std::unexpected(surface.error());
+        return surface->equation;
     }
     if (equation != "-") return std::string(trimmed(equation));
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
@@ -168,10 +208,10 @@ OrInputError<std::string> read_equation(const std::string& equation) {
 
 OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view) {
     Surface surface;
-    if (equation.starts_with('@')) {
-        auto item = gallery_item(std::string_view(equation).substr(1));
-        if (!item) return std::unexpected(item.error());
-        surface = {item->equation, item->clip, item->w, item->camera, {}};
+    if (equation.starts_with('@') || is_document_name(equation)) {
+        auto stored = stored_surface(equation);
+        if (!stored) return std::unexpected(stored.error());
+        surface = std::move(*stored);
     } else {
         auto text = read_equation(equation);
         if (!text) return std::unexpected(text.error());

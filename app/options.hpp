@@ -4,6 +4,8 @@
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
+#include "document/document.hpp"
+
 #include <expected>
 #include <optional>
 #include <string>
@@ -33,8 +35,13 @@ struct Surface {
     Box clip;
     double w = 0.0;
     std::optional<Camera> camera;  ///< default_camera(clip, aspect) when absent
-    ParameterValues parameters;    ///< those that are not 1
+    ParameterValues parameters;    ///< those that are given
+    /// Of a file: its rows, colours and sliders, whose text `equation` is.
+    std::optional<Document> document = std::nullopt;
 };
+
+/// The surface as a document: a row for each statement.
+Document document_of(const Surface& surface);
 
 struct Size {
     int width, height;
@@ -43,11 +50,11 @@ struct Size {
 template <class Value>
 using OrInputError = std::expected<Value, InputError>;
 
-/// EQUATION, @NAME of the gallery, or "-" for the text of standard input; then the view options
-/// over what the gallery says.
+/// EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input; then
+/// the view options over what the gallery or the file says.
 OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view);
 
-/// The equation of EQUATION, @NAME or "-".
+/// The equation of EQUATION, @NAME, FILE.zeroset.json or "-".
 OrInputError<std::string> read_equation(const std::string& equation);
 
 /// The values of --set NAME=VALUE; whether the formula has these parameters is for

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/document_scene.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
 #include "engine/trace/parallel.hpp"
@@ -104,6 +105,15 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
               {"form", timing.counters.form}}}};
 }
 
+/// As a document has its rows, or all surfaces in the palette's colours.
+Scene scene_of(const Formula& formula, const Surface& surface) {
+    if (!surface.document) {
+        return make_scene(formula, surface.clip, surface.w, surface.parameters);
+    }
+    const Document document = document_of(surface);
+    return document_scene(formula, document, surface_rows(document, formula.program));
+}
+
 }  // namespace
 
 int run_render(const RenderCommand& command) {
@@ -119,7 +129,7 @@ int run_render(const RenderCommand& command) {
     if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
         return report(*unknown);
     }
-    const Scene scene = make_scene(*formula, surface.clip, surface.w, surface.parameters);
+    const Scene scene = scene_of(*formula, surface);
     Framebuffer frame(plan->size.width, plan->size.height);
     const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
                                            plan->repeats, command.repeat.has_value());

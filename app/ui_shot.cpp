@@ -59,7 +59,9 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (!desktop) return std::unexpected(desktop.error());
     desktop->theme = *theme;
     desktop->takes_keyboard = false;  // nothing selected, no text cursor
-    desktop->mark_undecided = command.mark_undecided;
+    desktop->keeps_files = false;
+    desktop->note.clear();
+    if (command.mark_undecided) desktop->document.mark_undecided = true;
     return UiShotPlan{*desktop, *window};
 }
 
@@ -67,7 +69,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
 Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options) {
     Desktop desktop(window, options);
     while (!desktop.settled()) {
-        window.wait();
+        window.wait(desktop.due_s());
         desktop.draw_frame();
     }
     for (int frame = 0; frame < ui::frames_to_settle; ++frame) {

@@ -24,8 +24,8 @@ struct FontChoice {
 /// In the order of FontRole.
 constexpr std::array<FontChoice, 4> choices{{{"DejaVuSans.ttf", 14.0F},
                                              {"DejaVuSans.ttf", 12.0F},
-                                             {"DejaVuSansMono.ttf", 17.0F},
-                                             {"DejaVuSansMono.ttf", 13.0F}}};
+                                             {"DejaVuSansMono.ttf", 15.0F},
+                                             {"DejaVuSansMono.ttf", 12.0F}}};
 
 /// Pairs of first and last character that formulas and their explanations use.
 constexpr std::array<ImWchar, 17> glyph_ranges{

@@ -8,18 +8,18 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace zeroset::ui {
 namespace {
 
 /// Title over equation; true when it is clicked.
-bool draw_entry(const GalleryEntry& entry, bool current, const Palette& colors) {
+bool draw_entry(const GalleryEntry& entry, const Palette& colors) {
     const float line = ImGui::GetTextLineHeight();
     const float height = 2.0F * line + em(0.7F);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const bool picked = ImGui::Selectable("##entry", current, 0, ImVec2(0.0F, height));
-    if (current && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+    const bool picked = ImGui::Selectable("##entry", false, 0, ImVec2(0.0F, height));
     const ImVec2 end = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !entry.about.empty()) {
         ImGui::BeginTooltip();
@@ -45,12 +45,10 @@ bool draw_entry(const GalleryEntry& entry, bool current, const Palette& colors) 
 
 void draw_gallery_picker(UiState& state, float width) {
     const Palette& colors = palette(state.theme);
-    const float text_size = ImGui::GetFontSize();
-    const float formula_size = font(FontRole::Formula)->FontSize * ImGui::GetIO().FontGlobalScale;
-    const ImVec2 padding = ImGui::GetStyle().FramePadding;
-    // As high as the field beside it, whose font is larger.
+    // As high as the buttons beside it.
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
-                        ImVec2(padding.x, padding.y + 0.5F * (formula_size - text_size)));
+                        ImVec2(ImGui::GetStyle().FramePadding.x,
+                               0.5F * (std::ceil(em(2.0F)) - ImGui::GetFontSize())));
     ImGui::SetNextItemWidth(width);
     const float list_width = std::min(em(30.0F), 0.9F * ImGui::GetIO().DisplaySize.x);
     const float list_height = std::min(em(34.0F), 0.7F * ImGui::GetIO().DisplaySize.y);
@@ -61,8 +59,7 @@ void draw_gallery_picker(UiState& state, float width) {
     if (!open) return;
     for (std::size_t i = 0; i < state.gallery.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const bool current = state.gallery[i].equation == state.equation;
-        if (draw_entry(state.gallery[i], current, colors)) state.surface = i;
+        if (draw_entry(state.gallery[i], colors)) state.surface = i;
         ImGui::PopID();
     }
     ImGui::EndCombo();

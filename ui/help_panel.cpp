@@ -1,6 +1,5 @@
 #include "ui/help_panel.hpp"
 
-#include "ui/equation_panel.hpp"
 #include "ui/fonts.hpp"
 #include "ui/keys.hpp"
 #include "ui/status_panel.hpp"
@@ -27,16 +26,28 @@ const std::vector<HelpSection>& keys_help() {
           {"wheel", "zoom towards the cursor"},
           {"R", "reset the view"},
           {"U", "mark the undecided pixels"}}},
-        {"Text",
-         {{"Enter", "begin a new line"},
-          {"Tab, Esc", "leave the text field"},
-          {"Ctrl+A, Ctrl+C, Ctrl+X, Ctrl+V", "mark all, copy, cut, paste"},
-          {"Ctrl+Z, Ctrl+Y", "undo, redo"}}},
+        {"Statements",
+         {{"Enter", "a new row below"},
+          {"Shift+Enter", "a new line in the row"},
+          {"Up, Down", "to the row above, below"},
+          {"Tab, Shift+Tab", "to the next row, the one before"},
+          {"Esc", "leave the row"},
+          {"Backspace in an empty row", "remove it"},
+          {"Alt+Up, Alt+Down", "move the row"},
+          {"Ctrl+D", "duplicate the row"}}},
         {"Sliders",
          {{"drag", "change the value"},
           {"double-click, Ctrl+click", "type a number, beyond the slider's ends, too"},
           {"right click", "back to the usual value and range"}}},
-        {"Window", {{"F1", "open and close this help"}, {"Ctrl+Q", "quit"}}},
+        {"Document",
+         {{"Ctrl+Z, Ctrl+Shift+Z", "undo and redo anything, the view included"},
+          {"Ctrl+N, Ctrl+O", "new, open; a file can also be dropped on the window"},
+          {"Ctrl+S, Ctrl+Shift+S", "save, save as"},
+          {"Ctrl+C, Ctrl+V", "outside a row: copy all as text; paste a document or statements"}}},
+        {"Window",
+         {{"Ctrl+B", "fold the panel at the left"},
+          {"F1", "open and close this help"},
+          {"Ctrl+Q", "quit"}}},
     };
     return sections;
 }
@@ -116,11 +127,11 @@ void draw_keys(const Palette& colors) {
     ImGui::EndChild();
 }
 
-/// At the right, between the bars; over them where the window is too low for that.
-void place_window(const UiState& state) {
+/// At the right, above the status line; over it where the window is too low for that.
+void place_window() {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = std::min(em(1.0F), 0.02F * window.y);
-    const float top = equation_bar_height(state) + margin;
+    const float top = margin;
     const float bottom = window.y - status_bar_height() - margin;
     const ImVec2 size(
         std::min(em(48.0F), window.x - 2.0F * margin),
@@ -152,7 +163,7 @@ void draw_help_panel(UiState& state) {
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-    place_window(state);
+    place_window();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.theme).popup);
     const bool open = ImGui::Begin("Help##help", &state.show_help, flags);
     ImGui::PopStyleColor();

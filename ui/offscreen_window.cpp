@@ -13,10 +13,12 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <expected>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,16 +47,22 @@ OffscreenWindow::OffscreenWindow(std::unique_ptr<OffscreenContext> context,
     io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
     io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;
     io.KeyMap[ImGuiKey_DownArrow] = GLFW_KEY_DOWN;
+    io.KeyMap[ImGuiKey_Backspace] = GLFW_KEY_BACKSPACE;
+    io.KeyMap[ImGuiKey_Delete] = GLFW_KEY_DELETE;
+    io.KeyMap[ImGuiKey_A] = GLFW_KEY_A;
     io.KeyMap[ImGuiKey_V] = GLFW_KEY_V;
-    io.KeyMap[ImGuiKey_Z] = GLFW_KEY_Z;
 }
 
-bool OffscreenWindow::wait() {
+void OffscreenWindow::wait(std::optional<double> at_most_s) {
     std::unique_lock lock(mutex_);
-    if (frames_due_ == 0) woken_.wait(lock, [this] { return changed_; });
-    if (std::exchange(changed_, false)) frames_due_ = frames_to_settle;
+    const auto is_woken = [this] { return changed_; };
+    if (frames_due_ == 0 && at_most_s) {
+        woken_.wait_for(lock, std::chrono::duration<double>(*at_most_s), is_woken);
+    } else if (frames_due_ == 0) {
+        woken_.wait(lock, is_woken);
+    }
+    frames_due_ = std::exchange(changed_, false) ? frames_to_settle : std::max(frames_due_, 1);
     --frames_due_;
-    return true;
 }
 
 void OffscreenWindow::wake() {
@@ -88,6 +96,10 @@ void OffscreenWindow::press_right(bool pressed) {
 void OffscreenWindow::key(int key, bool pressed) { ImGui::GetIO().KeysDown[key] = pressed; }
 
 void OffscreenWindow::hold_ctrl(bool pressed) { ImGui::GetIO().KeyCtrl = pressed; }
+
+void OffscreenWindow::hold_shift(bool pressed) { ImGui::GetIO().KeyShift = pressed; }
+
+void OffscreenWindow::hold_alt(bool pressed) { ImGui::GetIO().KeyAlt = pressed; }
 
 void OffscreenWindow::type(std::string_view text) {
     ImGui::GetIO().AddInputCharactersUTF8(std::string(text).c_str());

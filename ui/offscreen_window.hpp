@@ -13,6 +13,7 @@
 #include <expected>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -49,11 +50,13 @@ public:
     OffscreenWindow(std::unique_ptr<OffscreenContext> context, std::unique_ptr<GuiContext> gui,
                     glm::ivec2 size_px, float scale);
 
-    /// Sleeps while there was no wake() and all is laid out. Never closes.
-    bool wait() override;
+    /// Sleeps while there was no wake() and all is laid out.
+    void wait(std::optional<double> at_most_s) override;
     void wake() override;
     void begin_frame(Theme theme) override;
     void end_frame() override;
+    WindowEvents take_events() override { return {}; }
+    void hold_keys(bool /*hold*/) override {}
     void set_title(const std::string& /*title*/) override {}
 
     /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
@@ -63,6 +66,8 @@ public:
     /// A key, in GLFW's numbers, is down from the next frame on, or up again.
     static void key(int key, bool pressed);
     static void hold_ctrl(bool pressed);
+    static void hold_shift(bool pressed);
+    static void hold_alt(bool pressed);
     /// UTF-8 typed before the next frame.
     static void type(std::string_view text);
     /// The colours of the last frame; nothing else of the Framebuffer is set.

@@ -1,25 +1,44 @@
 #include "ui/screen.hpp"
 
-#include "ui/equation_panel.hpp"
+#include "ui/dialogs.hpp"
 #include "ui/help_panel.hpp"
+#include "ui/shortcuts.hpp"
+#include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
-#include "ui/view_panel.hpp"
 #include "ui/viewport.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace zeroset::ui {
 
+namespace {
+
+/// The keyboard waits for a row only where it can get there.
+void check_focus(UiState& state, bool asks) {
+    if (!state.focus) return;
+    const auto row = std::ranges::find(state.document.statements, state.focus->row, &Statement::id);
+    const bool there = row != state.document.statements.end();
+    if (asks || state.layout.folded || !there) state.focus.reset();
+}
+
+}  // namespace
+
 void draw_screen(UiState& state, const Texture& picture) {
-    follow_help_keys(state);
+    const bool asks = state.dialogs.question || state.dialogs.file;
+    check_focus(state, asks);
+    if (!asks) {
+        follow_shortcuts(state);
+        follow_help_keys(state);
+    }
     draw_viewport(state, picture);
-    draw_view_panel(state);
-    draw_equation_panel(state);
+    draw_side_panel(state);
     draw_status_panel(state);
     draw_help_panel(state);
+    draw_dialogs(state);
 }
 
 std::uint32_t behind_picture(Theme theme) { return palette(theme).sky; }

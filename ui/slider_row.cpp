@@ -3,10 +3,11 @@
 #include "ui/label.hpp"
 #include "ui/theme.hpp"
 
+#include "document/document.hpp"
+#include "document/play.hpp"
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
 
-#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
@@ -20,18 +21,16 @@ namespace {
 /// Of the columns at the left and at the right of a slider, in em.
 constexpr float label_width = 3.6F;
 constexpr float value_width = 4.3F;
-/// Values of a magnitude beyond this overflow in the slider's own arithmetic.
-constexpr double largest = 1e30;
 
 /// Leaves room for draw_value on the line of the slider that follows. Its format begins with "##":
 /// ImGui does not draw what comes after, so that the grab covers no number.
-void begin_slider() { ImGui::SetNextItemWidth(-em(value_width)); }
+void begin_slider(float right) { ImGui::SetNextItemWidth(-em(value_width) - right); }
 
-/// The value of the slider before, at the right end of its line.
-void draw_value(const char* text) {
+/// The value of the slider before, `right` before the end of its line.
+void draw_value(const char* text, float right) {
     const float width = ImGui::CalcTextSize(text).x;
     ImGui::SameLine();
-    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - right - width);
     ImGui::TextUnformatted(text);
 }
 
@@ -68,26 +67,27 @@ void draw_label(const std::string& label, const std::string& explanation) {
 }
 
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown) {
-    begin_slider();
+    begin_slider(0.0F);
     const bool moved = ImGui::SliderInt(id, &value, lo, hi, "##%d", ImGuiSliderFlags_AlwaysClamp);
-    draw_value(shown != nullptr ? shown : std::to_string(value).c_str());
+    draw_value(shown != nullptr ? shown : std::to_string(value).c_str(), 0.0F);
     return moved;
 }
 
-void draw_slider(const char* id, Slider& slider, const Slider& usual) {
+void draw_slider(const char* id, Slider& slider, const Slider& usual, float right) {
     const double before = slider.value;
-    begin_slider();
-    ImGui::SliderScalar(id, ImGuiDataType_Double, &slider.value, &slider.lo, &slider.hi, "##%.3f");
+    begin_slider(right);
+    const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &slider.value, &slider.lo,
+                                           &slider.hi, "##%.3f");
     const ImGuiID item = ImGui::GetItemID();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) type_into(item);
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) slider = usual;
-    if (!(std::abs(slider.value) <= largest)) slider.value = before;
+    if (!(std::abs(slider.value) <= largest_number)) slider.value = before;
     if (!ImGui::TempInputIsActive(item)) {
-        slider.lo = std::min(slider.lo, slider.value);
-        slider.hi = std::max(slider.hi, slider.value);
+        if (moved) slider.value = on_step(slider, slider.value);
+        set_value(slider, slider.value);
     }
-    draw_value(short_number(slider.value).c_str());
+    draw_value(short_number(slider.value).c_str(), right);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     if (ImGui::IsItemClicked()) type_into(item);
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "document/document.hpp"
+
 #include <string>
 
 namespace zeroset::ui {
@@ -11,16 +13,9 @@ void draw_label(const std::string& label, const std::string& explanation);
 /// True when it was moved.
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown);
 
-/// A number with the ends of its slider; lo < hi.
-struct Slider {
-    double value;
-    double lo;
-    double hi;
-};
-
-/// The rest of a line: the slider and its value. Ctrl+click or double-click on it, or a click on
-/// the value, types a number, beyond the ends, too: it moves them. A right click sets all to
-/// `usual`.
-void draw_slider(const char* id, Slider& slider, const Slider& usual);
+/// The rest of a line but for `right` at its end (window coordinates): the slider and its value.
+/// Ctrl+click or double-click on it, or a click on the value, types a number, beyond the ends, too:
+/// it moves them. A right click sets all to `usual`.
+void draw_slider(const char* id, Slider& slider, const Slider& usual, float right);
 
 }  // namespace zeroset::ui

@@ -55,7 +55,7 @@ void add_text(std::uint32_t color, const std::string& text) {
 /// How much is seen at the point looked at, and in which type: "view 3.2e-07 wide, double".
 std::string view_scale(const UiState& state) {
     const PictureStatus& picture = state.picture;
-    const ViewFrame view(state.camera);
+    const ViewFrame view(state.shown.camera);
     const double height = 2.0 * view.half_height * view.look_distance;
     const double width = height * picture.width_px / picture.height_px;
     std::array<char, 64> text{};

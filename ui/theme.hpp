@@ -17,6 +17,9 @@ struct Palette {
     std::uint32_t field;
     std::uint32_t field_hovered;
     std::uint32_t field_active;
+    std::uint32_t row_field;    ///< a statement that is not under edit
+    std::uint32_t row_hovered;  ///< behind the row under the pointer
+    std::uint32_t row_active;   ///< behind the row under edit
     std::uint32_t text;
     std::uint32_t quiet;
     std::uint32_t accent;

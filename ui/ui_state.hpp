@@ -3,12 +3,16 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/precision.hpp"
-#include "engine/trace/scene.hpp"
+#include "ui/dialogs.hpp"
 
+#include "document/document.hpp"
+#include "document/play.hpp"
+#include "document/sheet.hpp"
 #include <glm/ext/vector_int2.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,20 +27,6 @@ struct GalleryEntry {
     std::string title;
     std::string equation;
     std::string about;  ///< one sentence
-};
-
-/// How one statement of the text was understood, one line.
-struct Reading {
-    std::string text;
-    std::optional<std::uint32_t> color;  ///< of a surface's front, as in Framebuffer::color
-};
-
-/// A name that the text leaves open, chosen with a slider. Finite, lo < hi.
-struct ParameterSlider {
-    std::string name;
-    double value = 1;
-    double lo = -5;  ///< ends of the slider; a number typed beyond them moves them
-    double hi = 5;
 };
 
 /// One line of the help: what to type, and what it does.
@@ -67,42 +57,65 @@ struct ShownPicture {
     Camera camera;
 };
 
+/// What is done to the document as a whole; the owner does it.
+enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, Paste, Quit };
+
+/// The keyboard goes to a row.
+struct RowFocus {
+    enum class Caret : std::uint8_t { All, Start, End };
+    int row = 0;  ///< its id
+    Caret caret = Caret::End;
+};
+
+/// How the window is laid out.
+struct Layout {
+    float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
+    bool folded = false;
+    bool view_open = true;  ///< the section of the view's settings
+};
+
+/// The name of w among the sliders; no parameter is called so.
+inline constexpr const char* w_name = "w";
+
 /// Everything the panels show and edit. Plain data, used by the window's thread only.
 struct UiState {
     // Edited by the panels.
-    std::string equation;  ///< statements as typed, UTF-8, lines apart by '\n'
-    Camera camera;
-    Box clip;
-    double w = 0.0;
-    double w_lo = -2.0;  ///< ends of w's slider, as in ParameterSlider
-    double w_hi = 2.0;
-    std::vector<ParameterSlider> parameters;  ///< the owner chooses the names
-    StopCriterion stop;
+    Document document = empty_document();
+    std::map<std::string, Playing> playing;  ///< the sliders that play, by name
+    unsigned gesture = 0;                    ///< grows with each press of a button
+    Layout layout;
     Theme theme = Theme::Dark;
-    bool mark_undecided = false;  ///< tint the pixels of which too little is proved
     bool show_help = false;
     std::string help_filter;
 
     // Wishes: set by a panel, cleared by whoever fulfils them.
-    bool focus_equation = true;          ///< with all of it selected; by the equation panel
+    std::optional<RowFocus> focus;       ///< by the list of statements
+    std::optional<int> reload;           ///< a row whose field must show a text set elsewhere
     bool reset_view = false;             ///< fulfilled by the owner, which knows the first view
     std::optional<std::size_t> surface;  ///< a line of `gallery` was picked
+    std::optional<Command> command;
+    std::optional<std::string> open_path;  ///< a recent file was picked
+    Dialogs dialogs;
 
     // Shown by the panels, set by the owner.
     std::vector<GalleryEntry> gallery;
     std::vector<HelpSection> language_help;
-    std::vector<Reading> readings;  ///< of the last good text
-    std::string error;              ///< why `equation` cannot be drawn; empty: it can
-    /// Where in `equation` the error is, in bytes; its size: after the last character.
-    std::optional<std::size_t> error_at;
-    bool unfinished = false;  ///< `error` only says what is still to be typed
-    std::string note;         ///< for the status line: what is not as it should be; or empty
+    std::map<int, RowReport> reports;     ///< how each row was read, by its id
+    std::vector<int> surface_rows;        ///< the row of each surface of the last reading
+    std::vector<std::string> parameters;  ///< that have a slider
+    std::string name;                     ///< of the document
+    bool unsaved = false;
+    bool can_undo = false;
+    bool can_redo = false;
+    std::vector<std::string> recent;  ///< paths of recent documents, the newest first
+    std::string note;  ///< for the status line: what is not as it should be; or empty
     bool uses_w = false;
     PictureStatus picture;
     ShownPicture shown;
 
     /// Size of the area the picture fills, framebuffer pixels; set by draw_viewport.
     glm::ivec2 viewport_px{0};
+    int typing_row = 0;  ///< the row whose field has the keyboard; 0: none. Set by the list.
 };
 
 }  // namespace zeroset::ui

@@ -1,7 +1,7 @@
 #include "ui/viewport.hpp"
 
 #include "engine/trace/camera.hpp"
-#include "ui/equation_panel.hpp"
+#include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
@@ -31,8 +31,8 @@ struct Area {
 Area viewport_area(const UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float bottom = std::max(window.y - status_bar_height(), 0.0F);
-    const float top = std::min(equation_bar_height(state), bottom);
-    return {ImVec2(0.0F, top), ImVec2(window.x, bottom)};
+    const float left = std::min(side_panel_width(state), window.x);
+    return {ImVec2(left, 0.0F), ImVec2(window.x, bottom)};
 }
 
 glm::ivec2 size_px(const Area& area) {
@@ -129,9 +129,10 @@ void draw_viewport(UiState& state, const Texture& picture) {
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
         PointerMotion motion = pointer_motion(area);
         if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
-        state.camera = steer(state.camera, motion);
+        if (state.document.camera) state.document.camera = steer(*state.document.camera, motion);
         if (is_typed('r', 'R')) state.reset_view = true;
-        if (is_typed('u', 'U')) state.mark_undecided = !state.mark_undecided;
+        bool& mark = state.document.mark_undecided;
+        if (is_typed('u', 'U')) mark = !mark;
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -4,7 +4,9 @@
 
 #include <expected>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 
@@ -13,6 +15,12 @@ inline constexpr int min_width = 480;
 inline constexpr int min_height = 320;
 /// ImGui lays out with the sizes of the frame before, so that a change takes up to three frames.
 inline constexpr int frames_to_settle = 3;
+
+/// What came from outside the panels since it was last taken.
+struct WindowEvents {
+    bool close = false;                ///< the window is to be closed
+    std::vector<std::string> dropped;  ///< paths of files dropped on it
+};
 
 /// A surface with an OpenGL context that the panels are drawn on, frame by frame. All members
 /// are for the thread that made it, except wake(). The backends share GuiContext and differ in
@@ -24,9 +32,9 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    /// Sleeps until a frame is worth drawing: input, wake(), the blink of a text cursor.
-    /// False once the window is to close.
-    virtual bool wait() = 0;
+    /// Sleeps until a frame is worth drawing: input, wake(), the blink of a text cursor, or the end
+    /// of `at_most_s` seconds.
+    virtual void wait(std::optional<double> at_most_s) = 0;
     /// Ends a wait() in progress or the next one. Any thread.
     virtual void wake() = 0;
 
@@ -34,6 +42,10 @@ public:
     virtual void begin_frame(Theme theme) = 0;
     virtual void end_frame() = 0;
 
+    virtual WindowEvents take_events() = 0;
+    /// Whether keys are to wait for a later frame: while no field has the keyboard yet that is
+    /// about to get it.
+    virtual void hold_keys(bool hold) = 0;
     /// UTF-8.
     virtual void set_title(const std::string& title) = 0;
 };

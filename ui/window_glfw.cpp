@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -95,10 +96,12 @@ public:
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
 
-    bool wait() override;
+    void wait(std::optional<double> at_most_s) override;
     void wake() override;
     void begin_frame(Theme theme) override;
     void end_frame() override;
+    WindowEvents take_events() override { return std::exchange(events_, {}); }
+    void hold_keys(bool hold) override { holds_keys_ = hold; }
     void set_title(const std::string& title) override;
 
 private:
@@ -117,6 +120,8 @@ private:
     std::unique_ptr<GuiContext> gui_;
     KeyQueue keys_;
     std::string title_;
+    WindowEvents events_;
+    bool holds_keys_ = false;
     std::atomic<bool> changed_{true};
     int frames_due_ = 0;
 };
@@ -157,19 +162,27 @@ void GlfwWindow::install_callbacks() {
         ImGui_ImplGlfw_WindowFocusCallback(window, focused);
     });
     glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double, double) { of(window); });
+    glfwSetWindowCloseCallback(handle, [](GLFWwindow* window) {
+        glfwSetWindowShouldClose(window, GLFW_FALSE);
+        of(window).events_.close = true;
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+        of(window).events_.dropped.assign(paths, paths + count);
+    });
     glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) { of(window); });
     glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int, int) { of(window); });
     glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
 }
 
+/// A letter by what it types, not by its place: Z lies elsewhere on other keyboards.
+int key_of(int key, int scancode) {
+    const char* const name = glfwGetKeyName(key, scancode);
+    const bool letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+    return letter ? GLFW_KEY_A + (name[0] - 'a') : key;
+}
+
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    // By the key's letter, not its place: Q lies elsewhere on other keyboards.
-    const char* name = glfwGetKeyName(key, scancode);
-    const bool is_q = name == nullptr ? key == GLFW_KEY_Q : std::string(name) == "q";
-    if (is_q && action == GLFW_PRESS && (mods & GLFW_MOD_CONTROL) != 0) {
-        glfwSetWindowShouldClose(handle, GLFW_TRUE);
-    }
-    of(handle).keys_.push({key, scancode, action, mods, 0});
+    of(handle).keys_.push({key_of(key, scancode), scancode, action, mods, 0});
 }
 
 void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
@@ -177,7 +190,8 @@ void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
 }
 
 void GlfwWindow::feed_keys() {
-    for (const KeyEvent& event : keys_.take_frame()) {
+    const std::vector<KeyEvent> events = holds_keys_ ? std::vector<KeyEvent>() : keys_.take_frame();
+    for (const KeyEvent& event : events) {
         if (event.character != 0) {
             ImGui_ImplGlfw_CharCallback(handle_.get(), event.character);
         } else {
@@ -188,11 +202,14 @@ void GlfwWindow::feed_keys() {
     if (!keys_.empty()) frames_due_ = frames_to_settle;
 }
 
-bool GlfwWindow::wait() {
-    if (frames_due_ > 0 || changed_) {
+void GlfwWindow::wait(std::optional<double> at_most_s) {
+    if (GuiContext::wants_text()) {
+        at_most_s = std::min(at_most_s.value_or(cursor_blink_s), cursor_blink_s);
+    }
+    if (frames_due_ > 0 || changed_ || (at_most_s && *at_most_s <= 0.0)) {
         glfwPollEvents();
-    } else if (GuiContext::wants_text()) {
-        glfwWaitEventsTimeout(cursor_blink_s);
+    } else if (at_most_s) {
+        glfwWaitEventsTimeout(*at_most_s);
     } else {
         glfwWaitEvents();
     }
@@ -202,7 +219,6 @@ bool GlfwWindow::wait() {
         frames_due_ = std::max(frames_due_, 1);
     }
     --frames_due_;
-    return glfwWindowShouldClose(handle_.get()) == GLFW_FALSE;
 }
 
 void GlfwWindow::wake() {

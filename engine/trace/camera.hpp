@@ -11,6 +11,8 @@ struct Box {
     glm::dvec3 lo{-2.0};
     glm::dvec3 hi{2.0};
 
+    bool operator==(const Box&) const = default;
+
     /// The cube [-half, half]^3.
     static Box cube(double half) { return {glm::dvec3(-half), glm::dvec3(half)}; }
     [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }

@@ -39,7 +39,9 @@ public:
 private:
     /// Fills workspace.hits with what each surface shows; false when cancelled.
     bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
-    [[nodiscard]] bool cancelled() const { return surfaces_.front().cancelled(); }
+    [[nodiscard]] bool cancelled() const {
+        return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
+    }
 
     /// Surface i with the kernel for the tile.
     [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile) const {
@@ -51,13 +53,14 @@ private:
 
     const Tracer& tracer_;
     bool shadows_;
+    const std::atomic<bool>* cancel_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
                          int width, int height, const std::atomic<bool>* cancel)
-    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows), cancel_(cancel) {
     for (const Kernel& kernel : scene.surfaces) {
         surfaces_.push_back(trace_frame(scene, kernel, view, width, height, settings.stop));
         surfaces_.back().cancel = cancel;
@@ -155,7 +158,7 @@ Counters FramePainter::paint(const Tile& tile, Workspace& workspace) const {
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                       Framebuffer& frame, const RenderWatch& watch) {
     assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
-    assert(!scene.surfaces.empty() && scene.surfaces.size() <= max_surfaces);
+    assert(scene.surfaces.size() <= max_surfaces);
     const NearestRounding nearest;  // the view does not depend on the caller's mode
     const FramePainter painter(scene, camera, settings, frame, watch);
     std::mutex mutex;

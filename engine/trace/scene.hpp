@@ -2,6 +2,7 @@
 
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/palette.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,9 +16,10 @@ inline constexpr std::size_t max_surfaces = 255;
 /// What is drawn: the code of each surface's formula, the clip box and the uniforms' values, which
 /// all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
-    std::vector<Kernel> surfaces;  ///< 1 to max_surfaces
+    std::vector<Kernel> surfaces;  ///< at most max_surfaces
     Box clip;
     Uniforms uniforms;
+    std::vector<SurfaceColors> colors = {};  ///< of the surfaces; the palette's of those beyond
 };
 
 /// When the search along a ray stops [Knoll07, sec. 5.5].
@@ -30,6 +32,8 @@ enum class StopRule : std::uint8_t {
 struct StopCriterion {
     StopRule rule = StopRule::DStop;
     double value = 22.0;
+
+    bool operator==(const StopCriterion&) const = default;
 };
 
 /// The finest d_stop: the cells are then 2^-22 of the domain, about an ulp of float there.

@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -247,7 +248,8 @@ void shade_row(const Shading& shading, std::uint8_t surface, bool fresh, const R
 
 void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const Tile& tile,
                 const TileHits& hits, const Canvas& out) {
-    const Shading shading(frame.view, colors_of(surface));
+    const std::vector<SurfaceColors>& own = frame.scene.colors;
+    const Shading shading(frame.view, surface < own.size() ? own[surface] : colors_of(surface));
     Light light;
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 // Compilation in the background: the newest text wins, and nothing waits or is lost at the end.
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
 
+Sheet one_row(const std::string& text) { return {{1, text}}; }
+
 /// Takes results as the window does: when woken.
 class Receiver {
 public:
@@ -23,7 +26,7 @@ public:
     std::optional<FormulaResult> result_for(const std::string& text) {
         return first_of<std::optional<FormulaResult>>([&] {
             std::optional<FormulaResult> result = job.take();
-            return result && result->text == text ? result : std::nullopt;
+            return result && result->sheet == one_row(text) ? result : std::nullopt;
         });
     }
     /// The formula with code in double, or nullptr if it does not come.
@@ -61,7 +64,7 @@ public:
 TEST(FormulaJob, CompilesAText) {
     Receiver receiver;
     EXPECT_FALSE(receiver.job.take());
-    receiver.job.submit("x^2 + y", {});
+    receiver.job.submit(one_row("x^2 + y"), {});
     const auto result = receiver.result_for("x^2 + y");
     ASSERT_TRUE(result);
     ASSERT_TRUE(result->formula);
@@ -71,11 +74,23 @@ TEST(FormulaJob, CompilesAText) {
 
 TEST(FormulaJob, ReportsAnErrorWithItsText) {
     Receiver receiver;
-    receiver.job.submit("x + )", {});
+    receiver.job.submit(one_row("x + )"), {});
     const auto result = receiver.result_for("x + )");
     ASSERT_TRUE(result);
-    ASSERT_FALSE(result->formula);
-    EXPECT_EQ(result->formula.error().column, 5U);
+    ASSERT_TRUE(result->reading.reports.at(1).error);
+    EXPECT_EQ(result->reading.reports.at(1).error->at, 4U);
+    EXPECT_EQ(result->reading.surface_rows, std::vector{0}) << "there is nothing to draw";
+}
+
+TEST(FormulaJob, KeepsTheFormulaWhileARowIsWrong) {
+    Receiver receiver;
+    receiver.job.submit(one_row("x + y"), {});
+    const auto good = receiver.result_for("x + y");
+    receiver.job.submit(one_row("x + y +"), {});
+    const auto wrong = receiver.result_for("x + y +");
+    ASSERT_TRUE(good && good->formula && wrong && wrong->formula);
+    EXPECT_EQ(*good->formula, *wrong->formula) << "the same code, not compiled again";
+    EXPECT_TRUE(wrong->reading.reports.at(1).error->unfinished);
 }
 
 TEST(FormulaJob, TheNewestTextWins) {
@@ -83,7 +98,7 @@ TEST(FormulaJob, TheNewestTextWins) {
     std::string text = "x";
     for (int i = 0; i < 100; ++i) {
         text += "+y";
-        receiver.job.submit(text, {});
+        receiver.job.submit(one_row(text), {});
     }
     const auto result = receiver.result_for(text);
     ASSERT_TRUE(result);
@@ -94,7 +109,7 @@ TEST(FormulaJob, TheNewestTextWins) {
 TEST(FormulaJob, ALargeFormulaArrivesInterpretedAndThenCompiled) {
     Receiver receiver;
     const std::string text = "sum(sin(i x + y)*cos(i y - z)/i, i, 1, 300)";
-    receiver.job.submit(text, {});
+    receiver.job.submit(one_row(text), {});
     const auto first = receiver.result_for(text);
     ASSERT_TRUE(first && first->formula);
     EXPECT_EQ((*first->formula)->code, CodeState::InterpretedFirst);
@@ -105,12 +120,13 @@ TEST(FormulaJob, ALargeFormulaArrivesInterpretedAndThenCompiled) {
 
 TEST(FormulaJob, MakesCodeInDoubleForAFormula) {
     Receiver receiver;
-    receiver.job.submit("x^2 + y", {});
+    receiver.job.submit(one_row("x^2 + y"), {});
     const auto result = receiver.result_for("x^2 + y");
     ASSERT_TRUE(result && result->formula);
     EXPECT_EQ(receiver.job.take_double(), nullptr);
     receiver.job.submit_double(*result->formula);
-    receiver.job.submit("x + )", {});  // what is shown can be deepened while the text has an error
+    receiver.job.submit(one_row("x + )"),
+                        {});  // what is shown can be deepened while the text has an error
     const auto deep = receiver.deepened();
     ASSERT_NE(deep, nullptr);
     EXPECT_EQ(deep->text, "x^2 + y");
@@ -121,8 +137,8 @@ TEST(FormulaJob, MakesCodeInDoubleForAFormula) {
 TEST(FormulaJob, EndsWhileItWorks) {
     for (int i = 0; i < 5; ++i) {
         FormulaJob job([] {});
-        job.submit("sin(x)*cos(y) + exp(z)*" + std::to_string(i), {});
-        job.submit("x^2 + y^2 + z^2 = " + std::to_string(i), {});
+        job.submit(one_row("sin(x)*cos(y) + exp(z)*" + std::to_string(i)), {});
+        job.submit(one_row("x^2 + y^2 + z^2 = " + std::to_string(i)), {});
     }
 }
 

@@ -1,5 +1,6 @@
 """The real window, driven by keys and mouse on an X display of its own."""
 
+import json
 import os
 import shutil
 import signal
@@ -35,7 +36,9 @@ class Display:
         if not number:
             self.close()
             raise RuntimeError("Xvfb did not start")
-        self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull)
+        self.state = os.path.join(self.folder.name, "state")
+        self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull,
+                                       XDG_STATE_HOME=self.state)
 
     def screenshot(self, *crop):
         return read_xwd((Path(self.folder.name) / "Xvfb_screen0").read_bytes(), crop)
@@ -68,7 +71,7 @@ class WindowTest(unittest.TestCase):
         self.addCleanup(self.end)
         self.window = self.wait_for(self.find_window, "window")
         self.display.xdotool("windowfocus", "--sync", self.window)
-        self.point(0.6, 0.6)
+        self.point(0.72, 0.55)
         return self.rest(lambda image: len(image.rows(8).colors()) > 100, "first picture")
 
     def end(self):
@@ -94,16 +97,20 @@ class WindowTest(unittest.TestCase):
             time.sleep(POLL_S)
         return self.fail(f"waited in vain for: {what}")
 
-    # The parts of the window, without the panel at the left and what stands near the edges.
+    # The parts of the window: the picture at the right of the panel, and in the panel the first row
+    # and what stands below it.
+
+    PANEL = 378  # width of the panel, at scale 1
 
     def picture(self):
         width, height = self.SCREEN
-        return self.display.screenshot(290 * self.SCALE, 100 * self.SCALE, width,
+        return self.display.screenshot((self.PANEL + 10) * self.SCALE, 20 * self.SCALE, width,
                                        height - 40 * self.SCALE)
 
     def bar(self):
-        """Below the text field, whose cursor blinks: how the formula was read, or the error."""
-        return self.display.screenshot(0, 44 * self.SCALE, self.SCREEN[0], 70 * self.SCALE)
+        """Below the first row's text: how it was read, or the error."""
+        return self.display.screenshot(10 * self.SCALE, 74 * self.SCALE,
+                                       (self.PANEL - 10) * self.SCALE, 94 * self.SCALE)
 
     def rest(self, condition, what):
         """The first picture that fulfils the condition and has come to rest."""
@@ -133,7 +140,7 @@ class WindowTest(unittest.TestCase):
     def drag(self, button, across, down):
         """From the middle of the picture until it has changed; returns it at rest. A slow frame
         may see many moves as one, so that they go on until one is seen."""
-        self.point(0.6, 0.6)
+        self.point(0.72, 0.55)
         before = self.rest(lambda _: True, "rest")
         self.display.xdotool("mousedown", button)
         part = 0.0
@@ -141,7 +148,7 @@ class WindowTest(unittest.TestCase):
         def move_and_look():
             nonlocal part
             part = min(part + 0.05, 1.0)
-            self.point(0.6 + part * across, 0.6 + part * down)
+            self.point(0.72 + part * across, 0.55 + part * down)
             return not self.same(self.picture(), before)
 
         self.wait_for(move_and_look, f"a drag with button {button}")
@@ -150,21 +157,20 @@ class WindowTest(unittest.TestCase):
         return self.changed(before, f"a drag with button {button}")
 
     def field(self):
-        """The text field."""
-        width, _ = self.SCREEN
-        return self.display.screenshot(10 * self.SCALE, 10 * self.SCALE, width // 2,
-                                       40 * self.SCALE)
+        """The text of the first row."""
+        return self.display.screenshot(50 * self.SCALE, 46 * self.SCALE, 300 * self.SCALE,
+                                       70 * self.SCALE)
 
     def type_equation(self, text):
-        """Into the field, instead of what is there."""
+        """Into the first row, instead of what is there."""
         self.display.xdotool("key", "Escape")
         self.rest(lambda _: True, "rest")
         quiet = self.field()
-        self.display.xdotool("mousemove", self.SCREEN[0] // 4, 27 * self.SCALE, "click", 1,
+        self.display.xdotool("mousemove", 150 * self.SCALE, 58 * self.SCALE, "click", 1,
                              "key", "ctrl+a")
         self.wait_for(lambda: self.field().difference(quiet) > 0.02, "the text marked")
         self.display.xdotool("type", "--delay", 5, text)
-        self.point(0.6, 0.6)
+        self.point(0.72, 0.55)
 
     def red_pixels(self):
         """Pixels of the error's colour below the field."""
@@ -172,8 +178,12 @@ class WindowTest(unittest.TestCase):
         return sum(r > g + 50 and r > b + 50
                    for r, g, b in zip(bar.rgb[0::3], bar.rgb[1::3], bar.rgb[2::3]))
 
+    def title(self):
+        return self.display.xdotool("getwindowname", self.window).strip()
+
     def quit_by_key(self):
-        self.display.xdotool("key", "ctrl+q")
+        """With D for "Don't save" where it asks."""
+        self.display.xdotool("key", "ctrl+q", "d")
         self.assertEqual(self.started.wait(5.0), 0)
         self.assertEqual(self.started.stdout.read(), b"")
 
@@ -196,7 +206,7 @@ class WindowTest(unittest.TestCase):
         turned = self.drag(1, 0.15, 0.1)
         moved = self.drag(3, -0.1, 0.1)
         self.assertFalse(self.same(turned, moved))
-        self.point(0.6, 0.6)
+        self.point(0.72, 0.55)
         self.display.xdotool("click", "--repeat", 3, "--delay", 20, 4)
         zoomed = self.changed(moved, "a zoom")
         self.assertGreater(self.surface(zoomed), 1.2 * self.surface(moved))
@@ -240,10 +250,10 @@ class WindowTest(unittest.TestCase):
         self.quit_by_key()
 
     def test_a_parameter_has_a_slider(self):
-        """The first row of the card at the left, below the text of one line."""
+        """Below the row of the statement and the place for another."""
         self.start("x^2 + y^2 + z^2 = a")
         ball = self.rest(lambda _: True, "the ball")
-        left, right, down = (place * self.SCALE for place in (145, 175, 114))
+        left, right, down = (place * self.SCALE for place in (185, 215, 146))
         self.display.xdotool("mousemove", left, down, "mousedown", 1)
         for across in range(left, right, 2 * self.SCALE):
             self.display.xdotool("mousemove", across, down)
@@ -264,6 +274,49 @@ class WindowTest(unittest.TestCase):
         self.assertEqual(self.red_pixels(), 0, "typed after Tab, yet in the field")
         self.display.xdotool("key", "Escape")
         self.rest(lambda image: self.same(image, ball), "no help any more")
+        self.quit_by_key()
+
+    def test_saves_and_restores_after_a_crash(self):
+        ball = self.start(BALL)
+        self.type_equation(TORUS)
+        torus = self.changed(ball, "the typed surface")
+        path = Path(self.display.folder.name) / "a.zeroset.json"
+        self.display.xdotool("key", "ctrl+s")
+        self.changed(torus, "the choice of a file")
+        self.display.xdotool("type", "--delay", 5, str(path))
+        self.display.xdotool("key", "Return")
+        self.wait_for(path.exists, "the file")
+        self.assertEqual(json.loads(path.read_text())["statements"][0]["text"], TORUS)
+        self.wait_for(lambda: self.title() == "a - Zeroset", "the file's name in the title")
+
+        self.type_equation(BALL)
+        self.wait_for(lambda: self.title() == "* a - Zeroset", "the mark of a change")
+        kept = Path(self.display.state) / "zeroset" / "autosave"
+        self.wait_for(lambda: any(BALL in file.read_text() for file in kept.glob("*.json")),
+                      "the document kept")
+        self.started.kill()
+        self.end()
+        self.start(str(path))
+        self.display.xdotool("key", "Return")
+        self.rest(lambda image: self.same(image, ball), "the lost document")
+        self.quit_by_key()
+
+    def after_key(self, key, image):
+        """Whether the picture at rest is like this one after the key."""
+        self.display.xdotool("key", key)
+        return self.same(self.rest(lambda _: True, "rest"), image)
+
+    def test_undo_brings_back_text_and_view(self):
+        ball = self.start(BALL)
+        self.type_equation(TORUS)
+        torus = self.changed(ball, "the typed surface")
+        self.display.xdotool("key", "Escape")
+        self.drag(1, 0.15, 0.1)
+        self.display.xdotool("key", "ctrl+z")
+        self.rest(lambda image: self.same(image, torus), "the view before the drag")
+        # A rest while typing makes two steps of it.
+        self.wait_for(lambda: self.after_key("ctrl+z", ball), "the text before")
+        self.wait_for(lambda: self.after_key("ctrl+shift+z", torus), "the text again")
         self.quit_by_key()
 
     def cpu_s(self):

@@ -30,7 +30,7 @@ def main():
 def environment(**changes):
     """The process's environment without a display; a change to None removes a variable."""
     result = dict(os.environ, LC_ALL="C.UTF-8")
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "ZEROSET_SCALE"):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "ZEROSET_SCALE", "XDG_STATE_HOME"):
         result.pop(name, None)
     for name, value in changes.items():
         result.pop(name, None)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails on an #include against the arrows between the rooms of the house.
 
-    engine <- jit        engine <- ui        engine, jit, ui <- app        tests -> all
+    engine <- jit        engine <- document <- ui        all of them <- app        tests -> all
 
 LLVM is for jit/ alone, window libraries (ImGui, GLFW, OpenGL, EGL) for ui/ alone; tests may use
 both. Other rooms see of jit/ its public header only, and that one must not lead to LLVM.
@@ -16,9 +16,10 @@ from pathlib import Path
 MAY_INCLUDE = {
     "engine": {"engine"},
     "jit": {"engine", "jit"},
-    "ui": {"engine", "ui"},
-    "app": {"engine", "jit", "ui", "app"},
-    "tests": {"engine", "jit", "ui", "app", "tests"},
+    "document": {"engine", "document"},
+    "ui": {"engine", "document", "ui"},
+    "app": {"engine", "document", "jit", "ui", "app"},
+    "tests": {"engine", "document", "jit", "ui", "app", "tests"},
 }
 PUBLIC_JIT_HEADER = "jit/compile.hpp"
 LIBRARIES = {

@@ -48,7 +48,8 @@ TEST_P(Help, OpensAndClosesWithF1) {
 
 TEST_P(Help, OpensAtItsButtonAndClosesAtItsCross) {
     draw();
-    click(GetParam().window.width - 30, 26);
+    const float edge = side_panel_width(state_);
+    click_at({edge - static_cast<float>(px(52)), static_cast<float>(px(22))});
     draw();
     ASSERT_TRUE(is_shown());
     const ImRect title = panel("Help##help").TitleBarRect();
@@ -58,19 +59,20 @@ TEST_P(Help, OpensAtItsButtonAndClosesAtItsCross) {
 }
 
 TEST_P(Help, LeavesTheKeyboardToTheFormula) {
-    state_.equation.clear();
-    state_.focus_equation = true;
+    set_rows(state_, {""});
+    state_.focus = RowFocus{1, RowFocus::Caret::All};
     draw();
     press(GLFW_KEY_F1);
     OffscreenWindow::type("x + y");
     draw_frame();
     EXPECT_TRUE(is_shown());
-    EXPECT_EQ(state_.equation, "x + y");
+    EXPECT_EQ(state_.document.statements[0].text, "x + y");
     press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(is_shown());
     OffscreenWindow::type(" + z");
     draw_frame();
-    EXPECT_EQ(state_.equation, "x + y + z") << "Escape closed the help and nothing else";
+    EXPECT_EQ(state_.document.statements[0].text, "x + y + z")
+        << "Escape closed the help and nothing else";
 }
 
 TEST_P(Help, FitsItsWindow) {

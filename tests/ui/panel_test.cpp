@@ -4,11 +4,13 @@
 #include "tests/ui/panels.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/screen.hpp"
+#include "ui/side_panel.hpp"
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
@@ -30,18 +32,39 @@ namespace {
 TEST_P(Panels, ShowAPicture) {
     const Framebuffer frame = draw();
     EXPECT_EQ(std::ranges::count(frame.color, colors().error), 0);
-    EXPECT_EQ(state_.viewport_px.x, frame.width);
+    const auto panel_px = static_cast<int>(side_panel_width(state_));
+    EXPECT_EQ(state_.viewport_px.x, frame.width - panel_px);
+    EXPECT_GT(state_.viewport_px.x, frame.width / 3);
     EXPECT_GT(state_.viewport_px.y, frame.height / 2);
 }
 
-TEST_P(Panels, GrowForALongError) {
-    const float usual = (draw(), ImGui::FindWindowByName("##equation bar")->Size.y);
-    state_.error = "'@' has no meaning here";
-    for (int i = 0; i < 40; ++i) {
-        state_.error += "; and so on";
-    }
+TEST_P(Panels, FoldAtTheirButtonAndUnfold) {
     draw();
-    EXPECT_GT(ImGui::FindWindowByName("##equation bar")->Size.y, usual);
+    const float edge = side_panel_width(state_);
+    click_at({edge - static_cast<float>(px(22)), static_cast<float>(px(22))});
+    EXPECT_TRUE(state_.layout.folded);
+    const Framebuffer frame = draw();
+    EXPECT_EQ(state_.viewport_px.x, frame.width);
+    click(22, 22);
+    EXPECT_FALSE(state_.layout.folded);
+    press_with_ctrl(GLFW_KEY_B);
+    EXPECT_TRUE(state_.layout.folded);
+}
+
+TEST_P(Panels, ChangeTheirWidthAtTheEdge) {
+    draw();
+    const float edge = side_panel_width(state_) - 2.0F;
+    const float y = static_cast<float>(px(200));
+    const float wished = static_cast<float>(px(260));
+    OffscreenWindow::point({edge, y}, false);
+    draw_frame();
+    for (const float x : {edge, wished, wished}) {
+        OffscreenWindow::point({x, y}, true);
+        draw_frame();
+    }
+    OffscreenWindow::point({wished, y}, false);
+    draw();
+    EXPECT_NEAR(side_panel_width(state_), wished, 2.0F);
 }
 
 TEST_P(Panels, SayThatAPictureIsBeingTraced) {
@@ -103,31 +126,34 @@ TEST_P(Panels, MarkUndecidedPixels) {
 
 TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
     const auto legend = [this](const Framebuffer& frame) {
-        return count(frame, colors().undecided, panel("##view").Rect());
+        return count(frame, colors().undecided, child("##side/##view_")->Rect());
     };
     EXPECT_EQ(legend(draw()), 0);
-    const ImRect closed = panel("##view").Rect();
+    const auto scroll_down = [this] {
+        ImGuiWindow* section = ImGui::FindWindowByName(child("##side/##view_")->Name);
+        ImGui::SetScrollY(section, section->ScrollMax.y);
+        draw();
+        return section;
+    };
+    const ImGuiWindow& section = *scroll_down();
     const float row = ImGui::GetFrameHeightWithSpacing();
-    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    // The last line but one.
-    const ImVec2 box(closed.Min.x + padding.x + 0.5F * row, closed.Max.y - padding.y - 1.5F * row);
-    click_at(glm::vec2(box.x, box.y));
-    EXPECT_TRUE(state_.mark_undecided);
+    // The third line.
+    click_at({section.Pos.x + 0.4F * row, section.Pos.y + 2.4F * row - section.Scroll.y});
+    EXPECT_TRUE(state_.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
+    draw();
+    scroll_down();
     EXPECT_GT(legend(draw()), px(8) * px(8));
-    EXPECT_GT(panel("##view").Rect().GetHeight(), closed.GetHeight());
-    click_at(glm::vec2(box.x, box.y));
-    EXPECT_FALSE(state_.mark_undecided);
 }
 
 TEST_P(Panels, OpenTheGallery) {
     draw();
-    click(GetParam().window.width - 90, 26);
+    click(130, 22);
     OffscreenWindow::point({-1, -1}, false);
     draw();
     EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
     EXPECT_FALSE(state_.surface);
-    click(GetParam().window.width - 90, 70);
+    click(130, 66);
     EXPECT_EQ(state_.surface, 0U);
 }
 

@@ -6,11 +6,14 @@
 #include "engine/trace/camera.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/screen.hpp"
+#include "ui/side_panel.hpp"
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
+#include "document/colors.hpp"
+#include "document/sheet.hpp"
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
@@ -59,15 +62,28 @@ inline Framebuffer disc() {
     return frame;
 }
 
+/// Rows with the ids 1, 2, ..., read as they would be.
+inline void set_rows(UiState& state, const std::vector<std::string>& texts) {
+    Sheet sheet;
+    state.document.statements.clear();
+    for (const std::string& text : texts) {
+        const int id = static_cast<int>(sheet.size()) + 1;
+        sheet.push_back({id, text});
+        state.document.statements.push_back({id, text, true, {}});
+    }
+    SheetReading reading = SheetReader().read(sheet);
+    state.reports = std::move(reading.reports);
+    state.surface_rows = reading.surface_rows;
+    state.parameters = reading.parameters;
+    choose_colors(state.document, reading.surface_rows);
+}
+
 inline UiState usual_state(Theme theme) {
     UiState state;
-    state.equation = "x^2 + y^2 + z^2 = 1";
-    state.readings = {{"x^2 + y^2 + z^2 - 1 = 0", std::nullopt}};
-    state.clip = Box::cube(2.0);
-    state.camera = default_camera(state.clip);
-    state.stop.value = 14.0;
+    set_rows(state, {"x^2 + y^2 + z^2 = 1"});
+    state.document.camera = default_camera(state.document.clip);
+    state.shown.camera = *state.document.camera;
     state.theme = theme;
-    state.focus_equation = false;
     for (int i = 0; i < 30; ++i) {
         state.gallery.push_back({"Surface", "x + " + std::to_string(i) + " = 0", "A plane."});
     }
@@ -123,18 +139,14 @@ protected:
                 << shown->Name << " is too narrow for what is in it";
         }
         EXPECT_EQ(std::ranges::count(frame.color, 0xFFFF00FFU), 0) << "magenta";
-        EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
         if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;  // covers the picture
-        const std::set<std::uint32_t> shades(frame.color.begin() + middle(frame),
-                                             frame.color.begin() + middle(frame) + frame.width);
+        EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
+        if (state_.show_help) return;  // so does this in a small window
+        const auto middle =
+            frame.color.begin() + static_cast<std::ptrdiff_t>(frame.index(0, frame.height / 2));
+        const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_));
+        const std::set<std::uint32_t> shades(middle + left, middle + frame.width);
         EXPECT_GT(shades.size(), 30U) << "no picture";
-    }
-
-    /// Where the row through the middle of the picture begins.
-    static std::ptrdiff_t middle(const Framebuffer& frame) {
-        const float top = panel("##equation bar").Rect().Max.y;
-        const float row = 0.5F * (top + panel("##status").Pos.y);
-        return static_cast<std::ptrdiff_t>(frame.index(0, static_cast<int>(row)));
     }
 
     [[nodiscard]] const Palette& colors() const { return palette(GetParam().theme); }
@@ -182,10 +194,23 @@ protected:
         return mixed;
     }
 
-    /// The mark in the text field: the topmost red.
-    [[nodiscard]] Rectangle mark(const Framebuffer& frame) const {
-        const Rectangle all = bounds(frame, colors().error, {0, 0, frame.width, frame.height});
-        return bounds(frame, colors().error, {0, all.top, frame.width, all.top + px(8)});
+    /// A row's field, an area of the window.
+    static const ImGuiWindow& field(int row) {
+        const std::string list = child("##side/##list_")->Name;
+        const ImGuiID id =
+            ImHashStr("##equation", 0, ImHashData(&row, sizeof row, panel(list.c_str()).ID));
+        char name[256];
+        ImFormatString(name, sizeof name, "%s/##equation_%08X", list.c_str(), id);
+        return panel(name);
+    }
+    static bool is_typing(int row) { return ImGui::GetActiveID() == field(row).ChildId; }
+
+    /// The mark in a row's field.
+    [[nodiscard]] Rectangle mark(const Framebuffer& frame, int row) const {
+        const ImRect place = field(row).Rect();
+        return bounds(frame, colors().error,
+                      {static_cast<int>(place.Min.x), static_cast<int>(place.Min.y),
+                       static_cast<int>(place.Max.x), static_cast<int>(place.Max.y)});
     }
 
     /// Expects ink above the mark and none of it beside: the marked character stands between
@@ -193,12 +218,13 @@ protected:
     void expect_under_character(const Framebuffer& frame, const Rectangle& marked) const {
         ASSERT_LT(marked.left, marked.right) << "no mark";
         const int wide = marked.right - marked.left;
-        EXPECT_NEAR(wide, px(10), px(2));
+        EXPECT_NEAR(wide, px(9), px(2));
         int inside = 0;
         int beside = 0;
-        for (int row = marked.top - px(15); row < marked.top - px(1); ++row) {
+        for (int row = marked.top - px(13); row < marked.top - px(1); ++row) {
             for (int col = marked.left - wide + 1; col < marked.right + wide - 1; ++col) {
-                const bool ink = frame.color[frame.index(col, row)] != colors().field;
+                const std::uint32_t color = frame.color[frame.index(col, row)];
+                const bool ink = color != colors().field && color != colors().row_field;
                 const bool above = col >= marked.left - px(1) && col < marked.right + px(1);
                 (above ? inside : beside) += ink ? 1 : 0;
             }

@@ -1,8 +1,9 @@
-// The sliders over the picture.
+// The sliders of parameters and of w, below the statements.
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/offscreen_window.hpp"
+#include "ui/parameter_row.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
@@ -11,6 +12,8 @@
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace zeroset::ui {
@@ -19,19 +22,32 @@ namespace {
 class Parameters : public Panels {
 protected:
     void add(int count) {
-        for (int i = 0; i < count; ++i) {
-            state_.parameters.push_back({"p" + std::to_string(i)});
-        }
+        state_.layout.view_open = false;
+        for (int i = 0; i < count; ++i)
+            state_.parameters.push_back("p" + std::to_string(i));
+    }
+    [[nodiscard]] Slider slider_at(int row) const {
+        return slider_named(state_, state_.parameters[static_cast<std::size_t>(row)]);
     }
 
+    static const ImGuiWindow& list() { return *child("##side/##list_"); }
+    /// The middle of a row's height: below one statement of a line with its reading, and the place
+    /// for another.
+    [[nodiscard]] float middle(int row) const {
+        return list().Pos.y - list().Scroll.y + static_cast<float>(px(99 + 30 * row));
+    }
+    [[nodiscard]] glm::vec2 play_button(int row) const {
+        return {list().Pos.x + static_cast<float>(px(13)), middle(row)};
+    }
     /// The middle of a slider, or its value at the right.
     [[nodiscard]] glm::vec2 slider(int row) const {
-        const ImVec2 at = child("##view/##parameters")->Pos;
-        return {at.x + static_cast<float>(px(70)), at.y + static_cast<float>(px(13 + 34 * row))};
+        return {list().Pos.x + static_cast<float>(px(85)), middle(row)};
     }
     [[nodiscard]] glm::vec2 value(int row) const {
-        const ImGuiWindow* rows = child("##view/##parameters");
-        return {rows->Rect().Max.x - static_cast<float>(px(12)), slider(row).y};
+        return {list().WorkRect.Max.x - static_cast<float>(px(37)), middle(row)};
+    }
+    [[nodiscard]] glm::vec2 more(int row) const {
+        return {list().WorkRect.Max.x - static_cast<float>(px(13)), middle(row)};
     }
 
     void type_number(const char* number) {
@@ -43,23 +59,20 @@ protected:
     }
 };
 
-TEST_P(Parameters, ShowTheSliderOfWOnlyWhenThereIsOne) {
-    const float without = (draw(), ImGui::FindWindowByName("##view")->Size.y);
+TEST_P(Parameters, HaveARowForWOnlyWhenThereIsOne) {
+    const float without = (draw(), list().ContentSize.y);
     state_.uses_w = true;
     draw();
-    EXPECT_GT(ImGui::FindWindowByName("##view")->Size.y, without + static_cast<float>(px(20)));
-    EXPECT_LE(ImGui::FindWindowByName("##view")->Rect().Max.y,
-              ImGui::FindWindowByName("##status")->Pos.y);
+    EXPECT_GT(list().ContentSize.y, without + static_cast<float>(px(20)));
 }
 
 TEST_P(Parameters, KeepTheNumberOffTheSlidersGrab) {
     for (const double value : {4.0, 13.0, 22.0}) {
-        state_.stop.value = value;
+        state_.document.stop.value = value;
         const Framebuffer frame = draw();
-        const ImRect card = ImGui::FindWindowByName("##view")->Rect();
-        const Rectangle line{
-            static_cast<int>(card.Min.x) + px(70), static_cast<int>(card.Min.y) + px(12),
-            static_cast<int>(card.Max.x) - px(5), static_cast<int>(card.Min.y) + px(38)};
+        const ImRect view = child("##side/##view_")->Rect();
+        const Rectangle line{static_cast<int>(view.Min.x) + px(56), static_cast<int>(view.Min.y),
+                             static_cast<int>(view.Max.x), static_cast<int>(view.Min.y) + px(26)};
         const Rectangle grab = bounds(frame, blended_grab(), line, exact);
         const Rectangle number = bounds(frame, colors().text, line);
         ASSERT_LT(grab.left, grab.right);
@@ -69,15 +82,24 @@ TEST_P(Parameters, KeepTheNumberOffTheSlidersGrab) {
 }
 
 TEST_P(Parameters, HaveASliderEach) {
-    const float without = (draw(), panel("##view").Size.y);
-    add(1);
-    const float with_one = (draw(), panel("##view").Size.y);
-    EXPECT_GT(with_one, without + static_cast<float>(px(20)));
-    click_at(slider(0));
+    add(2);
     draw();
-    EXPECT_NE(state_.parameters[0].value, 1.0);
-    EXPECT_GE(state_.parameters[0].value, -5.0);
-    EXPECT_LE(state_.parameters[0].value, 5.0);
+    click_at(slider(1));
+    draw();
+    EXPECT_NE(slider_at(1).value, 1.0);
+    EXPECT_GE(slider_at(1).value, -5.0);
+    EXPECT_LE(slider_at(1).value, 5.0);
+    EXPECT_EQ(slider_at(0), Slider());
+    EXPECT_EQ(state_.document.parameters.size(), 1U) << "only what is changed is kept";
+}
+
+TEST_P(Parameters, StayOnTheirSteps) {
+    add(1);
+    state_.document.parameters["p0"] = {.value = 0.0, .lo = -4.0, .hi = 4.0, .step = 2.0};
+    draw();
+    click_at(slider(0));
+    EXPECT_EQ(std::fmod(slider_at(0).value, 2.0), 0.0);
+    EXPECT_NE(slider_at(0).value, 0.0);
 }
 
 TEST_P(Parameters, TakeATypedNumberBeyondTheirEnds) {
@@ -85,10 +107,8 @@ TEST_P(Parameters, TakeATypedNumberBeyondTheirEnds) {
     draw();
     click_at(value(1));
     type_number("-123.25");
-    EXPECT_DOUBLE_EQ(state_.parameters[1].value, -123.25);
-    EXPECT_DOUBLE_EQ(state_.parameters[1].lo, -123.25);
-    EXPECT_DOUBLE_EQ(state_.parameters[1].hi, 5.0);
-    EXPECT_DOUBLE_EQ(state_.parameters[0].value, 1.0);
+    EXPECT_EQ(slider_at(1), (Slider{.value = -123.25, .lo = -123.25}));
+    EXPECT_EQ(slider_at(0), Slider());
 }
 
 TEST_P(Parameters, AreTypedAfterADoubleClickToo) {
@@ -97,8 +117,7 @@ TEST_P(Parameters, AreTypedAfterADoubleClickToo) {
     click_at(slider(0));
     click_at(slider(0));
     type_number("7");
-    EXPECT_DOUBLE_EQ(state_.parameters[0].value, 7.0);
-    EXPECT_DOUBLE_EQ(state_.parameters[0].hi, 7.0);
+    EXPECT_EQ(slider_at(0), (Slider{.value = 7.0, .hi = 7.0}));
 }
 
 TEST_P(Parameters, RefuseWhatIsNoNumber) {
@@ -107,33 +126,55 @@ TEST_P(Parameters, RefuseWhatIsNoNumber) {
         draw();
         click_at(value(0));
         type_number(number);
-        EXPECT_DOUBLE_EQ(state_.parameters[0].value, 1.0) << number;
-        EXPECT_DOUBLE_EQ(state_.parameters[0].hi, 5.0) << number;
+        EXPECT_EQ(slider_at(0), Slider()) << number;
     }
 }
 
 TEST_P(Parameters, GoBackAtARightClick) {
     add(1);
-    state_.parameters[0] = {"p0", 30.0, -40.0, 50.0};
+    state_.document.parameters["p0"] = {.value = 30.0, .lo = -40.0, .hi = 50.0};
     draw();
     OffscreenWindow::point(slider(0), false);
     for (const bool pressed : {false, true, false}) {
         OffscreenWindow::press_right(pressed);
         draw_frame();
     }
-    EXPECT_DOUBLE_EQ(state_.parameters[0].value, 1.0);
-    EXPECT_DOUBLE_EQ(state_.parameters[0].lo, -5.0);
-    EXPECT_DOUBLE_EQ(state_.parameters[0].hi, 5.0);
+    EXPECT_EQ(slider_at(0), Slider());
 }
 
-TEST_P(Parameters, ScrollWhenThereAreMany) {
-    add(30);
+TEST_P(Parameters, PlayAndStopAtTheirButton) {
+    add(2);
     draw();
-    const ImGuiWindow* rows = child("##view/##parameters");
-    EXPECT_LE(panel("##view").Rect().Max.y, panel("##status").Pos.y);
-    EXPECT_GT(rows->ScrollMax.y + panel("##view").ScrollMax.y, static_cast<float>(px(100)));
-    // One of them scrolls, so that the wheel does what is expected.
-    EXPECT_TRUE(rows->ScrollMax.y == 0.0F || panel("##view").ScrollMax.y == 0.0F);
+    click_at(play_button(1));
+    ASSERT_TRUE(state_.playing.contains("p1"));
+    EXPECT_EQ(state_.playing.size(), 1U);
+    EXPECT_DOUBLE_EQ(state_.playing["p1"].place, 0.6);
+    click_at(play_button(1));
+    EXPECT_TRUE(state_.playing.empty());
+}
+
+TEST_P(Parameters, HaveTheirSettingsBehindAButton) {
+    add(1);
+    draw();
+    click_at(more(0));
+    draw();
+    ASSERT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+    const ImGuiWindow* popup = child("##Popup_");
+    ASSERT_NE(popup, nullptr);
+    // The first field: where the slider begins.
+    click_at(
+        {popup->Pos.x + static_cast<float>(px(120)), popup->Pos.y + static_cast<float>(px(25))});
+    press_with_ctrl(GLFW_KEY_A);
+    type_number("2.5");
+    EXPECT_EQ(slider_at(0), (Slider{.value = 2.5, .lo = 2.5}));
+}
+
+TEST_P(Parameters, ScrollWithTheStatementsWhenThereAreMany) {
+    add(40);
+    draw();
+    EXPECT_LE(panel("##side").Rect().Max.y, panel("##status").Pos.y);
+    EXPECT_GT(list().ScrollMax.y, static_cast<float>(px(100)));
+    EXPECT_EQ(panel("##side").ScrollMax.y, 0.0F);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Parameters, testing::ValuesIn(different_looks()),

@@ -1,12 +1,9 @@
-#include "ui/view_panel.hpp"
+#include "ui/view_section.hpp"
 
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
-#include "ui/equation_panel.hpp"
 #include "ui/label.hpp"
-#include "ui/parameters.hpp"
 #include "ui/slider_row.hpp"
-#include "ui/status_panel.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
@@ -67,12 +64,14 @@ void draw_swatch(const Palette& colors, bool striped) {
 }
 
 void draw_undecided(UiState& state) {
-    ImGui::Checkbox("Mark undecided###undecided", &state.mark_undecided);
+    ImGui::Checkbox("Mark undecided###undecided", &state.document.mark_undecided);
     draw_tooltip(
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
         "place where f jumps or ends. A larger d_stop decides more of them.");
-    if (!state.mark_undecided) return;
+    if (!state.document.mark_undecided) return;
     const Palette& colors = palette(state.theme);
+    ImGui::Dummy(ImVec2(0.0F, 0.0F));
+    ImGui::SameLine(0.0F, em(2.0F));
     draw_swatch(colors, true);
     ImGui::TextDisabled("drawn");
     ImGui::SameLine(0.0F, em(1.2F));
@@ -104,31 +103,16 @@ Box resized(const Box& box, double half) {
     return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
 }
 
-void draw_view_panel(UiState& state) {
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_AlwaysAutoResize |
-                                       ImGuiWindowFlags_NoFocusOnAppearing;
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float top = equation_bar_height(state);
-    const float bottom = window.y - status_bar_height();
-    const float margin = std::min(em(1.0F), 0.05F * (bottom - top));
-    // Off the middle of the picture even in a small window.
-    const float width = std::clamp(0.5F * window.x - em(3.5F), em(13.0F), em(18.0F));
-    const float room = bottom - top - 2.0F * margin;
-    ImGui::SetNextWindowPos(ImVec2(em(1.0F), top + margin));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0F), ImVec2(width, room));
-    if (ImGui::Begin("##view", nullptr, flags)) {
-        const ImGuiStyle& style = ImGui::GetStyle();
-        const float rows_below = state.mark_undecided ? 5.0F : 4.0F;
-        const float below = rows_below * ImGui::GetFrameHeightWithSpacing();
-        draw_parameters(state, room - below - 2.0F * style.WindowPadding.y);
-        draw_d_stop(state.stop);
-        draw_box(state.clip);
-        draw_undecided(state);
-        draw_buttons(state);
-    }
-    ImGui::End();
+float view_section_height(const UiState& state) {
+    const float rows = state.document.mark_undecided ? 5.0F : 4.0F;
+    return rows * ImGui::GetFrameHeightWithSpacing();
+}
+
+void draw_view_section(UiState& state) {
+    draw_d_stop(state.document.stop);
+    draw_box(state.document.clip);
+    draw_undecided(state);
+    draw_buttons(state);
 }
 
 }  // namespace zeroset::ui

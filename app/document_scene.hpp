@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/formula.hpp"
+
+#include "document/document.hpp"
+
+#include <vector>
+
+namespace zeroset {
+
+/// The row of each surface of the program read from joined_rows(document).
+std::vector<int> surface_rows(const Document& document, const Program& program);
+
+/// The surfaces of the rows that are visible, in their colours; `rows`: the row of each of the
+/// formula's surfaces.
+Scene document_scene(const Formula& formula, const Document& document,
+                     const std::vector<int>& rows);
+
+}  // namespace zeroset

@@ -1,0 +1,73 @@
+#include "document/colors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+/// 0xAABBGGRR to 0xRRGGBB, and back.
+std::uint32_t swapped(std::uint32_t color) {
+    return (color & 0xFFU) << 16U | (color & 0xFF00U) | (color >> 16U & 0xFFU);
+}
+
+/// The reflectance that shows as a byte, see swatch_color.
+float light(std::uint32_t byte) {
+    const float part = static_cast<float>(byte & 0xFFU) / 255.0F;
+    return part * part;
+}
+
+float distance(const float (&a)[3], const float (&b)[3]) {
+    return std::hypot(std::sqrt(a[0]) - std::sqrt(b[0]), std::sqrt(a[1]) - std::sqrt(b[1]),
+                      std::sqrt(a[2]) - std::sqrt(b[2]));
+}
+
+std::uint32_t free_color(const Document& document, std::size_t fallback) {
+    const std::vector<std::uint32_t>& fronts = palette_fronts();
+    for (const std::uint32_t front : fronts) {
+        if (std::ranges::find(document.statements, std::optional(front), &Statement::color) ==
+            document.statements.end()) {
+            return front;
+        }
+    }
+    return fronts[fallback % fronts.size()];
+}
+
+}  // namespace
+
+const std::vector<std::uint32_t>& palette_fronts() {
+    static const std::vector<std::uint32_t> fronts = [] {
+        std::vector<std::uint32_t> colors;
+        for (std::size_t i = 0; i < palette().size(); ++i)
+            colors.push_back(swapped(swatch_color(i)) & 0xFFFFFFU);
+        return colors;
+    }();
+    return fronts;
+}
+
+SurfaceColors surface_colors(std::uint32_t front) {
+    const auto known = std::ranges::find(palette_fronts(), front);
+    if (known != palette_fronts().end()) {
+        return colors_of(static_cast<std::size_t>(known - palette_fronts().begin()));
+    }
+    SurfaceColors colors{{light(front >> 16U), light(front >> 8U), light(front)}, {}};
+    const auto farthest = std::ranges::max_element(palette(), {}, [&](const SurfaceColors& pair) {
+        return distance(pair.back, colors.front);
+    });
+    std::ranges::copy(farthest->back, colors.back);
+    return colors;
+}
+
+bool choose_colors(Document& document, const std::vector<int>& surface_rows) {
+    bool changed = false;
+    for (std::size_t i = 0; i < surface_rows.size(); ++i) {
+        const auto row = std::ranges::find(document.statements, surface_rows[i], &Statement::id);
+        if (row == document.statements.end() || row->color) continue;
+        row->color = free_color(document, i);
+        changed = true;
+    }
+    return changed;
+}
+
+}  // namespace zeroset

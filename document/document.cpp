@@ -1,0 +1,114 @@
+#include "document/document.hpp"
+
+#include "engine/expr/parse.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::string_view between_rows = "\n;\n";
+constexpr std::string_view blank = " \t\r\n;";
+
+std::string_view stripped(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(blank);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
+}
+
+/// Where the statements of a text begin, if it can be read.
+std::vector<std::size_t> statement_begins(std::string_view text) {
+    const auto program = read_program(text);
+    std::vector<std::size_t> begins;
+    if (!program) return begins;
+    for (const Reading& reading : program->readings)
+        begins.push_back(reading.offset);
+    std::ranges::sort(begins);
+    return begins;
+}
+
+/// Behind each line end.
+std::vector<std::size_t> line_begins(std::string_view text) {
+    std::vector<std::size_t> begins;
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos;
+         at = text.find('\n', at + 1))
+        begins.push_back(at + 1);
+    return begins;
+}
+
+}  // namespace
+
+Document empty_document() {
+    Document document;
+    document.statements.push_back({.id = 1, .text = {}, .visible = true, .color = {}});
+    return document;
+}
+
+int unused_id(const Document& document) {
+    int id = 1;
+    for (const Statement& statement : document.statements)
+        id = std::max(id, statement.id + 1);
+    return id;
+}
+
+Document renumbered(Document document, int first) {
+    for (Statement& statement : document.statements)
+        statement.id = first++;
+    return document;
+}
+
+Slider slider_of(const Document& document, const std::string& parameter) {
+    const auto found = document.parameters.find(parameter);
+    return found == document.parameters.end() ? Slider{} : found->second;
+}
+
+void set_value(Slider& slider, double value) {
+    slider.value = value;
+    slider.lo = std::min(slider.lo, value);
+    slider.hi = std::max(slider.hi, value);
+}
+
+bool same_work(const Document& a, const Document& b) {
+    Document looked_at = b;
+    looked_at.camera = a.camera;
+    return a == looked_at;
+}
+
+std::vector<std::string> rows_of(std::string_view text) {
+    std::vector<std::size_t> begins = statement_begins(text);
+    if (begins.empty()) begins = line_begins(text);
+    // What stands before the first statement, such as a remark, stays with it.
+    if (begins.empty() || !stripped(text.substr(0, begins.front())).empty()) {
+        begins.insert(begins.begin(), 0);
+    }
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size();
+        const std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
+        if (!row.empty()) rows.emplace_back(row);
+    }
+    return rows;
+}
+
+JoinedRows::JoinedRows(const std::vector<std::string>& rows) {
+    for (const std::string& row : rows) {
+        if (!begins.empty()) text += between_rows;
+        begins.push_back(text.size());
+        text += row;
+    }
+}
+
+std::size_t JoinedRows::row_at(std::size_t offset) const {
+    const auto after = std::ranges::upper_bound(begins, offset);
+    return after == begins.begin() ? 0 : static_cast<std::size_t>(after - begins.begin()) - 1;
+}
+
+JoinedRows joined_rows(const Document& document) {
+    std::vector<std::string> rows;
+    for (const Statement& statement : document.statements)
+        rows.push_back(statement.text);
+    return JoinedRows(rows);
+}
+
+}  // namespace zeroset

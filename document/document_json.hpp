@@ -1,0 +1,30 @@
+#pragma once
+
+#include "document/document.hpp"
+
+#include <expected>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// A document as text: JSON with a "zeroset" format version, see resources/docs/documents.md.
+
+namespace zeroset {
+
+inline constexpr int document_format = 1;
+
+std::string text_of(const Document& document);
+
+/// A document read from text. Its rows have the ids 1, 2, ...
+struct ReadDocument {
+    Document document;
+    std::vector<std::string> unknown;  ///< fields that this program does not know
+};
+
+/// The document, or in one clause why the text is none: of a newer format, or damaged where.
+std::expected<ReadDocument, std::string> document_from(std::string_view text);
+
+/// Whether the text looks like a document rather than a formula.
+bool looks_like_document(std::string_view text);
+
+}  // namespace zeroset

@@ -1,0 +1,92 @@
+#include "document/history.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+std::vector<int> ids_of(const Document& document) {
+    std::vector<int> ids;
+    for (const Statement& statement : document.statements)
+        ids.push_back(statement.id);
+    return ids;
+}
+
+/// Whether rows came, went or changed places; empty: none did.
+std::string changed_rows(const Document& a, const Document& b) {
+    const std::vector<int> from = ids_of(a);
+    const std::vector<int> to = ids_of(b);
+    if (from == to) return {};
+    return std::ranges::is_permutation(from, to) ? "order" : "rows";
+}
+
+/// The name of the first row that differs, and in what.
+std::string changed_row(const Document& a, const Document& b) {
+    for (std::size_t i = 0; i < a.statements.size(); ++i) {
+        const Statement& from = a.statements[i];
+        const Statement& to = b.statements[i];
+        const std::string name = std::to_string(to.id);
+        if (from.text != to.text) return "text " + name;
+        if (from.color != to.color) return "color " + name;
+        if (from.visible != to.visible) return "visible " + name;
+    }
+    return {};
+}
+
+std::string changed_parameter(const Document& a, const Document& b) {
+    for (const auto* names : {&a.parameters, &b.parameters}) {
+        for (const auto& [name, slider] : *names) {
+            if (slider_of(a, name) != slider_of(b, name)) return "parameter " + name;
+        }
+    }
+    return {};
+}
+
+/// Which part of the document differs; changes of the same part may become one step.
+std::string changed_part(const Document& a, const Document& b) {
+    if (const std::string rows = changed_rows(a, b); !rows.empty()) return rows;
+    if (const std::string row = changed_row(a, b); !row.empty()) return row;
+    if (const std::string name = changed_parameter(a, b); !name.empty()) return name;
+    if (a.w != b.w) return "w";
+    if (a.camera != b.camera) return "camera";
+    if (a.clip != b.clip) return "clip";
+    if (a.stop != b.stop) return "stop";
+    return "look";
+}
+
+}  // namespace
+
+void History::follow(const Document& document, double time_s, unsigned gesture) {
+    if (document == now_) return;
+    const std::string part = changed_part(now_, document);
+    const bool goes_on = part == open_part_ && part != "rows" && gesture == open_gesture_ &&
+                         time_s - changed_s_ <= rest_s;
+    if (!goes_on) {
+        if (undone_to_.size() == most_steps) undone_to_.erase(undone_to_.begin());
+        undone_to_.push_back(now_);
+    }
+    redone_to_.clear();
+    now_ = document;
+    open_part_ = part;
+    open_gesture_ = gesture;
+    changed_s_ = time_s;
+}
+
+const Document& History::undo() {
+    if (!can_undo()) return now_;
+    redone_to_.push_back(std::exchange(now_, undone_to_.back()));
+    undone_to_.pop_back();
+    end_step();
+    return now_;
+}
+
+const Document& History::redo() {
+    if (!can_redo()) return now_;
+    undone_to_.push_back(std::exchange(now_, redone_to_.back()));
+    redone_to_.pop_back();
+    end_step();
+    return now_;
+}
+
+}  // namespace zeroset

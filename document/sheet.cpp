@@ -1,0 +1,101 @@
+#include "document/sheet.hpp"
+
+#include "document/document.hpp"
+
+#include <algorithm>
+#include <expected>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Makes a text without a surface one that can be read.
+constexpr std::string_view stand_in = "\n;\nz = 0";
+/// Each row is tried as typed, as it was last good, and left out.
+constexpr std::size_t most_trials = 64;
+
+/// The program of the rows, and whether a surface in it is theirs.
+struct ReadRows {
+    JoinedRows joined;
+    Program program;
+    bool has_surface = true;
+};
+
+std::expected<ReadRows, ParseError> read_rows(const std::vector<std::string>& rows) {
+    JoinedRows joined(rows);
+    auto program = read_program(joined.text);
+    if (program) return ReadRows{std::move(joined), std::move(*program)};
+    const ParseError error = program.error();
+    joined.text += stand_in;
+    program = read_program(joined.text);
+    if (program) return ReadRows{std::move(joined), std::move(*program), false};
+    return std::unexpected(error);
+}
+
+RowError row_error(const ParseError& error, std::size_t begin, const std::string& row) {
+    const auto of = [&](const ParseError& found, std::size_t offset) {
+        const std::string hint = found.hint.empty() ? "" : "; " + found.hint;
+        return RowError{found.reason + hint, std::min(offset, row.size()), found.unfinished};
+    };
+    const std::size_t at = error.offset - std::min(begin, error.offset);
+    if (at >= row.size()) {
+        // What follows is another row. Only alone does this one stop too early.
+        const auto alone = read_program(row);
+        if (!alone && alone.error().offset >= row.size()) return of(alone.error(), row.size());
+    }
+    return of(error, at);
+}
+
+std::vector<std::string> texts_of(const Sheet& sheet) {
+    std::vector<std::string> texts;
+    for (const SheetRow& row : sheet)
+        texts.push_back(row.text);
+    return texts;
+}
+
+/// The readings by row, and the row of each surface.
+void report_readings(const Sheet& sheet, ReadRows rows, SheetReading& result) {
+    result.parameters = std::move(rows.program.parameters);
+    for (Reading& reading : rows.program.readings) {
+        const bool is_stand_in = !rows.has_surface && reading.kind == StatementKind::Surface;
+        const std::size_t row = rows.joined.row_at(reading.offset);
+        const int id = is_stand_in ? 0 : sheet[row].id;
+        if (reading.kind == StatementKind::Surface) result.surface_rows.push_back(id);
+        if (is_stand_in) continue;
+        reading.offset -= rows.joined.begins[row];
+        result.reports[id].readings.push_back(std::move(reading));
+    }
+    result.text = std::move(rows.joined.text);
+}
+
+}  // namespace
+
+SheetReading SheetReader::read(const Sheet& sheet) {
+    SheetReading result;
+    for (const SheetRow& row : sheet)
+        result.reports[row.id].text = row.text;
+    std::vector<std::string> texts = texts_of(sheet);
+    for (std::size_t trial = 0; trial < most_trials; ++trial) {
+        auto rows = read_rows(texts);
+        if (rows) {
+            for (std::size_t i = 0; i < sheet.size(); ++i) {
+                if (texts[i] == sheet[i].text) good_[sheet[i].id] = texts[i];
+            }
+            report_readings(sheet, std::move(*rows), result);
+            return result;
+        }
+        if (sheet.empty()) break;
+        const JoinedRows joined(texts);
+        const std::size_t at = joined.row_at(rows.error().offset);
+        RowReport& report = result.reports[sheet[at].id];
+        const bool first = !report.error;
+        if (first) report.error = row_error(rows.error(), joined.begins[at], texts[at]);
+        const auto good = good_.find(sheet[at].id);
+        const bool stands_in = first && good != good_.end() && good->second != texts[at];
+        texts[at] = stands_in ? good->second : std::string();
+    }
+    report_readings(sheet, *read_rows({}), result);
+    return result;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,161 @@
+// Undo and redo, by value.
+
+#include "document/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace zeroset::test {
+namespace {
+
+/// A document under edit whose clock and gestures the test moves.
+class Undo : public testing::Test {
+protected:
+    void SetUp() override {
+        document_ = empty_document();
+        history_ = History(document_);
+    }
+
+    void change(double after_s = 0.1) {
+        now_s_ += after_s;
+        history_.follow(document_, now_s_, gesture_);
+    }
+    void type(const std::string& text, double after_s = 0.1) {
+        document_.statements[0].text += text;
+        change(after_s);
+    }
+    void undo() { document_ = history_.undo(); }
+    void redo() { document_ = history_.redo(); }
+    [[nodiscard]] const std::string& text() const { return document_.statements[0].text; }
+
+    Document document_;
+    History history_{Document{}};
+    double now_s_ = 0.0;
+    unsigned gesture_ = 0;
+};
+
+TEST_F(Undo, TakesARunOfTypingAsOneStep) {
+    for (const char* letter : {"x", "^", "2"})
+        type(letter);
+    type("+", 2.0);
+    type("y");
+    undo();
+    EXPECT_EQ(text(), "x^2");
+    undo();
+    EXPECT_EQ(text(), "");
+    EXPECT_FALSE(history_.can_undo());
+    undo();
+    EXPECT_EQ(text(), "");
+    redo();
+    redo();
+    EXPECT_EQ(text(), "x^2+y");
+    EXPECT_FALSE(history_.can_redo());
+}
+
+TEST_F(Undo, TakesEachDragAsOneStep) {
+    for (gesture_ = 1; gesture_ <= 2; ++gesture_) {
+        for (int i = 0; i < 10; ++i) {
+            document_.w.value += 0.1;
+            change();
+        }
+    }
+    undo();
+    EXPECT_NEAR(document_.w.value, 1.0, 1e-12);
+    undo();
+    EXPECT_EQ(document_.w.value, 0.0);
+}
+
+TEST_F(Undo, BringsBackTheCamera) {
+    document_.camera = Camera{{1, 2, 3}, {0, 0, 0}, {0, 0, 1}, 1.0};
+    change();
+    document_.camera->eye.x = 9;
+    change(5.0);
+    undo();
+    ASSERT_TRUE(document_.camera);
+    EXPECT_EQ(document_.camera->eye.x, 1);
+    undo();
+    EXPECT_FALSE(document_.camera);
+}
+
+TEST_F(Undo, BeginsAStepForAnotherPart) {
+    type("x");
+    document_.statements[0].color = 0x123456;
+    change();
+    document_.statements[0].visible = false;
+    change();
+    document_.parameters["a"].value = 3;
+    change();
+    document_.parameters["b"].value = 4;
+    change();
+    document_.clip = Box::cube(7);
+    change();
+    undo();
+    EXPECT_EQ(document_.clip, Box());
+    undo();
+    EXPECT_FALSE(document_.parameters.contains("b"));
+    undo();
+    EXPECT_TRUE(document_.parameters.empty());
+    undo();
+    EXPECT_TRUE(document_.statements[0].visible);
+    undo();
+    EXPECT_FALSE(document_.statements[0].color);
+    undo();
+    EXPECT_EQ(text(), "");
+}
+
+TEST_F(Undo, KeepsAddedAndRemovedRowsApartButADragOfARowTogether) {
+    document_.statements.push_back({2, "b", true, {}});
+    change();
+    document_.statements.push_back({3, "c", true, {}});
+    change();
+    std::swap(document_.statements[0], document_.statements[1]);
+    change();
+    std::swap(document_.statements[1], document_.statements[2]);
+    change();
+    undo();
+    EXPECT_EQ(document_.statements[0].id, 1);
+    EXPECT_EQ(document_.statements[1].id, 2);
+    EXPECT_EQ(document_.statements.size(), 3U);
+    undo();
+    EXPECT_EQ(document_.statements.size(), 2U);
+}
+
+TEST_F(Undo, ForgetsWhatWasUndoneAfterAChange) {
+    type("x");
+    undo();
+    type("y");
+    EXPECT_FALSE(history_.can_redo());
+    redo();
+    EXPECT_EQ(text(), "y");
+}
+
+TEST_F(Undo, LeavesOutWhatNobodyDid) {
+    type("x");
+    history_.amend([](Document& document) { document.statements[0].color = 5; });
+    document_.statements[0].color = 5;
+    change(2.0);
+    undo();
+    EXPECT_EQ(text(), "");
+    redo();
+    EXPECT_EQ(document_.statements[0].color, 5U);
+}
+
+TEST_F(Undo, EndsAStepWhenAsked) {
+    type("x");
+    history_.end_step();
+    type("y");
+    undo();
+    EXPECT_EQ(text(), "x");
+}
+
+TEST_F(Undo, KeepsSoManySteps) {
+    for (std::size_t i = 0; i < History::most_steps + 10; ++i)
+        type("x", 2.0);
+    while (history_.can_undo())
+        undo();
+    EXPECT_EQ(text(), std::string(10, 'x'));
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,113 @@
+// How rows are read together, and what happens to the others when one is wrong.
+
+#include "document/sheet.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace zeroset::test {
+namespace {
+
+class Sheets : public testing::Test {
+protected:
+    /// Rows with the ids 1, 2, ...
+    const SheetReading& read(const std::vector<std::string>& texts) {
+        Sheet sheet;
+        for (const std::string& text : texts)
+            sheet.push_back({static_cast<int>(sheet.size()) + 1, text});
+        reading_ = reader_.read(sheet);
+        return reading_;
+    }
+    std::string reading(int row) {
+        const auto& readings = reading_.reports.at(row).readings;
+        return readings.empty() ? "" : readings.front().text;
+    }
+    const RowError& error(int row) { return *reading_.reports.at(row).error; }
+
+    SheetReader reader_;
+    SheetReading reading_;
+};
+
+TEST_F(Sheets, ReportEachRow) {
+    read({"a = 2", "f(u) = u^2", "", "f(x) + f(y) = a b", "# remark", "x = 1; y = 2"});
+    EXPECT_EQ(reading_.surface_rows, (std::vector{4, 6, 6}));
+    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"b"}));
+    EXPECT_EQ(reading(1), "a = 2");
+    EXPECT_EQ(reading(3), "");
+    EXPECT_EQ(reading(5), "");
+    EXPECT_EQ(reading_.reports.at(6).readings.size(), 2U);
+    for (const auto& [id, report] : reading_.reports)
+        EXPECT_FALSE(report.error) << id;
+    EXPECT_TRUE(read_program(reading_.text));
+}
+
+TEST_F(Sheets, MarkTheErrorWithinItsRow) {
+    read({"x^2 + y^2 = 1", "y + @ = 2"});
+    EXPECT_EQ(error(2).at, 4U);
+    EXPECT_FALSE(error(2).unfinished);
+    EXPECT_EQ(reading_.surface_rows, std::vector{1}) << "the others are drawn";
+}
+
+TEST_F(Sheets, MarkTheErrorsOfAllRows) {
+    read({"x + * y", "y = 1", "z = )", "a = 3"});
+    EXPECT_TRUE(reading_.reports.at(1).error);
+    EXPECT_FALSE(reading_.reports.at(2).error);
+    EXPECT_TRUE(reading_.reports.at(3).error);
+    EXPECT_EQ(reading(4), "a = 3");
+    EXPECT_EQ(reading_.surface_rows, std::vector{2});
+}
+
+TEST_F(Sheets, LetTheLastGoodTextStandIn) {
+    read({"a = 2", "x^2 + y^2 = a"});
+    read({"a = 2 +", "x^2 + y^2 = a"});
+    EXPECT_TRUE(error(1).unfinished);
+    EXPECT_EQ(error(1).at, 7U);
+    EXPECT_TRUE(reading_.parameters.empty()) << "a is still a constant";
+    EXPECT_EQ(reading(1), "a = 2");
+    EXPECT_EQ(reading_.surface_rows, std::vector{2});
+    read({"a = 2 + b", "x^2 + y^2 = a"});
+    EXPECT_FALSE(reading_.reports.at(1).error);
+    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"b"}));
+}
+
+TEST_F(Sheets, LeaveOutALastGoodTextThatFitsNoMore) {
+    read({"a = 2", "b = 3; x = a b"});
+    read({"b = 2 +", "b = 3; x = a b"});
+    EXPECT_TRUE(reading_.reports.at(1).error);
+    EXPECT_EQ(reading_.surface_rows, std::vector{2});
+    EXPECT_TRUE(reading_.parameters.empty()) << "a = 2 stands in";
+    read({"b = 5", "b = 3; x = a b"});
+    EXPECT_EQ(error(2).at, 0U) << "b is defined twice";
+}
+
+TEST_F(Sheets, DoNotGoOnInTheNextRow) {
+    read({"x^2 +", "y = 1"});
+    EXPECT_TRUE(error(1).unfinished);
+    EXPECT_EQ(error(1).at, 5U);
+    EXPECT_FALSE(reading_.reports.at(2).error);
+    read({"x^2 + # more", "y = 1"});
+    EXPECT_TRUE(reading_.reports.at(1).error);
+}
+
+TEST_F(Sheets, MayHaveNoSurface) {
+    for (const auto& rows : {std::vector<std::string>{}, {""}, {"", "  "}, {"# only a remark"}}) {
+        read(rows);
+        EXPECT_EQ(reading_.surface_rows, std::vector{0});
+        EXPECT_TRUE(read_program(reading_.text));
+    }
+    read({"a = 2 c", "f(u) = u"});
+    EXPECT_EQ(reading_.surface_rows, std::vector{0});
+    EXPECT_EQ(reading(2), "f(u) = u");
+    EXPECT_FALSE(reading_.reports.at(1).error);
+}
+
+TEST_F(Sheets, EndWithManyErrors) {
+    read(std::vector<std::string>(200, "x + *"));
+    EXPECT_EQ(reading_.surface_rows, std::vector{0});
+    EXPECT_TRUE(reading_.reports.at(1).error);
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,174 @@
+#include "ui/side_panel.hpp"
+
+#include "ui/document_menu.hpp"
+#include "ui/gallery_picker.hpp"
+#include "ui/icons.hpp"
+#include "ui/label.hpp"
+#include "ui/statement_list.hpp"
+#include "ui/status_panel.hpp"
+#include "ui/theme.hpp"
+#include "ui/ui_state.hpp"
+#include "ui/view_section.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr float narrowest_em = 17.0F;
+/// Of the window's width that the panel may take.
+constexpr float most_of_window = 0.6F;
+/// The list of statements keeps this height before the sections below it scroll.
+constexpr float least_list_em = 9.0F;
+
+constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoFocusOnAppearing |
+                                       ImGuiWindowFlags_NoScrollWithMouse;
+
+float button_size() { return std::ceil(em(2.0F)); }
+
+void draw_header(UiState& state) {
+    const Palette& colors = palette(state.theme);
+    const float size = button_size();
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const IconLook look{size, colors.quiet};
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.2F), em(0.4F)));
+    draw_document_menu(state, look);
+    ImGui::SameLine();
+    IconLook turn = look;
+    turn.enabled = state.can_undo;
+    if (icon_button("##undo", Icon::Undo, turn, "Undo (Ctrl+Z)")) state.command = Command::Undo;
+    ImGui::SameLine();
+    turn.enabled = state.can_redo;
+    if (icon_button("##redo", Icon::Redo, turn, "Redo (Ctrl+Shift+Z)")) {
+        state.command = Command::Redo;
+    }
+    ImGui::SameLine(0.0F, em(0.5F));
+    const float gallery = right - ImGui::GetCursorPosX() - 2.0F * (size + em(0.2F)) - em(0.3F);
+    draw_gallery_picker(state, std::clamp(gallery, em(5.0F), em(9.0F)));
+    ImGui::SameLine(right - 2.0F * size - em(0.2F));
+    if (icon_button("##help", Icon::Help, look, "Help: formulas and keys (F1)")) {
+        state.show_help = !state.show_help;
+    }
+    ImGui::SameLine(right - size);
+    if (icon_button("##fold", Icon::Fold, look, "Fold the panel (Ctrl+B)")) {
+        state.layout.folded = true;
+    }
+    ImGui::PopStyleVar();
+}
+
+/// The line that opens and closes a section.
+void draw_section_title(const char* title, bool& open, const Palette& colors) {
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const float height = std::ceil(em(1.9F));
+    if (ImGui::InvisibleButton(title, ImVec2(ImGui::GetContentRegionAvail().x, height))) {
+        open = !open;
+    }
+    const std::uint32_t color = ImGui::IsItemHovered() ? colors.text : colors.quiet;
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const float middle = lo.y + 0.5F * height;
+    draw_icon(canvas, open ? Icon::Down : Icon::Unfold, ImVec2(lo.x + em(0.6F), middle), em(0.7F),
+              color);
+    canvas.AddText(ImVec2(lo.x + em(1.5F), middle - 0.5F * ImGui::GetFontSize()), color, title);
+}
+
+/// Drags the panel's right edge.
+void draw_edge(UiState& state, float width, float height) {
+    const Palette& colors = palette(state.theme);
+    const ImRect grip(ImVec2(width - em(0.5F), 0.0F), ImVec2(width, height));
+    const ImGuiID id = ImGui::GetID("##edge");
+    bool hovered = false;
+    bool held = false;
+    // No item of the layout: it stands beside the content.
+    ImGui::PushClipRect(ImVec2(0.0F, 0.0F), grip.Max, false);
+    if (ImGui::ItemAdd(grip, id)) ImGui::ButtonBehavior(grip, id, &hovered, &held);
+    const bool lit = held || hovered;
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (held) {
+        const float most = most_of_window * ImGui::GetIO().DisplaySize.x / em(1.0F);
+        const float wished = ImGui::GetIO().MousePos.x / em(1.0F);
+        state.layout.panel_em = std::clamp(wished, narrowest_em, std::max(most, narrowest_em));
+    }
+    const float thick = em(lit ? 0.15F : 1.0F / 14.0F);
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.AddRectFilled(ImVec2(width - thick, 0.0F), ImVec2(width, height),
+                         lit ? colors.accent : colors.border);
+    ImGui::PopClipRect();
+}
+
+void draw_view(UiState& state, float room) {
+    const Palette& colors = palette(state.theme);
+    ImGui::Separator();
+    draw_section_title("View", state.layout.view_open, colors);
+    if (!state.layout.view_open) return;
+    const float height = std::min(view_section_height(state), room);
+    ImGui::BeginChild("##view", ImVec2(0.0F, height));
+    draw_view_section(state);
+    ImGui::EndChild();
+}
+
+void draw_folded(UiState& state) {
+    const float size = button_size();
+    ImGui::SetNextWindowPos(ImVec2(em(0.6F), em(0.6F)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.2F), em(0.2F)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
+        const IconLook look{size, palette(state.theme).quiet};
+        if (icon_button("##unfold", Icon::Unfold, look, "Statements (Ctrl+B)")) {
+            state.layout.folded = false;
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+void draw_sections(UiState& state) {
+    const float title = std::ceil(em(1.9F)) + 3.0F * ImGui::GetStyle().ItemSpacing.y;
+    const float room = ImGui::GetContentRegionAvail().y - title;
+    const float view =
+        std::max(std::min(view_section_height(state), room - em(least_list_em)), em(4.0F));
+    const float below = title + (state.layout.view_open ? view : 0.0F);
+    const float list = std::max(ImGui::GetContentRegionAvail().y - below, em(4.0F));
+    ImGui::BeginChild("##list", ImVec2(0.0F, list));
+    draw_statement_list(state);
+    ImGui::EndChild();
+    draw_view(state, view);
+}
+
+}  // namespace
+
+float side_panel_width(const UiState& state) {
+    if (state.layout.folded) return 0.0F;
+    const float most = most_of_window * ImGui::GetIO().DisplaySize.x;
+    return std::ceil(std::min(std::max(em(state.layout.panel_em), em(narrowest_em)),
+                              std::max(most, em(narrowest_em))));
+}
+
+void draw_side_panel(UiState& state) {
+    if (state.layout.folded) return draw_folded(state);
+    const Palette& colors = palette(state.theme);
+    const float width = side_panel_width(state);
+    const float height = ImGui::GetIO().DisplaySize.y - status_bar_height();
+    ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.6F), em(0.6F)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.bar);
+    const bool open =
+        ImGui::Begin("##side", nullptr, bar_flags | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+    if (open) {
+        draw_header(state);
+        draw_sections(state);
+        draw_edge(state, width, height);
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui
