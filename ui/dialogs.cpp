@@ -17,7 +17,7 @@ namespace {
 void follow_keys(Question& question) {
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const char first = question.answers[i].front();
-        if (ImGui::IsKeyPressed(GLFW_KEY_A + (first - 'A'), false)) question.chosen = i;
+        if (is_typed(static_cast<char>(first - 'A' + 'a'))) question.chosen = i;
     }
     if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter)) {
         question.chosen = 0;
