@@ -59,13 +59,11 @@ void draw_question(Question& question, const Palette& colors) {
 }  // namespace
 
 void draw_dialogs(UiState& state) {
-    ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, 0x60000000U);
     if (state.dialogs.question && !state.dialogs.question->chosen) {
         draw_question(*state.dialogs.question, palette(state.theme));
     } else if (state.dialogs.file && !state.dialogs.file->finished) {
         draw_file_browser(*state.dialogs.file, palette(state.theme));
     }
-    ImGui::PopStyleColor();
 }
 
 }  // namespace zeroset::ui
