@@ -17,7 +17,7 @@ namespace {
 void follow_keys(Question& question) {
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const char first = question.answers[i].front();
-        if (ImGui::IsKeyPressed(GLFW_KEY_A + (first - 'A'), false)) question.chosen = i;
+        if (is_typed(static_cast<char>(first - 'A' + 'a'))) question.chosen = i;
     }
     if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter)) {
         question.chosen = 0;
@@ -59,13 +59,11 @@ void draw_question(Question& question, const Palette& colors) {
 }  // namespace
 
 void draw_dialogs(UiState& state) {
-    ImGui::PushStyleColor(ImGuiCol_ModalWindowDimBg, 0x60000000U);
     if (state.dialogs.question && !state.dialogs.question->chosen) {
         draw_question(*state.dialogs.question, palette(state.theme));
     } else if (state.dialogs.file && !state.dialogs.file->finished) {
         draw_file_browser(*state.dialogs.file, palette(state.theme));
     }
-    ImGui::PopStyleColor();
 }
 
 }  // namespace zeroset::ui

@@ -22,7 +22,8 @@ bool is_command(const KeyEvent& event) {
 }
 
 /// What has happened so far in a frame. A text field takes the frame's characters first, then at
-/// most one command under the modifiers held at the end of the frame; Escape leaves it before it
+/// most one command under the modifiers held at the end of the frame, which may change who gets
+/// the keys after it; Escape leaves it before it
 /// takes anything.
 class FrameEvents {
 public:
@@ -32,7 +33,7 @@ public:
         if (event.key == GLFW_KEY_ESCAPE && text_) return false;
         if (is_shift(event.key)) return !command_;
         if (is_modifier(event.key)) return !command_ && !text_ && !touched(event.key);
-        if (is_command(event) && event.action == GLFW_PRESS && command_) return false;
+        if (event.action == GLFW_PRESS && command_) return false;
         return !touched(event.key);
     }
 

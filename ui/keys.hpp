@@ -3,6 +3,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui/imgui.h>
 
+#include <algorithm>
+
 namespace zeroset::ui {
 
 /// Every Window numbers the keys as GLFW does; Dear ImGui has no name of its own for this one.
@@ -24,6 +26,15 @@ inline bool is_pressed_once(ImGuiKey key) {
 /// type, wherever they lie on the keyboard.
 inline bool is_letter_pressed(char letter) {
     return ImGui::IsKeyPressed(GLFW_KEY_A + (letter - 'a'));
+}
+
+/// Whether a letter was typed in this frame, by what it says; `lower` from 'a' to 'z'.
+inline bool is_typed(char lower) {
+    const ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+    const char upper = static_cast<char>(lower - 'a' + 'A');
+    return std::any_of(typed.begin(), typed.end(), [=](ImWchar letter) {
+        return letter == static_cast<ImWchar>(lower) || letter == static_cast<ImWchar>(upper);
+    });
 }
 
 }  // namespace zeroset::ui

@@ -123,6 +123,7 @@ void set_colors(ImGuiStyle& style, const Palette& colors) {
     set(ImGuiCol_ScrollbarGrabHovered, colors.quiet);
     set(ImGuiCol_ScrollbarGrabActive, colors.quiet);
     set(ImGuiCol_NavHighlight, colors.accent);
+    set(ImGuiCol_ModalWindowDimBg, rgba(0x00000060));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "ui/viewport.hpp"
 
 #include "engine/trace/camera.hpp"
+#include "ui/keys.hpp"
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
@@ -73,13 +74,11 @@ PointerMotion pointer_motion(const Area& area) {
     return motion;
 }
 
-/// By the typed letter, so that its place on the keyboard does not matter.
-bool is_typed(char lower, char upper) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return false;
-    return std::ranges::any_of(io.InputQueueCharacters, [=](ImWchar typed) {
-        return typed == static_cast<ImWchar>(lower) || typed == static_cast<ImWchar>(upper);
-    });
+/// Whether a letter that is not for a text field or a popup was typed.
+bool is_wished(char letter) {
+    const bool elsewhere =
+        ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
+    return !elsewhere && is_typed(letter);
 }
 
 }  // namespace
@@ -130,9 +129,9 @@ void draw_viewport(UiState& state, const Texture& picture) {
         PointerMotion motion = pointer_motion(area);
         if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
         if (state.document.camera) state.document.camera = steer(*state.document.camera, motion);
-        if (is_typed('r', 'R')) state.reset_view = true;
+        if (is_wished('r')) state.reset_view = true;
         bool& mark = state.document.mark_undecided;
-        if (is_typed('u', 'U')) mark = !mark;
+        if (is_wished('u')) mark = !mark;
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -63,16 +63,20 @@ protected:
 };
 
 TEST_P(DialogPanels, AnswerByKey) {
-    for (const auto& [key, expected] : {std::pair(GLFW_KEY_ENTER, 0U),
-                                        {GLFW_KEY_ESCAPE, 2U},
-                                        {GLFW_KEY_S, 0U},
-                                        {GLFW_KEY_D, 1U},
-                                        {GLFW_KEY_C, 2U}}) {
+    for (const auto& [key, expected] : {std::pair(GLFW_KEY_ENTER, 0U), {GLFW_KEY_ESCAPE, 2U}}) {
         ask();
         EXPECT_FALSE(answer());
         press(key);
         EXPECT_EQ(answer(), expected) << key;
     }
+    for (const auto& [letter, expected] : {std::pair("s", 0U), {"d", 1U}, {"D", 1U}, {"c", 2U}}) {
+        ask();
+        type(letter);
+        EXPECT_EQ(answer(), expected) << letter;
+    }
+    ask();
+    type("x");
+    EXPECT_FALSE(answer());
 }
 
 TEST_P(DialogPanels, AnswerByMouse) {
