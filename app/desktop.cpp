@@ -101,8 +101,9 @@ void Desktop::draw_frame() {
     window_.hold_keys(state_.focus.has_value());
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
-    window_.end_frame();
+    // Before the frame waits for the screen.
     follow_edits();
+    window_.end_frame();
 }
 
 bool Desktop::settled() const {
@@ -128,6 +129,7 @@ void Desktop::take_formula() {
     state_.surface_rows = result->reading.surface_rows;
     if (result->formula) {
         show(*result);
+        submit_picture();
     } else {
         state_.note = result->formula.error().reason;
     }
