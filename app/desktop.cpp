@@ -67,7 +67,9 @@ ui::UiState first_state(const DesktopOptions& options) {
     }
     state.language_help = language_help();
     for (const GalleryItem& item : gallery())
-        state.gallery.push_back({item.title, item.equation, item.about});
+        state.gallery.push_back({item.title, item.equation, item.about, item.group, item.source});
+    for (const ui::Action* const action : options.actions)
+        action->run(state);
     return state;
 }
 
@@ -83,6 +85,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       state_(first_state(options)),
       session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
+      cards_(options.keeps_files, [this] { window_.wake(); }),
       formulas_([this] { window_.wake(); }),
       pictures_([this] { window_.wake(); }) {}
 
@@ -97,10 +100,12 @@ void Desktop::draw_frame() {
     take_formula();
     take_double();
     take_frame();
+    cards_.show(state_);
     play();
     window_.hold_keys(state_.focus.has_value());
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
+    cards_.follow(state_);
     // Before the frame waits for the screen.
     follow_edits();
     window_.end_frame();
@@ -109,7 +114,8 @@ void Desktop::draw_frame() {
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
-    return answered_rows_ == sheet_of(state_.document) && drawn && state_.document.camera;
+    return answered_rows_ == sheet_of(state_.document) && drawn && state_.document.camera &&
+           cards_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {

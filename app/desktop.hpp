@@ -2,11 +2,13 @@
 
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
+#include "app/gallery_cards.hpp"
 #include "app/options.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/actions.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
@@ -33,8 +35,9 @@ struct DesktopOptions {
     ParameterValues given;  ///< those that were given by name
     TraceSettings settings;
     ui::Theme theme = ui::Theme::Dark;
-    bool takes_keyboard = true;  ///< the first row can be typed over at once
-    bool keeps_files = true;     ///< as in SessionOptions
+    std::vector<const ui::Action*> actions;  ///< run before the first frame
+    bool takes_keyboard = true;              ///< the first row can be typed over at once
+    bool keeps_files = true;                 ///< as in SessionOptions
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -106,6 +109,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;
 
+    GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;
 };
