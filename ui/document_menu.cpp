@@ -1,5 +1,6 @@
 #include "ui/document_menu.hpp"
 
+#include "ui/actions.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
 #include "ui/ui_state.hpp"
@@ -7,6 +8,7 @@
 #include <imgui/imgui.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 
 namespace zeroset::ui {
@@ -24,28 +26,32 @@ void draw_recent(UiState& state) {
     ImGui::EndMenu();
 }
 
+void draw_items(UiState& state, std::initializer_list<const char*> names) {
+    for (const char* const name : names) {
+        const Action& action = action_named(name);
+        const std::string keys = shown_keys(action);
+        if (ImGui::MenuItem(name, keys.c_str(), false, is_enabled(action, state))) {
+            action.run(state);
+        }
+    }
+}
+
 }  // namespace
 
 void draw_document_menu(UiState& state, const IconLook& look) {
     const std::string about = state.name + (state.unsaved ? " (not saved)" : "");
     if (icon_button("##document", Icon::Menu, look, about)) ImGui::OpenPopup("##document menu");
     if (!ImGui::BeginPopup("##document menu")) return;
-    const auto item = [&state](const char* label, const char* keys, Command command) {
-        if (ImGui::MenuItem(label, keys)) state.command = command;
-    };
     ImGui::TextDisabled("%s", about.c_str());
     ImGui::Separator();
-    item("New", "Ctrl+N", Command::New);
-    item("Open...", "Ctrl+O", Command::Open);
+    draw_items(state, {"New", "Open..."});
     draw_recent(state);
     ImGui::Separator();
-    item("Save", "Ctrl+S", Command::Save);
-    item("Save as...", "Ctrl+Shift+S", Command::SaveAs);
+    draw_items(state, {"Save", "Save as..."});
     ImGui::Separator();
-    item("Copy as text", "Ctrl+C", Command::Copy);
-    item("Paste", "Ctrl+V", Command::Paste);
+    draw_items(state, {"Copy as text", "Paste"});
     ImGui::Separator();
-    item("Quit", "Ctrl+Q", Command::Quit);
+    draw_items(state, {"Quit"});
     ImGui::EndPopup();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/help_panel.hpp"
 
+#include "ui/actions.hpp"
 #include "ui/fonts.hpp"
 #include "ui/keys.hpp"
 #include "ui/status_panel.hpp"
@@ -18,37 +19,39 @@
 namespace zeroset::ui {
 namespace {
 
+/// What is done with the pointer or in a field, before the actions of the same section.
+std::vector<HelpSection> gestures_help() {
+    return {{"Picture",
+             {{"left drag", "orbit"},
+              {"right drag, Shift + left drag", "pan"},
+              {"wheel", "zoom towards the cursor"}}},
+            {"Statements",
+             {{"Enter", "a new row below"},
+              {"Shift+Enter", "a new line in the row"},
+              {"Up, Down", "to the row above, below"},
+              {"Tab, Shift+Tab", "to the next row, the one before"},
+              {"Esc", "leave the row"},
+              {"Backspace in an empty row", "remove it"},
+              {"Alt+Up, Alt+Down", "move the row"},
+              {"Ctrl+D", "duplicate the row"}}},
+            {"Sliders",
+             {{"drag", "change the value"},
+              {"double-click, Ctrl+click", "type a number, beyond the slider's ends, too"},
+              {"right click", "back to the usual value and range"}}}};
+}
+
 const std::vector<HelpSection>& keys_help() {
-    static const std::vector<HelpSection> sections{
-        {"Picture",
-         {{"left drag", "orbit"},
-          {"right drag, Shift + left drag", "pan"},
-          {"wheel", "zoom towards the cursor"},
-          {"R", "reset the view"},
-          {"U", "mark the undecided pixels"}}},
-        {"Statements",
-         {{"Enter", "a new row below"},
-          {"Shift+Enter", "a new line in the row"},
-          {"Up, Down", "to the row above, below"},
-          {"Tab, Shift+Tab", "to the next row, the one before"},
-          {"Esc", "leave the row"},
-          {"Backspace in an empty row", "remove it"},
-          {"Alt+Up, Alt+Down", "move the row"},
-          {"Ctrl+D", "duplicate the row"}}},
-        {"Sliders",
-         {{"drag", "change the value"},
-          {"double-click, Ctrl+click", "type a number, beyond the slider's ends, too"},
-          {"right click", "back to the usual value and range"}}},
-        {"Document",
-         {{"Ctrl+Z, Ctrl+Shift+Z", "undo and redo anything, the view included"},
-          {"Ctrl+N, Ctrl+O", "new, open; a file can also be dropped on the window"},
-          {"Ctrl+S, Ctrl+Shift+S", "save, save as"},
-          {"Ctrl+C, Ctrl+V", "outside a row: copy all as text; paste a document or statements"}}},
-        {"Window",
-         {{"Ctrl+B", "fold the panel at the left"},
-          {"F1", "open and close this help"},
-          {"Ctrl+Q", "quit"}}},
-    };
+    static const std::vector<HelpSection> sections = [] {
+        std::vector<HelpSection> all = gestures_help();
+        for (const Action& action : actions()) {
+            if (*action.keys == '\0') continue;
+            auto section = std::ranges::find(all, action.section, &HelpSection::title);
+            if (section == all.end()) section = all.insert(all.end(), {action.section, {}});
+            const bool named = *action.about == '\0';
+            section->entries.push_back({action.keys, named ? action.name : action.about});
+        }
+        return all;
+    }();
     return sections;
 }
 
@@ -146,7 +149,6 @@ void place_window() {
 }  // namespace
 
 void follow_help_keys(UiState& state) {
-    if (ImGui::IsKeyPressed(key_f1, false)) state.show_help = !state.show_help;
     if (!state.show_help || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;

@@ -4,7 +4,7 @@
 
 namespace zeroset::ui {
 
-/// F1 opens and closes the help; Escape closes it and then does nothing else. First in a frame.
+/// Escape closes the help and then does nothing else. First in a frame.
 void follow_help_keys(UiState& state);
 
 /// The help, while `show_help`: `language_help` as far as it has the words of `help_filter`, and

@@ -7,9 +7,6 @@
 
 namespace zeroset::ui {
 
-/// Every Window numbers the keys as GLFW does; Dear ImGui has no name of its own for this one.
-inline constexpr int key_f1 = GLFW_KEY_F1;
-
 /// Whether the key went down in this frame, or repeats.
 inline bool is_pressed(ImGuiKey key) {
     const int index = ImGui::GetKeyIndex(key);
@@ -22,8 +19,8 @@ inline bool is_pressed_once(ImGuiKey key) {
     return index >= 0 && ImGui::IsKeyPressed(index, false);
 }
 
-/// Whether a letter went down or repeats, from 'a' to 'z'; windows report letters by what they
-/// type, wherever they lie on the keyboard.
+/// Whether a letter went down or repeats, from 'a' to 'z'; windows number the keys as GLFW does and
+/// report letters by what they type, wherever they lie on the keyboard.
 inline bool is_letter_pressed(char letter) {
     return ImGui::IsKeyPressed(GLFW_KEY_A + (letter - 'a'));
 }

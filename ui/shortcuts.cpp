@@ -1,32 +1,32 @@
 #include "ui/shortcuts.hpp"
 
-#include "ui/keys.hpp"
+#include "ui/actions.hpp"
+#include "ui/chord.hpp"
 #include "ui/ui_state.hpp"
 
 #include <imgui/imgui.h>
 
 #include <algorithm>
-#include <optional>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
 
-bool pressed_once(char letter) { return ImGui::IsKeyPressed(GLFW_KEY_A + (letter - 'a'), false); }
+struct Binding {
+    const Action* action;
+    Chord chord;
+};
 
-/// Of the keys held with Ctrl.
-std::optional<Command> pressed_command(bool typing) {
-    const bool shift = ImGui::GetIO().KeyShift;
-    if (is_letter_pressed('z')) return shift ? Command::Redo : Command::Undo;
-    if (is_letter_pressed('y')) return Command::Redo;
-    if (pressed_once('n')) return Command::New;
-    if (pressed_once('o')) return Command::Open;
-    if (pressed_once('s')) return shift ? Command::SaveAs : Command::Save;
-    if (pressed_once('q')) return Command::Quit;
-    // In a field these are about its text.
-    if (typing) return std::nullopt;
-    if (pressed_once('c')) return Command::Copy;
-    if (pressed_once('v')) return Command::Paste;
-    return std::nullopt;
+const std::vector<Binding>& bindings() {
+    static const std::vector<Binding> all = [] {
+        std::vector<Binding> found;
+        for (const Action& action : actions()) {
+            for (const Chord& chord : chords_of(action.keys))
+                found.push_back({&action, chord});
+        }
+        return found;
+    }();
+    return all;
 }
 
 }  // namespace
@@ -34,9 +34,11 @@ std::optional<Command> pressed_command(bool typing) {
 void follow_shortcuts(UiState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     if (std::ranges::any_of(io.MouseClicked, [](bool clicked) { return clicked; })) ++state.gesture;
-    if (!io.KeyCtrl || io.KeyAlt || io.KeySuper) return;
-    if (const auto command = pressed_command(io.WantTextInput)) state.command = command;
-    if (pressed_once('b')) state.layout.folded = !state.layout.folded;
+    const bool typing = io.WantTextInput;
+    for (const auto& [action, chord] : bindings()) {
+        if (typing && !action->in_fields) continue;
+        if (is_pressed(chord, action->repeats) && is_enabled(*action, state)) action->run(state);
+    }
 }
 
 }  // namespace zeroset::ui

@@ -4,8 +4,8 @@
 
 namespace zeroset::ui {
 
-/// The keys that work everywhere: documents, undo, folding. Call first in a frame, and not while a
-/// dialog is open. Also counts the gestures.
+/// Runs the actions whose keys were pressed. Call first in a frame, and not while a dialog is open.
+/// Also counts the gestures.
 void follow_shortcuts(UiState& state);
 
 }  // namespace zeroset::ui

@@ -1,5 +1,6 @@
 #include "ui/side_panel.hpp"
 
+#include "ui/actions.hpp"
 #include "ui/document_menu.hpp"
 #include "ui/gallery_picker.hpp"
 #include "ui/icons.hpp"
@@ -31,6 +32,13 @@ constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWind
 
 float button_size() { return std::ceil(em(2.0F)); }
 
+/// The action as a sign; its name and keys show under the pointer.
+void draw_action(UiState& state, const char* name, Icon icon, IconLook look) {
+    const Action& action = action_named(name);
+    look.enabled = is_enabled(action, state);
+    if (icon_button(name, icon, look, described(action))) action.run(state);
+}
+
 void draw_header(UiState& state) {
     const Palette& colors = palette(state.theme);
     const float size = button_size();
@@ -39,25 +47,16 @@ void draw_header(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.2F), em(0.4F)));
     draw_document_menu(state, look);
     ImGui::SameLine();
-    IconLook turn = look;
-    turn.enabled = state.can_undo;
-    if (icon_button("##undo", Icon::Undo, turn, "Undo (Ctrl+Z)")) state.command = Command::Undo;
+    draw_action(state, "Undo", Icon::Undo, look);
     ImGui::SameLine();
-    turn.enabled = state.can_redo;
-    if (icon_button("##redo", Icon::Redo, turn, "Redo (Ctrl+Shift+Z)")) {
-        state.command = Command::Redo;
-    }
+    draw_action(state, "Redo", Icon::Redo, look);
     ImGui::SameLine(0.0F, em(0.5F));
     const float gallery = right - ImGui::GetCursorPosX() - 2.0F * (size + em(0.2F)) - em(0.3F);
     draw_gallery_picker(state, std::clamp(gallery, em(5.0F), em(9.0F)));
     ImGui::SameLine(right - 2.0F * size - em(0.2F));
-    if (icon_button("##help", Icon::Help, look, "Help: formulas and keys (F1)")) {
-        state.show_help = !state.show_help;
-    }
+    draw_action(state, "Help", Icon::Help, look);
     ImGui::SameLine(right - size);
-    if (icon_button("##fold", Icon::Fold, look, "Fold the panel (Ctrl+B)")) {
-        state.layout.folded = true;
-    }
+    draw_action(state, "Fold the panel", Icon::Fold, look);
     ImGui::PopStyleVar();
 }
 
@@ -117,10 +116,7 @@ void draw_folded(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.2F), em(0.2F)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
-        const IconLook look{size, palette(state.theme).quiet};
-        if (icon_button("##unfold", Icon::Unfold, look, "Statements (Ctrl+B)")) {
-            state.layout.folded = false;
-        }
+        draw_action(state, "Fold the panel", Icon::Unfold, {size, palette(state.theme).quiet});
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -1,7 +1,6 @@
 #include "ui/viewport.hpp"
 
 #include "engine/trace/camera.hpp"
-#include "ui/keys.hpp"
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
@@ -74,13 +73,6 @@ PointerMotion pointer_motion(const Area& area) {
     return motion;
 }
 
-/// Whether a letter that is not for a text field or a popup was typed.
-bool is_wished(char letter) {
-    const bool elsewhere =
-        ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
-    return !elsewhere && is_typed(letter);
-}
-
 }  // namespace
 
 Camera steer(const Camera& camera, const PointerMotion& motion) {
@@ -129,9 +121,6 @@ void draw_viewport(UiState& state, const Texture& picture) {
         PointerMotion motion = pointer_motion(area);
         if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
         if (state.document.camera) state.document.camera = steer(*state.document.camera, motion);
-        if (is_wished('r')) state.reset_view = true;
-        bool& mark = state.document.mark_undecided;
-        if (is_wished('u')) mark = !mark;
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

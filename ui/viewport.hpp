@@ -29,9 +29,8 @@ Camera steer(const Camera& camera, const PointerMotion& motion);
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);
 
-/// Fills the window between the bars with the picture, stretched if it is coarse; the pointer and
-/// the key R change the view, U whether undecided pixels are marked. Draw it before the panels.
-/// Sets `state.viewport_px`.
+/// Fills the window between the bars with the picture, stretched if it is coarse; the pointer
+/// changes the view. Draw it before the panels. Sets `state.viewport_px`.
 void draw_viewport(UiState& state, const Texture& picture);
 
 }  // namespace zeroset::ui

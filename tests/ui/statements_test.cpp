@@ -208,6 +208,7 @@ TEST_P(Statements, ShowATextThatWasSetElsewhereWhileTyping) {
 TEST_P(Statements, LeaveUndoToTheDocument) {
     begin({"x"}, 1);
     type("1");
+    state_.can_undo = state_.can_redo = true;
     press_with_ctrl(GLFW_KEY_Z);
     EXPECT_EQ(state_.command, Command::Undo);
     EXPECT_EQ(texts(), (Texts{"x1"})) << "the field itself does not undo";

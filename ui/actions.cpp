@@ -1,0 +1,147 @@
+#include "ui/actions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace zeroset::ui {
+namespace {
+
+template <Command command>
+void give(UiState& state) {
+    state.command = command;
+}
+
+template <bool UiState::* flag>
+void toggle(UiState& state) {
+    state.*flag = !(state.*flag);
+}
+
+template <bool UiState::* flag>
+bool is_set(const UiState& state) {
+    return state.*flag;
+}
+
+template <bool Layout::* flag>
+void toggle_layout(UiState& state) {
+    state.layout.*flag = !(state.layout.*flag);
+}
+
+template <bool Layout::* flag>
+bool is_layout(const UiState& state) {
+    return state.layout.*flag;
+}
+
+template <bool Document::* flag>
+void toggle_document(UiState& state) {
+    state.document.*flag = !(state.document.*flag);
+}
+
+template <bool Document::* flag>
+bool is_document(const UiState& state) {
+    return state.document.*flag;
+}
+
+void switch_theme(UiState& state) {
+    state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
+}
+
+constexpr const char* picture = "Picture";
+constexpr const char* document = "Document";
+constexpr const char* window = "Window";
+
+// The sections in the order of the help; in each the actions from the most used on.
+constexpr auto table = std::to_array<Action>({
+    {.section = picture,
+     .name = "Reset the view",
+     .keys = "R",
+     .about = "look at the whole box again",
+     .run = [](UiState& state) { state.reset_view = true; }},
+    {.section = picture,
+     .name = "Mark undecided pixels",
+     .keys = "U",
+     .run = toggle_document<&Document::mark_undecided>,
+     .is_on = is_document<&Document::mark_undecided>},
+    {.section = document,
+     .name = "Undo",
+     .keys = "Ctrl+Z",
+     .about = "undo anything, the view included",
+     .run = give<Command::Undo>,
+     .enabled = is_set<&UiState::can_undo>,
+     .repeats = true},
+    {.section = document,
+     .name = "Redo",
+     .keys = "Ctrl+Shift+Z, Ctrl+Y",
+     .run = give<Command::Redo>,
+     .enabled = is_set<&UiState::can_redo>,
+     .repeats = true},
+    {.section = document, .name = "New", .keys = "Ctrl+N", .run = give<Command::New>},
+    {.section = document,
+     .name = "Open...",
+     .keys = "Ctrl+O",
+     .about = "open a file; it can also be dropped on the window",
+     .run = give<Command::Open>},
+    {.section = document, .name = "Save", .keys = "Ctrl+S", .run = give<Command::Save>},
+    {.section = document,
+     .name = "Save as...",
+     .keys = "Ctrl+Shift+S",
+     .run = give<Command::SaveAs>},
+    {.section = document,
+     .name = "Copy as text",
+     .keys = "Ctrl+C",
+     .about = "outside a row: copy all as text",
+     .run = give<Command::Copy>,
+     .in_fields = false},
+    {.section = document,
+     .name = "Paste",
+     .keys = "Ctrl+V",
+     .about = "outside a row: paste a document or statements",
+     .run = give<Command::Paste>,
+     .in_fields = false},
+    {.section = window,
+     .name = "Fold the panel",
+     .keys = "Ctrl+B",
+     .run = toggle_layout<&Layout::folded>,
+     .is_on = is_layout<&Layout::folded>},
+    {.section = window,
+     .name = "Section: View",
+     .run = toggle_layout<&Layout::view_open>,
+     .is_on = is_layout<&Layout::view_open>},
+    {.section = window,
+     .name = "Light theme",
+     .run = switch_theme,
+     .is_on = [](const UiState& state) { return state.theme == Theme::Light; }},
+    {.section = window,
+     .name = "Help",
+     .keys = "F1",
+     .about = "formulas and keys; again closes it",
+     .run = toggle<&UiState::show_help>,
+     .is_on = is_set<&UiState::show_help>},
+    {.section = window, .name = "Quit", .keys = "Ctrl+Q", .run = give<Command::Quit>},
+});
+
+}  // namespace
+
+std::span<const Action> actions() { return table; }
+
+const Action& action_named(std::string_view name) {
+    const auto* const found = std::ranges::find(table, name, &Action::name);
+    assert(found != table.end());
+    return *found;
+}
+
+bool is_enabled(const Action& action, const UiState& state) {
+    return action.enabled == nullptr || action.enabled(state);
+}
+
+std::string shown_keys(const Action& action) {
+    const std::string keys = action.keys;
+    return keys.substr(0, keys.find(", "));
+}
+
+std::string described(const Action& action) {
+    const std::string keys = shown_keys(action);
+    return keys.empty() ? action.name : action.name + (" (" + keys + ")");
+}
+
+}  // namespace zeroset::ui
