@@ -90,8 +90,10 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     std::string names = command.tracers.value_or(std::string(tracers().front().name));
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
-        const TraceText text{names.substr(begin, end - begin), command.d_stop.value_or("10"),
-                             std::nullopt, std::nullopt, command.threads};
+        TraceText text;
+        text.tracer = names.substr(begin, end - begin);
+        text.d_stop = command.d_stop.value_or("10");
+        text.threads = command.threads;
         const auto settings = read_trace_settings(text);
         if (!settings) return std::unexpected(settings.error());
         plan.settings.push_back(*settings);

@@ -77,7 +77,8 @@ ui::UiState first_state(const DesktopOptions& options) {
 
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
     return a.formula == b.formula && a.clip == b.clip && a.camera == b.camera && a.stop == b.stop &&
-           a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
+           a.shadows == b.shadows && a.antialias == b.antialias && a.size_px == b.size_px &&
+           a.surfaces == b.surfaces && a.uniforms == b.uniforms;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
@@ -231,6 +232,8 @@ void Desktop::show_gallery_item() {
     const GalleryItem& item = gallery()[*picked];
     Document document = document_of({item.equation, item.clip, item.w, item.camera, {}});
     document.stop = state_.document.stop;
+    document.shadows = state_.document.shadows;
+    document.antialias = state_.document.antialias;
     session_.show(std::move(document));
     window_.wake();
 }
@@ -258,7 +261,15 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     const glm::ivec2 size = state_.viewport_px;
     const Document& document = state_.document;
     if (shown_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) return std::nullopt;
-    Wanted wanted{shown_, document.clip, *document.camera, document.stop, size, {}, {}};
+    Wanted wanted{shown_,
+                  document.clip,
+                  *document.camera,
+                  document.stop,
+                  document.shadows,
+                  document.antialias,
+                  size,
+                  {},
+                  {}};
     for (const int row : state_.surface_rows) {
         const auto found = std::ranges::find(document.statements, row, &Statement::id);
         if (found == document.statements.end() || !found->visible) continue;
@@ -286,6 +297,8 @@ void Desktop::submit_picture() {
     request.camera = wanted.camera;
     request.settings = settings_;
     request.settings.stop = wanted.stop;
+    request.settings.shadows = wanted.shadows;
+    request.settings.antialias = wanted.antialias;
     request.width = wanted.size_px.x;
     request.height = wanted.size_px.y;
     request_ = pictures_.submit(std::move(request));
@@ -310,6 +323,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
         if (const auto loaded = load_document(equation)) options.note = loaded->note;
     }
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
+    take_look(trace, options.document);
     options.settings = std::move(*settings);
     return options;
 }

@@ -29,11 +29,11 @@ namespace zeroset {
 /// What the window starts with.
 struct DesktopOptions {
     Document document;
-    std::string path;       ///< of the document's file; empty: none
-    std::string note;       ///< what is to be said of the document; or empty
-    std::string equation;   ///< as it was given, where it is no document
-    ParameterValues given;  ///< those that were given by name
-    TraceSettings settings;
+    std::string path;        ///< of the document's file; empty: none
+    std::string note;        ///< what is to be said of the document; or empty
+    std::string equation;    ///< as it was given, where it is no document
+    ParameterValues given;   ///< those that were given by name
+    TraceSettings settings;  ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
     std::vector<const ui::Action*> actions;  ///< run before the first frame
     bool takes_keyboard = true;              ///< the first row can be typed over at once
@@ -68,6 +68,8 @@ private:
         Box clip;
         Camera camera;
         StopCriterion stop;
+        bool shadows;
+        bool antialias;
         glm::ivec2 size_px{0};
         /// Of each visible surface: its row and its colour.
         std::vector<std::pair<int, std::uint32_t>> surfaces;

@@ -7,8 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,15 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
         return std::string(trimmed(text));
     };
     return app.add_option(names, value, about)->transform(trim);
+}
+
+/// --NAME and --no-NAME.
+void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
+                const std::string& about) {
+    const std::function<void(std::int64_t)> take = [&value](std::int64_t count) {
+        value = count > 0;
+    };
+    app.add_flag_function("--" + name + ",!--no-" + name, take, about);
 }
 
 void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
@@ -59,8 +70,8 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     d_stop->excludes(epsilon)->excludes(delta);
     epsilon->excludes(delta);
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
-    app.add_flag("--shadows", trace.shadows, "let the surfaces throw shadows");
-    app.add_flag("--antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
+    add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
 }
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {

@@ -254,6 +254,11 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
     return values;
 }
 
+void take_look(const TraceText& text, Document& document) {
+    document.shadows = text.shadows.value_or(document.shadows);
+    document.antialias = text.antialias.value_or(document.antialias);
+}
+
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
     TraceSettings settings;
     if (text.tracer) {
@@ -286,8 +291,6 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         if (!threads) return std::unexpected(threads.error());
         settings.threads = *threads;
     }
-    settings.shadows = text.shadows;
-    settings.antialias = text.antialias;
     return settings;
 }
 

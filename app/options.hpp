@@ -25,8 +25,7 @@ struct ViewText {
 /// What the user typed for tracing.
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
-    bool shadows = false;
-    bool antialias = false;
+    std::optional<bool> shadows, antialias;  ///< absent: as the document says, or not
 };
 
 /// A surface and how to look at it.
@@ -61,6 +60,10 @@ OrInputError<std::string> read_equation(const std::string& equation);
 /// check_parameters.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
+/// Sets shadows and smooth edges where they are given.
+void take_look(const TraceText& text, Document& document);
+
+/// All but shadows and smooth edges, which are a matter of the document.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 
 /// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.

@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 /// What the options mean, checked before any work.
 struct RenderPlan {
     Surface surface;
+    Document document;  ///< of the surface, with what the options say of its look
     TraceSettings settings;
     Size size{};
     int repeats = 1;
@@ -57,6 +58,10 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     auto surface = read_surface(command.equation, command.view);
     if (!surface) return std::unexpected(surface.error());
     plan.surface = *surface;
+    plan.document = document_of(*surface);
+    take_look(command.trace, plan.document);
+    plan.settings.shadows = plan.document.shadows;
+    plan.settings.antialias = plan.document.antialias;
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
     plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect));
     return plan;
@@ -106,12 +111,12 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
 }
 
 /// As a document has its rows, or all surfaces in the palette's colours.
-Scene scene_of(const Formula& formula, const Surface& surface) {
+Scene scene_of(const Formula& formula, const RenderPlan& plan) {
+    const Surface& surface = plan.surface;
     if (!surface.document) {
         return make_scene(formula, surface.clip, surface.w, surface.parameters);
     }
-    const Document document = document_of(surface);
-    return document_scene(formula, document, surface_rows(document, formula.program));
+    return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
 }
 
 }  // namespace
@@ -129,7 +134,7 @@ int run_render(const RenderCommand& command) {
     if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
         return report(*unknown);
     }
-    const Scene scene = scene_of(*formula, surface);
+    const Scene scene = scene_of(*formula, *plan);
     Framebuffer frame(plan->size.width, plan->size.height);
     const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
                                            plan->repeats, command.repeat.has_value());

@@ -53,6 +53,8 @@ struct Document {
     std::optional<Camera> home;    ///< what "reset view" goes back to, if not to the default
     StopCriterion stop{.value = 14.0};
     bool mark_undecided = false;
+    bool shadows = false;
+    bool antialias = false;
 
     bool operator==(const Document&) const = default;
 };

@@ -59,6 +59,19 @@ Json json_of(const StopCriterion& stop) {
     return {{"rule", rule->first}, {"value", stop.value}};
 }
 
+/// What is on or off in the field "look".
+constexpr std::array<std::pair<const char*, bool Document::*>, 3> look_switches{
+    {{"mark_undecided", &Document::mark_undecided},
+     {"shadows", &Document::shadows},
+     {"antialias", &Document::antialias}}};
+
+Json look_of(const Document& document) {
+    Json look;
+    for (const auto& [name, member] : look_switches)
+        look[name] = document.*member;
+    return look;
+}
+
 // ---- reading
 
 /// Why a text is no document; caught in document_from.
@@ -245,6 +258,14 @@ void read_parameters(const Json& json, Document& document, std::vector<std::stri
         document.parameters[name] = slider_of(slider, "parameters." + name, unknown);
 }
 
+void read_look(const Json& json, Document& document, std::vector<std::string>& unknown) {
+    Fields fields(json, "look", unknown);
+    for (const auto& [name, member] : look_switches) {
+        if (const Json* value = fields.find(name))
+            document.*member = flag_of(*value, fields.at(name));
+    }
+}
+
 ReadDocument document_of(const Json& json) {
     ReadDocument read;
     std::vector<std::string>& unknown = read.unknown;
@@ -261,12 +282,7 @@ ReadDocument document_of(const Json& json) {
         document.camera = camera_of(*camera, "camera", unknown);
     if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
-    if (const Json* look = fields.find("look")) {
-        Fields looks(*look, "look", unknown);
-        if (const Json* mark = looks.find("mark_undecided")) {
-            document.mark_undecided = flag_of(*mark, "look.mark_undecided");
-        }
-    }
+    if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     document = renumbered(std::move(document), 1);
     return read;
 }
@@ -302,7 +318,7 @@ std::string text_of(const Document& document) {
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);
     json["stop"] = json_of(document.stop);
-    json["look"] = {{"mark_undecided", document.mark_undecided}};
+    json["look"] = look_of(document);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

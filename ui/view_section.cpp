@@ -79,6 +79,14 @@ void draw_undecided(UiState& state) {
     ImGui::TextDisabled("not drawn");
 }
 
+void draw_light(Document& document) {
+    ImGui::Checkbox("Shadows###shadows", &document.shadows);
+    draw_tooltip("Let the surfaces throw shadows, once the picture rests.");
+    ImGui::SameLine(0.0F, em(1.2F));
+    ImGui::Checkbox("Smooth edges###antialias", &document.antialias);
+    draw_tooltip("Five rays a pixel instead of one, once the picture rests.");
+}
+
 void draw_buttons(UiState& state) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
@@ -104,7 +112,7 @@ Box resized(const Box& box, double half) {
 }
 
 float view_section_height(const UiState& state) {
-    const float rows = state.document.mark_undecided ? 5.0F : 4.0F;
+    const float rows = state.document.mark_undecided ? 6.0F : 5.0F;
     return rows * ImGui::GetFrameHeightWithSpacing();
 }
 
@@ -112,6 +120,7 @@ void draw_view_section(UiState& state) {
     draw_d_stop(state.document.stop);
     draw_box(state.document.clip);
     draw_undecided(state);
+    draw_light(state.document);
     draw_buttons(state);
 }
 

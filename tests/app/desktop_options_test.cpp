@@ -30,6 +30,7 @@ protected:
         document_.clip = Box::cube(3);
         document_.w.value = 0.25;
         document_.stop.value = 11;
+        document_.shadows = true;
         ASSERT_TRUE(save_document(path_, document_));
     }
     void TearDown() override { fs::remove(path_); }
@@ -52,12 +53,16 @@ TEST_F(SavedSession, GivesWayToTheCommandLine) {
     view.set = {"a=7"};
     TraceText trace;
     trace.d_stop = "9";
+    trace.shadows = false;
+    trace.antialias = true;
     const auto options = read_desktop_options(path_.string(), view, trace);
     ASSERT_TRUE(options);
     EXPECT_EQ(options->document.clip, Box::cube(5));
     EXPECT_EQ(options->document.w.value, -0.5);
     EXPECT_EQ(options->document.parameters.at("a").value, 7.0);
     EXPECT_EQ(options->document.stop.value, 9.0);
+    EXPECT_FALSE(options->document.shadows);
+    EXPECT_TRUE(options->document.antialias);
 }
 
 TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {

@@ -31,6 +31,7 @@ Document rich_document() {
     document.home = Camera{{1, 2, 3.3}, {0, 0, 0}, {0, 0, 1}, 1.0};
     document.stop = {StopRule::Epsilon, 0.001};
     document.mark_undecided = true;
+    document.shadows = true;
     return document;
 }
 
@@ -114,6 +115,7 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "stop.rule is none of d_stop, epsilon and delta"},
         {with("look", R"({"mark_undecided": "yes"})"),
          "look.mark_undecided is neither true nor false"},
+        {with("look", R"({"antialias": 1})"), "look.antialias is neither true nor false"},
         {R"({"zeroset": 1})", "statements is missing"}};
     for (const auto& [text, reason] : damages) {
         const auto read = document_from(text);

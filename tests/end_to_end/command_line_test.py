@@ -122,6 +122,22 @@ class RenderTest(ProgramTest):
             depths.add((self.folder / "depth.pfm").read_bytes())
         self.assertEqual((len(pictures), len(depths)), (4, 1))
 
+    def test_a_document_keeps_its_look(self):
+        file = self.folder / "look.zeroset.json"
+
+        def picture(look, *options):
+            file.write_text(json.dumps({"zeroset": 1, "look": look, "statements": [
+                {"text": "x^2 + y^2 + z^2 = 1"}, {"text": "z = -1.5"}]}))
+            self.depth(file, "--size", "80x60", "-o", "out.png", *options)
+            return (self.folder / "out.png").read_bytes()
+
+        plain = picture({})
+        both = picture({"shadows": True, "antialias": True})
+        self.assertEqual(picture({"shadows": True}, "--antialias"), both)
+        self.assertEqual(picture({}, "--shadows", "--antialias"), both)
+        self.assertEqual(picture({"shadows": True}, "--no-shadows"), plain)
+        self.assertEqual(len({plain, both, picture({"shadows": True})}), 3)
+
     def error_of(self, *options):
         """Hits, and the largest error of depth on clear hits of the unit sphere."""
         camera, worst = Camera.default(Box.of(2)), 0.0

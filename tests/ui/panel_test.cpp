@@ -129,21 +129,22 @@ TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
         return count(frame, colors().undecided, child("##side/##view_")->Rect());
     };
     EXPECT_EQ(legend(draw()), 0);
-    const auto scroll_down = [this] {
-        ImGuiWindow* section = ImGui::FindWindowByName(child("##side/##view_")->Name);
-        ImGui::SetScrollY(section, section->ScrollMax.y);
-        draw();
-        return section;
-    };
-    const ImGuiWindow& section = *scroll_down();
-    const float row = ImGui::GetFrameHeightWithSpacing();
-    // The third line.
-    click_at({section.Pos.x + 0.4F * row, section.Pos.y + 2.4F * row - section.Scroll.y});
+    click_at(view_line(2));
     EXPECT_TRUE(state_.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
+    view_line(2);
     draw();
-    scroll_down();
     EXPECT_GT(legend(draw()), px(8) * px(8));
+}
+
+TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
+    draw();
+    click_at(view_line(3));
+    EXPECT_TRUE(state_.document.shadows);
+    EXPECT_FALSE(state_.document.antialias);
+    click_at(view_line(3) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
+    EXPECT_TRUE(state_.document.shadows);
+    EXPECT_TRUE(state_.document.antialias);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),

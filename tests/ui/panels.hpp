@@ -243,6 +243,16 @@ protected:
         }
     }
 
+    /// Scrolls to a line of the view's settings, counted from 0; where its checkbox is.
+    glm::vec2 view_line(int line) {
+        ImGuiWindow* section = ImGui::FindWindowByName(child("##side/##view_")->Name);
+        const float row = ImGui::GetFrameHeightWithSpacing();
+        const float top = row * static_cast<float>(line);
+        ImGui::SetScrollY(section, std::min(top, section->ScrollMax.y));
+        draw();
+        return {section->Pos.x + 0.4F * row, section->Pos.y + top + 0.4F * row - section->Scroll.y};
+    }
+
     /// A key, in GLFW's numbers, pressed and released.
     void press(int key) {
         for (const bool pressed : {true, false}) {
