@@ -62,6 +62,7 @@ ui::UiState first_state(const DesktopOptions& options) {
     ui::UiState state;
     state.document = options.document;
     state.theme = options.theme;
+    state.layout.clip_open = !state.document.region.is_whole();
     if (options.takes_keyboard) {
         state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
     }
@@ -76,9 +77,10 @@ ui::UiState first_state(const DesktopOptions& options) {
 }  // namespace
 
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
-    return a.formula == b.formula && a.clip == b.clip && a.camera == b.camera && a.stop == b.stop &&
-           a.shadows == b.shadows && a.antialias == b.antialias && a.size_px == b.size_px &&
-           a.surfaces == b.surfaces && a.uniforms == b.uniforms;
+    return a.formula == b.formula && a.clip == b.clip && a.region == b.region &&
+           a.camera == b.camera && a.stop == b.stop && a.shadows == b.shadows &&
+           a.antialias == b.antialias && a.size_px == b.size_px && a.surfaces == b.surfaces &&
+           a.uniforms == b.uniforms;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
@@ -251,7 +253,9 @@ void Desktop::find_view() {
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
     const auto look = [aspect](Document& document) {
-        document.camera = document.home.value_or(default_camera(document.clip, aspect));
+        Camera first = default_camera(document.clip, aspect);
+        if (document.camera) first.projection = document.camera->projection;
+        document.camera = document.home.value_or(first);
     };
     if (std::exchange(state_.reset_view, false)) look(state_.document);
     if (!state_.document.camera) session_.amend(look);
@@ -263,6 +267,7 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     if (shown_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) return std::nullopt;
     Wanted wanted{shown_,
                   document.clip,
+                  document.region,
                   *document.camera,
                   document.stop,
                   document.shadows,

@@ -66,6 +66,7 @@ private:
     struct Wanted {
         std::shared_ptr<const Formula> formula;
         Box clip;
+        Region region;
         Camera camera;
         StopCriterion stop;
         bool shadows;

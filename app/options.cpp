@@ -2,6 +2,7 @@
 
 #include "app/document_files.hpp"
 #include "app/gallery.hpp"
+#include "app/region_options.hpp"
 #include "app/text.hpp"
 #include "engine/trace/tracer.hpp"
 
@@ -70,9 +71,16 @@ OrInputError<Box> read_box(const std::string& text) {
     return box;
 }
 
-/// The camera of the view options over `base`.
+OrInputError<Projection> read_projection(const std::string& text) {
+    if (text == "perspective") return Projection::Perspective;
+    if (text == "orthographic") return Projection::Orthographic;
+    return wrong_input("--projection " + text + ": type perspective or orthographic");
+}
+
+/// The camera of the view options over the surface's.
 OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surface& surface) {
-    if (!view.eye && !view.look_at && !view.up && !view.fov) return surface.camera;
+    if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
+        return surface.camera;
     Camera camera = surface.camera.value_or(default_camera(surface.clip));
     const auto take = [](const std::optional<std::string>& text, const char* option,
                          glm::dvec3& value) -> std::optional<InputError> {
@@ -95,6 +103,11 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
         }
         camera.fov_rad = glm::radians(*degrees);
     }
+    if (view.projection) {
+        const auto projection = read_projection(*view.projection);
+        if (!projection) return std::unexpected(projection.error());
+        camera.projection = *projection;
+    }
     if (const char* defect = camera_defect(camera)) return wrong_input(defect);
     return camera;
 }
@@ -103,6 +116,7 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
 Surface surface_of(Document document) {
     Surface surface{
         joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
+    surface.region = document.region;
     surface.document = std::move(document);
     return surface;
 }
@@ -130,6 +144,7 @@ Document document_of(const Surface& surface) {
         document.home = surface.camera;
     }
     document.clip = surface.clip;
+    document.region = surface.region;
     document.camera = surface.camera;
     set_value(document.w, surface.w);
     for (const auto& [name, value] : surface.parameters) {
@@ -234,6 +249,10 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;
+    const glm::dvec3 eye = surface.camera.value_or(default_camera(surface.clip)).eye;
+    auto region = read_region(view, surface.region, eye);
+    if (!region) return std::unexpected(region.error());
+    surface.region = std::move(*region);
     return surface;
 }
 

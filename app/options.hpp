@@ -18,7 +18,9 @@ namespace zeroset {
 
 /// What the user typed for a view, as text; absent where an option was not given.
 struct ViewText {
-    std::optional<std::string> box, eye, look_at, up, fov, w;
+    std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
+    std::vector<std::string> sections;
+    bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
 };
 
@@ -35,6 +37,7 @@ struct Surface {
     double w = 0.0;
     std::optional<Camera> camera;  ///< default_camera(clip, aspect) when absent
     ParameterValues parameters;    ///< those that are given
+    Region region = {};            ///< what is shown of the clip box
     /// Of a file: its rows, colours and sliders, whose text `equation` is.
     std::optional<Document> document = std::nullopt;
 };

@@ -114,7 +114,9 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
 Scene scene_of(const Formula& formula, const RenderPlan& plan) {
     const Surface& surface = plan.surface;
     if (!surface.document) {
-        return make_scene(formula, surface.clip, surface.w, surface.parameters);
+        Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
+        scene.region = surface.region;
+        return scene;
     }
     return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
 }

@@ -49,6 +49,7 @@ struct Document {
     std::map<std::string, Slider> parameters;  ///< those not as they are at first, by name
     Slider w{.value = 0.0, .lo = -2.0, .hi = 2.0};
     Box clip;
+    Region region;                 ///< what is shown of the clip box
     std::optional<Camera> camera;  ///< default_camera of the clip box when absent
     std::optional<Camera> home;    ///< what "reset view" goes back to, if not to the default
     StopCriterion stop{.value = 14.0};

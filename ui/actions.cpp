@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 namespace zeroset::ui {
 namespace {
@@ -42,6 +43,16 @@ bool is_document(const UiState& state) {
     return state.document.*flag;
 }
 
+bool is_parallel(const std::optional<Camera>& camera) {
+    return camera && camera->projection == Projection::Orthographic;
+}
+
+void switch_projection(UiState& state) {
+    std::optional<Camera>& camera = state.document.camera;
+    const bool parallel = is_parallel(camera);
+    camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
+}
+
 void switch_theme(UiState& state) {
     state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
 }
@@ -57,6 +68,13 @@ constexpr auto table = std::to_array<Action>({
      .keys = "R",
      .about = "look at the whole box again",
      .run = [](UiState& state) { state.reset_view = true; }},
+    {.section = picture,
+     .name = "Parallel rays",
+     .keys = "5",
+     .about = "orthographic or perspective view",
+     .run = switch_projection,
+     .enabled = [](const UiState& state) { return state.document.camera.has_value(); },
+     .is_on = [](const UiState& state) { return is_parallel(state.document.camera); }},
     {.section = picture,
      .name = "Mark undecided pixels",
      .keys = "U",
@@ -107,6 +125,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: View",
      .run = toggle_layout<&Layout::view_open>,
      .is_on = is_layout<&Layout::view_open>},
+    {.section = window,
+     .name = "Section: Clip",
+     .run = toggle_layout<&Layout::clip_open>,
+     .is_on = is_layout<&Layout::clip_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

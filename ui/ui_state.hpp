@@ -98,6 +98,8 @@ struct Layout {
     float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
     bool folded = false;
     bool view_open = true;  ///< the section of the view's settings
+    bool clip_open = false;
+    bool edges_open = false;  ///< of the clip box, each by itself
 };
 
 /// The name of w among the sliders; no parameter is called so.

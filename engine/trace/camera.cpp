@@ -15,16 +15,31 @@ ViewFrame::ViewFrame(const Camera& camera)
     : eye(camera.eye),
       forward(glm::normalize(camera.look_at - camera.eye)),
       look_distance(glm::distance(camera.look_at, camera.eye)),
-      half_height(std::tan(0.5 * camera.fov_rad)) {
+      half_height(std::tan(0.5 * camera.fov_rad)),
+      projection(camera.projection) {
     right = glm::normalize(glm::cross(forward, camera.up));
     up = glm::cross(right, forward);
 }
 
-glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
+glm::dvec3 ViewFrame::across(double col, double row, int width_px, int height_px) const {
     const double size = pixel_size(height_px);
     const double u = (col - 0.5 * width_px) * size;
     const double v = (0.5 * height_px - row) * size;
-    return forward + u * right + v * up;
+    return u * right + v * up;
+}
+
+glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
+    return parallel() ? forward : forward + across(col, row, width_px, height_px);
+}
+
+glm::dvec3 ViewFrame::origin(double col, double row, int width_px, int height_px) const {
+    return parallel() ? eye + look_distance * across(col, row, width_px, height_px) : eye;
+}
+
+glm::dvec3 ViewFrame::point(double col, double row, int width_px, int height_px,
+                            double distance) const {
+    return origin(col, row, width_px, height_px) +
+           distance * glm::normalize(direction(col, row, width_px, height_px));
 }
 
 Camera default_camera(const Box& box, double aspect) {
@@ -114,10 +129,9 @@ Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
 
 glm::dvec3 point_under(const Camera& camera, double u, double v, std::optional<double> distance) {
     const ViewFrame frame(camera);
-    const glm::dvec3 direction =
-        frame.forward + frame.half_height * (u * frame.right + v * frame.up);
-    const double t = distance ? *distance / glm::length(direction) : frame.look_distance;
-    return frame.eye + t * direction;
+    // An image of two pixels in height, its centre at (0, 0).
+    const double at_look = frame.look_distance * glm::length(frame.direction(u, 1.0 - v, 0, 2));
+    return frame.point(u, 1.0 - v, 0, 2, distance.value_or(at_look));
 }
 
 }  // namespace zeroset
