@@ -1,13 +1,11 @@
 #include "app/desktop.hpp"
 
-#include "app/commands.hpp"
 #include "app/document_files.hpp"
 #include "app/document_scene.hpp"
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/gallery.hpp"
 #include "app/language.hpp"
-#include "app/options.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/render_job.hpp"
@@ -15,6 +13,7 @@
 #include "ui/parameter_row.hpp"
 #include "ui/screen.hpp"
 #include "ui/texture.hpp"
+#include "ui/typing_popup.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
@@ -25,8 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <expected>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,7 +59,9 @@ ui::UiState first_state(const DesktopOptions& options) {
     ui::UiState state;
     state.document = options.document;
     state.theme = options.theme;
-    state.layout.clip_open = !state.document.region.is_whole();
+    state.follows_desktop = options.follows_desktop;
+    state.layout = options.layout;
+    state.layout.clip_open = state.layout.clip_open || !state.document.region.is_whole();
     if (options.takes_keyboard) {
         state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
     }
@@ -88,9 +87,21 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       state_(first_state(options)),
       session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
+      latency_(options.latency_log.empty() ? nullptr
+                                           : std::make_unique<LatencyLog>(options.latency_log)),
       cards_(options.keeps_files, [this] { window_.wake(); }),
       formulas_([this] { window_.wake(); }),
-      pictures_([this] { window_.wake(); }) {}
+      pictures_([this] {
+          if (latency_ != nullptr) latency_->picture_ready();
+          window_.wake();
+      }) {
+    if (options.on_desktop) portal_.emplace([this] { window_.wake(); });
+}
+
+Preferences Desktop::preferences() const {
+    const auto chosen = state_.follows_desktop ? std::nullopt : std::optional(state_.theme);
+    return {state_.layout, chosen, state_.theme, window_.size()};
+}
 
 double Desktop::now_s() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -98,20 +109,36 @@ double Desktop::now_s() const {
 
 void Desktop::draw_frame() {
     const ui::WindowEvents events = window_.take_events();
+    if (latency_ != nullptr && events.input) latency_->input(*events.input);
     if (events.close) session_.close();
     session_.open(events.dropped);
     take_formula();
     take_double();
     take_frame();
     cards_.show(state_);
+    if (portal_) portal_->follow(state_);
     play();
-    window_.hold_keys(state_.focus.has_value());
+    window_.hold_keys(ui::awaits_keyboard(state_));
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
     // Before the frame waits for the screen.
+    const std::uint64_t before = request_;
     follow_edits();
+    if (latency_ != nullptr) log_submission(before);
+    const LatencyLog::InOpenGl drawing(latency_.get());
     window_.end_frame();
+}
+
+/// What came of an event: a picture, one as soon as the formula is read and compiled, or nothing.
+void Desktop::log_submission(std::uint64_t before) {
+    const bool reads = answered_rows_ != submitted_rows_;
+    if (request_ != before) {
+        latency_->submitted(request_);
+    } else if (!reads) {
+        latency_->nothing_submitted();
+    }
+    latency_->about_to_swap();
 }
 
 bool Desktop::settled() const {
@@ -175,6 +202,10 @@ void Desktop::take_frame() {
     std::optional<RenderResult> result = pictures_.take();
     if (result) {
         state_.shown = {result->frame, result->camera};
+        if (latency_ != nullptr) {
+            latency_->taken(result->request, result->frame->width, result->frame->height,
+                            result->complete);
+        }
         upload_frame();
         const bool full = result->complete;
         pictured_request_ = result->request;
@@ -192,6 +223,7 @@ void Desktop::take_frame() {
 }
 
 void Desktop::upload_frame() {
+    const LatencyLog::InOpenGl uploading(latency_.get());
     const bool marks = state_.document.mark_undecided;
     const auto tint = marks ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
     texture_.upload(*state_.shown.frame, ui::behind_picture(state_.theme), tint);
@@ -310,42 +342,6 @@ void Desktop::submit_picture() {
     state_.picture.tracing = true;
     submitted_ = std::move(next);
     window_.wake();
-}
-
-OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
-                                                  const TraceText& trace) {
-    const std::string first = "@" + gallery().front().name;
-    const auto surface = read_surface(equation.empty() ? first : equation, view);
-    if (!surface) return std::unexpected(surface.error());
-    auto settings = read_trace_settings(trace);
-    if (!settings) return std::unexpected(settings.error());
-    DesktopOptions options;
-    options.document = document_of(*surface);
-    options.equation = surface->equation;
-    options.given = surface->parameters;
-    if (surface->document) {
-        options.path = equation;
-        if (const auto loaded = load_document(equation)) options.note = loaded->note;
-    }
-    if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
-    take_look(trace, options.document);
-    options.settings = std::move(*settings);
-    return options;
-}
-
-int run_desktop(const DesktopOptions& options) {
-    auto window = ui::make_glfw_window({});
-    if (!window) {
-        std::cerr << "zeroset: " << window.error()
-                  << "; `zeroset render \"EQUATION\" -o out.png` works without a display\n";
-        return exit_run_time;
-    }
-    Desktop desktop(**window, options);
-    while (!desktop.closed()) {
-        (*window)->wait(desktop.due_s());
-        desktop.draw_frame();
-    }
-    return exit_ok;
 }
 
 }  // namespace zeroset

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "app/desktop_portal.hpp"
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
 #include "app/gallery_cards.hpp"
+#include "app/latency_log.hpp"
 #include "app/options.hpp"
+#include "app/preferences.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/render_job.hpp"
@@ -35,9 +38,13 @@ struct DesktopOptions {
     ParameterValues given;   ///< those that were given by name
     TraceSettings settings;  ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
+    bool follows_desktop = false;  ///< the theme is the desktop's wish
+    bool on_desktop = false;       ///< there may be one to ask
+    ui::Layout layout;
     std::vector<const ui::Action*> actions;  ///< run before the first frame
     bool takes_keyboard = true;              ///< the first row can be typed over at once
     bool keeps_files = true;                 ///< as in SessionOptions
+    std::string latency_log;                 ///< the file of a LatencyLog; empty: none
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -58,6 +65,10 @@ public:
     /// stand, and the finished picture of what can be drawn. Until then the window is woken again.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] bool closed() const { return session_.closed(); }
+    /// The window cannot go on: the document is left to be restored by the next.
+    void abandon() { session_.abandon(); }
+    /// What the next window takes over.
+    [[nodiscard]] Preferences preferences() const;
     /// Seconds until there is something to draw or to do though nothing happens.
     [[nodiscard]] std::optional<double> due_s() const;
 
@@ -91,6 +102,7 @@ private:
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<Wanted> wanted_picture() const;
     void submit_picture();
+    void log_submission(std::uint64_t before);
     [[nodiscard]] double now_s() const;
 
     ui::Window& window_;
@@ -112,6 +124,8 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;
 
+    std::unique_ptr<LatencyLog> latency_;  ///< where one is wanted
+    std::optional<DesktopPortal> portal_;  ///< of a window on a desktop
     GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;

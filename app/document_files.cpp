@@ -141,6 +141,11 @@ void Autosave::forget() {
     if (lock_ >= 0) fs::remove(file_, ignored);
 }
 
+void Autosave::abandon() {
+    if (lock_ >= 0) ::close(lock_);
+    lock_ = -1;
+}
+
 std::optional<LostSession> Autosave::lost() const {
     std::optional<LostSession> newest;
     for (const fs::path& file : documents_in(folder_)) {

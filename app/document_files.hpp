@@ -64,6 +64,8 @@ public:
     void keep(const Document& document);
     /// There is nothing to restore.
     void forget();
+    /// What was kept is left as by a crash; nothing more is kept.
+    void abandon();
     /// The newest of the sessions that were lost.
     [[nodiscard]] std::optional<LostSession> lost() const;
     /// Removes what a lost session left.

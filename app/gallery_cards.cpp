@@ -17,7 +17,9 @@ std::optional<std::filesystem::path> folder_for(bool keeps_files) {
 }  // namespace
 
 GalleryCards::GalleryCards(bool keeps_files, std::function<void()> wake)
-    : job_(ThumbnailCache(folder_for(keeps_files)), std::move(wake)) {}
+    : job_(ThumbnailCache(folder_for(keeps_files)),
+           keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
+           std::move(wake)) {}
 
 void GalleryCards::show(ui::UiState& state) {
     ui::GalleryPage& page = state.gallery_page;

@@ -14,8 +14,8 @@ namespace zeroset {
 /// picture is at rest, and uploaded. The window's thread only.
 class GalleryCards {
 public:
-    /// `keeps_files`: whether pictures are kept from session to session. `wake` is called from
-    /// another thread after each picture.
+    /// `keeps_files`: pictures are kept from session to session, and drawn at a low priority, as
+    /// somebody works meanwhile. `wake` is called from another thread after each picture.
     GalleryCards(bool keeps_files, std::function<void()> wake);
 
     /// Before the panels are drawn: hands them what was finished.

@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
 #include "app/text.hpp"
+#include "engine/image/file.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -115,9 +116,15 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
     return {arguments.rbegin(), arguments.rend()};
 }
 
-int open_window(const std::string& equation, const ViewText& view, const TraceText& trace) {
-    const auto options = read_desktop_options(equation, view, trace);
+int open_window(const std::string& equation, const ViewText& view, const TraceText& trace,
+                const std::string& latency_log) {
+    auto options = read_desktop_options(equation, view, trace);
     if (!options) return report(options.error());
+    if (!latency_log.empty()) {
+        const auto writable = check_writable(latency_log);
+        if (!writable) return report_run_time(writable.error().message);
+        options->latency_log = latency_log;
+    }
     // A document may have errors: its rows show them.
     if (options->path.empty()) {
         const auto program = read_formula(options->equation);
@@ -190,6 +197,9 @@ int run(int argc, char** argv) {
               "gallery, FILE.zeroset.json, or - for standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
+    std::string latency_log;
+    add_value(app, "--latency-log", latency_log,
+              "a file of JSON lines: how long each input took to change the picture");
     RenderCommand render;
     UiShotCommand shot;
     GalleryCommand gallery;
@@ -215,7 +225,7 @@ int run(int argc, char** argv) {
     if (*explain_app) return run_explain(explain);
     if (*bench_app) return run_bench(bench);
     if (*language_app) return run_language();
-    return open_window(equation, view, trace);
+    return open_window(equation, view, trace, latency_log);
 }
 
 }  // namespace

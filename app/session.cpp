@@ -104,6 +104,11 @@ void Session::open(const std::vector<std::string>& paths) {
     if (!paths.empty() && asked_ == Asked::Nothing) attempt({Intent::OpenPath, paths.front()});
 }
 
+void Session::abandon() {
+    if (unsaved()) autosave_.keep(state_.document);
+    autosave_.abandon();
+}
+
 std::optional<double> Session::due_s(double now_s) const {
     if (!unsaved() || kept_ == state_.document) return std::nullopt;
     return std::max(kept_s_ + autosave_s - now_s, 0.0);

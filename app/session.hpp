@@ -42,6 +42,8 @@ public:
     /// The window is to close; asks if that would lose work.
     void close() { attempt({Intent::Quit, {}}); }
     [[nodiscard]] bool closed() const { return closed_; }
+    /// Ends as after a crash: the document is left to be restored.
+    void abandon();
 
     /// Seconds until it wants to be called though nothing happens.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;

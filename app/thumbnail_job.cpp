@@ -18,7 +18,8 @@ namespace {
 
 /// Fine enough for a picture of this size, twice as wide and high.
 constexpr double thumbnail_d_stop = 12.0;
-constexpr int lowest_priority = 19;
+/// As `nice` has it: others come first, but a busy machine does not stop it.
+constexpr int low_priority = 10;
 
 Camera camera_of(const GalleryItem& item, glm::ivec2 size_px) {
     const double aspect = static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
@@ -27,7 +28,7 @@ Camera camera_of(const GalleryItem& item, glm::ivec2 size_px) {
 
 /// A failure leaves the thread as it is: slower for others, but no less right.
 void lower_priority() {
-    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), lowest_priority);
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), low_priority);
 }
 
 std::string text_of(const std::vector<double>& numbers) {
@@ -54,8 +55,12 @@ std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
     return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" + text_of(numbers);
 }
 
-ThumbnailJob::ThumbnailJob(ThumbnailCache cache, std::function<void()> on_picture)
-    : cache_(std::move(cache)), on_picture_(std::move(on_picture)), thread_([this] { run(); }) {}
+ThumbnailJob::ThumbnailJob(ThumbnailCache cache, Priority priority,
+                           std::function<void()> on_picture)
+    : cache_(std::move(cache)), on_picture_(std::move(on_picture)), thread_([this, priority] {
+          if (priority == Priority::Low) lower_priority();
+          run();
+      }) {}
 
 ThumbnailJob::~ThumbnailJob() {
     {
@@ -101,7 +106,6 @@ bool ThumbnailJob::busy() const {
 }
 
 void ThumbnailJob::run() {
-    lower_priority();
     while (const auto work = wait_for_work())
         finish(*work, picture_of(*work));
 }

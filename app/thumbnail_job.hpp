@@ -8,6 +8,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -22,13 +23,15 @@ struct Thumbnail {
     RgbaImage image;
 };
 
-/// Draws small pictures of the gallery's surfaces in the background, on one thread of the lowest
-/// priority; what was drawn once comes from the cache. All members may be called from the UI
-/// thread; none waits for a picture.
+/// Draws small pictures of the gallery's surfaces in the background, on one thread; what was drawn
+/// once comes from the cache. All members may be called from the UI thread; none waits for a
+/// picture.
 class ThumbnailJob {
 public:
+    enum class Priority : std::uint8_t { Usual, Low };
+
     /// `on_picture` is called from the job's thread after each picture.
-    ThumbnailJob(ThumbnailCache cache, std::function<void()> on_picture);
+    ThumbnailJob(ThumbnailCache cache, Priority priority, std::function<void()> on_picture);
     ~ThumbnailJob();
     ThumbnailJob(const ThumbnailJob&) = delete;
     ThumbnailJob& operator=(const ThumbnailJob&) = delete;

@@ -55,6 +55,7 @@ void switch_projection(UiState& state) {
 
 void switch_theme(UiState& state) {
     state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
+    state.follows_desktop = false;
 }
 
 constexpr const char* picture = "Picture";
@@ -133,6 +134,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Light theme",
      .run = switch_theme,
      .is_on = [](const UiState& state) { return state.theme == Theme::Light; }},
+    {.section = window,
+     .name = "Theme of the desktop",
+     .run = toggle<&UiState::follows_desktop>,
+     .is_on = is_set<&UiState::follows_desktop>},
     {.section = window,
      .name = "Gallery",
      .keys = "Ctrl+G",

@@ -5,10 +5,10 @@
 #include "ui/label.hpp"
 #include "ui/text_match.hpp"
 #include "ui/theme.hpp"
+#include "ui/typing_popup.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
-#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -99,10 +99,8 @@ std::optional<std::size_t> draw_lines(UiState& state, const std::vector<PaletteL
 }
 
 void draw_field(CommandPalette& palette) {
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::InputTextWithHint("##typed", "a command, a surface, a recent file",
-                                 &palette.typed)) {
+    if (draw_popup_field(palette, "a command, a surface, a recent file", palette.typed)) {
         palette.selected = 0;
         palette.follow = true;
     }
@@ -149,12 +147,11 @@ std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& 
 
 void draw_command_palette(UiState& state) {
     CommandPalette& shown = state.command_palette;
-    // A click beside it has closed it.
-    if (shown.drawn && !ImGui::IsPopupOpen(popup)) shown.open = false;
-    if (!shown.drawn) shown = {.open = shown.open};
-    shown.drawn = shown.open;
-    if (!shown.open) return;
-    if (!ImGui::IsPopupOpen(popup)) ImGui::OpenPopup(popup);
+    if (!follow_popup(shown, popup)) return;
+    if (shown.frames == 1) {
+        shown.typed.clear();
+        shown.selected = 0;
+    }
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const ImVec2 size(std::min(em(36.0F), 0.95F * window.x), std::min(em(28.0F), 0.85F * window.y));
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.06F * window.y));

@@ -56,13 +56,22 @@ void draw_question(Question& question, const Palette& colors) {
     ImGui::EndPopup();
 }
 
+/// While the desktop asks: how to give that up.
+void draw_waiting(FileChoice& choice, const Palette& colors) {
+    Question question{"Choose the file in the desktop's dialog.", {"Cancel"}, {}};
+    draw_question(question, colors);
+    if (question.chosen) choice.finished = true;
+}
+
 }  // namespace
 
 void draw_dialogs(UiState& state) {
     if (state.dialogs.question && !state.dialogs.question->chosen) {
         draw_question(*state.dialogs.question, palette(state.theme));
     } else if (state.dialogs.file && !state.dialogs.file->finished) {
-        draw_file_browser(*state.dialogs.file, palette(state.theme));
+        FileChoice& choice = *state.dialogs.file;
+        const auto draw = choice.elsewhere ? draw_waiting : draw_file_browser;
+        draw(choice, palette(state.theme));
     }
 }
 

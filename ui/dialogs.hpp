@@ -25,6 +25,8 @@ struct FileChoice {
     std::string name;           ///< in the field
     bool finished = false;      ///< set by the panel
     std::string path;           ///< what was chosen, when it is finished; empty: nothing
+    bool begins = true;         ///< nobody has asked yet
+    bool elsewhere = false;     ///< asked in the desktop's own dialog; here one can only give up
     bool asks_replace = false;  ///< the file exists; another press of Save replaces it
 };
 

@@ -8,10 +8,10 @@
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/theme.hpp"
+#include "ui/typing_popup.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
-#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ namespace {
 constexpr const char* popup = "##gallery page";
 /// The page covers the picture where that is as wide, else the whole window.
 constexpr float least_width_em = 34.0F;
-constexpr float card_em = 14.0F;  ///< the least width of a card
+constexpr float card_em = 13.0F;  ///< the least width of a card
 constexpr float gap_em = 0.7F;
 /// A window as high has room for what is to be said of the selected surface.
 constexpr float details_from_em = 26.0F;
@@ -57,11 +57,9 @@ void draw_head(GalleryPage& page, const Palette& colors) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Gallery");
     ImGui::SameLine(0.0F, em(1.0F));
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const float room = ImGui::GetContentRegionAvail().x - size - em(0.4F);
     ImGui::SetNextItemWidth(std::min(room, em(24.0F)));
-    if (ImGui::InputTextWithHint("##search", "find a name, a word, a part of an equation",
-                                 &page.search)) {
+    if (draw_popup_field(page, "find a name, a word, a part of an equation", page.search)) {
         page.follow = true;
     }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
@@ -226,19 +224,13 @@ void draw_page(UiState& state) {
 
 void draw_gallery_page(UiState& state) {
     GalleryPage& page = state.gallery_page;
-    // A click beside it has closed it.
-    if (page.drawn && !ImGui::IsPopupOpen(popup)) page.open = false;
-    page.drawn = page.open;
-    if (!page.open || state.gallery.empty()) {
+    if (state.gallery.empty() || !follow_popup(page, popup)) {
         page.visible.clear();
         return;
     }
     const float scale = em(1.0F) / 14.0F * ImGui::GetIO().DisplayFramebufferScale.x;
     page.picture_px = glm::ivec2(glm::round(scale * picture_size));
-    if (!ImGui::IsPopupOpen(popup)) {
-        ImGui::OpenPopup(popup);
-        page.follow = true;
-    }
+    if (page.frames == 1) page.follow = true;
     place_page(state);
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;

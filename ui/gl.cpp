@@ -21,8 +21,15 @@ bool find(const char* name, Function& function) {
 
 const Gl& gl() { return current; }
 
+bool is_context_lost() {
+    return current.reset_status != nullptr && current.reset_status() != GL_NO_ERROR;
+}
+
 bool load_gl(GlLoader loader) {
     current_loader = loader;
+    if (!find("glGetGraphicsResetStatus", current.reset_status)) {
+        find("glGetGraphicsResetStatusARB", current.reset_status);
+    }
     return find("glBindTexture", current.bind_texture) && find("glClear", current.clear) &&
            find("glClearColor", current.clear_color) &&
            find("glDeleteTextures", current.delete_textures) &&

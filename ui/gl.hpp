@@ -22,10 +22,15 @@ struct Gl {
     decltype(&glTexParameteri) tex_parameter = nullptr;
     decltype(&glTexSubImage2D) tex_sub_image = nullptr;
     decltype(&glViewport) viewport = nullptr;
+    /// glGetGraphicsResetStatus; nullptr where the driver does not tell.
+    GLenum (*reset_status)() = nullptr;
 };
 
 /// Those of the context that load_gl() was last called for.
 const Gl& gl();
+
+/// Whether the driver says that the current context is lost.
+bool is_context_lost();
 
 /// Fills gl(), and lets Dear ImGui's renderer take its functions from the same loader. False where
 /// a function is missing. GuiContext calls it.

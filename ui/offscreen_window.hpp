@@ -55,8 +55,10 @@ public:
     void wake() override;
     void begin_frame(Theme theme) override;
     void end_frame() override;
+    [[nodiscard]] bool is_lost() const override { return false; }
     WindowEvents take_events() override { return {}; }
     void hold_keys(bool /*hold*/) override {}
+    [[nodiscard]] WindowSize size() const override;
     void set_title(const std::string& /*title*/) override {}
 
     /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
@@ -68,6 +70,8 @@ public:
     static void hold_ctrl(bool pressed);
     static void hold_shift(bool pressed);
     static void hold_alt(bool pressed);
+    /// Pixels per design unit from the next frame on.
+    void set_scale(float scale) { scale_ = scale; }
     /// UTF-8 typed before the next frame.
     static void type(std::string_view text);
     /// The colours of the last frame; nothing else of the Framebuffer is set.

@@ -31,10 +31,15 @@ struct GalleryEntry {
     std::string source = {};
 };
 
-/// The page on which the gallery is looked through.
-struct GalleryPage {
+/// A popup with a field to type into. Keys that come before the field has the keyboard wait for it.
+struct TypingPopup {
     bool open = false;
-    bool drawn = false;        ///< it was there in the frame before
+    int frames = 0;             ///< for which it has been drawn
+    bool has_keyboard = false;  ///< the field had it in the last frame
+};
+
+/// The page on which the gallery is looked through.
+struct GalleryPage : TypingPopup {
     std::string search;        ///< words that are looked for
     std::size_t selected = 0;  ///< a line of the gallery
     bool follow = false;       ///< the selection is to be scrolled into sight
@@ -58,10 +63,8 @@ struct HelpSection {
 };
 
 /// The field in which commands are found by a part of their name.
-struct CommandPalette {
-    bool open = false;
-    bool drawn = false;  ///< it was there in the frame before
-    std::string typed = {};
+struct CommandPalette : TypingPopup {
+    std::string typed;
     std::size_t selected = 0;  ///< of the lines found
     bool follow = false;       ///< the selection is to be scrolled into sight
 };
@@ -100,6 +103,8 @@ struct Layout {
     bool view_open = true;  ///< the section of the view's settings
     bool clip_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
+
+    bool operator==(const Layout&) const = default;
 };
 
 /// The name of w among the sliders; no parameter is called so.
@@ -113,6 +118,7 @@ struct UiState {
     unsigned gesture = 0;                    ///< grows with each press of a button
     Layout layout;
     Theme theme = Theme::Dark;
+    bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one
     bool show_help = false;
     std::string help_filter;
     GalleryPage gallery_page;

@@ -2,6 +2,7 @@
 
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/actions.hpp"
 #include "ui/label.hpp"
 #include "ui/slider_row.hpp"
 #include "ui/theme.hpp"
@@ -98,7 +99,7 @@ void draw_buttons(UiState& state) {
     const bool dark = state.theme == Theme::Dark;
     const std::string other = dark ? "Light" : "Dark";
     if (ImGui::Button((other + (wide ? " theme" : "") + "###theme").c_str(), size)) {
-        state.theme = dark ? Theme::Light : Theme::Dark;
+        action_named("Light theme").run(state);
     }
     if (!wide) draw_tooltip(other + " theme");
 }

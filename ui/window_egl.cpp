@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <expected>
 #include <memory>
 #include <string>
@@ -33,12 +34,15 @@ struct Egl {
     decltype(&eglGetError) get_error = nullptr;
     decltype(&eglGetProcAddress) get_proc_address = nullptr;
 
-    /// False where there is no such library.
+    /// False where there is no such library. The environment variable ZEROSET_EGL names another.
     bool load();
 };
 
 bool Egl::load() {
-    void* const library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    const char* const other =
+        std::getenv("ZEROSET_EGL");  // NOLINT(concurrency-mt-unsafe): read-only
+    const char* const file = other == nullptr ? "libEGL.so.1" : other;
+    void* const library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) return false;
     const auto find = [library](const char* name, auto& function) {
         function =

@@ -1,3 +1,4 @@
+#include "ui/gl.hpp"
 #include "ui/gui_context.hpp"
 #include "ui/key_queue.hpp"
 #include "ui/ui_state.hpp"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <expected>
 #include <memory>
@@ -62,8 +65,8 @@ using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 /// The wished size, within the part of the main screen that windows may cover.
 std::pair<int, int> fitting_size(const WindowOptions& options) {
     const float scale = scale_override().value_or(1.0F);
-    int width = static_cast<int>(static_cast<float>(options.width) * scale);
-    int height = static_cast<int>(static_cast<float>(options.height) * scale);
+    int width = static_cast<int>(static_cast<float>(options.size.width) * scale);
+    int height = static_cast<int>(static_cast<float>(options.size.height) * scale);
     if (GLFWmonitor* screen = glfwGetPrimaryMonitor(); screen != nullptr) {
         int left = 0;
         int top = 0;
@@ -81,7 +84,10 @@ WindowHandle open_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // So that the driver tells when it has reset the graphics card.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, options.size.maximized ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "zeroset");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "zeroset");
     const auto [width, height] = fitting_size(options);
@@ -91,7 +97,7 @@ WindowHandle open_window(const WindowOptions& options) {
 class GlfwWindow final : public Window {
 public:
     GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
-               std::unique_ptr<GuiContext> gui);
+               std::unique_ptr<GuiContext> gui, const WindowSize& size);
     ~GlfwWindow() override { ImGui_ImplGlfw_Shutdown(); }
     GlfwWindow(const GlfwWindow&) = delete;
     GlfwWindow& operator=(const GlfwWindow&) = delete;
@@ -100,8 +106,10 @@ public:
     void wake() override;
     void begin_frame(Theme theme) override;
     void end_frame() override;
+    [[nodiscard]] bool is_lost() const override { return lost_; }
     WindowEvents take_events() override { return std::exchange(events_, {}); }
     void hold_keys(bool hold) override { holds_keys_ = hold; }
+    [[nodiscard]] WindowSize size() const override;
     void set_title(const std::string& title) override;
 
 private:
@@ -110,30 +118,52 @@ private:
         window.changed_ = true;
         return window;
     }
+    /// The window, which notes the time of the event.
+    static GlfwWindow& of(GLFWwindow* handle, InputEvent::Kind kind) {
+        GlfwWindow& window = of(handle);
+        if (!window.events_.input) {
+            window.events_.input = InputEvent{kind, std::chrono::steady_clock::now()};
+        }
+        return window;
+    }
     static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods);
     static void on_character(GLFWwindow* handle, unsigned int character);
     void install_callbacks();
     void feed_keys();
+    void limit_size();
+    [[nodiscard]] float content_scale() const;
 
     std::unique_ptr<GlfwLibrary> library_;
     WindowHandle handle_;
+    WindowSize restored_;  ///< the last size that was not maximized
     std::unique_ptr<GuiContext> gui_;
     KeyQueue keys_;
     std::string title_;
     WindowEvents events_;
     bool holds_keys_ = false;
+    bool lost_ = false;
+    float limited_scale_ = 0.0F;  ///< that the least size is for
     std::atomic<bool> changed_{true};
     int frames_due_ = 0;
 };
 
 GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
-                       std::unique_ptr<GuiContext> gui)
-    : library_(std::move(library)), handle_(std::move(handle)), gui_(std::move(gui)) {
+                       std::unique_ptr<GuiContext> gui, const WindowSize& size)
+    : library_(std::move(library)),
+      handle_(std::move(handle)),
+      restored_(size),
+      gui_(std::move(gui)) {
     glfwSwapInterval(1);
     ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
     glfwSetWindowUserPointer(handle_.get(), this);
     install_callbacks();
-    const float scale = scale_override().value_or(1.0F);
+}
+
+/// The least size is the same in design units on every screen.
+void GlfwWindow::limit_size() {
+    const float scale = content_scale();
+    if (scale == limited_scale_) return;
+    limited_scale_ = scale;
     const auto scaled = [scale](int length) {
         return static_cast<int>(static_cast<float>(length) * scale);
     };
@@ -146,11 +176,11 @@ void GlfwWindow::install_callbacks() {
     glfwSetKeyCallback(handle, on_key);
     glfwSetCharCallback(handle, on_character);
     glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int mods) {
-        of(window);
+        of(window, InputEvent::Kind::Button);
         ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
     });
     glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
-        of(window);
+        of(window, InputEvent::Kind::Wheel);
         ImGui_ImplGlfw_ScrollCallback(window, x, y);
     });
     glfwSetCursorEnterCallback(handle, [](GLFWwindow* window, int entered) {
@@ -161,7 +191,8 @@ void GlfwWindow::install_callbacks() {
         of(window);
         ImGui_ImplGlfw_WindowFocusCallback(window, focused);
     });
-    glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double, double) { of(window); });
+    glfwSetCursorPosCallback(
+        handle, [](GLFWwindow* window, double, double) { of(window, InputEvent::Kind::Move); });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* window) {
         glfwSetWindowShouldClose(window, GLFW_FALSE);
         of(window).events_.close = true;
@@ -182,11 +213,12 @@ int key_of(int key, int scancode) {
 }
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
-    of(handle).keys_.push({key_of(key, scancode), scancode, action, mods, 0});
+    of(handle, InputEvent::Kind::Key)
+        .keys_.push({key_of(key, scancode), scancode, action, mods, 0});
 }
 
 void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
-    of(handle).keys_.push({0, 0, 0, 0, character});
+    of(handle, InputEvent::Kind::Key).keys_.push({0, 0, 0, 0, character});
 }
 
 void GlfwWindow::feed_keys() {
@@ -226,7 +258,26 @@ void GlfwWindow::wake() {
     glfwPostEmptyEvent();
 }
 
+float GlfwWindow::content_scale() const {
+    float scale = 1.0F;
+    glfwGetWindowContentScale(handle_.get(), &scale, nullptr);
+    return scale_override().value_or(std::clamp(scale, 1.0F, max_scale));
+}
+
+WindowSize GlfwWindow::size() const {
+    WindowSize size = restored_;
+    size.maximized = glfwGetWindowAttrib(handle_.get(), GLFW_MAXIMIZED) == GLFW_TRUE;
+    if (size.maximized) return size;
+    glfwGetWindowSize(handle_.get(), &size.width, &size.height);
+    const auto at_scale_1 = [scale = content_scale()](int length) {
+        return static_cast<int>(std::lround(static_cast<float>(length) / scale));
+    };
+    return {at_scale_1(size.width), at_scale_1(size.height), false};
+}
+
 void GlfwWindow::begin_frame(Theme theme) {
+    restored_ = size();
+    limit_size();
     int width_px = 0;
     int width_points = 0;
     int ignored = 0;
@@ -236,12 +287,8 @@ void GlfwWindow::begin_frame(Theme theme) {
     const float pixels_per_point =
         visible ? static_cast<float>(width_px) / static_cast<float>(width_points) : 1.0F;
 
-    float screen_scale = 1.0F;
-    glfwGetWindowContentScale(handle_.get(), &screen_scale, nullptr);
-    const float scale = scale_override().value_or(std::clamp(screen_scale, 1.0F, max_scale));
-
     feed_keys();
-    gui_->begin_frame(theme, scale, pixels_per_point);
+    gui_->begin_frame(theme, content_scale(), pixels_per_point);
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
 }
@@ -252,6 +299,7 @@ void GlfwWindow::end_frame() {
     glfwGetFramebufferSize(handle_.get(), &width_px, &height_px);
     GuiContext::end_frame(width_px, height_px);
     glfwSwapBuffers(handle_.get());
+    lost_ = is_context_lost();
 }
 
 void GlfwWindow::set_title(const std::string& title) {
@@ -270,7 +318,8 @@ std::expected<std::unique_ptr<Window>, std::string> make_glfw_window(const Windo
     glfwMakeContextCurrent(handle.get());
     auto gui = std::make_unique<GuiContext>(glfwGetProcAddress);
     if (!gui->ready()) return std::unexpected("no OpenGL 3.3: libGL.so.1 cannot be used");
-    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle), std::move(gui));
+    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle), std::move(gui),
+                                        options.size);
 }
 
 }  // namespace zeroset::ui

@@ -243,6 +243,18 @@ TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
     EXPECT_FALSE(state_.dialogs.question) << "it is offered once";
 }
 
+TEST_F(Sessions, LeaveTheDocumentWhereTheWindowCannotGoOn) {
+    start();
+    type("+y", 0.1);
+    session_->abandon();
+    type("+z", 10.0);
+    session_.reset();
+    state_.document = with_text("x = 2");
+    start();
+    answer(0);
+    EXPECT_EQ(text(), "x = 1+y");
+}
+
 TEST_F(Sessions, DoNotOfferWhatAnotherWindowHas) {
     start();
     type(" + open", Session::autosave_s + 1);
@@ -282,6 +294,16 @@ TEST(StateFolder, FollowsTheXdgSpecification) {
     setenv("XDG_STATE_HOME", "relative", 1);
     setenv("HOME", "/home/someone", 1);
     EXPECT_EQ(state_folder(), "/home/someone/.local/state/zeroset");
+}
+
+TEST(CacheAndConfigFolders, FollowTheXdgSpecification) {
+    setenv("HOME", "/home/someone", 1);
+    setenv("XDG_CACHE_HOME", "/fast", 1);
+    setenv("XDG_CONFIG_HOME", "relative", 1);
+    EXPECT_EQ(cache_folder(), "/fast/zeroset");
+    EXPECT_EQ(config_folder(), "/home/someone/.config/zeroset");
+    unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(cache_folder(), "/home/someone/.cache/zeroset");
 }
 
 TEST(Recent, KeepsTheNewestFirst) {

@@ -85,7 +85,7 @@ TEST_F(Thumbnails, AreNotKeptWithoutAFolder) {
 class Waiting {
 public:
     explicit Waiting(const fs::path& folder)
-        : job_(ThumbnailCache(folder), [this] {
+        : job_(ThumbnailCache(folder), ThumbnailJob::Priority::Usual, [this] {
               const std::scoped_lock lock(mutex_);
               ++finished_;
               changed_.notify_one();

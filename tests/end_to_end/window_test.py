@@ -2,191 +2,19 @@
 
 import json
 import os
-import shutil
 import signal
-import subprocess
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from zeroset_program import environment, main, program, read_xwd, run
+from real_window import POLL_S, RealWindowTest, check_tools
+from zeroset_program import environment, main, run
 
-PATIENCE_S = 20.0  # for anything that is awaited
-REST_S = 0.4       # a picture at rest does not change for so long
-POLL_S = 0.05
 BALL = "x^2+y^2+z^2=1"
 TORUS = "(1-sqrt(x^2+y^2))^2+z^2=0.1"
-SAME = 0.002       # fraction of pixels that may differ between equal pictures
 
 
-class Display:
-    """An Xvfb on a free display number whose screen is a file that can be read."""
-
-    def __init__(self, width, height):
-        self.folder = tempfile.TemporaryDirectory(prefix="zeroset_display_")
-        read_end, write_end = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{width}x{height}x24",
-             "-fbdir", self.folder.name, "-nolisten", "tcp", "-noreset"],
-            pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(write_end)
-        with os.fdopen(read_end) as answer:  # ends without a number if the server fails
-            number = answer.readline().strip()
-        if not number:
-            self.close()
-            raise RuntimeError("Xvfb did not start")
-        self.state = os.path.join(self.folder.name, "state")
-        self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull,
-                                       XDG_STATE_HOME=self.state)
-
-    def screenshot(self, *crop):
-        return read_xwd((Path(self.folder.name) / "Xvfb_screen0").read_bytes(), crop)
-
-    def xdotool(self, *words):
-        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True,
-                              capture_output=True, timeout=PATIENCE_S)
-        return done.stdout.decode()
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait(PATIENCE_S)
-        self.folder.cleanup()
-
-
-class WindowTest(unittest.TestCase):
-    SCALE = 1
-    SCREEN = (800, 600)
-
-    def setUp(self):
-        self.display = Display(*self.SCREEN)
-        self.addCleanup(self.display.close)
-        self.started = None
-
-    def start(self, *arguments):
-        """Starts the program and waits for its window and its first picture."""
-        variables = dict(self.display.environment, ZEROSET_SCALE=str(self.SCALE))
-        self.started = subprocess.Popen([program(), *arguments], env=variables,
-                                        stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        self.addCleanup(self.end)
-        self.window = self.wait_for(self.find_window, "window")
-        self.display.xdotool("windowfocus", "--sync", self.window)
-        self.point(0.72, 0.55)
-        return self.rest(lambda image: len(image.rows(8).colors()) > 100, "first picture")
-
-    def end(self):
-        if self.started.poll() is None:
-            self.started.kill()
-        self.started.wait(PATIENCE_S)
-        self.started.stdout.close()
-
-    def find_window(self):
-        self.assertIsNone(self.started.poll(), "the program has ended")
-        try:
-            return self.display.xdotool("search", "--onlyvisible", "--name", "Zeroset").split()[-1]
-        except (subprocess.CalledProcessError, IndexError):
-            return None
-
-    def wait_for(self, condition, what):
-        """The first true value of condition()."""
-        end = time.monotonic() + PATIENCE_S
-        while time.monotonic() < end:
-            value = condition()
-            if value:
-                return value
-            time.sleep(POLL_S)
-        return self.fail(f"waited in vain for: {what}")
-
-    # The parts of the window: the picture at the right of the panel, and in the panel the first row
-    # and what stands below it.
-
-    PANEL = 378  # width of the panel, at scale 1
-
-    def picture(self):
-        width, height = self.SCREEN
-        return self.display.screenshot((self.PANEL + 10) * self.SCALE, 20 * self.SCALE, width,
-                                       height - 40 * self.SCALE)
-
-    def bar(self):
-        """Below the first row's text: how it was read, or the error."""
-        return self.display.screenshot(10 * self.SCALE, 74 * self.SCALE,
-                                       (self.PANEL - 10) * self.SCALE, 94 * self.SCALE)
-
-    def rest(self, condition, what):
-        """The first picture that fulfils the condition and has come to rest."""
-        last, since = None, time.monotonic()
-
-        def at_rest():
-            nonlocal last, since
-            image = self.picture()
-            if last is None or image.rgb != last.rgb:
-                last, since = image, time.monotonic()
-            return time.monotonic() - since >= REST_S and condition(image)
-
-        self.wait_for(at_rest, what)
-        return last
-
-    def changed(self, old, what):
-        return self.rest(lambda image: not self.same(image, old), what)
-
-    def same(self, a, b):
-        return a.rows(4).difference(b.rows(4)) <= SAME
-
-    def point(self, across, down):
-        """Moves the pointer to a place in the window, in fractions of its size."""
-        width, height = self.SCREEN
-        self.display.xdotool("mousemove", int(across * width), int(down * height))
-
-    def drag(self, button, across, down):
-        """From the middle of the picture until it has changed; returns it at rest. A slow frame
-        may see many moves as one, so that they go on until one is seen."""
-        self.point(0.72, 0.55)
-        before = self.rest(lambda _: True, "rest")
-        self.display.xdotool("mousedown", button)
-        part = 0.0
-
-        def move_and_look():
-            nonlocal part
-            part = min(part + 0.05, 1.0)
-            self.point(0.72 + part * across, 0.55 + part * down)
-            return not self.same(self.picture(), before)
-
-        self.wait_for(move_and_look, f"a drag with button {button}")
-        self.rest(lambda _: True, "rest")
-        self.display.xdotool("mouseup", button)
-        return self.changed(before, f"a drag with button {button}")
-
-    def field(self):
-        """The text of the first row."""
-        return self.display.screenshot(50 * self.SCALE, 46 * self.SCALE, 300 * self.SCALE,
-                                       70 * self.SCALE)
-
-    def type_equation(self, text):
-        """Into the first row, instead of what is there."""
-        self.display.xdotool("key", "Escape")
-        self.rest(lambda _: True, "rest")
-        quiet = self.field()
-        self.display.xdotool("mousemove", 150 * self.SCALE, 58 * self.SCALE, "click", 1,
-                             "key", "ctrl+a")
-        self.wait_for(lambda: self.field().difference(quiet) > 0.02, "the text marked")
-        self.display.xdotool("type", "--delay", 5, text)
-        self.point(0.72, 0.55)
-
-    def red_pixels(self):
-        """Pixels of the error's colour below the field."""
-        bar = self.bar()
-        return sum(r > g + 50 and r > b + 50
-                   for r, g, b in zip(bar.rgb[0::3], bar.rgb[1::3], bar.rgb[2::3]))
-
-    def title(self):
-        return self.display.xdotool("getwindowname", self.window).strip()
-
-    def quit_by_key(self):
-        """With D for "Don't save" where it asks."""
-        self.display.xdotool("key", "ctrl+q", "d")
-        self.assertEqual(self.started.wait(5.0), 0)
-        self.assertEqual(self.started.stdout.read(), b"")
-
+class WindowTest(RealWindowTest):
     def test_type_drag_zoom_reset_and_quit(self):
         ball = self.start(BALL)
         self.assertEqual(self.red_pixels(), 0)
@@ -360,7 +188,5 @@ class NoDisplayTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
-    if missing:
-        raise SystemExit("needed and not installed: " + ", ".join(missing))
+    check_tools()
     main()

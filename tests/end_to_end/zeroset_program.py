@@ -30,7 +30,8 @@ def main():
 def environment(**changes):
     """The process's environment without a display; a change to None removes a variable."""
     result = dict(os.environ, LC_ALL="C.UTF-8")
-    for name in ("DISPLAY", "WAYLAND_DISPLAY", "ZEROSET_SCALE", "XDG_STATE_HOME"):
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "ZEROSET_SCALE", "ZEROSET_EGL", "XDG_STATE_HOME",
+                 "XDG_CONFIG_HOME", "XDG_CACHE_HOME"):
         result.pop(name, None)
     for name, value in changes.items():
         result.pop(name, None)

@@ -96,6 +96,17 @@ TEST_P(DialogPanels, KeepTheRowsFromTheKeyboard) {
     EXPECT_EQ(state_.document.statements[0].text, "x^2 + y^2 + z^2 = 1");
 }
 
+TEST_P(DialogPanels, CanGiveUpTheDesktopsDialog) {
+    choose(FileChoice::Purpose::Save);
+    file().elsewhere = true;
+    draw();
+    type("y");
+    EXPECT_FALSE(file().finished);
+    press(GLFW_KEY_ESCAPE);
+    EXPECT_TRUE(file().finished);
+    EXPECT_EQ(file().path, "");
+}
+
 TEST_P(DialogPanels, OpenTheFileThatIsTyped) {
     choose(FileChoice::Purpose::Open);
     type("a.zeroset.json");

@@ -2,6 +2,7 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
+#include "ui/gl.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/screen.hpp"
 #include "ui/side_panel.hpp"
@@ -163,6 +164,48 @@ Framebuffer drawn_by(OffscreenContextOr (*make_context)(glm::ivec2)) {
         (*window)->end_frame();
     }
     return (*window)->pixels();
+}
+
+// The scale changes when the window is moved to another screen.
+TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
+    auto made = make_offscreen_window({.width = 1280, .height = 800});
+    if (!made) GTEST_SKIP() << made.error();
+    OffscreenWindow& window = **made;
+    const Texture picture;
+    UiState state = usual_state(Theme::Dark);
+    const auto panel_at = [&](float scale) {
+        window.set_scale(scale);
+        for (int i = 0; i <= frames_to_settle; ++i) {
+            window.begin_frame(Theme::Dark);
+            draw_screen(state, picture);
+            window.end_frame();
+        }
+        return side_panel_width(state);
+    };
+    const float usual = panel_at(1.0F);
+    EXPECT_NEAR(panel_at(1.5F), 1.5F * usual, 2.0F);
+    EXPECT_NEAR(panel_at(1.0F), usual, 0.01F);
+}
+
+GlLoader real_loader = nullptr;
+
+/// As the real one, but with a context that is lost.
+GlFunction loader_of_a_lost_context(const char* name) {
+    if (std::string(name) == "glGetGraphicsResetStatus") {
+        return reinterpret_cast<GlFunction>(+[] { return GLenum{0x8253}; });  // guilty
+    }
+    return real_loader(name);
+}
+
+TEST(OffscreenContext, IsLostWhenTheDriverSaysSo) {
+    const auto context = make_egl_context({16, 16});
+    if (!context) GTEST_SKIP() << context.error();
+    real_loader = (*context)->loader();
+    ASSERT_TRUE(load_gl(real_loader));
+    EXPECT_FALSE(is_context_lost());
+    ASSERT_TRUE(load_gl(loader_of_a_lost_context));
+    EXPECT_TRUE(is_context_lost());
+    ASSERT_TRUE(load_gl(real_loader));
 }
 
 TEST(OffscreenContext, DrawsTheSameInOneProcess) {

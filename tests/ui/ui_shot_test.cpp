@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -87,6 +88,32 @@ TEST_F(UiShot, RefusesWrongInput) {
 TEST_F(UiShot, SaysThatAFileCannotBeWritten) {
     command_.output = (folder_ / "missing" / "ui.png").string();
     EXPECT_EQ(run_ui_shot(command_), exit_run_time);
+}
+
+TEST_F(UiShot, TakesOsmesaWhereThereIsNoEgl) {
+    ::setenv("ZEROSET_EGL", "libno_such_library.so", 1);
+    EXPECT_FALSE(ui::make_egl_context({480, 320}));
+    const bool osmesa = ui::make_osmesa_context({480, 320}).has_value();
+    const int code = osmesa ? run_ui_shot(command_) : exit_ok;
+    ::unsetenv("ZEROSET_EGL");
+    if (!osmesa) GTEST_SKIP() << "OSMesa makes no context here";
+    EXPECT_EQ(code, exit_ok);
+    EXPECT_EQ(png_side(written(), 16), 480);
+}
+
+TEST_F(UiShot, RunsActionsByTheirNames) {
+    if (!can_draw()) GTEST_SKIP() << "neither EGL nor OSMesa makes a context here";
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    const std::string usual = written();
+    command_.actions = {"Fold the panel"};
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    const std::string folded = written();
+    EXPECT_NE(folded, usual);
+    command_.actions = {"Fold the panel", "Fold the panel"};
+    ASSERT_EQ(run_ui_shot(command_), exit_ok);
+    EXPECT_EQ(written(), usual);
+    command_.actions = {"Fold the pannel"};
+    EXPECT_EQ(run_ui_shot(command_), exit_wrong_input);
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#include "app/commands.hpp"
+#include "app/desktop.hpp"
+#include "app/document_files.hpp"
+#include "app/folders.hpp"
+#include "app/gallery.hpp"
+#include "app/options.hpp"
+#include "app/preferences.hpp"
+#include "ui/window.hpp"
+
+#include <expected>
+#include <iostream>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+
+OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
+                                                  const TraceText& trace) {
+    const std::string first = "@" + gallery().front().name;
+    const auto surface = read_surface(equation.empty() ? first : equation, view);
+    if (!surface) return std::unexpected(surface.error());
+    auto settings = read_trace_settings(trace);
+    if (!settings) return std::unexpected(settings.error());
+    DesktopOptions options;
+    options.document = document_of(*surface);
+    options.equation = surface->equation;
+    options.given = surface->parameters;
+    if (surface->document) {
+        options.path = equation;
+        if (const auto loaded = load_document(equation)) options.note = loaded->note;
+    }
+    if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
+    take_look(trace, options.document);
+    options.settings = std::move(*settings);
+    return options;
+}
+
+int run_desktop(const DesktopOptions& options) {
+    const auto folder = config_folder();
+    const Preferences before = folder ? load_preferences(*folder) : Preferences();
+    auto window = ui::make_glfw_window({.size = before.window});
+    if (!window) {
+        std::cerr << "zeroset: " << window.error()
+                  << "; `zeroset render \"EQUATION\" -o out.png` works without a display\n";
+        return exit_run_time;
+    }
+    DesktopOptions taken_over = options;
+    taken_over.on_desktop = true;
+    taken_over.layout = before.layout;
+    taken_over.theme = before.theme.value_or(before.last_theme);
+    taken_over.follows_desktop = !before.theme;
+    Desktop desktop(**window, taken_over);
+    while (!desktop.closed()) {
+        (*window)->wait(desktop.due_s());
+        desktop.draw_frame();
+        if (!(*window)->is_lost()) continue;
+        desktop.abandon();
+        return report_run_time(
+            "the graphics driver has lost the window; what was open is kept: start zeroset again");
+    }
+    const Preferences after = desktop.preferences();
+    if (folder && after != before) save_preferences(*folder, after);
+    return exit_ok;
+}
+
+}  // namespace zeroset
