@@ -52,6 +52,7 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.camera != b.camera) return "camera";
     if (a.clip != b.clip) return "clip";
     if (a.stop != b.stop) return "stop";
+    if (a.up != b.up) return "up";
     return "look";
 }
 

@@ -1,13 +1,13 @@
 #include "ui/view_section.hpp"
 
 #include "engine/trace/camera.hpp"
+#include "engine/trace/extent.hpp"
 #include "engine/trace/scene.hpp"
 #include "ui/label.hpp"
 #include "ui/slider_row.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
-#include <glm/ext/vector_double3.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -105,11 +105,7 @@ void draw_buttons(UiState& state) {
 
 }  // namespace
 
-Box resized(const Box& box, double half) {
-    const double factor = 2.0 * half / box.size();
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
-}
+Box resized(const Box& box, double half) { return scaled(box, 2.0 * half / box.size()); }
 
 float view_section_height(const UiState& state) {
     const float rows = state.document.mark_undecided ? 6.0F : 5.0F;
