@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
 // what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).
@@ -57,6 +58,7 @@ struct UiShotCommand {
     std::string theme = "dark";
     std::string output;
     bool mark_undecided = false;
+    std::vector<std::string> actions;  ///< names of what is done first
 };
 int run_ui_shot(const UiShotCommand& command);
 

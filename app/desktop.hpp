@@ -2,12 +2,14 @@
 
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
+#include "app/gallery_cards.hpp"
 #include "app/options.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/extent.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/actions.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
@@ -35,10 +37,11 @@ struct DesktopOptions {
     ParameterValues given;   ///< those that were given by name
     TraceSettings settings;  ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
-    bool takes_keyboard = true;  ///< the first row can be typed over at once
-    bool keeps_files = true;     ///< as in SessionOptions
-    bool fit = false;            ///< looks at all of the surfaces first
-    bool fits_box = true;        ///< and fits the clip box to them
+    std::vector<const ui::Action*> actions;  ///< run before the first frame
+    bool takes_keyboard = true;              ///< the first row can be typed over at once
+    bool keeps_files = true;                 ///< as in SessionOptions
+    bool fit = false;                        ///< looks at all of the surfaces first
+    bool fits_box = true;                    ///< and fits the clip box to them
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -120,6 +123,7 @@ private:
     bool fits_box_;
     unsigned done_gesture_ = 0;  ///< after which the note on what was done goes
 
+    GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;
 };

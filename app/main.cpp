@@ -36,10 +36,16 @@ void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& val
     app.add_flag_function("--" + name + ",!--no-" + name, take, about);
 }
 
-void add_parameters(CLI::App& app, std::vector<std::string>& set) {
-    app.add_option("--set", set, "value of a parameter: NAME=VALUE (default 1); may be repeated")
+void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                  const std::string& about) {
+    app.add_option(name, values, about)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_parameters(CLI::App& app, std::vector<std::string>& set) {
+    add_repeated(app, "--set", set,
+                 "value of a parameter: NAME=VALUE (default 1); may be repeated");
 }
 
 void add_view_options(CLI::App& app, ViewText& view) {
@@ -85,6 +91,8 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
               "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
     add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
     add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_repeated(*shot_app, "--do", shot.actions,
+                 "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
     shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
     add_view_options(*shot_app, shot.view);
     add_trace_options(*shot_app, shot.trace);

@@ -213,6 +213,8 @@ void RenderJob::draw(const Work& work) {
 
 std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, double scale) {
     Work smaller = work;
+    for (Kernel& surface : smaller.request.scene.surfaces)
+        surface = surface.without_waiting();
     const auto scaled = [scale](int side) {
         return std::max(1, static_cast<int>(std::lround(scale * side)));
     };

@@ -91,7 +91,8 @@ private:
     /// The next request; nothing at the end.
     std::optional<Work> wait_for_work();
     void draw(const Work& work);
-    /// A picture of the moment, by so many pixels along a side; nothing when it was cancelled.
+    /// A picture of the moment, by so many pixels along a side, with whatever code there is;
+    /// nothing when it was cancelled.
     std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
     /// The surfaces, then their shadows, then smooth edges, each over the picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);
