@@ -66,6 +66,8 @@ void add_view_options(CLI::App& app, ViewText& view) {
     app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
+    app.add_flag("--fit", view.fit,
+                 "look at all of the surface; without --box the clip box follows it, too");
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
@@ -82,6 +84,9 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
     add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
     add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    add_switch(app, "axes", trace.axes, "draw axes with numbers");
+    add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
+    add_switch(app, "grid", trace.grid, "draw a grid on the clip box's floor");
 }
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {

@@ -78,7 +78,7 @@ OrInputError<Projection> read_projection(const std::string& text) {
 }
 
 /// The camera of the view options over the surface's.
-OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surface& surface) {
+OrInputError<std::optional<Camera>> read_camera(const ViewText& view, Surface& surface) {
     if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
         return surface.camera;
     Camera camera = surface.camera.value_or(default_camera(surface.clip));
@@ -95,6 +95,7 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
         return std::unexpected(*error);
     }
     if (auto error = take(view.up, "--up", camera.up)) return std::unexpected(*error);
+    if (view.up) surface.up = camera.up;
     if (view.fov) {
         const auto degrees = read_number("--fov", *view.fov);
         if (!degrees) return std::unexpected(degrees.error());
@@ -146,6 +147,7 @@ Document document_of(const Surface& surface) {
     document.clip = surface.clip;
     document.region = surface.region;
     document.camera = surface.camera;
+    document.up = surface.up.value_or(document.up);
     set_value(document.w, surface.w);
     for (const auto& [name, value] : surface.parameters) {
         Slider slider = slider_of(document, name);
@@ -276,6 +278,9 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
 void take_look(const TraceText& text, Document& document) {
     document.shadows = text.shadows.value_or(document.shadows);
     document.antialias = text.antialias.value_or(document.antialias);
+    document.axes = text.axes.value_or(document.axes);
+    document.clip_box = text.clip_box.value_or(document.clip_box);
+    document.grid = text.grid.value_or(document.grid);
 }
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {

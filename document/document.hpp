@@ -56,9 +56,18 @@ struct Document {
     bool mark_undecided = false;
     bool shadows = false;
     bool antialias = false;
+    bool axes = false;      ///< with ticks and numbers
+    bool clip_box = false;  ///< its edges
+    bool grid = false;      ///< on the box's floor
+    /// What is up, not 0: what dragging turns about, unless it turns freely.
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    bool trackball = false;  ///< dragging turns freely
 
     bool operator==(const Document&) const = default;
 };
+
+/// What a person set for all surfaces: the search depth, the look, how dragging turns.
+void keep_settings(Document& document, const Document& of);
 
 /// A document with one empty row.
 Document empty_document();

@@ -60,10 +60,14 @@ Json json_of(const StopCriterion& stop) {
 }
 
 /// What is on or off in the field "look".
-constexpr std::array<std::pair<const char*, bool Document::*>, 3> look_switches{
+constexpr std::array<std::pair<const char*, bool Document::*>, 7> look_switches{
     {{"mark_undecided", &Document::mark_undecided},
      {"shadows", &Document::shadows},
-     {"antialias", &Document::antialias}}};
+     {"antialias", &Document::antialias},
+     {"axes", &Document::axes},
+     {"clip_box", &Document::clip_box},
+     {"grid", &Document::grid},
+     {"trackball", &Document::trackball}}};
 
 Json look_of(const Document& document) {
     Json look;
@@ -220,6 +224,9 @@ ReadDocument document_of(const Json& json) {
     if (const Json* camera = fields.find("camera"))
         document.camera = camera_of(*camera, "camera", unknown);
     if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
+    if (document.camera) document.up = document.camera->up;
+    if (const Json* up = fields.find("up")) document.up = vector_of(*up, "up");
+    if (glm::length(document.up) == 0) throw Damage{"up is zero"};
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     document = renumbered(std::move(document), 1);
@@ -257,6 +264,7 @@ std::string text_of(const Document& document) {
     if (!document.region.is_whole()) json["region"] = json_of(document.region);
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);
+    json["up"] = json_of(document.up);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -53,6 +53,7 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.clip != b.clip) return "clip";
     if (a.region != b.region) return "region";
     if (a.stop != b.stop) return "stop";
+    if (a.up != b.up) return "up";
     return "look";
 }
 

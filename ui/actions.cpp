@@ -1,5 +1,7 @@
 #include "ui/actions.hpp"
 
+#include "ui/view_moves.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -58,7 +60,18 @@ void switch_theme(UiState& state) {
     state.follows_desktop = false;
 }
 
+template <Side side>
+void look(UiState& state) {
+    look_from(state, side);
+}
+
+template <int right, int up>
+void turn(UiState& state) {
+    orbit_step(state, {right, up});
+}
+
 constexpr const char* picture = "Picture";
+constexpr const char* view = "View";
 constexpr const char* document = "Document";
 constexpr const char* window = "Window";
 
@@ -81,6 +94,75 @@ constexpr auto table = std::to_array<Action>({
      .keys = "U",
      .run = toggle_document<&Document::mark_undecided>,
      .is_on = is_document<&Document::mark_undecided>},
+    {.section = picture,
+     .name = "Shadows",
+     .run = toggle_document<&Document::shadows>,
+     .is_on = is_document<&Document::shadows>},
+    {.section = picture,
+     .name = "Smooth edges",
+     .run = toggle_document<&Document::antialias>,
+     .is_on = is_document<&Document::antialias>},
+    {.section = picture,
+     .name = "Axes",
+     .keys = "A",
+     .about = "axes with numbers",
+     .run = toggle_document<&Document::axes>,
+     .is_on = is_document<&Document::axes>},
+    {.section = picture,
+     .name = "Clip box",
+     .keys = "B",
+     .about = "the edges of the clip box",
+     .run = toggle_document<&Document::clip_box>,
+     .is_on = is_document<&Document::clip_box>},
+    {.section = picture,
+     .name = "Grid",
+     .keys = "G",
+     .about = "a grid on the floor of the clip box",
+     .run = toggle_document<&Document::grid>,
+     .is_on = is_document<&Document::grid>},
+    {.section = view,
+     .name = "Frame the surface",
+     .keys = "F, Home",
+     .about = "find how far the surface reaches, and look at all of it",
+     .run = [](UiState& state) { state.frame_surfaces = true; },
+     .in_fields = false},
+    {.section = view, .name = "View from the front", .keys = "1", .run = look<Side::Front>},
+    {.section = view, .name = "View from the right", .keys = "3", .run = look<Side::Right>},
+    {.section = view, .name = "View from above", .keys = "7", .run = look<Side::Top>},
+    {.section = view, .name = "View from behind", .keys = "Ctrl+1", .run = look<Side::Back>},
+    {.section = view, .name = "View from the left", .keys = "Ctrl+3", .run = look<Side::Left>},
+    {.section = view, .name = "View from below", .keys = "Ctrl+7", .run = look<Side::Bottom>},
+    {.section = view,
+     .name = "Isometric view",
+     .keys = "0",
+     .about = "view from a corner, all axes alike",
+     .run = look<Side::Corner>},
+    {.section = view,
+     .name = "Opposite view",
+     .keys = "9",
+     .about = "view from the opposite side",
+     .run = look_from_opposite},
+    {.section = view, .name = "Orbit to the left", .keys = "4", .run = turn<-1, 0>},
+    {.section = view, .name = "Orbit to the right", .keys = "6", .run = turn<1, 0>},
+    {.section = view, .name = "Orbit up", .keys = "8", .run = turn<0, 1>},
+    {.section = view, .name = "Orbit down", .keys = "2", .run = turn<0, -1>},
+    {.section = view,
+     .name = "Zoom in",
+     .keys = "+, =",
+     .run = [](UiState& state) { zoom_step(state, 1.0); }},
+    {.section = view,
+     .name = "Zoom out",
+     .keys = "-",
+     .run = [](UiState& state) { zoom_step(state, -1.0); }},
+    {.section = view,
+     .name = "Turn freely",
+     .keys = "T",
+     .about = "dragging turns as a ball (trackball), not about what is up",
+     .run = [](UiState& state) { set_trackball(state, !state.document.trackball); },
+     .is_on = is_document<&Document::trackball>},
+    {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
+    {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
+    {.section = view, .name = "z is up", .run = [](UiState& state) { set_up(state, {0, 0, 1}); }},
     {.section = document,
      .name = "Undo",
      .keys = "Ctrl+Z",
@@ -130,6 +212,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: Clip",
      .run = toggle_layout<&Layout::clip_open>,
      .is_on = is_layout<&Layout::clip_open>},
+    {.section = window,
+     .name = "Section: Space",
+     .run = toggle_layout<&Layout::space_open>,
+     .is_on = is_layout<&Layout::space_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

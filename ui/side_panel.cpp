@@ -5,6 +5,7 @@
 #include "ui/document_menu.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
+#include "ui/space_section.hpp"
 #include "ui/statement_list.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/theme.hpp"
@@ -113,8 +114,9 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< of what is drawn, window coordinates
 };
-constexpr std::array<FoldedSection, 2> sections{
+constexpr std::array<FoldedSection, 3> sections{
     {{"View", &Layout::view_open, draw_view_section, view_section_height},
+     {"Space", &Layout::space_open, draw_space_section, space_section_height},
      {"Clip", &Layout::clip_open, draw_clip_section, clip_section_height}}};
 
 float sections_height(const UiState& state) {

@@ -1,6 +1,7 @@
 #include "ui/view_section.hpp"
 
 #include "engine/trace/camera.hpp"
+#include "engine/trace/extent.hpp"
 #include "engine/trace/scene.hpp"
 #include "ui/actions.hpp"
 #include "ui/label.hpp"

@@ -42,12 +42,26 @@ glm::dvec3 ViewFrame::point(double col, double row, int width_px, int height_px,
            distance * glm::normalize(direction(col, row, width_px, height_px));
 }
 
-Camera default_camera(const Box& box, double aspect) {
-    constexpr double margin = 1.04;
+glm::dmat3 front_axes(const glm::dvec3& up) {
+    const glm::dvec3 above = glm::normalize(up);
+    const glm::dvec3 size = glm::abs(above);
+    const bool x_is_up = size.x > size.y && size.x > size.z;
+    const glm::dvec3 sideways = x_is_up ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 behind = glm::normalize(glm::cross(above, sideways));
+    return {glm::cross(behind, above), behind, above};
+}
+
+Camera default_camera(const Box& box, double aspect, const glm::dvec3& up) {
     Camera camera;
     camera.look_at = box.centre();
-    camera.eye = camera.look_at + glm::normalize(default_view_direction);
+    camera.eye = camera.look_at + front_axes(up) * default_view_direction;
+    camera.up = up;
     camera.fov_rad = glm::radians(default_fov_deg);
+    return framed(camera, box, aspect);
+}
+
+Camera framed(const Camera& camera, const Box& box, double aspect) {
+    constexpr double margin = 1.04;
     const ViewFrame frame(camera);
     const glm::dvec3 half = 0.5 * (box.hi - box.lo);
     double distance = 0.0;
@@ -60,8 +74,10 @@ Camera default_camera(const Box& box, double aspect) {
         const double needed = margin * across / frame.half_height - glm::dot(offset, frame.forward);
         distance = std::max(distance, needed);
     }
-    camera.eye = camera.look_at + distance * glm::normalize(default_view_direction);
-    return camera;
+    Camera moved = camera;
+    moved.look_at = box.centre();
+    moved.eye = moved.look_at - distance * frame.forward;
+    return moved;
 }
 
 Camera suite_camera(double half_edge) {

@@ -71,13 +71,21 @@ private:
     [[nodiscard]] glm::dvec3 across(double col, double row, int width_px, int height_px) const;
 };
 
-/// The direction from which the gallery and the benchmarks look, not normalised.
+/// How the world stands to one who looks from the front: columns are what lies to the right, behind
+/// and above; orthonormal, right-handed. (x, y, z) where z is up, (x, -z, y) for y, (y, z, x) for
+/// x, and the nearest of these turned for other directions `up`, which is not 0.
+glm::dmat3 front_axes(const glm::dvec3& up);
+
+/// The direction from which the gallery and the benchmarks look, along front_axes; not normalised.
 inline constexpr glm::dvec3 default_view_direction{1.0, -1.6, 0.9};
 inline constexpr double default_fov_deg = 42.0;
 
 /// Looks at the box's centre from `default_view_direction`, far enough to show the whole box in
 /// an image of the given aspect (width / height).
-Camera default_camera(const Box& box, double aspect = 1.0);
+Camera default_camera(const Box& box, double aspect = 1.0,
+                      const glm::dvec3& up = glm::dvec3(0.0, 0.0, 1.0));
+/// Looks at the box's centre along the same direction, as near as shows the whole box.
+Camera framed(const Camera& camera, const Box& box, double aspect);
 
 /// The benchmarks' camera for the cube [-half_edge, half_edge]^3: looks at the origin from
 /// `default_view_direction` at 4 half edges, from where the surfaces fill the image.

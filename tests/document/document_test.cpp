@@ -34,6 +34,8 @@ Document rich_document() {
     document.stop = {StopRule::Epsilon, 0.001};
     document.mark_undecided = true;
     document.shadows = true;
+    document.axes = document.grid = document.trackball = true;
+    document.up = {0, 1, 0.5};
     return document;
 }
 
@@ -53,6 +55,14 @@ TEST(DocumentText, MayLeaveOutAllButTheStatements) {
     expected.statements[0].text = "x = 1";
     EXPECT_EQ(read->document, expected);
     EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, empty_document());
+}
+
+TEST(DocumentText, TakesWhatIsUpFromTheCameraIfItDoesNotSay) {
+    const auto read = document_from(
+        R"({"zeroset": 1, "statements": [], "camera":
+            {"eye": [0, 0, 1], "look_at": [0, 0, 0], "up": [0, 2, 0], "fov_rad": 1}})");
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(read->document.up, glm::dvec3(0, 2, 0));
 }
 
 TEST(DocumentText, NamesFieldsThatItDoesNotKnow) {
@@ -122,6 +132,7 @@ TEST(DocumentText, SaysWhatIsDamaged) {
               R"({"eye": [0, 1, 1], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_rad": 1,
                   "projection": "fisheye"})"),
          "camera.projection is neither perspective nor orthographic"},
+        {with("up", "[0, 0, 0]"), "up is zero"},
         {with("stop", R"({"rule": "d_stop", "value": 23})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "d_stop", "value": 2.5})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "luck", "value": 2})"),
