@@ -134,7 +134,7 @@ private:
     std::future<Extent> extent_;
     std::optional<Wanted> measured_;
     bool fits_box_;
-    unsigned done_gesture_ = 0;  ///< after which the note on what was done goes
+    unsigned done_gesture_ = 0;            ///< after which the note on what was done goes
     std::unique_ptr<LatencyLog> latency_;  ///< where one is wanted
     std::optional<DesktopPortal> portal_;  ///< of a window on a desktop
 

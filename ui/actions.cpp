@@ -51,6 +51,7 @@ bool is_parallel(const std::optional<Camera>& camera) {
 
 void switch_projection(UiState& state) {
     std::optional<Camera>& camera = state.document.camera;
+    if (!camera) camera = default_camera(state.document.clip);
     const bool parallel = is_parallel(camera);
     camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
 }

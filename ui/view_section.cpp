@@ -38,13 +38,10 @@ void draw_d_stop(StopCriterion& stop) {
 
 void draw_projection(std::optional<Camera>& camera) {
     if (!camera) return;
-    draw_label("view", "How rays leave the picture: from the eye, or all in one direction (5).");
-    Projection& projection = camera->projection;
-    if (ImGui::RadioButton("perspective", projection == Projection::Perspective))
-        projection = Projection::Perspective;
-    ImGui::SameLine();
-    if (ImGui::RadioButton("parallel", projection == Projection::Orthographic))
-        projection = Projection::Orthographic;
+    bool parallel = camera->projection == Projection::Orthographic;
+    if (ImGui::Checkbox("Parallel rays###parallel", &parallel))
+        camera->projection = parallel ? Projection::Orthographic : Projection::Perspective;
+    draw_tooltip("All rays leave the picture in one direction, none is nearer to the eye (5).");
 }
 
 /// A square as the marked pixels look.
