@@ -95,9 +95,9 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       state_(first_state(options)),
       session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
+      fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr
                                            : std::make_unique<LatencyLog>(options.latency_log)),
-      fits_box_(options.fits_box),
       cards_(options.keeps_files, [this] { window_.wake(); }),
       formulas_([this] { window_.wake(); }),
       pictures_([this] {

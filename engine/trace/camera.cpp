@@ -71,7 +71,9 @@ Camera framed(const Camera& camera, const Box& box, double aspect) {
         const glm::dvec3 offset = half * sign;
         const double across = std::max(std::abs(glm::dot(offset, frame.right)) / aspect,
                                        std::abs(glm::dot(offset, frame.up)));
-        const double needed = margin * across / frame.half_height - glm::dot(offset, frame.forward);
+        // Only in perspective what is nearer shows larger.
+        const double nearer = frame.parallel() ? 0.0 : -glm::dot(offset, frame.forward);
+        const double needed = margin * across / frame.half_height + nearer;
         distance = std::max(distance, needed);
     }
     Camera moved = camera;

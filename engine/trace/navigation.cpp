@@ -87,7 +87,8 @@ Camera roll_ball(const Camera& camera, const glm::dvec2& from, const glm::dvec2&
 
 Camera centred(const Camera& camera, const glm::dvec3& point) {
     const ViewFrame frame(camera);
-    const double depth = glm::dot(point - camera.eye, frame.forward);
+    const double depth =
+        frame.parallel() ? frame.look_distance : glm::dot(point - camera.eye, frame.forward);
     if (!(depth > 0)) return camera;
     Camera moved = camera;
     moved.look_at = point;

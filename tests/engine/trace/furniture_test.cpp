@@ -66,6 +66,20 @@ TEST(ImagePlane, IsTheInverseOfTheRays) {
     EXPECT_FALSE(plane.pixel_of(camera.eye - direction));
 }
 
+TEST(ImagePlane, IsTheInverseOfParallelRays) {
+    Camera camera{{5, -4, 3}, {0.5, 1, -1}, {0.1, 0, 1}, 0.8};
+    camera.projection = Projection::Orthographic;
+    const ImagePlane plane(camera, 300, 200);
+    for (const double distance : {3.0, -2.0}) {
+        const glm::dvec3 point = ViewFrame(camera).point(37.25, 180.5, 300, 200, distance);
+        const auto pixel = plane.pixel_of(point);
+        ASSERT_TRUE(pixel);
+        EXPECT_NEAR(pixel->x, 37.25, 1e-9);
+        EXPECT_NEAR(pixel->y, 180.5, 1e-9);
+        EXPECT_NEAR(plane.distance(point), distance, 1e-12);
+    }
+}
+
 TEST(Furniture, DrawsTheClipBoxWhereItIs) {
     const FurnitureView view = front_view();
     const ImagePlane plane(view.camera, view.width, view.height);

@@ -107,6 +107,28 @@ TEST(Centred, PutsThePointInTheMiddleAsLargeAsItWas) {
     EXPECT_EQ(centred(usual, behind), usual);
 }
 
+TEST(Centred, KeepsTheScaleOfAParallelView) {
+    Camera parallel = usual;
+    parallel.projection = Projection::Orthographic;
+    const glm::dvec3 point(0.5, 1, 4);
+    const Camera camera = centred(parallel, point);
+    expect_near(camera.look_at, point);
+    EXPECT_NEAR(ViewFrame(camera).look_distance, usual_distance, tolerance);
+    EXPECT_EQ(camera.projection, Projection::Orthographic);
+}
+
+TEST(Framed, FillsAParallelView) {
+    Camera parallel = usual;
+    parallel.projection = Projection::Orthographic;
+    const Camera camera = framed(parallel, Box::cube(1), 1.0);
+    const ViewFrame frame(camera);
+    const glm::dvec3 reach = glm::abs(frame.up);
+    const double across =
+        std::max(reach.x + reach.y + reach.z,
+                 std::abs(frame.right.x) + std::abs(frame.right.y) + std::abs(frame.right.z));
+    EXPECT_NEAR(frame.half_height * frame.look_distance, 1.04 * across, 1e-9);
+}
+
 TEST(Between, LeadsFromOneCameraToTheOther) {
     const Camera to = seen_from({{9, 9, 9}, {0, 1, 0}, {0, 0, 1}, 0.9}, {1, 0, 0}, {0, 0, 1});
     expect_near(between(usual, to, 0.0).eye, usual.eye, 1e-9);
