@@ -27,6 +27,8 @@ constexpr float narrowest_em = 17.0F;
 constexpr float most_of_window = 0.6F;
 /// The list of statements keeps this height before the sections below it scroll.
 constexpr float least_list_em = 9.0F;
+/// Of the room for both, when the list needs it.
+constexpr float most_for_list = 0.7F;
 
 constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoFocusOnAppearing |
@@ -151,13 +153,19 @@ void draw_folded(UiState& state) {
     ImGui::PopStyleVar(2);
 }
 
+/// The list has the room it needs, but in a low window only the greater part of it; the sections
+/// have the rest, and scroll.
 void draw_sections(UiState& state) {
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID needed = ImGui::GetID("##list_height");
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     const float room = ImGui::GetContentRegionAvail().y - gap;
-    const float below =
-        std::max(std::min(sections_height(state), room - em(least_list_em)), em(4.0F));
+    const float most = std::max(em(least_list_em), most_for_list * room);
+    const float list = std::clamp(kept.GetFloat(needed), em(least_list_em), most);
+    const float below = std::max(std::min(sections_height(state), room - list), em(4.0F));
     ImGui::BeginChild("##list", ImVec2(0.0F, std::max(room - below, em(4.0F))));
     draw_statement_list(state);
+    kept.SetFloat(needed, ImGui::GetCursorPosY());
     ImGui::EndChild();
     draw_below(state, below);
 }
