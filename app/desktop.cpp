@@ -15,15 +15,19 @@
 #include "ui/texture.hpp"
 #include "ui/typing_popup.hpp"
 #include "ui/ui_state.hpp"
+#include "ui/view_moves.hpp"
 #include "ui/window.hpp"
 
 #include "document/colors.hpp"
+#include "document/framing.hpp"
 #include "document/play.hpp"
 #include <glm/ext/vector_int2.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +42,9 @@ constexpr double frame_s = 1.0 / 60.0;
 constexpr double quick_ms = 30.0;
 /// A slider that plays does not jump farther after a frame that took long.
 constexpr double longest_step_s = 0.25;
+
+/// How often it looks whether the surfaces' extent is known.
+constexpr double extent_poll_s = 0.004;
 
 std::string note_of(CodeState code) {
     switch (code) {
@@ -61,9 +68,11 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.theme = options.theme;
     state.follows_desktop = options.follows_desktop;
     state.layout = options.layout;
+    state.layout.clip_open = state.layout.clip_open || !state.document.region.is_whole();
     if (options.takes_keyboard) {
         state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
     }
+    state.frame_surfaces = options.fit;
     state.language_help = language_help();
     for (const GalleryItem& item : gallery())
         state.gallery.push_back({item.title, item.equation, item.about, item.group, item.source});
@@ -75,9 +84,10 @@ ui::UiState first_state(const DesktopOptions& options) {
 }  // namespace
 
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
-    return a.formula == b.formula && a.clip == b.clip && a.camera == b.camera && a.stop == b.stop &&
-           a.shadows == b.shadows && a.antialias == b.antialias && a.size_px == b.size_px &&
-           a.surfaces == b.surfaces && a.uniforms == b.uniforms;
+    return a.formula == b.formula && a.clip == b.clip && a.region == b.region &&
+           a.camera == b.camera && a.stop == b.stop && a.shadows == b.shadows &&
+           a.antialias == b.antialias && a.size_px == b.size_px && a.surfaces == b.surfaces &&
+           a.uniforms == b.uniforms;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
@@ -85,6 +95,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       state_(first_state(options)),
       session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
+      fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr
                                            : std::make_unique<LatencyLog>(options.latency_log)),
       cards_(options.keeps_files, [this] { window_.wake(); }),
@@ -143,11 +154,14 @@ bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
     return answered_rows_ == sheet_of(state_.document) && drawn && state_.document.camera &&
+           !state_.move && !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() &&
            cards_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
+    if (state_.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
+    if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
     if (!state_.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
         due = std::min(due.value_or(next), next);
@@ -254,6 +268,7 @@ void Desktop::follow_edits() {
     session_.follow(now_s());
     submit_rows();
     find_view();
+    find_surfaces();
     submit_picture();
     window_.set_title(session_.title() + " - Zeroset");
 }
@@ -263,9 +278,7 @@ void Desktop::show_gallery_item() {
     if (!picked) return;
     const GalleryItem& item = gallery()[*picked];
     Document document = document_of({item.equation, item.clip, item.w, item.camera, {}});
-    document.stop = state_.document.stop;
-    document.shadows = state_.document.shadows;
-    document.antialias = state_.document.antialias;
+    keep_settings(document, state_.document);
     session_.show(std::move(document));
     window_.wake();
 }
@@ -283,10 +296,46 @@ void Desktop::find_view() {
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
     const auto look = [aspect](Document& document) {
-        document.camera = document.home.value_or(default_camera(document.clip, aspect));
+        Camera first = default_camera(document.clip, aspect, document.up);
+        if (document.camera) first.projection = document.camera->projection;
+        document.camera = document.home.value_or(first);
     };
-    if (std::exchange(state_.reset_view, false)) look(state_.document);
+    const bool reset = std::exchange(state_.reset_view, false);
+    if (reset && state_.document.camera) {
+        Document wished = state_.document;
+        look(wished);
+        ui::move_view(state_, *wished.camera);
+    }
     if (!state_.document.camera) session_.amend(look);
+}
+
+/// Finds where the surfaces lie, in the background, and looks at all of them.
+void Desktop::find_surfaces() {
+    if (state_.gesture != done_gesture_) state_.done.clear();
+    if (extent_.valid()) {
+        if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        const Extent extent = extent_.get();
+        const std::optional<Wanted> now = wanted_picture();
+        if (now && now->formula == measured_->formula && now->clip == measured_->clip)
+            frame(extent);
+    }
+    const std::optional<Wanted> wanted = wanted_picture();
+    if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
+    state_.frame_surfaces = false;
+    measured_ = wanted;
+    extent_ = std::async(std::launch::async, find_extent,
+                         document_scene(*shown_, state_.document, state_.surface_rows));
+}
+
+void Desktop::frame(const Extent& extent) {
+    const double aspect = static_cast<double>(state_.viewport_px.x) / state_.viewport_px.y;
+    const Framing framing =
+        frame_surfaces(state_.document, extent, aspect, std::exchange(fits_box_, true));
+    state_.document.clip = framing.document.clip;
+    ui::move_view(state_, *framing.document.camera);
+    state_.done = framing.note;
+    done_gesture_ = state_.gesture;
+    window_.wake();
 }
 
 std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
@@ -295,6 +344,7 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     if (shown_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) return std::nullopt;
     Wanted wanted{shown_,
                   document.clip,
+                  document.region,
                   *document.camera,
                   document.stop,
                   document.shadows,

@@ -9,6 +9,7 @@
 #include "app/preferences.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/extent.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
 #include "ui/actions.hpp"
@@ -21,6 +22,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,6 +47,8 @@ struct DesktopOptions {
     bool takes_keyboard = true;              ///< the first row can be typed over at once
     bool keeps_files = true;                 ///< as in SessionOptions
     std::string latency_log;                 ///< the file of a LatencyLog; empty: none
+    bool fit = false;                        ///< looks at all of the surfaces first
+    bool fits_box = true;                    ///< and fits the clip box to them
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -77,6 +81,7 @@ private:
     struct Wanted {
         std::shared_ptr<const Formula> formula;
         Box clip;
+        Region region;
         Camera camera;
         StopCriterion stop;
         bool shadows;
@@ -96,6 +101,8 @@ private:
     void follow_edits();
     void show_gallery_item();
     void find_view();
+    void find_surfaces();
+    void frame(const Extent& extent);
     void submit_rows();
     void play();
     [[nodiscard]] bool waits_for_picture() const;
@@ -123,8 +130,14 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;
 
+    /// Where the surfaces of `measured_` lie, while that is being found.
+    std::future<Extent> extent_;
+    std::optional<Wanted> measured_;
+    bool fits_box_;
+    unsigned done_gesture_ = 0;            ///< after which the note on what was done goes
     std::unique_ptr<LatencyLog> latency_;  ///< where one is wanted
     std::optional<DesktopPortal> portal_;  ///< of a window on a desktop
+
     GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;

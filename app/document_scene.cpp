@@ -24,6 +24,7 @@ Scene document_scene(const Formula& formula, const Document& document,
     for (const auto& [name, slider] : document.parameters)
         values[name] = slider.value;
     Scene scene = make_scene(formula, document.clip, document.w.value, values);
+    scene.region = document.region;
     const std::vector<Kernel> all = std::exchange(scene.surfaces, {});
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto row = std::ranges::find(document.statements, rows[i], &Statement::id);

@@ -55,8 +55,19 @@ void add_view_options(CLI::App& app, ViewText& view) {
     add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
     add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
     add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
+    add_value(app, "--projection", view.projection, "perspective (default) or orthographic");
+    add_value(app, "--sphere", view.sphere,
+              "shows only what is in a sphere: R about the origin, or x,y,z,R");
+    app.add_option("--section", view.sections,
+                   "cuts by a plane and keeps one side: x<0.3, y>0, z=1 (the side away from the "
+                   "eye), or nx,ny,nz,d for nx x + ny y + nz z <= d; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
+    app.add_flag("--fit", view.fit,
+                 "look at all of the surface; without --box the clip box follows it, too");
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
@@ -73,6 +84,9 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
     add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
     add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    add_switch(app, "axes", trace.axes, "draw axes with numbers");
+    add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
+    add_switch(app, "grid", trace.grid, "draw a grid on the clip box's floor");
 }
 
 CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {

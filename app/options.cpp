@@ -2,6 +2,7 @@
 
 #include "app/document_files.hpp"
 #include "app/gallery.hpp"
+#include "app/region_options.hpp"
 #include "app/text.hpp"
 #include "engine/trace/tracer.hpp"
 
@@ -70,9 +71,16 @@ OrInputError<Box> read_box(const std::string& text) {
     return box;
 }
 
-/// The camera of the view options over `base`.
-OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surface& surface) {
-    if (!view.eye && !view.look_at && !view.up && !view.fov) return surface.camera;
+OrInputError<Projection> read_projection(const std::string& text) {
+    if (text == "perspective") return Projection::Perspective;
+    if (text == "orthographic") return Projection::Orthographic;
+    return wrong_input("--projection " + text + ": type perspective or orthographic");
+}
+
+/// The camera of the view options over the surface's.
+OrInputError<std::optional<Camera>> read_camera(const ViewText& view, Surface& surface) {
+    if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
+        return surface.camera;
     Camera camera = surface.camera.value_or(default_camera(surface.clip));
     const auto take = [](const std::optional<std::string>& text, const char* option,
                          glm::dvec3& value) -> std::optional<InputError> {
@@ -87,6 +95,7 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
         return std::unexpected(*error);
     }
     if (auto error = take(view.up, "--up", camera.up)) return std::unexpected(*error);
+    if (view.up) surface.up = camera.up;
     if (view.fov) {
         const auto degrees = read_number("--fov", *view.fov);
         if (!degrees) return std::unexpected(degrees.error());
@@ -94,6 +103,11 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
             return wrong_input("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
         }
         camera.fov_rad = glm::radians(*degrees);
+    }
+    if (view.projection) {
+        const auto projection = read_projection(*view.projection);
+        if (!projection) return std::unexpected(projection.error());
+        camera.projection = *projection;
     }
     if (const char* defect = camera_defect(camera)) return wrong_input(defect);
     return camera;
@@ -103,6 +117,7 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
 Surface surface_of(Document document) {
     Surface surface{
         joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
+    surface.region = document.region;
     surface.document = std::move(document);
     return surface;
 }
@@ -130,7 +145,9 @@ Document document_of(const Surface& surface) {
         document.home = surface.camera;
     }
     document.clip = surface.clip;
+    document.region = surface.region;
     document.camera = surface.camera;
+    document.up = surface.up.value_or(document.up);
     set_value(document.w, surface.w);
     for (const auto& [name, value] : surface.parameters) {
         Slider slider = slider_of(document, name);
@@ -234,6 +251,10 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;
+    const glm::dvec3 eye = surface.camera.value_or(default_camera(surface.clip)).eye;
+    auto region = read_region(view, surface.region, eye);
+    if (!region) return std::unexpected(region.error());
+    surface.region = std::move(*region);
     return surface;
 }
 
@@ -257,6 +278,9 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
 void take_look(const TraceText& text, Document& document) {
     document.shadows = text.shadows.value_or(document.shadows);
     document.antialias = text.antialias.value_or(document.antialias);
+    document.axes = text.axes.value_or(document.axes);
+    document.clip_box = text.clip_box.value_or(document.clip_box);
+    document.grid = text.grid.value_or(document.grid);
 }
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {

@@ -18,14 +18,18 @@ namespace zeroset {
 
 /// What the user typed for a view, as text; absent where an option was not given.
 struct ViewText {
-    std::optional<std::string> box, eye, look_at, up, fov, w;
+    std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
+    std::vector<std::string> sections;
+    bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
+    bool fit = false;
 };
 
-/// What the user typed for tracing.
+/// What the user typed for tracing and for the look.
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
-    std::optional<bool> shadows, antialias;  ///< absent: as the document says, or not
+    /// Absent: as the document says, or not.
+    std::optional<bool> shadows, antialias, axes, clip_box, grid;
 };
 
 /// A surface and how to look at it.
@@ -33,8 +37,10 @@ struct Surface {
     std::string equation;
     Box clip;
     double w = 0.0;
-    std::optional<Camera> camera;  ///< default_camera(clip, aspect) when absent
-    ParameterValues parameters;    ///< those that are given
+    std::optional<Camera> camera;                 ///< default_camera when absent
+    ParameterValues parameters;                   ///< those that are given
+    Region region = {};                           ///< what is shown of the clip box
+    std::optional<glm::dvec3> up = std::nullopt;  ///< if it is given
     /// Of a file: its rows, colours and sliders, whose text `equation` is.
     std::optional<Document> document = std::nullopt;
 };
@@ -60,10 +66,10 @@ OrInputError<std::string> read_equation(const std::string& equation);
 /// check_parameters.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
-/// Sets shadows and smooth edges where they are given.
+/// Sets what is given of the look.
 void take_look(const TraceText& text, Document& document);
 
-/// All but shadows and smooth edges, which are a matter of the document.
+/// All but the look, which is a matter of the document.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 
 /// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.

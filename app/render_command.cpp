@@ -1,12 +1,15 @@
 #include "app/commands.hpp"
 #include "app/document_scene.hpp"
+#include "app/furnish.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
+#include "engine/trace/extent.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/render.hpp"
 #include "engine/trace/tolerance.hpp"
 #include "engine/trace/tracer.hpp"
 
+#include "document/framing.hpp"
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -63,7 +66,7 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     plan.settings.shadows = plan.document.shadows;
     plan.settings.antialias = plan.document.antialias;
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect));
+    plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect, plan.document.up));
     return plan;
 }
 
@@ -110,11 +113,26 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
               {"form", timing.counters.form}}}};
 }
 
+/// Looks at all of the surface, if that is wanted. Says why where it cannot.
+void fit(RenderPlan& plan, const RenderCommand& command, const Scene& scene) {
+    if (!command.view.fit) return;
+    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
+    plan.document.camera = plan.camera;
+    const bool may_clip = !command.view.box;
+    const Framing framing = frame_surfaces(plan.document, find_extent(scene), aspect, may_clip);
+    if (!framing.found) std::cerr << "zeroset: --fit: " << framing.note << '\n';
+    plan.document = framing.document;
+    plan.surface.clip = framing.document.clip;
+    plan.camera = *framing.document.camera;
+}
+
 /// As a document has its rows, or all surfaces in the palette's colours.
 Scene scene_of(const Formula& formula, const RenderPlan& plan) {
     const Surface& surface = plan.surface;
     if (!surface.document) {
-        return make_scene(formula, surface.clip, surface.w, surface.parameters);
+        Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
+        scene.region = surface.region;
+        return scene;
     }
     return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
 }
@@ -122,25 +140,28 @@ Scene scene_of(const Formula& formula, const RenderPlan& plan) {
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    const auto plan = plan_of(command);
+    auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
     const Surface& surface = plan->surface;
-    const Precision precision =
-        wanted_precision(surface.clip, ViewFrame(plan->camera), plan->settings.stop);
-    const auto formula = compile_formula(surface.equation, surface.clip, precision);
+    auto formula = compile_formula(surface.equation, surface.clip);
     if (!formula) return report(formula.error());
-
     if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
         return report(*unknown);
     }
+    fit(*plan, command, scene_of(*formula, *plan));
+    const Precision precision =
+        wanted_precision(surface.clip, ViewFrame(plan->camera), plan->settings.stop);
+    if (!formula->has_code(precision)) formula = with_double(*formula);
     const Scene scene = scene_of(*formula, *plan);
     Framebuffer frame(plan->size.width, plan->size.height);
     const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
                                            plan->repeats, command.repeat.has_value());
 
+    const auto painted = furnished(frame, plan->document, plan->camera);
+    if (!painted) return report_run_time(painted.error());
     std::expected<void, FileError> written;
-    if (command.output) written = write_png(*command.output, frame);
+    if (command.output) written = write_png(*command.output, *painted);
     if (written && command.depth) written = write_pfm(*command.depth, frame);
     if (written && command.certificate) {
         written = write_png(*command.certificate, certificate_picture(frame));

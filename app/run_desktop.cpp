@@ -31,6 +31,8 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     }
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     take_look(trace, options.document);
+    options.fit = view.fit;
+    options.fits_box = !view.fit || !view.box;
     options.settings = std::move(*settings);
     return options;
 }

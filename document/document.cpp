@@ -39,6 +39,17 @@ std::vector<std::size_t> line_begins(std::string_view text) {
 
 }  // namespace
 
+void keep_settings(Document& document, const Document& of) {
+    document.stop = of.stop;
+    document.shadows = of.shadows;
+    document.antialias = of.antialias;
+    document.axes = of.axes;
+    document.clip_box = of.clip_box;
+    document.grid = of.grid;
+    document.trackball = of.trackball;
+    if (!document.camera) document.up = of.up;
+}
+
 Document empty_document() {
     Document document;
     document.statements.push_back({.id = 1, .text = {}, .visible = true, .color = {}});

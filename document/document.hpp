@@ -49,15 +49,25 @@ struct Document {
     std::map<std::string, Slider> parameters;  ///< those not as they are at first, by name
     Slider w{.value = 0.0, .lo = -2.0, .hi = 2.0};
     Box clip;
+    Region region;                 ///< what is shown of the clip box
     std::optional<Camera> camera;  ///< default_camera of the clip box when absent
     std::optional<Camera> home;    ///< what "reset view" goes back to, if not to the default
     StopCriterion stop{.value = 14.0};
     bool mark_undecided = false;
     bool shadows = false;
     bool antialias = false;
+    bool axes = false;      ///< with ticks and numbers
+    bool clip_box = false;  ///< its edges
+    bool grid = false;      ///< on the box's floor
+    /// What is up, not 0: what dragging turns about, unless it turns freely.
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    bool trackball = false;  ///< dragging turns freely
 
     bool operator==(const Document&) const = default;
 };
+
+/// What a person set for all surfaces: the search depth, the look, how dragging turns.
+void keep_settings(Document& document, const Document& of);
 
 /// A document with one empty row.
 Document empty_document();

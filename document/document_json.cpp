@@ -2,6 +2,8 @@
 
 #include "engine/expr/parse.hpp"
 
+#include "document/json_fields.hpp"
+#include "document/region_json.hpp"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,10 +15,6 @@
 
 namespace zeroset {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t longest_text = 1'000'000;
 
 // ---- writing
 
@@ -44,10 +42,12 @@ Json json_of(const Slider& slider) {
 }
 
 Json json_of(const Camera& camera) {
-    return {{"eye", json_of(camera.eye)},
-            {"look_at", json_of(camera.look_at)},
-            {"up", json_of(camera.up)},
-            {"fov_rad", camera.fov_rad}};
+    Json json{{"eye", json_of(camera.eye)},
+              {"look_at", json_of(camera.look_at)},
+              {"up", json_of(camera.up)},
+              {"fov_rad", camera.fov_rad}};
+    if (camera.projection == Projection::Orthographic) json["projection"] = "orthographic";
+    return json;
 }
 
 constexpr std::array<std::pair<const char*, StopRule>, 3> stop_rules{
@@ -60,10 +60,14 @@ Json json_of(const StopCriterion& stop) {
 }
 
 /// What is on or off in the field "look".
-constexpr std::array<std::pair<const char*, bool Document::*>, 3> look_switches{
+constexpr std::array<std::pair<const char*, bool Document::*>, 7> look_switches{
     {{"mark_undecided", &Document::mark_undecided},
      {"shadows", &Document::shadows},
-     {"antialias", &Document::antialias}}};
+     {"antialias", &Document::antialias},
+     {"axes", &Document::axes},
+     {"clip_box", &Document::clip_box},
+     {"grid", &Document::grid},
+     {"trackball", &Document::trackball}}};
 
 Json look_of(const Document& document) {
     Json look;
@@ -73,78 +77,6 @@ Json look_of(const Document& document) {
 }
 
 // ---- reading
-
-/// Why a text is no document; caught in document_from.
-struct Damage {
-    std::string reason;
-};
-
-/// An object of the file whose fields are taken one by one; the others are unknown.
-class Fields {
-public:
-    Fields(const Json& json, std::string place, std::vector<std::string>& unknown)
-        : json_(json), place_(std::move(place)), unknown_(unknown) {
-        if (!json.is_object()) throw Damage{place_ + " is no object"};
-    }
-    ~Fields() {
-        for (const auto& [name, value] : json_.items()) {
-            if (std::ranges::find(taken_, name) == taken_.end()) unknown_.push_back(at(name));
-        }
-    }
-    Fields(const Fields&) = delete;
-    Fields& operator=(const Fields&) = delete;
-
-    const Json* find(const char* name) {
-        taken_.emplace_back(name);
-        const auto found = json_.find(name);
-        return found == json_.end() ? nullptr : &*found;
-    }
-    const Json& get(const char* name) {
-        const Json* found = find(name);
-        if (found == nullptr) throw Damage{at(name) + " is missing"};
-        return *found;
-    }
-    [[nodiscard]] std::string at(const std::string& name) const {
-        return place_.empty() ? name : place_ + "." + name;
-    }
-    std::vector<std::string>& unknown() { return unknown_; }
-
-private:
-    const Json& json_;
-    std::string place_;
-    std::vector<std::string>& unknown_;
-    std::vector<std::string> taken_;
-};
-
-double number_of(const Json& json, const std::string& place) {
-    if (!json.is_number()) throw Damage{place + " is no number"};
-    const auto number = json.get<double>();
-    if (!(std::abs(number) <= largest_number)) throw Damage{place + " is too large a number"};
-    return number;
-}
-
-template <std::size_t Count>
-std::array<double, Count> numbers_of(const Json& json, const std::string& place) {
-    if (!json.is_array() || json.size() != Count) {
-        throw Damage{place + " is no list of " + std::to_string(Count) + " numbers"};
-    }
-    std::array<double, Count> numbers{};
-    for (std::size_t i = 0; i < Count; ++i)
-        numbers[i] = number_of(json[i], place);
-    return numbers;
-}
-
-std::string string_of(const Json& json, const std::string& place) {
-    if (!json.is_string()) throw Damage{place + " is no text"};
-    auto text = json.get<std::string>();
-    if (text.size() > longest_text) throw Damage{place + " is longer than a million characters"};
-    return text;
-}
-
-bool flag_of(const Json& json, const std::string& place) {
-    if (!json.is_boolean()) throw Damage{place + " is neither true nor false"};
-    return json.get<bool>();
-}
 
 std::uint32_t color_of(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
@@ -205,6 +137,13 @@ glm::dvec3 vector_of(const Json& json, const std::string& place) {
     return {x, y, z};
 }
 
+Projection projection_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text == "perspective") return Projection::Perspective;
+    if (text == "orthographic") return Projection::Orthographic;
+    throw Damage{place + " is neither perspective nor orthographic"};
+}
+
 Camera camera_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
     Fields fields(json, place, unknown);
     Camera camera;
@@ -212,6 +151,9 @@ Camera camera_of(const Json& json, const std::string& place, std::vector<std::st
     camera.look_at = vector_of(fields.get("look_at"), fields.at("look_at"));
     camera.up = vector_of(fields.get("up"), fields.at("up"));
     camera.fov_rad = number_of(fields.get("fov_rad"), fields.at("fov_rad"));
+    if (const Json* projection = fields.find("projection")) {
+        camera.projection = projection_of(*projection, fields.at("projection"));
+    }
     if (const char* defect = camera_defect(camera)) throw Damage{place + ": " + defect};
     return camera;
 }
@@ -278,9 +220,13 @@ ReadDocument document_of(const Json& json) {
     }
     if (const Json* w = fields.find("w")) document.w = slider_of(*w, "w", unknown);
     if (const Json* box = fields.find("box")) document.clip = box_of(*box);
+    if (const Json* region = fields.find("region")) document.region = region_of(*region, unknown);
     if (const Json* camera = fields.find("camera"))
         document.camera = camera_of(*camera, "camera", unknown);
     if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
+    if (document.camera) document.up = document.camera->up;
+    if (const Json* up = fields.find("up")) document.up = vector_of(*up, "up");
+    if (glm::length(document.up) == 0) throw Damage{"up is zero"};
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     document = renumbered(std::move(document), 1);
@@ -315,8 +261,10 @@ std::string text_of(const Document& document) {
     json["w"] = json_of(document.w);
     const Box& box = document.clip;
     json["box"] = {box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z};
+    if (!document.region.is_whole()) json["region"] = json_of(document.region);
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);
+    json["up"] = json_of(document.up);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

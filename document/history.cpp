@@ -51,7 +51,9 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.w != b.w) return "w";
     if (a.camera != b.camera) return "camera";
     if (a.clip != b.clip) return "clip";
+    if (a.region != b.region) return "region";
     if (a.stop != b.stop) return "stop";
+    if (a.up != b.up) return "up";
     return "look";
 }
 

@@ -1,8 +1,11 @@
 #include "ui/actions.hpp"
 
+#include "ui/view_moves.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <optional>
 
 namespace zeroset::ui {
 namespace {
@@ -42,12 +45,34 @@ bool is_document(const UiState& state) {
     return state.document.*flag;
 }
 
+bool is_parallel(const std::optional<Camera>& camera) {
+    return camera && camera->projection == Projection::Orthographic;
+}
+
+void switch_projection(UiState& state) {
+    std::optional<Camera>& camera = state.document.camera;
+    if (!camera) camera = default_camera(state.document.clip);
+    const bool parallel = is_parallel(camera);
+    camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
+}
+
 void switch_theme(UiState& state) {
     state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
     state.follows_desktop = false;
 }
 
+template <Side side>
+void look(UiState& state) {
+    look_from(state, side);
+}
+
+template <int right, int up>
+void turn(UiState& state) {
+    orbit_step(state, {right, up});
+}
+
 constexpr const char* picture = "Picture";
+constexpr const char* view = "View";
 constexpr const char* document = "Document";
 constexpr const char* window = "Window";
 
@@ -58,6 +83,13 @@ constexpr auto table = std::to_array<Action>({
      .keys = "R",
      .about = "look at the whole box again",
      .run = [](UiState& state) { state.reset_view = true; }},
+    {.section = picture,
+     .name = "Parallel rays",
+     .keys = "5",
+     .about = "orthographic or perspective view",
+     .run = switch_projection,
+     .enabled = [](const UiState& state) { return state.document.camera.has_value(); },
+     .is_on = [](const UiState& state) { return is_parallel(state.document.camera); }},
     {.section = picture,
      .name = "Mark undecided pixels",
      .keys = "U",
@@ -71,6 +103,67 @@ constexpr auto table = std::to_array<Action>({
      .name = "Smooth edges",
      .run = toggle_document<&Document::antialias>,
      .is_on = is_document<&Document::antialias>},
+    {.section = picture,
+     .name = "Axes",
+     .keys = "A",
+     .about = "axes with numbers",
+     .run = toggle_document<&Document::axes>,
+     .is_on = is_document<&Document::axes>},
+    {.section = picture,
+     .name = "Clip box",
+     .keys = "B",
+     .about = "the edges of the clip box",
+     .run = toggle_document<&Document::clip_box>,
+     .is_on = is_document<&Document::clip_box>},
+    {.section = picture,
+     .name = "Grid",
+     .keys = "G",
+     .about = "a grid on the floor of the clip box",
+     .run = toggle_document<&Document::grid>,
+     .is_on = is_document<&Document::grid>},
+    {.section = view,
+     .name = "Frame the surface",
+     .keys = "F, Home",
+     .about = "find how far the surface reaches, and look at all of it",
+     .run = [](UiState& state) { state.frame_surfaces = true; },
+     .in_fields = false},
+    {.section = view, .name = "View from the front", .keys = "1", .run = look<Side::Front>},
+    {.section = view, .name = "View from the right", .keys = "3", .run = look<Side::Right>},
+    {.section = view, .name = "View from above", .keys = "7", .run = look<Side::Top>},
+    {.section = view, .name = "View from behind", .keys = "Ctrl+1", .run = look<Side::Back>},
+    {.section = view, .name = "View from the left", .keys = "Ctrl+3", .run = look<Side::Left>},
+    {.section = view, .name = "View from below", .keys = "Ctrl+7", .run = look<Side::Bottom>},
+    {.section = view,
+     .name = "Isometric view",
+     .keys = "0",
+     .about = "view from a corner, all axes alike",
+     .run = look<Side::Corner>},
+    {.section = view,
+     .name = "Opposite view",
+     .keys = "9",
+     .about = "view from the opposite side",
+     .run = look_from_opposite},
+    {.section = view, .name = "Orbit to the left", .keys = "4", .run = turn<-1, 0>},
+    {.section = view, .name = "Orbit to the right", .keys = "6", .run = turn<1, 0>},
+    {.section = view, .name = "Orbit up", .keys = "8", .run = turn<0, 1>},
+    {.section = view, .name = "Orbit down", .keys = "2", .run = turn<0, -1>},
+    {.section = view,
+     .name = "Zoom in",
+     .keys = "+, =",
+     .run = [](UiState& state) { zoom_step(state, 1.0); }},
+    {.section = view,
+     .name = "Zoom out",
+     .keys = "-",
+     .run = [](UiState& state) { zoom_step(state, -1.0); }},
+    {.section = view,
+     .name = "Turn freely",
+     .keys = "T",
+     .about = "dragging turns as a ball (trackball), not about what is up",
+     .run = [](UiState& state) { set_trackball(state, !state.document.trackball); },
+     .is_on = is_document<&Document::trackball>},
+    {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
+    {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
+    {.section = view, .name = "z is up", .run = [](UiState& state) { set_up(state, {0, 0, 1}); }},
     {.section = document,
      .name = "Undo",
      .keys = "Ctrl+Z",
@@ -116,6 +209,14 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: View",
      .run = toggle_layout<&Layout::view_open>,
      .is_on = is_layout<&Layout::view_open>},
+    {.section = window,
+     .name = "Section: Clip",
+     .run = toggle_layout<&Layout::clip_open>,
+     .is_on = is_layout<&Layout::clip_open>},
+    {.section = window,
+     .name = "Section: Space",
+     .run = toggle_layout<&Layout::space_open>,
+     .is_on = is_layout<&Layout::space_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

@@ -1,5 +1,6 @@
 #include "ui/screen.hpp"
 
+#include "ui/axis_gizmo.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/dialogs.hpp"
 #include "ui/gallery_page.hpp"
@@ -10,7 +11,10 @@
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
+#include "ui/view_moves.hpp"
 #include "ui/viewport.hpp"
+
+#include <imgui/imgui.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -36,7 +40,9 @@ void draw_screen(UiState& state, const Texture& picture) {
         follow_shortcuts(state);
         follow_help_keys(state);
     }
+    follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
+    draw_axis_gizmo(state);
     draw_side_panel(state);
     draw_status_panel(state);
     draw_help_panel(state);

@@ -1,9 +1,11 @@
 #include "ui/side_panel.hpp"
 
 #include "ui/actions.hpp"
+#include "ui/clip_section.hpp"
 #include "ui/document_menu.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
+#include "ui/space_section.hpp"
 #include "ui/statement_list.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/theme.hpp"
@@ -14,6 +16,7 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace zeroset::ui {
@@ -104,14 +107,35 @@ void draw_edge(UiState& state, float width, float height) {
     ImGui::PopClipRect();
 }
 
-void draw_view(UiState& state, float room) {
-    const Palette& colors = palette(state.theme);
-    ImGui::Separator();
-    draw_section_title("View", state.layout.view_open, colors);
-    if (!state.layout.view_open) return;
-    const float height = std::min(view_section_height(state), room);
+/// What stands below the list, one after the other.
+struct FoldedSection {
+    const char* title;
+    bool Layout::* open;
+    void (*draw)(UiState&);
+    float (*height)(const UiState&);  ///< of what is drawn, window coordinates
+};
+constexpr std::array<FoldedSection, 3> sections{
+    {{"View", &Layout::view_open, draw_view_section, view_section_height},
+     {"Space", &Layout::space_open, draw_space_section, space_section_height},
+     {"Clip", &Layout::clip_open, draw_clip_section, clip_section_height}}};
+
+float sections_height(const UiState& state) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    float height = 0.0F;
+    for (const FoldedSection& section : sections) {
+        height += std::ceil(em(1.9F)) + 2.0F * gap;
+        if (state.layout.*section.open) height += section.height(state);
+    }
+    return height;
+}
+
+void draw_below(UiState& state, float height) {
     ImGui::BeginChild("##view", ImVec2(0.0F, height));
-    draw_view_section(state);
+    for (const FoldedSection& section : sections) {
+        ImGui::Separator();
+        draw_section_title(section.title, state.layout.*section.open, palette(state.theme));
+        if (state.layout.*section.open) section.draw(state);
+    }
     ImGui::EndChild();
 }
 
@@ -128,16 +152,14 @@ void draw_folded(UiState& state) {
 }
 
 void draw_sections(UiState& state) {
-    const float title = std::ceil(em(1.9F)) + 3.0F * ImGui::GetStyle().ItemSpacing.y;
-    const float room = ImGui::GetContentRegionAvail().y - title;
-    const float view =
-        std::max(std::min(view_section_height(state), room - em(least_list_em)), em(4.0F));
-    const float below = title + (state.layout.view_open ? view : 0.0F);
-    const float list = std::max(ImGui::GetContentRegionAvail().y - below, em(4.0F));
-    ImGui::BeginChild("##list", ImVec2(0.0F, list));
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const float room = ImGui::GetContentRegionAvail().y - gap;
+    const float below =
+        std::max(std::min(sections_height(state), room - em(least_list_em)), em(4.0F));
+    ImGui::BeginChild("##list", ImVec2(0.0F, std::max(room - below, em(4.0F))));
     draw_statement_list(state);
     ImGui::EndChild();
-    draw_view(state, view);
+    draw_below(state, below);
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ void draw_status_panel(const UiState& state) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
         if (!state.note.empty()) add_text(colors.warning, state.note);
+        if (!state.done.empty()) add_text(colors.accent, state.done);
         draw_figures(state, colors);
         if (state.picture.tracing) add_text(colors.accent, "tracing\xE2\x80\xA6");
         draw_keys_hint();

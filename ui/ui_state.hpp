@@ -96,11 +96,23 @@ struct RowFocus {
     Caret caret = Caret::End;
 };
 
+/// A short smooth move of the document's camera, see ui/view_moves.
+struct ViewMove {
+    Camera from, to;
+    Camera last;  ///< what it made of the document's camera
+    double elapsed_s = 0.0;
+    bool begun = false;
+};
+
 /// How the window is laid out.
 struct Layout {
     float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
     bool folded = false;
     bool view_open = true;  ///< the section of the view's settings
+    bool space_open = false;
+    bool clip_open = false;
+    bool edges_open = false;  ///< of the clip box, each by itself
+
     bool operator==(const Layout&) const = default;
 };
 
@@ -112,6 +124,7 @@ struct UiState {
     // Edited by the panels.
     Document document = empty_document();
     std::map<std::string, Playing> playing;  ///< the sliders that play, by name
+    std::optional<ViewMove> move;            ///< while one is under way
     unsigned gesture = 0;                    ///< grows with each press of a button
     Layout layout;
     Theme theme = Theme::Dark;
@@ -124,6 +137,7 @@ struct UiState {
     // Wishes: set by a panel, cleared by whoever fulfils them.
     std::optional<RowFocus> focus;       ///< by the list of statements
     std::optional<int> reload;           ///< a row whose field must show a text set elsewhere
+    bool frame_surfaces = false;         ///< fulfilled by the owner, which has the formula
     bool reset_view = false;             ///< fulfilled by the owner, which knows the first view
     std::optional<std::size_t> surface;  ///< a line of `gallery` was picked
     std::optional<Command> command;
@@ -142,6 +156,7 @@ struct UiState {
     bool can_redo = false;
     std::vector<std::string> recent;  ///< paths of recent documents, the newest first
     std::string note;  ///< for the status line: what is not as it should be; or empty
+    std::string done;  ///< for the status line: what was just done; or empty
     bool uses_w = false;
     PictureStatus picture;
     ShownPicture shown;

@@ -1,6 +1,7 @@
 #include "ui/view_section.hpp"
 
 #include "engine/trace/camera.hpp"
+#include "engine/trace/extent.hpp"
 #include "engine/trace/scene.hpp"
 #include "ui/actions.hpp"
 #include "ui/label.hpp"
@@ -8,20 +9,18 @@
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
-#include <glm/ext/vector_double3.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <optional>
 #include <string>
 
 namespace zeroset::ui {
 namespace {
 
 constexpr int min_d_stop = 4;
-constexpr double min_half = 1e-14;
-constexpr double max_half = 1e6;
 
 void draw_d_stop(StopCriterion& stop) {
     draw_label("d_stop",
@@ -37,13 +36,12 @@ void draw_d_stop(StopCriterion& stop) {
     }
 }
 
-void draw_box(Box& clip) {
-    draw_label("box \xC2\xB1", "Half the longest edge of the box that the surface is clipped to.");
-    double half = 0.5 * clip.size();
-    if (ImGui::InputDouble("##box", &half, 0.0, 0.0, "%.6g") && half >= min_half &&
-        half <= max_half) {
-        clip = resized(clip, half);
-    }
+void draw_projection(std::optional<Camera>& camera) {
+    if (!camera) return;
+    bool parallel = camera->projection == Projection::Orthographic;
+    if (ImGui::Checkbox("Parallel rays###parallel", &parallel))
+        camera->projection = parallel ? Projection::Orthographic : Projection::Perspective;
+    draw_tooltip("All rays leave the picture in one direction, none is nearer to the eye (5).");
 }
 
 /// A square as the marked pixels look.
@@ -106,12 +104,6 @@ void draw_buttons(UiState& state) {
 
 }  // namespace
 
-Box resized(const Box& box, double half) {
-    const double factor = 2.0 * half / box.size();
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
-}
-
 float view_section_height(const UiState& state) {
     const float rows = state.document.mark_undecided ? 6.0F : 5.0F;
     return rows * ImGui::GetFrameHeightWithSpacing();
@@ -119,7 +111,7 @@ float view_section_height(const UiState& state) {
 
 void draw_view_section(UiState& state) {
     draw_d_stop(state.document.stop);
-    draw_box(state.document.clip);
+    draw_projection(state.document.camera);
     draw_undecided(state);
     draw_light(state.document);
     draw_buttons(state);

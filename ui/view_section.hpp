@@ -4,14 +4,11 @@
 
 namespace zeroset::ui {
 
-/// The settings of the view: search depth, clip box, marks, shadows, first view and
-/// theme. Edits the document's `stop`, `clip`, `mark_undecided`, `shadows` and `antialias`, `theme`
-/// and `reset_view`.
+/// The settings of the view: search depth, projection, marks, shadows, first view and theme. Edits
+/// the document's `stop`, `camera`, `mark_undecided`, `shadows` and `antialias`, `theme` and
+/// `reset_view`.
 void draw_view_section(UiState& state);
 /// Its height, window coordinates.
 float view_section_height(const UiState& state);
-
-/// `box` about its own centre with its longest edge scaled to 2 * half.
-Box resized(const Box& box, double half);
 
 }  // namespace zeroset::ui

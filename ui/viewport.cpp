@@ -1,11 +1,14 @@
 #include "ui/viewport.hpp"
 
 #include "engine/trace/camera.hpp"
+#include "engine/trace/navigation.hpp"
+#include "ui/furniture_layer.hpp"
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
+#include "ui/view_moves.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_int2.hpp>
@@ -30,9 +33,8 @@ struct Area {
 
 Area viewport_area(const UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float bottom = std::max(window.y - status_bar_height(), 0.0F);
     const float left = std::min(side_panel_width(state), window.x);
-    return {ImVec2(left, 0.0F), ImVec2(window.x, bottom)};
+    return {ImVec2(left, 0.0F), ImVec2(window.x, picture_height())};
 }
 
 glm::ivec2 size_px(const Area& area) {
@@ -53,6 +55,7 @@ void draw_picture(const Area& area, const UiState& state, const Texture& picture
     const auto id = static_cast<std::uintptr_t>(picture.name());
     // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
+    draw_furniture(canvas, area.lo, area.hi, state);
 }
 
 PointerMotion pointer_motion(const Area& area) {
@@ -75,10 +78,18 @@ PointerMotion pointer_motion(const Area& area) {
 
 }  // namespace
 
-Camera steer(const Camera& camera, const PointerMotion& motion) {
+Turning turning_of(const UiState& state) { return {state.document.up, state.document.trackball}; }
+
+float picture_height() {
+    return std::max(ImGui::GetIO().DisplaySize.y - status_bar_height(), 0.0F);
+}
+
+Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning) {
     Camera moved = camera;
     if (motion.orbit != glm::dvec2(0.0)) {
-        moved = orbit(moved, -orbit_rad * motion.orbit.x, -orbit_rad * motion.orbit.y);
+        const glm::dvec2 angles = -orbit_rad * motion.orbit;
+        moved = turning.freely ? roll_ball(moved, motion.cursor - motion.orbit, motion.cursor)
+                               : orbit_about(moved, turning.up, angles.x, angles.y);
     }
     if (motion.pan != glm::dvec2(0.0)) moved = pan(moved, -motion.pan.x, -motion.pan.y);
     if (motion.wheel != 0.0) {
@@ -120,7 +131,13 @@ void draw_viewport(UiState& state, const Texture& picture) {
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
         PointerMotion motion = pointer_motion(area);
         if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
-        if (state.document.camera) state.document.camera = steer(*state.document.camera, motion);
+        if (state.document.camera) {
+            state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+            if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+                const auto point = surface_under(state.shown, motion.cursor);
+                if (point) centre_on(state, *point);
+            }
+        }
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -22,9 +22,21 @@ struct PointerMotion {
     std::optional<glm::dvec3> surface = std::nullopt;
 };
 
+/// How dragging turns.
+struct Turning {
+    glm::dvec3 up{0.0, 0.0, 1.0};  ///< stays up
+    bool freely = false;           ///< unless it turns as a ball does
+};
+
 /// The camera after the motion: what is grabbed follows the pointer. Keeps the camera if the
 /// motion would lead to one that sees nothing.
-Camera steer(const Camera& camera, const PointerMotion& motion);
+Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning);
+
+/// How dragging turns the document's view.
+Turning turning_of(const UiState& state);
+
+/// Of the area that the picture fills, window coordinates.
+float picture_height();
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);

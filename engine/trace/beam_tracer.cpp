@@ -386,7 +386,7 @@ void BeamTile<Real>::hand_on_row(int row) {
         const auto u = hn::MulAdd(hn::Iota(dd, static_cast<double>(col)),
                                   hn::Set(dd, view_.pixel()), hn::Set(dd, view_.u(0)));
         const auto stretch = hn::Sqrt(hn::MulAdd(u, u, square_up));
-        const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.distance())), stretch);
+        const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.look_distance())), stretch);
         hn::StoreU(hn::DemoteTo(d, depth), d, &hits_.depth[first + col]);
     }
 }
@@ -394,12 +394,9 @@ void BeamTile<Real>::hand_on_row(int row) {
 /// A cell on the ray of a pixel, from s on, that was not decided.
 template <class Real>
 void BeamTile<Real>::pass(std::uint32_t pixel, double s) {
-    const double u = view_.u(pixel % tile_size);
-    const double v = view_.v(pixel / tile_size);
-    const double depth = (view_.distance() + s) * std::sqrt(1.0 + u * u + v * v) * (1.0 - 0x1p-20);
     hits_.pass({static_cast<std::int16_t>(pixel % tile_size),
                 static_cast<std::int16_t>(pixel / tile_size)},
-               -float_above(-std::max(depth, 0.0)));
+               view_.distance_before(s, view_.u(pixel % tile_size), view_.v(pixel / tile_size)));
 }
 
 template <class Real>

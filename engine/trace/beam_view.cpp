@@ -45,12 +45,19 @@ double tolerance_of(const TraceFrame& frame) {
 
 }  // namespace
 
+DepthRange both(const DepthRange& a, const DepthRange& b) {
+    return {std::max(a.enter_lo, b.enter_lo), std::max(a.enter_hi, b.enter_hi),
+            std::min(a.exit_lo, b.exit_lo), std::min(a.exit_hi, b.exit_hi)};
+}
+
 BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
     : view_(frame.view),
       tile_(tile),
       clip_(frame.scene.clip),
+      region_(frame.scene.region),
       base_(view_.eye + view_.look_distance * view_.forward),
-      pixel_(view_.pixel_size(frame.height)),
+      distance_(beam_distance(frame)),
+      pixel_(view_.pixel_size(frame.height) * (view_.look_distance / distance_)),
       u_first_((tile.col + 0.5 - 0.5 * frame.width) * pixel_),
       v_first_((0.5 * frame.height - tile.row - 0.5) * pixel_),
       u_most_(std::max(std::abs(u_first_), std::abs(u(side)))),
@@ -59,10 +66,7 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
       tolerance_(tolerance_of(frame)),
       float_rays_(make_rays<float>()),
       double_rays_(make_rays<double>()) {
-    const glm::dvec3 eye = glm::abs(view_.eye);
-    const glm::dvec3 box = glm::max(glm::abs(clip_.lo), glm::abs(clip_.hi));
-    const double largest = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z});
-    depth_error_ = 0x1p-46 * (largest + view_.look_distance);
+    depth_error_ = place_error(frame);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 at((corner & 1) != 0 ? clip_.hi.x : clip_.lo.x,
                             (corner & 2) != 0 ? clip_.hi.y : clip_.lo.y,
@@ -71,6 +75,16 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
         nearest_ = std::min(nearest_, along - depth_error_);
         farthest_ = std::max(farthest_, along + depth_error_);
     }
+}
+
+/// A power of two, so that nothing is rounded on the way from U to u and back; within float's range
+/// together with what it is multiplied by.
+double BeamView::beam_distance(const TraceFrame& frame) const {
+    constexpr int farther = 56;
+    constexpr int highest = 120;
+    if (!view_.parallel()) return view_.look_distance;
+    const double reach = 0x1p47 * place_error(frame);
+    return std::ldexp(1.0, std::min(std::ilogb(reach) + 1 + farther, highest));
 }
 
 double BeamView::limit(std::size_t pixel) const {
@@ -92,20 +106,117 @@ double BeamView::limit() const {
     return farthest;
 }
 
-DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {
+float BeamView::distance_before(double s, double u, double v) const {
+    const double distance = distance_at(s, u, v);
+    const double before = distance - 0x1p-20 * std::abs(distance);
+    return -float_above(-std::max(before, view_.parallel() ? -unbounded : 0.0));
+}
+
+auto BeamView::height(const glm::dvec3& normal, double offset, double error, const Rays& rays) const
+    -> Height {
+    const double right = glm::dot(normal, view_.right);
+    const double up = glm::dot(normal, view_.up);
+    const double across = right * rays.u + up * rays.v;
+    const double aside = std::abs(right) * rays.u_radius + std::abs(up) * rays.v_radius;
+    const double forward = glm::dot(normal, view_.forward);
+    if (view_.parallel()) {
+        return {glm::dot(normal, base_) - offset + distance_ * across, distance_ * aside + error,
+                forward, 0.0};
+    }
+    return {glm::dot(normal, view_.eye) - offset, error, forward + across, aside + 0x1p-48};
+}
+
+DepthRange BeamView::below(const Height& height) const {
+    const double shift = view_.parallel() ? 0.0 : view_.look_distance;
+    const double a0 = height.a - height.a_radius;
+    const double a1 = height.a + height.a_radius;
+    const double b0 = height.b - height.b_radius;
+    const double b1 = height.b + height.b_radius;
+    constexpr double flat = 1e-270;  // rays less steep than this stay where they are
+    DepthRange range{-unbounded, unbounded, -unbounded, unbounded};
+    if (b0 >= 0) {
+        const auto [lo, hi] = std::minmax({-a0 / std::max(b0, flat), -a0 / std::max(b1, flat),
+                                           -a1 / std::max(b0, flat), -a1 / std::max(b1, flat)});
+        range = {-unbounded, -unbounded, lo, hi};
+    } else if (b1 <= 0) {
+        const auto [lo, hi] = std::minmax({-a0 / std::min(b0, -flat), -a0 / std::min(b1, -flat),
+                                           -a1 / std::min(b0, -flat), -a1 / std::min(b1, -flat)});
+        range = {lo, hi, unbounded, unbounded};
+    } else if (a1 < 0) {
+        // Below it at the eye, where the rays begin.
+        range = {-unbounded, 0.0, -a1 / b1, unbounded};
+    } else if (a0 > 0) {
+        range.enter_lo = a0 / -b0;
+    }
+    return {range.enter_lo - shift - depth_error_, range.enter_hi - shift + depth_error_,
+            range.exit_lo - shift - depth_error_, range.exit_hi - shift + depth_error_};
+}
+
+/// By the middle of the rays: the others are no farther from it, at the same depth, than `aside`.
+DepthRange BeamView::in_ball(const Ball& ball, const Rays& rays) const {
+    const glm::dvec3 across = rays.u * view_.right + rays.v * view_.up;
+    const double width = std::hypot(rays.u_radius, rays.v_radius);
+    const double reach = view_.parallel() ? distance_ : std::max(farthest_, 0.0);
+    const double aside = width * reach * (1.0 + 0x1p-20) + error_of(ball);
+    const glm::dvec3 from = base_ + distance_ * across - ball.centre;
+    const glm::dvec3 along = view_.forward + across;
+    const double square = glm::dot(along, along);
+    const double nearest = -glm::dot(from, along) / square;
+    const double gap = glm::length(from + nearest * along);
+    const auto half = [&](double radius) {
+        return std::sqrt(std::max(radius - gap, 0.0) * (radius + gap) / square);
+    };
+    const double outer = ball.radius + aside;
+    if (gap > outer) return {unbounded, unbounded, -unbounded, -unbounded};
+    const double inner = ball.radius - aside;
+    const bool sure = inner > gap;
+    const double at_most = half(outer) + error_of(ball);
+    const double at_least = sure ? half(inner) - error_of(ball) : 0.0;
+    return {nearest - at_most, sure ? nearest - at_least : unbounded,
+            sure ? nearest + at_least : -unbounded, nearest + at_most};
+}
+
+DepthRange BeamView::in_box(const Rays& rays) const {
+    const double from_eye = view_.look_distance;
+    if (view_.parallel()) {
+        DepthRange all{nearest_ - from_eye, -unbounded, unbounded, farthest_ - from_eye};
+        for (int i = 0; i < 3; ++i) {
+            glm::dvec3 axis(0.0);
+            axis[i] = 1.0;
+            all = both(all, below(height(axis, clip_.hi[i], depth_error_, rays)));
+            all = both(all, below(height(-axis, -clip_.lo[i], depth_error_, rays)));
+        }
+        return all;
+    }
     DepthRange all{std::max(0.0, nearest_), 0.0, unbounded, farthest_};
     for (int i = 0; i < 3; ++i) {
-        const double d = view_.forward[i] + u * view_.right[i] + v * view_.up[i];
-        const double across =
-            std::abs(view_.right[i]) * u_radius + std::abs(view_.up[i]) * v_radius + 0x1p-48;
-        const DepthRange one =
-            between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across, d + across);
-        all = {std::max(all.enter_lo, one.enter_lo), std::max(all.enter_hi, one.enter_hi),
-               std::min(all.exit_lo, one.exit_lo), std::min(all.exit_hi, one.exit_hi)};
+        const double d = view_.forward[i] + rays.u * view_.right[i] + rays.v * view_.up[i];
+        const double across = std::abs(view_.right[i]) * rays.u_radius +
+                              std::abs(view_.up[i]) * rays.v_radius + 0x1p-48;
+        all = both(all, between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across,
+                                       d + across));
     }
-    const double from_eye = view_.look_distance;
     return {all.enter_lo - from_eye - depth_error_, all.enter_hi - from_eye + depth_error_,
             all.exit_lo - from_eye - depth_error_, all.exit_hi - from_eye + depth_error_};
+}
+
+DepthRange BeamView::depths_kept(const Section& section, double u, double v, double u_radius,
+                                 double v_radius) const {
+    return below(height(section.normal, section.offset, error_of(section),
+                        {u, v, u_radius, v_radius}));
+}
+
+DepthRange BeamView::depths_uncut(double u, double v, double u_radius, double v_radius) const {
+    const Rays rays{u, v, u_radius, v_radius};
+    const DepthRange all = in_box(rays);
+    return region_.ball ? both(all, in_ball(*region_.ball, rays)) : all;
+}
+
+DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {
+    DepthRange all = depths_uncut(u, v, u_radius, v_radius);
+    for (const Section& section : region_.sections)
+        all = both(all, depths_kept(section, u, v, u_radius, v_radius));
+    return all;
 }
 
 template <class Real>
@@ -117,7 +228,7 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
     // The middle of a cell is off by half a unit of |u|.
     frustum.u_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * u_most_);
     frustum.v_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * v_most_);
-    frustum.distance = number(view_.look_distance);
+    frustum.distance = number(distance_);
     for (int i = 0; i < 3; ++i) {
         frustum.base[i] = number(base_[i]);
         frustum.right[i] = number(view_.right[i]);
@@ -127,7 +238,7 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
         const double direction = std::abs(view_.forward[i]) + across;
         // What making `base` in double has cost, in units of this format.
         const double base_error = 0x1p-50 / unit * (std::abs(view_.eye[i]) + view_.look_distance);
-        const double size = std::abs(base_[i]) + view_.look_distance * across;
+        const double size = std::abs(base_[i]) + distance_ * across;
         frustum.size[i] = upper_end(Real{}, (size + base_error) * (1.0 + 0x1p-20));
         frustum.direction_size[i] = upper_end(Real{}, direction * (1.0 + 0x1p-20));
     }
@@ -147,7 +258,7 @@ RaysOf<Real> BeamView::make_rays() const {
         const Wide right = view_.right[i];
         const Wide up = view_.up[i];
         const Wide across = u * right + v * up;
-        const Wide distance = view_.look_distance;
+        const Wide distance = distance_;
         rays.origin[i] = static_cast<Real>(Wide{base_[i]} + distance * across);
         rays.origin_by_col[i] = static_cast<Real>(distance * pixel * right);
         rays.origin_by_row[i] = static_cast<Real>(-distance * pixel * up);

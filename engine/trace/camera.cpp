@@ -15,24 +15,53 @@ ViewFrame::ViewFrame(const Camera& camera)
     : eye(camera.eye),
       forward(glm::normalize(camera.look_at - camera.eye)),
       look_distance(glm::distance(camera.look_at, camera.eye)),
-      half_height(std::tan(0.5 * camera.fov_rad)) {
+      half_height(std::tan(0.5 * camera.fov_rad)),
+      projection(camera.projection) {
     right = glm::normalize(glm::cross(forward, camera.up));
     up = glm::cross(right, forward);
 }
 
-glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
+glm::dvec3 ViewFrame::across(double col, double row, int width_px, int height_px) const {
     const double size = pixel_size(height_px);
     const double u = (col - 0.5 * width_px) * size;
     const double v = (0.5 * height_px - row) * size;
-    return forward + u * right + v * up;
+    return u * right + v * up;
 }
 
-Camera default_camera(const Box& box, double aspect) {
-    constexpr double margin = 1.04;
+glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
+    return parallel() ? forward : forward + across(col, row, width_px, height_px);
+}
+
+glm::dvec3 ViewFrame::origin(double col, double row, int width_px, int height_px) const {
+    return parallel() ? eye + look_distance * across(col, row, width_px, height_px) : eye;
+}
+
+glm::dvec3 ViewFrame::point(double col, double row, int width_px, int height_px,
+                            double distance) const {
+    return origin(col, row, width_px, height_px) +
+           distance * glm::normalize(direction(col, row, width_px, height_px));
+}
+
+glm::dmat3 front_axes(const glm::dvec3& up) {
+    const glm::dvec3 above = glm::normalize(up);
+    const glm::dvec3 size = glm::abs(above);
+    const bool x_is_up = size.x > size.y && size.x > size.z;
+    const glm::dvec3 sideways = x_is_up ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 behind = glm::normalize(glm::cross(above, sideways));
+    return {glm::cross(behind, above), behind, above};
+}
+
+Camera default_camera(const Box& box, double aspect, const glm::dvec3& up) {
     Camera camera;
     camera.look_at = box.centre();
-    camera.eye = camera.look_at + glm::normalize(default_view_direction);
+    camera.eye = camera.look_at + front_axes(up) * default_view_direction;
+    camera.up = up;
     camera.fov_rad = glm::radians(default_fov_deg);
+    return framed(camera, box, aspect);
+}
+
+Camera framed(const Camera& camera, const Box& box, double aspect) {
+    constexpr double margin = 1.04;
     const ViewFrame frame(camera);
     const glm::dvec3 half = 0.5 * (box.hi - box.lo);
     double distance = 0.0;
@@ -42,11 +71,15 @@ Camera default_camera(const Box& box, double aspect) {
         const glm::dvec3 offset = half * sign;
         const double across = std::max(std::abs(glm::dot(offset, frame.right)) / aspect,
                                        std::abs(glm::dot(offset, frame.up)));
-        const double needed = margin * across / frame.half_height - glm::dot(offset, frame.forward);
+        // Only in perspective what is nearer shows larger.
+        const double nearer = frame.parallel() ? 0.0 : -glm::dot(offset, frame.forward);
+        const double needed = margin * across / frame.half_height + nearer;
         distance = std::max(distance, needed);
     }
-    camera.eye = camera.look_at + distance * glm::normalize(default_view_direction);
-    return camera;
+    Camera moved = camera;
+    moved.look_at = box.centre();
+    moved.eye = moved.look_at - distance * frame.forward;
+    return moved;
 }
 
 Camera suite_camera(double half_edge) {
@@ -114,10 +147,9 @@ Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
 
 glm::dvec3 point_under(const Camera& camera, double u, double v, std::optional<double> distance) {
     const ViewFrame frame(camera);
-    const glm::dvec3 direction =
-        frame.forward + frame.half_height * (u * frame.right + v * frame.up);
-    const double t = distance ? *distance / glm::length(direction) : frame.look_distance;
-    return frame.eye + t * direction;
+    // An image of two pixels in height, its centre at (0, 0).
+    const double at_look = frame.look_distance * glm::length(frame.direction(u, 1.0 - v, 0, 2));
+    return frame.point(u, 1.0 - v, 0, 2, distance.value_or(at_look));
 }
 
 }  // namespace zeroset

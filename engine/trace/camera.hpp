@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 
 namespace zeroset {
@@ -20,39 +21,71 @@ struct Box {
     [[nodiscard]] double size() const;
 };
 
-/// Perspective camera. Image row 0 is at the top, rays go through pixel centres.
+/// How rays leave the image: from the eye, or all along the view. Both show the same height at the
+/// point looked at.
+enum class Projection : std::uint8_t { Perspective, Orthographic };
+
+/// Image row 0 is at the top, rays go through pixel centres.
 struct Camera {
     glm::dvec3 eye{0.0};
     glm::dvec3 look_at{0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
-    double fov_rad = 0.0;  ///< vertical, in (0, pi)
+    /// Vertical, in (0, pi). Of an orthographic view, that of the perspective one which shows as
+    /// much at the point looked at.
+    double fov_rad = 0.0;
+    Projection projection = Projection::Perspective;
 
     bool operator==(const Camera&) const = default;
 };
 
-/// The camera as an orthonormal frame of the image plane at distance 1 from the eye:
-/// the ray of (u, v) is eye + t * (forward + u * right + v * up).
+/// The camera as an orthonormal frame, and its rays: the points origin + t * direction. In
+/// perspective they begin at the eye; orthographic ones begin anywhere and go through the plane
+/// across the view through the eye at t = 0. Distances are measured from there, along the ray: those
+/// of an orthographic view may be below 0.
 struct ViewFrame {
     glm::dvec3 eye, right, up, forward;
     double look_distance = 1.0;  ///< from the eye to the point looked at, along forward
     double half_height = 1.0;    ///< tan(fov / 2)
+    Projection projection = Projection::Perspective;
 
     explicit ViewFrame(const Camera& camera);
 
-    /// Width of a pixel on the image plane at distance 1.
+    [[nodiscard]] bool parallel() const { return projection == Projection::Orthographic; }
+    /// Width of a pixel where rays are as far apart as in perspective at distance 1.
     [[nodiscard]] double pixel_size(int height_px) const { return 2.0 * half_height / height_px; }
-    /// Direction (not normalised, 1 along forward) through the point (col, row) of the image in
-    /// pixels; a pixel's centre is at (i + 0.5, j + 0.5).
+    /// The width of a pixel at the point looked at.
+    [[nodiscard]] double pixel_at_look(int height_px) const {
+        return pixel_size(height_px) * look_distance;
+    }
+    /// Direction (not normalised, 1 along forward) of the ray through the point (col, row) of the
+    /// image in pixels; a pixel's centre is at (i + 0.5, j + 0.5).
     [[nodiscard]] glm::dvec3 direction(double col, double row, int width_px, int height_px) const;
+    /// Where that ray has t = 0.
+    [[nodiscard]] glm::dvec3 origin(double col, double row, int width_px, int height_px) const;
+    /// The ray's point at a distance.
+    [[nodiscard]] glm::dvec3 point(double col, double row, int width_px, int height_px,
+                                   double distance) const;
+
+private:
+    /// From the image's centre, in widths of a pixel times right and up.
+    [[nodiscard]] glm::dvec3 across(double col, double row, int width_px, int height_px) const;
 };
 
-/// The direction from which the gallery and the benchmarks look, not normalised.
+/// How the world stands to one who looks from the front: columns are what lies to the right, behind
+/// and above; orthonormal, right-handed. (x, y, z) where z is up, (x, -z, y) for y, (y, z, x) for
+/// x, and the nearest of these turned for other directions `up`, which is not 0.
+glm::dmat3 front_axes(const glm::dvec3& up);
+
+/// The direction from which the gallery and the benchmarks look, along front_axes; not normalised.
 inline constexpr glm::dvec3 default_view_direction{1.0, -1.6, 0.9};
 inline constexpr double default_fov_deg = 42.0;
 
 /// Looks at the box's centre from `default_view_direction`, far enough to show the whole box in
 /// an image of the given aspect (width / height).
-Camera default_camera(const Box& box, double aspect = 1.0);
+Camera default_camera(const Box& box, double aspect = 1.0,
+                      const glm::dvec3& up = glm::dvec3(0.0, 0.0, 1.0));
+/// Looks at the box's centre along the same direction, as near as shows the whole box.
+Camera framed(const Camera& camera, const Box& box, double aspect);
 
 /// The benchmarks' camera for the cube [-half_edge, half_edge]^3: looks at the origin from
 /// `default_view_direction` at 4 half edges, from where the surfaces fill the image.

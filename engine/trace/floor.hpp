@@ -14,7 +14,7 @@ namespace zeroset {
 /// are measured against. The scene outlives it.
 class KnownFrame {
 public:
-    /// `known`: a frame of that scene and camera.
+    /// `known`: a frame of that scene and camera, without caps.
     KnownFrame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                const Framebuffer& known);
     /// The same frame again.

@@ -19,10 +19,46 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Steps of the direction of a ray from pixel to pixel.
-struct PixelSteps {
-    glm::dvec3 col, row;
+/// A vector for each pixel of a tile.
+struct PixelVectors {
+    glm::dvec3 first;
+    glm::dvec3 by_col{0.0}, by_row{0.0};
+
+    [[nodiscard]] glm::dvec3 at(int col, int row) const {
+        return first + static_cast<double>(col) * by_col + static_cast<double>(row) * by_row;
+    }
 };
+
+/// The rays of a tile's pixels. Those of a perspective view start at the eye, parallel ones on a
+/// plane across the view before the clip box, so that nothing is behind their starts.
+struct TileRays {
+    PixelVectors start, direction;
+    double start_depth = 0.0;  ///< of the starts, from the plane through the eye
+
+    TileRays(const TraceFrame& frame, const Tile& tile);
+};
+
+inline TileRays::TileRays(const TraceFrame& frame, const Tile& tile) {
+    const ViewFrame& view = frame.view;
+    const double col = tile.col + 0.5;
+    const double row = tile.row + 0.5;
+    const double size = view.pixel_size(frame.height);
+    direction.first = view.direction(col, row, frame.width, frame.height);
+    start.first = view.eye;
+    if (!view.parallel()) {
+        direction.by_col = size * view.right;
+        direction.by_row = -size * view.up;
+        return;
+    }
+    const Box& clip = frame.scene.clip;
+    const glm::dvec3 nearest =
+        glm::mix(clip.hi, clip.lo, glm::greaterThan(view.forward, glm::dvec3(0.0)));
+    start_depth = glm::dot(nearest - view.eye, view.forward) - 2.0 * place_error(frame);
+    start.first =
+        view.origin(col, row, frame.width, frame.height) + start_depth * view.forward;
+    start.by_col = size * view.look_distance * view.right;
+    start.by_row = -size * view.look_distance * view.up;
+}
 
 /// The least number of the type that is not below `value`.
 template <class Real>
@@ -34,7 +70,7 @@ Real above(double value) {
 template <class Real>
 class AxesTable {
 public:
-    AxesTable(const TraceFrame& frame, const PixelSteps& steps) : frame_(frame), steps_(steps) {}
+    AxesTable(const TraceFrame& frame, const TileRays& rays) : frame_(frame), rays_(rays) {}
     /// The axes for a ray; they live as long as the table.
     HWY_INLINE const Axes<Real>& of(const glm::dvec3& direction);
 
@@ -44,7 +80,7 @@ private:
     void set_grid(Axes<Real>& axes) const;
 
     const TraceFrame& frame_;
-    PixelSteps steps_;
+    const TileRays& rays_;
     Axes<Real> axes_[24];     ///< by dominant axis and signs of the direction
     std::uint32_t made_ = 0;  ///< bits of the axes that are made
 };
@@ -72,12 +108,19 @@ HWY_NOINLINE void AxesTable<Real>::make(Axes<Real>& axes, int k, const glm::bvec
     }
     const double half_height = frame_.view.half_height;
     const double half_width = half_height * frame_.width / frame_.height;
-    // Twice what k_rays-inl.hpp derives.
-    axes.direction_error = 0x1p-47 * (1.0 + half_width + half_height);
+    // Twice what k_rays-inl.hpp derives; of parallel rays, what covers the roundings of slopes.
+    axes.direction_error =
+        frame_.view.parallel() ? 0x1p-50 : 0x1p-47 * (1.0 + half_width + half_height);
     const double lo = frame_.scene.clip.lo[k];
     const double hi = frame_.scene.clip.hi[k];
     axes.k_size = std::max(std::abs(lo), std::abs(hi));
-    axes.k_reach = std::max(std::abs(axes.from_lo[0]), std::abs(axes.to_hi[0]));
+    axes.region = &frame_.scene.region;
+    axes.place_error = place_error(frame_);
+    axes.parallel = frame_.view.parallel();
+    axes.start_depth = rays_.start_depth;
+    const double apart = std::abs(rays_.start.by_col[k]) + std::abs(rays_.start.by_row[k]);
+    axes.k_reach =
+        std::max(std::abs(axes.from_lo[0]), std::abs(axes.to_hi[0])) + tile_size * apart;
     set_grid(axes);
 }
 
@@ -93,15 +136,18 @@ void AxesTable<Real>::set_axis(Axes<Real>& axes, int i, int world, bool mirrored
     axes.mirrored[i] = mirrored;
     axes.from_offset[i] = mirrored ? hi_offset : neg_lo_offset;
     axes.to_offset[i] = mirrored ? neg_lo_offset : hi_offset;
-    axes.eye[i] = sign * frame_.view.eye[world];
-    axes.from_lo[i] = axes.eye[i] - lo;
-    axes.to_hi[i] = hi - axes.eye[i];
+    const double start = sign * rays_.start.first[world];
+    axes.from_lo[i] = start - lo;
+    axes.to_hi[i] = hi - start;
+    axes.box_lo[i] = lo;
+    axes.box_hi[i] = hi;
     axes.neg_lo[i] = above<Real>(-lo);
     axes.hi[i] = above<Real>(hi);
+    const PixelVectors& steps = frame_.view.parallel() ? rays_.start : rays_.direction;
     for (std::size_t lane = 0; lane < lanes<Real>; ++lane) {
         const auto col = static_cast<double>(lane % block_cols<Real>);
         const auto row = static_cast<double>(lane / block_cols<Real>);
-        axes.lane_offset[i][lane] = sign * (col * steps_.col[world] + row * steps_.row[world]);
+        axes.lane_offset[i][lane] = sign * (col * steps.by_col[world] + row * steps.by_row[world]);
     }
 }
 
@@ -122,7 +168,8 @@ void AxesTable<Real>::set_grid(Axes<Real>& axes) const {
     axes.slice_count = static_cast<int>(std::floor(extent / slice)) + 1;
     // Where every slice has the same limit, or a limit of the packet's own, coarser ones do not
     // occur.
-    const bool by_distance = search.deeper > 0 && frame_.stop.rule != StopRule::Epsilon;
+    const bool by_distance =
+        search.deeper > 0 && frame_.stop.rule != StopRule::Epsilon && !axes.parallel;
     axes.coarsest = by_distance ? std::int64_t{2} << std::min(search.deeper, depth) : 2;
     axes.near_shift = std::max(0, depth - search.deeper);
     const double cells_to_eye = by_distance ? axes.from_lo[0] / static_cast<double>(axes.unit) : 0;

@@ -18,7 +18,8 @@
 // - U and V are mirrored, too, so that neither falls along K; a ray for which one does makes a
 //   packet of its own.
 // - Slices at a distance may be coarser than those near the eye, see SearchDepth.
-// - Boxes are clipped to the part of the ray inside the clip box and in front of the eye.
+// - Boxes are clipped to the part of the ray inside the clip box and the region and in front of the
+//   eye. Parallel rays have no eye: they start on a plane before the clip box.
 // - A slice on which f is not proved continuous is never a hit (the paper's rule for division,
 //   where F is infinite); the ray goes on, and its pixel is no longer certified. Where the
 //   first one begins is handed on, as it may lie before another surface's hit.
@@ -152,12 +153,12 @@ HWY_INLINE bool take_answers(Packet<Real>& packet, std::size_t slot, const Batch
 template <class Real>
 void push_unsettled(const Packet<Real>& packet, TileHits& hits) {
     constexpr float shrink = 1.0F - 0x1p-20F;  // above the rounding errors of `stretch` and a float
-    const Real eye = above<Real>(packet.axes->eye[0]);
+    const float first = -float_above(-packet.axes->start_depth);
     for (unsigned bits = packet.unsettled; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
-        const Real behind = eye - packet.gap_from[lane];  // rounded upward
-        const float depth = static_cast<float>(-(behind * packet.stretch[lane])) * shrink;
-        hits.pass(packet.pixel(lane), std::max(depth, 0.0F));
+        const Real behind = packet.k_start[lane] - packet.gap_from[lane];  // rounded upward
+        const float along = static_cast<float>(-(behind * packet.stretch[lane])) * shrink;
+        hits.pass(packet.pixel(lane), -(-first - std::max(along, 0.0F)));
     }
 }
 

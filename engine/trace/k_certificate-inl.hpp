@@ -143,8 +143,9 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
         const V<Real> u = hn::MulAdd(hn::Mul(half, slopes), k, hn::Mul(half, middle));
         hn::Store(axes.mirrored[i + 1] ? hn::Neg(u) : u, d<Real>, position[axes.world[i + 1]]);
     }
-    const V<Real> along = hn::Sub(k, hn::Set(d<Real>, static_cast<Real>(axes.eye[0])));
-    hn::Store(hn::Mul(along, hn::Load(d<Real>, packet.stretch)), d<Real>, depth);
+    const V<Real> along = hn::Sub(k, hn::Load(d<Real>, packet.k_start));
+    const V<Real> first = hn::Set(d<Real>, static_cast<Real>(axes.start_depth));
+    hn::Store(hn::MulAdd(along, hn::Load(d<Real>, packet.stretch), first), d<Real>, depth);
     const unsigned settled = axes.certifies ? bits_of<Real>(certified) & ~packet.unsettled : 0;
     for (unsigned bits = packet.hit; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);

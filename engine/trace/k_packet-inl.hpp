@@ -75,11 +75,16 @@ struct Axes {
     bool mirrored[3];
     /// Where a batch (-lo of x, y, z, then hi of x, y, z) holds -from and to, in numbers.
     std::size_t from_offset[3], to_offset[3];
-    double eye[3];
-    double from_lo[3], to_hi[3];  ///< between the eye and the clip box, rounded upward
-    Real neg_lo[3], hi[3];        ///< of the clip box, rounded upward
+    const Region* region;  ///< of the clip box, in world coordinates
+    double place_error;    ///< see place_error
+    bool parallel;         ///< rays: they have one direction and start at different places
+    double start_depth;    ///< of the starts, from the eye or the plane through it
+    /// Between the start of the tile's first ray and the clip box, rounded upward.
+    double from_lo[3], to_hi[3];
+    double box_lo[3], box_hi[3];  ///< of the clip box
+    Real neg_lo[3], hi[3];        ///< the same, rounded upward
     double k_size;                ///< the largest |K| in the clip box
-    double k_reach;               ///< the largest distance in K from the eye to the clip box
+    double k_reach;  ///< not below any distance in K from a ray's start to a place in the clip box
     double direction_error;       ///< bound for the error of a direction's component
     Real origin;                  ///< where the grid of slices starts; not behind the clip box
     Real unit;                    ///< width of the finest slices
@@ -90,7 +95,8 @@ struct Axes {
     std::int64_t coarsest, eye_cell;
     int near_shift;
     bool certifies;  ///< the finest slices are near enough to the wanted tolerance to be certified
-    alignas(64) double lane_offset[3][lanes<Real>];  ///< directions relative to the first pixel's
+    /// Directions relative to the first pixel's; of parallel rays, starts.
+    alignas(64) double lane_offset[3][lanes<Real>];
 
     /// Times the inverse of a ray's direction along K, a bound for the error of its slope over K,
     /// of at most 4. The two components, twice as good as their bound, take 2.5; the rest is more
@@ -121,6 +127,7 @@ struct Packet {
     alignas(bytes) Numbers alive;     ///< mask: rays that still look for their root
     alignas(bytes) Numbers hit_from;  ///< the slice where the search stopped
     alignas(bytes) Numbers hit_to;
+    alignas(bytes) Numbers k_start;  ///< where the ray starts: at axes->start_depth
     alignas(bytes) Numbers stretch;  ///< distance along the ray for 1 along K
     Line<Real> line[2];              ///< of U and V
     const Axes<Real>* axes;

@@ -31,11 +31,7 @@ public:
     bool next(Packet<Real>& packet);
     /// The axes for a ray; they live as long as the source.
     const Axes<Real>& axes_for(const glm::dvec3& direction) { return axes_.of(direction); }
-    /// The direction of the ray of a pixel of the tile.
-    [[nodiscard]] glm::dvec3 direction(int col, int row) const {
-        return corner_ + static_cast<double>(col) * steps_.col +
-               static_cast<double>(row) * steps_.row;
-    }
+    [[nodiscard]] const TileRays& rays() const { return rays_; }
 
 private:
     bool next_block();
@@ -51,8 +47,7 @@ private:
 
     const TraceFrame& frame_;
     Tile tile_;
-    PixelSteps steps_;
-    glm::dvec3 corner_;  ///< direction of the tile's first pixel
+    TileRays rays_;
     AxesTable<Real> axes_;
     int col_ = -block_cols<Real>, row_ = 0;
     unsigned pending_ = 0;  ///< rays of the current block not yet in a packet
@@ -62,10 +57,8 @@ template <class Real>
 PacketSource<Real>::PacketSource(const TraceFrame& frame, const Tile& tile)
     : frame_(frame),
       tile_(tile),
-      steps_{frame.view.pixel_size(frame.height) * frame.view.right,
-             -frame.view.pixel_size(frame.height) * frame.view.up},
-      corner_(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
-      axes_(frame, steps_) {}
+      rays_(frame, tile),
+      axes_(frame, rays_) {}
 
 template <class Real>
 bool PacketSource<Real>::next_block() {
@@ -92,12 +85,13 @@ bool PacketSource<Real>::next(Packet<Real>& packet) {
     constexpr bool two_parts = lanes<Real> > part_lanes;
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
-        const glm::dvec3 block = direction(col_, row_);
         const int first = std::countr_zero(pending_);
-        const Axes<Real>& axes =
-            axes_for(direction(col_ + first % block_cols<Real>, row_ + first / block_cols<Real>));
-        const PartRays low = part_of(axes, block, 0);
-        const PartRays high = two_parts ? part_of(axes, block, part_lanes) : low;
+        const Axes<Real>& axes = axes_for(rays_.direction.at(col_ + first % block_cols<Real>,
+                                                             row_ + first / block_cols<Real>));
+        const glm::dvec3 start = rays_.start.at(col_, row_);
+        const glm::dvec3 direction = rays_.direction.at(col_, row_);
+        const PartRays low = part_of(axes, start, direction, 0);
+        const PartRays high = two_parts ? part_of(axes, start, direction, part_lanes) : low;
         const unsigned fitting = low.fitting() | high.fitting() << part_lanes;
         // The first pending ray always fits; rays that do not share its axes make packets of
         // their own.
@@ -150,8 +144,10 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
     // Rounded upward, but for the stretch.
     const V<Real> grow = hn::Set(d<Real>, static_cast<Real>(1.0 + 0x1p-20));
     const V<Real> stretch = hn::Load(d<Real>, packet.stretch);
-    const V<Real> along = hn::Mul(hn::Div(hn::Load(d<Real>, limit), stretch), grow);
-    const V<Real> from_eye = hn::Add(along, hn::Set(d<Real>, above<Real>(axes.eye[0])));
+    const V<Real> distance =
+        hn::Add(hn::Load(d<Real>, limit), hn::Set(d<Real>, above<Real>(-axes.start_depth)));
+    const V<Real> along = hn::Mul(hn::Div(distance, stretch), grow);
+    const V<Real> end = hn::Add(along, hn::Load(d<Real>, packet.k_start));
     const V<Real> unit = hn::Set(d<Real>, axes.unit);
     const V<Real> widest = hn::Set(d<Real>, axes.unit * static_cast<Real>(axes.coarsest / 2));
     const V<Real> there =
@@ -160,7 +156,7 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
     const V<Real> spare = hn::Mul(hn::Set(d<Real>, static_cast<Real>(1 + extra_slices)), slice);
     bound_lanes(packet, hn::MaskFromVec(hn::Load(d<Real>, packet.alive)),
                 hn::Load(d<Real>, packet.k_in),
-                hn::Min(hn::Load(d<Real>, packet.k_out), hn::Add(from_eye, spare)));
+                hn::Min(hn::Load(d<Real>, packet.k_out), hn::Add(end, spare)));
 }
 
 /// How often a top slice is halved under the epsilon rule.

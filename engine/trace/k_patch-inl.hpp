@@ -16,7 +16,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
@@ -63,19 +62,27 @@ private:
     std::array<Patch, static_cast<std::size_t>(patches_a_row) * patches_a_row> patches_;
 };
 
-/// The line through the eye with a slope of U over K; `sign` -1 for -U. `slope_error` bounds the
-/// slope's.
+/// A bound of the lines with this slope of U over K through some starts; `sign` -1 for -U.
+/// `slope_error` bounds the slope's.
 template <class Real>
 Edge<Real> edge_of(const Axes<Real>& axes, int axis, double slope, double sign,
-                   double slope_error) {
+                   const std::array<glm::dvec3, 4>& starts, double slope_error) {
     const auto near = above<Real>(sign * slope);
     const double narrowing = static_cast<double>(near) - sign * slope;
-    const double error = narrowing * axes.k_size + slope_error * axes.k_reach;
-    const double base = sign * axes.eye[axis] + -axes.eye[0] * (sign * slope);
+    // Those of parallel rays are off by a few roundings of their coordinates.
+    const double start_error = axes.parallel ? 0x1p-3 * axes.place_error : 0.0;
+    const double error = narrowing * axes.k_size + slope_error * axes.k_reach + start_error;
+    double base = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& start : starts) {
+        const double u = axes.mirrored[axis] ? -start[axes.world[axis]] : start[axes.world[axis]];
+        const double k = axes.mirrored[0] ? -start[axes.world[0]] : start[axes.world[0]];
+        base = std::max(base, sign * u + -k * (sign * slope));
+    }
     return {near, above<Real>(base + error)};
 }
 
-/// The slopes of U over K are extreme at the corners: they are quotients of affine functions.
+/// The slopes of U over K are extreme at the corners: they are quotients of affine functions. So
+/// are the places where parallel rays pass K = 0, affine functions themselves.
 template <class Real>
 typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
                                                               PacketSource<Real>& source, int col,
@@ -83,13 +90,17 @@ typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
     Patch patch;
     const int last_col = std::min(col + patch_size, tile.cols) - 1;
     const int last_row = std::min(row + patch_size, tile.rows) - 1;
-    const Axes<Real>& axes = source.axes_for(source.direction(col, row));
+    const TileRays& rays = source.rays();
+    const Axes<Real>& axes = source.axes_for(rays.direction.at(col, row));
     double least[2] = {4.0, 4.0};
     double greatest[2] = {0.0, 0.0};
     double shortest = std::numeric_limits<double>::infinity();
-    for (const auto& [c, r] : {std::pair{col, row}, std::pair{last_col, row},
-                               std::pair{col, last_row}, std::pair{last_col, last_row}}) {
-        const glm::dvec3 direction = source.direction(c, r);
+    std::array<glm::dvec3, 4> starts;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const int c = (corner & 1U) != 0 ? last_col : col;
+        const int r = (corner & 2U) != 0 ? last_row : row;
+        starts[corner] = rays.start.at(c, r);
+        const glm::dvec3 direction = rays.direction.at(c, r);
         if (&source.axes_for(direction) != &axes) return patch;
         const double k = std::abs(direction[axes.world[0]]);
         shortest = std::min(shortest, k);
@@ -102,8 +113,8 @@ typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
     patch.axes = &axes;
     const double slope_error = axes.slope_error_share() / shortest;
     for (int i = 0; i < 2; ++i) {
-        patch.neg_lo[i] = edge_of(axes, i + 1, least[i], -1.0, slope_error);
-        patch.hi[i] = edge_of(axes, i + 1, greatest[i], 1.0, slope_error);
+        patch.neg_lo[i] = edge_of(axes, i + 1, least[i], -1.0, starts, slope_error);
+        patch.hi[i] = edge_of(axes, i + 1, greatest[i], 1.0, starts, slope_error);
     }
     return patch;
 }

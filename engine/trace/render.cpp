@@ -2,6 +2,7 @@
 
 #include "engine/image/blend.hpp"
 #include "engine/num/rounding.hpp"
+#include "engine/trace/caps.hpp"
 #include "engine/trace/frame_kernels.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
@@ -25,6 +26,7 @@ namespace {
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
+    CapFinder caps;
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
 
@@ -39,6 +41,9 @@ public:
 private:
     /// Fills workspace.hits with what each surface shows; false when cancelled.
     bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
+    /// Surface i.
+    void trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
+                       Counters& counters) const;
     [[nodiscard]] bool cancelled() const {
         return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
     }
@@ -56,6 +61,7 @@ private:
     const std::atomic<bool>* cancel_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
+    std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
@@ -64,6 +70,7 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
     for (const Kernel& kernel : scene.surfaces) {
         surfaces_.push_back(trace_frame(scene, kernel, view, width, height, settings.stop));
         surfaces_.back().cancel = cancel;
+        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, kernel));
     }
     for (const TraceFrame& surface : surfaces_) {
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
@@ -72,18 +79,31 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
     }
 }
 
+void TilePainter::trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
+                                Counters& counters) const {
+    TileHits& hits = workspace.hits[i];
+    hits.clear();
+    const TraceFrame frame = frame_of(i, tile);
+    if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
+    CapFinder& caps = workspace.caps;
+    caps.fill(frame, solid_signs_[i], counters);
+    Tile before_caps = tile;
+    before_caps.limits = caps.limits(tile.limits);
+    tracer_.trace_tile(frame, before_caps, hits, counters);
+    caps.put(hits);
+}
+
 bool TilePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
     const bool several = surfaces_.size() > 1;
     workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
     if (several) workspace.nearest.clear();
+    if (!solid_signs_.empty()) workspace.caps.enter(surfaces_.front(), tile);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (cancelled()) return false;
-        TileHits& hits = workspace.hits[i];
-        hits.clear();
-        tracer_.trace_tile(frame_of(i, tile), tile, hits, counters);
+        trace_surface(i, tile, workspace, counters);
         if (cancelled()) return false;
         if (!several) return true;
-        workspace.nearest.add(hits, static_cast<std::uint8_t>(i));
+        workspace.nearest.add(workspace.hits[i], static_cast<std::uint8_t>(i));
         tile.limits = workspace.nearest.limits();
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i)

@@ -1,5 +1,6 @@
 #include "engine/trace/shade.hpp"
 
+#include "engine/trace/caps.hpp"
 #include "engine/trace/palette.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -202,7 +203,7 @@ bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile&
     const double size = frame.view.pixel_size(frame.height);
     const V3 start = splat(
         frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height));
-    const V3 step = splat(size * frame.view.right);
+    const V3 step = splat(frame.view.parallel() ? glm::dvec3(0.0) : size * frame.view.right);
     bool any = false;
     for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
@@ -217,6 +218,22 @@ bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile&
         illuminate(shading, ray, gradient, lit, col, light);
     }
     return any;
+}
+
+/// Caps are darker than the skin, hatched and without highlights.
+void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHits& hits,
+               Light& light) {
+    for (int col = 0; col < tile.cols; ++col) {
+        const auto at = static_cast<std::size_t>(row * tile_size + col);
+        if (hits.cap[at] == 0) continue;
+        const glm::dvec3 normal(hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]);
+        const glm::dvec3 point =
+            frame.view.point(tile.col + col + 0.5, tile.row + row + 0.5, frame.width, frame.height,
+                             static_cast<double>(hits.depth[at]));
+        const auto pixel = static_cast<std::size_t>(col);
+        light.diffuse[pixel] *= cap_tone(frame.view, frame.height, point, normal);
+        light.gloss[pixel] = 0.0F;
+    }
 }
 
 /// `fresh`: the picture holds nothing yet, so that misses are to be written, too.
@@ -254,6 +271,7 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);
         if (illuminate_row(frame, shading, tile, row, hits, light)) {
+            if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
             shade_row(shading, surface, fresh, to, row, hits, light, out.pixels);
         } else if (fresh) {
             clear_pixels(to.first, to.count, to.background, out.pixels);

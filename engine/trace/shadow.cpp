@@ -194,10 +194,14 @@ void WayMaker::add(TileHits& hits, std::vector<Way>& ways) const {
         for (int col = 0; col < tile_.cols; ++col) {
             const auto at = static_cast<std::size_t>(row * tile_size + col);
             if (!(hits.depth[at] < std::numeric_limits<float>::infinity())) continue;
-            const glm::dvec3 along = glm::normalize(frame_.view.direction(
-                tile_.col + col + 0.5, tile_.row + row + 0.5, frame_.width, frame_.height));
+            const double image_col = tile_.col + col + 0.5;
+            const double image_row = tile_.row + row + 0.5;
+            const glm::dvec3 along =
+                frame_.view.direction(image_col, image_row, frame_.width, frame_.height);
             const glm::dvec3 from_light =
-                frame_.view.eye + static_cast<double>(hits.depth[at]) * along - light_.eye;
+                frame_.view.point(image_col, image_row, frame_.width, frame_.height,
+                                  static_cast<double>(hits.depth[at])) -
+                light_.eye;
             const glm::dvec3 gradient(hits.gradient[0][at], hits.gradient[1][at],
                                       hits.gradient[2][at]);
             const double slant =

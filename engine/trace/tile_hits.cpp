@@ -47,6 +47,7 @@ TileHits::TileHits() {
         axis.resize(pixels);
     unsettled.resize(pixels, none);
     lit.resize(pixels, 1.0F);
+    cap.resize(pixels, 0);
 }
 
 void TileHits::light_all() {
@@ -57,6 +58,8 @@ void TileHits::light_all() {
 void TileHits::clear() {
     if (any) std::ranges::fill(depth, none);
     if (any_unsettled) std::ranges::fill(unsettled, none);
+    if (any_cap) std::ranges::fill(cap, std::uint8_t{0});
+    any_cap = false;
     light_all();
     any = false;
     any_unsettled = false;
@@ -74,6 +77,18 @@ void TileHits::push(Pixel at, const std::array<double, 3>& where, float distance
 void TileHits::pass(Pixel at, float distance) {
     any_unsettled = true;
     unsettled[at.index()] = std::min(unsettled[at.index()], distance);
+}
+
+void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal) {
+    const std::size_t pixel = at.index();
+    any = true;
+    any_cap = true;
+    cap[pixel] = 1;
+    depth[pixel] = distance;
+    certificate[pixel] = known;
+    unsettled[pixel] = none;
+    for (std::size_t k = 0; k < 3; ++k)
+        gradient[k][pixel] = static_cast<float>(normal[static_cast<int>(k)]);
 }
 
 void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters) {

@@ -25,6 +25,17 @@ TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame
             frame_precision(scene, view, stop)};
 }
 
+double place_error(const TraceFrame& frame) {
+    const glm::dvec3 eye = glm::abs(frame.view.eye);
+    const Box& clip = frame.scene.clip;
+    const glm::dvec3 box = glm::max(glm::abs(clip.lo), glm::abs(clip.hi));
+    double sizes = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z}) +
+                   frame.view.look_distance;
+    if (frame.view.parallel())
+        sizes += frame.view.pixel_at_look(frame.height) * (frame.width + frame.height);
+    return 0x1p-46 * sizes;
+}
+
 std::span<const Tracer> tracers() {
     static constexpr std::array table{
         Tracer{"beams",

@@ -41,6 +41,10 @@ Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopC
 TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
                        int height, const StopCriterion& stop);
 
+/// Above the rounding errors of a few operations in double on places in the view, and on distances
+/// between them: 2^-46 of the eye's, the clip box's and the view's sizes together.
+double place_error(const TraceFrame& frame);
+
 /// A rectangle of the image, at most tile_size wide and high.
 struct Tile {
     int col, row;  ///< its first pixel
@@ -83,6 +87,10 @@ struct TileHits {
     bool any_unsettled = false;
     std::vector<float> lit;  ///< of the key light, what reaches a hit: 0 or 1
     bool any_dark = false;   ///< else `lit` is 1 everywhere
+    /// Whether a hit is on a section that caps the surface's solid: its gradient is the section's
+    /// normal.
+    std::vector<std::uint8_t> cap;
+    bool any_cap = false;  ///< else `cap` is 0 everywhere
 
     TileHits();
     void clear();
@@ -91,6 +99,8 @@ struct TileHits {
     /// A hit whose gradient is to be found.
     void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
     void pass(Pixel at, float distance);
+    /// A cap instead of what was found behind it.
+    void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal);
 };
 
 /// Fills in the gradients of those of `points` that are still hits, by the code in the frame's

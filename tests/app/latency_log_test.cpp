@@ -78,9 +78,9 @@ TEST_F(LatencyLogTest, ForgetsAnEventThatChangesNothing) {
 
 TEST_F(LatencyLogTest, LeavesOpenGlOut) {
     log_->input({Kind::Button, LatencyLog::Clock::now()});
-    const auto busy_until = LatencyLog::Clock::now() + milliseconds(30);
     {
         const LatencyLog::InOpenGl drawing(log_.get());
+        const auto busy_until = LatencyLog::Clock::now() + milliseconds(30);
         while (LatencyLog::Clock::now() < busy_until) {
         }
     }

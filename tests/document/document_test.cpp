@@ -28,10 +28,14 @@ Document rich_document() {
     document.w = {0.3, -2.0, 2.5, 0.1, 4.0, Repeat::Loop};
     document.clip = {{-1.1, -2, -3}, {0.7, 5, 6}};
     document.camera = Camera{{5, 0.1, 1}, {1, 2, 3}, {0, 1, 0}, 0.7330382858376184};
-    document.home = Camera{{1, 2, 3.3}, {0, 0, 0}, {0, 0, 1}, 1.0};
+    document.home = Camera{{1, 2, 3.3}, {0, 0, 0}, {0, 0, 1}, 1.0, Projection::Orthographic};
+    document.region = {Ball{{0.1, -2, 3}, 1.0 / 3.0},
+                       {make_section({1, 2, 3}, 0.1), make_section({0, 0, -1}, 7, false)}};
     document.stop = {StopRule::Epsilon, 0.001};
     document.mark_undecided = true;
     document.shadows = true;
+    document.axes = document.grid = document.trackball = true;
+    document.up = {0, 1, 0.5};
     return document;
 }
 
@@ -51,6 +55,14 @@ TEST(DocumentText, MayLeaveOutAllButTheStatements) {
     expected.statements[0].text = "x = 1";
     EXPECT_EQ(read->document, expected);
     EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, empty_document());
+}
+
+TEST(DocumentText, TakesWhatIsUpFromTheCameraIfItDoesNotSay) {
+    const auto read = document_from(
+        R"({"zeroset": 1, "statements": [], "camera":
+            {"eye": [0, 0, 1], "look_at": [0, 0, 0], "up": [0, 2, 0], "fov_rad": 1}})");
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(read->document.up, glm::dvec3(0, 2, 0));
 }
 
 TEST(DocumentText, NamesFieldsThatItDoesNotKnow) {
@@ -109,6 +121,18 @@ TEST(DocumentText, SaysWhatIsDamaged) {
         {with("box", "[0, 1]"), "box is no list of 6 numbers"},
         {with("camera", R"({"eye": [0, 0, 1], "look_at": [0, 0, 0], "up": [0, 0, 1]})"),
          "camera.fov_rad is missing"},
+        {with("region", R"({"sphere": {"radius": 0}})"), "region.sphere.radius is not above 0"},
+        {with("region", R"({"sections": [{"normal": [0, 0, 0], "offset": 1}]})"),
+         "region.sections[0].normal has no direction"},
+        {with("region", R"({"sections": [{"normal": [0, 0, 1]}]})"),
+         "region.sections[0].offset is missing"},
+        {with("region", R"({"sections": [1, 2, 3, 4, 5, 6, 7]})"),
+         "region.sections has more than 6 items"},
+        {with("camera",
+              R"({"eye": [0, 1, 1], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_rad": 1,
+                  "projection": "fisheye"})"),
+         "camera.projection is neither perspective nor orthographic"},
+        {with("up", "[0, 0, 0]"), "up is zero"},
         {with("stop", R"({"rule": "d_stop", "value": 23})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "d_stop", "value": 2.5})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "luck", "value": 2})"),

@@ -90,6 +90,10 @@ TEST_F(Undo, BeginsAStepForAnotherPart) {
     change();
     document_.clip = Box::cube(7);
     change();
+    document_.region.sections.push_back({});
+    change();
+    undo();
+    EXPECT_EQ(document_.region, Region());
     undo();
     EXPECT_EQ(document_.clip, Box());
     undo();

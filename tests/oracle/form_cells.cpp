@@ -103,9 +103,10 @@ template <class Real>
 FormCells<Real> random_cells(RandomNumbers& random) {
     static constexpr std::array sides{64, 32, 16, 8, 4, 1};
     for (;;) {
-        const RandomView seen(random);
-        const ViewFrame view(seen.camera);
+        RandomView seen(random);
         const int height = random.between(64, 2000);
+        if (height % 3 == 0) seen.camera.projection = Projection::Orthographic;
+        const ViewFrame view(seen.camera);
         const TraceFrame frame =
             trace_frame(seen.scene, Kernel{}, view, height, height, StopCriterion{});
         const int first = random.between(0, height - tile_size);
@@ -118,6 +119,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         FormCells<Real> cells;
         cells.view = view;
         cells.base = beams.base();
+        cells.distance = beams.distance();
         std::memcpy(&cells.rays, beams.rays<double>(), sizeof cells.rays);
         const int pixels = sides.at(random.below(sides.size()));
         cells.frustum = beams.frustum<Real>(pixels);

@@ -22,6 +22,7 @@ template <class Real>
 struct FormCells {
     ViewFrame view{Camera{}};
     glm::dvec3 base{};      ///< BeamView::base
+    double distance = 0;    ///< BeamView::distance
     RaysOf<double> rays{};  ///< of the tile, for values
     FrustumOf<Real> frustum{};
     std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};

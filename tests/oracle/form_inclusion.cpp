@@ -85,8 +85,7 @@ public:
         for (int k = 0; k < 3; ++k) {
             const MpfiInterval across = MpfiInterval(ray.u) * MpfiInterval(view.right[k]) +
                                         MpfiInterval(ray.v) * MpfiInterval(view.up[k]);
-            origin_.push_back(MpfiInterval(cells.base[k]) +
-                              MpfiInterval(view.look_distance) * across);
+            origin_.push_back(MpfiInterval(cells.base[k]) + MpfiInterval(cells.distance) * across);
             direction_.push_back(MpfiInterval(view.forward[k]) + across);
         }
         variables_.resize(4);
@@ -212,18 +211,18 @@ std::string three(const glm::dvec3& a) {
     return "(" + hex(a.x) + ", " + hex(a.y) + ", " + hex(a.z) + ")";
 }
 
-std::string described(const ViewFrame& view) {
+std::string described(const ViewFrame& view, double distance) {
     return "  eye " + three(view.eye) + "\n  right " + three(view.right) + "\n  up " +
-           three(view.up) + "\n  forward " + three(view.forward) + ", distance " +
-           hex(view.look_distance) + "\n";
+           three(view.up) + "\n  forward " + three(view.forward) + ", distance " + hex(distance) +
+           "\n";
 }
 
 /// The i-th cell, and what is wrong there.
 template <class Real>
 std::string described(const FormCells<Real>& cells, std::size_t i, const std::string& reason) {
     const auto number = [](Real a) { return hex(static_cast<double>(a)); };
-    return reason + "\n" + described(cells.view) + "  base " + three(cells.base) + "\n  u " +
-           number(cells.u[i]) + " +- " + number(cells.frustum.u_radius) + ", v " +
+    return reason + "\n" + described(cells.view, cells.distance) + "  base " + three(cells.base) +
+           "\n  u " + number(cells.u[i]) + " +- " + number(cells.frustum.u_radius) + ", v " +
            number(cells.v[i]) + " +- " + number(cells.frustum.v_radius) + ", s " +
            number(cells.s[i]) + " +- " + number(cells.s_radius[i]) + "\n  at u " +
            hex(cells.near[i].u) + ", v " + hex(cells.near[i].v) + ", s " + hex(cells.near[i].s) +

@@ -35,11 +35,11 @@ double depth_error(const AuditSurface& surface, const AuditSettings& settings,
                    const glm::dvec3& direction, double depth) {
     const Box& clip = surface.clip;
     if (settings.depth_bits > 0)
-        return std::exp2(-settings.depth_bits) * clip.size() + 0x1p-24 * depth;
+        return std::exp2(-settings.depth_bits) * clip.size() + 0x1p-24 * std::abs(depth);
     const double reach = largest(glm::max(glm::abs(clip.lo), glm::abs(clip.hi)));
     const double cell = std::max(clip.size() * std::exp2(-settings.d_stop), 0x1p-20 * reach);
     const double stretch = glm::length(direction) / largest(glm::abs(direction));
-    return 4 * cell * stretch + 0x1p-21 * (depth + glm::length(surface.camera.eye));
+    return 4 * cell * stretch + 0x1p-21 * (std::abs(depth) + glm::length(surface.camera.eye));
 }
 
 std::string joined(std::initializer_list<double> numbers) {
@@ -166,6 +166,16 @@ std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     return formula;
 }
 
+std::string region_options(const AuditSurface& surface) {
+    std::string text;
+    if (surface.camera.projection == Projection::Orthographic) text += " --projection orthographic";
+    if (const auto& ball = surface.region.ball)
+        text += " --sphere " + joined(ball->centre) + "," + joined({ball->radius});
+    for (const Section& section : surface.region.sections)
+        text += " --section " + joined(section.normal) + "," + joined({section.offset});
+    return surface.region.sections.empty() ? text : text + " --hollow";
+}
+
 }  // namespace
 
 std::string command_line(const AuditSurface& surface, const AuditSettings& settings) {
@@ -175,8 +185,8 @@ std::string command_line(const AuditSurface& surface, const AuditSettings& setti
            joined({box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z}) + " --eye " +
            joined(surface.camera.eye) + " --look-at " + joined(surface.camera.look_at) + " --up " +
            joined(surface.camera.up) + " --fov " + joined({glm::degrees(surface.camera.fov_rad)}) +
-           " --w " + joined({surface.w}) + " --size " + pixels + "x" + pixels + " --dstop " +
-           joined({settings.d_stop}) + " --tracer " + settings.tracer +
+           region_options(surface) + " --w " + joined({surface.w}) + " --size " + pixels + "x" +
+           pixels + " --dstop " + joined({settings.d_stop}) + " --tracer " + settings.tracer +
            " --depth depth.pfm --certificate certificate.png";
 }
 
@@ -208,6 +218,27 @@ std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed)
                           random_surface(family, half, random), Box::cube(half), 0.0, camera});
     }
     return result;
+}
+
+std::vector<AuditSurface> cut_open(std::vector<AuditSurface> surfaces, std::uint64_t seed) {
+    RandomNumbers random(seed);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        AuditSurface& surface = surfaces[i];
+        const glm::dvec3 half = 0.5 * (surface.clip.hi - surface.clip.lo);
+        const auto place = [&] {
+            const glm::dvec3 share(random.uniform(-0.6, 0.6), random.uniform(-0.6, 0.6),
+                                   random.uniform(-0.6, 0.6));
+            return surface.clip.centre() + half * share;
+        };
+        if (i % 2 == 0) surface.camera.projection = Projection::Orthographic;
+        if (i % 3 != 0) surface.region.ball = Ball{place(), random.uniform(0.4, 1.2) * half.x};
+        for (std::size_t k = 0; k < i % 4; ++k) {
+            const glm::dvec3 normal = place() - surface.clip.centre();
+            surface.region.sections.push_back(
+                make_section(normal, glm::dot(normal, place()), false));
+        }
+    }
+    return surfaces;
 }
 
 AuditReport& AuditReport::operator+=(const AuditReport& other) {
@@ -246,7 +277,9 @@ Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
     trace.tracer = settings.tracer;
     trace.stop.value = settings.d_stop;
     trace.threads = 1;
-    render_frame(make_scene(*formula, surface.clip, surface.w, {}), surface.camera, trace, frame);
+    Scene scene = make_scene(*formula, surface.clip, surface.w, {});
+    scene.region = surface.region;
+    render_frame(scene, surface.camera, trace, frame);
     return frame;
 }
 
@@ -263,7 +296,8 @@ AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
         const auto depth = static_cast<double>(frame.depth[i]);
         const Shown shown{frame.certificate[i], depth,
                           depth_error(surface, settings, direction, depth)};
-        const auto question = ray_question(view, surface.clip, col, row, frame.width, frame.height);
+        const auto question =
+            ray_question(view, surface.clip, surface.region, col, row, frame.width, frame.height);
         const std::string wrong =
             judge(shown, oracle.answer(question), glm::length(direction), report);
         if (wrong.empty()) continue;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/trace/region.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +18,16 @@ struct AuditSurface {
     Box clip;
     double w = 0.0;
     Camera camera;
+    Region region = {};  ///< its sections without caps: what they say of solids no oracle knows
 };
 
 /// The items of the gallery that are one surface.
 std::vector<AuditSurface> gallery_surfaces();
 /// `count` random surfaces of all families by turns, the same for the same seed.
 std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed);
+
+/// The same surfaces in random regions, every second one in an orthographic view.
+std::vector<AuditSurface> cut_open(std::vector<AuditSurface> surfaces, std::uint64_t seed);
 
 struct AuditSettings {
     std::string tracer;

@@ -12,14 +12,15 @@
 #include <optional>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 namespace zeroset::test {
 namespace {
 
 constexpr const char* usage =
     "usage: ray_checks [--size N] [--dstop N] [--rays N] [--edges N] [--bits N]\n"
-    "                  [--surfaces N] [--seed S] [--gallery 0|1] [--commands 0|1]\n"
-    "                  [--threads N] [TRACER...]\n"
+    "                  [--surfaces N] [--seed S] [--gallery 0|1] [--cut 0|1]\n"
+    "                  [--commands 0|1] [--threads N] [TRACER...]\n"
     "Checks these tracers, all if none is given.\n"
     "  --size      width and height of the pictures, 128 if not given\n"
     "  --rays      of each picture, at random; 0, the default: all\n"
@@ -28,6 +29,7 @@ constexpr const char* usage =
     "              default: what tracers promise\n"
     "  --surfaces  number of random surfaces, 200 if not given\n"
     "  --gallery   whether the gallery is checked, too; 1 if not given\n"
+    "  --cut       1: in random regions, half of them in orthographic views\n"
     "  --commands  1: only prints the command lines that draw the surfaces\n"
     "  --threads   all cores if not given\n";
 
@@ -40,6 +42,7 @@ struct Options {
     std::size_t surfaces = 200;
     std::size_t seed = 1;
     std::size_t gallery = 1;
+    std::size_t cut = 0;
     std::size_t commands = 0;
     std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
     std::vector<Tracer> tracers;
@@ -54,6 +57,7 @@ std::size_t* option_named(Options& options, std::string_view name) {
     if (name == "--surfaces") return &options.surfaces;
     if (name == "--seed") return &options.seed;
     if (name == "--gallery") return &options.gallery;
+    if (name == "--cut") return &options.cut;
     if (name == "--commands") return &options.commands;
     return name == "--threads" ? &options.threads : nullptr;
 }
@@ -109,6 +113,7 @@ int check(const Options& options) {
         const auto classics = gallery_surfaces();
         surfaces.insert(surfaces.begin(), classics.begin(), classics.end());
     }
+    if (options.cut != 0) surfaces = cut_open(std::move(surfaces), options.seed);
     std::size_t failures = 0;
     for (const Tracer& tracer : options.tracers) {
         const AuditSettings settings{.tracer = std::string(tracer.name),

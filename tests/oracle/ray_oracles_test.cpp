@@ -130,8 +130,8 @@ TEST(SubdivisionOracle, AgreesWithExactRoots) {
         ASSERT_TRUE(exact) << text;
         Camera camera = suite_camera(2);
         const ViewFrame view(camera);
-        const auto ray =
-            ray_question(view, Box::cube(2), random.between(8, 24), random.between(8, 24), 32, 32);
+        const auto ray = ray_question(view, Box::cube(2), {}, random.between(8, 24),
+                                      random.between(8, 24), 32, 32);
         if (!ray) continue;
         const RayAnswer found = SubdivisionOracle(expr, no_w).answer(*ray);
         const RayAnswer truth = exact->answer(*ray);

@@ -47,6 +47,14 @@ TEST_P(TracerAgainstOracles, OnRandomSurfaces) {
     EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
 }
 
+TEST_P(TracerAgainstOracles, OnSurfacesCutOpenAndParallelRays) {
+    const AuditReport report = checked(cut_open(random_surfaces(150, 3), 5));
+    EXPECT_GT(report.hit, report.rays / 10);
+    EXPECT_GT(report.empty, report.rays / 4);
+    EXPECT_LT(report.unknown, report.rays / 10);
+    EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
+}
+
 /// Pictures of the sphere that say something false.
 TEST_P(TracerAgainstOracles, FalsePicturesAreFound) {
     const AuditSurface sphere{"sphere", "x^2 + y^2 + z^2 - 1", Box::cube(1.5), 0.0,

@@ -247,7 +247,8 @@ protected:
     glm::vec2 view_line(int line) {
         ImGuiWindow* section = ImGui::FindWindowByName(child("##side/##view_")->Name);
         const float row = ImGui::GetFrameHeightWithSpacing();
-        const float top = row * static_cast<float>(line);
+        const float title = std::ceil(em(1.9F)) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
+        const float top = title + row * static_cast<float>(line);
         ImGui::SetScrollY(section, std::min(top, section->ScrollMax.y));
         draw();
         return {section->Pos.x + 0.4F * row, section->Pos.y + top + 0.4F * row - section->Scroll.y};

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -37,26 +38,54 @@ inline TraceSettings settings_at(const std::string& tracer, double d_stop) {
 }
 
 struct Ray {
-    glm::dvec3 eye, direction;        ///< of length 1
-    double t_in = 0.0, t_out = -1.0;  ///< the part in the clip box and in front of the eye
+    glm::dvec3 eye, direction;        ///< t is 0 at the former; the latter of length 1
+    double t_first = 0.0;             ///< what is before is not seen
+    double t_in = 0.0, t_out = -1.0;  ///< the part in the clip box and region that is seen
 
-    Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame)
-        : eye(camera.eye),
-          direction(glm::normalize(
-              ViewFrame(camera).direction(col + 0.5, row + 0.5, frame.width, frame.height))) {
-        t_out = std::numeric_limits<double>::infinity();
+    Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame,
+        const Region& region = {}) {
+        const ViewFrame view(camera);
+        eye = view.origin(col + 0.5, row + 0.5, frame.width, frame.height);
+        direction = glm::normalize(view.direction(col + 0.5, row + 0.5, frame.width, frame.height));
+        if (view.parallel()) t_first = -infinity;
+        t_in = t_first;
+        t_out = infinity;
         for (int i = 0; i < 3; ++i) {
             const double a = (clip.lo[i] - eye[i]) / direction[i];
             const double b = (clip.hi[i] - eye[i]) / direction[i];
-            t_in = std::max(t_in, std::min(a, b));
-            t_out = std::min(t_out, std::max(a, b));
+            narrow(std::min(a, b), std::max(a, b));
         }
+        for (const Section& section : region.sections) {
+            const double rate = glm::dot(section.normal, direction);
+            const double t = place_of(section);
+            const bool outside = rate == 0 && glm::dot(section.normal, eye) > section.offset;
+            narrow(outside ? infinity : rate < 0 ? t : -infinity, rate > 0 ? t : infinity);
+        }
+        if (region.ball) {
+            const glm::dvec3 from = eye - region.ball->centre;
+            const double middle = -glm::dot(from, direction);
+            const double gap = glm::length(from + middle * direction);
+            const double radius = region.ball->radius;
+            const double half = std::sqrt(std::max((radius - gap) * (radius + gap), 0.0));
+            narrow(gap > radius ? infinity : middle - half, middle + half);
+        }
+    }
+    /// Where the ray passes the section.
+    [[nodiscard]] double place_of(const Section& section) const {
+        return (section.offset - glm::dot(section.normal, eye)) /
+               glm::dot(section.normal, direction);
     }
     [[nodiscard]] glm::dvec3 at(double t) const { return eye + t * direction; }
     /// Distance along the ray for 1 along its dominant axis.
     [[nodiscard]] double stretch() const {
         const glm::dvec3 size = glm::abs(direction);
         return 1.0 / std::max({size.x, size.y, size.z});
+    }
+
+private:
+    void narrow(double from, double to) {
+        t_in = std::max(t_in, from);
+        t_out = std::min(t_out, to);
     }
 };
 

@@ -1,6 +1,7 @@
 #include "engine/trace/tracer.hpp"
 
 #include "engine/trace/render.hpp"
+#include "tests/engine/trace/closed_forms.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -24,87 +25,6 @@ namespace {
 /// A tracer may look for the opposite sign a few cells behind the one where it stopped.
 constexpr double bracket_cells = 4.0;
 
-/// The first root at or behind `from`, or infinity.
-using FirstRoot = std::function<double(const Ray& ray, double from)>;
-
-struct Analytic {
-    std::string name, text;
-    FirstRoot first_root;
-    Camera camera;
-    Box clip;
-};
-
-double first_of(std::vector<double> roots, double from) {
-    std::ranges::sort(roots);
-    const auto found = std::ranges::lower_bound(roots, from);
-    return found == roots.end() ? infinity : *found;
-}
-
-/// Roots of a t^2 + 2 b t + c.
-std::vector<double> quadratic(double a, double b, double c) {
-    const double discriminant = b * b - a * c;
-    if (discriminant < 0) return {};
-    const double far = -b - std::copysign(std::sqrt(discriminant), b);
-    return {far / a, c / far};
-}
-
-std::vector<double> sphere_roots(const Ray& ray, double radius) {
-    return quadratic(1.0, glm::dot(ray.eye, ray.direction),
-                     glm::dot(ray.eye, ray.eye) - radius * radius);
-}
-
-double plane_root(const Ray& ray, const glm::dvec3& normal, double offset) {
-    return (offset - glm::dot(normal, ray.eye)) / glm::dot(normal, ray.direction);
-}
-
-double torus_distance(const glm::dvec3& p, double ring, double tube) {
-    return std::abs(std::hypot(std::hypot(p.x, p.y) - ring, p.z) - tube);
-}
-
-/// The distance to the torus is a step that skips no root.
-double torus_root(const Ray& ray, double from) {
-    for (double t = from; t < ray.t_out + 1.0;) {
-        const double step = torus_distance(ray.at(t), 1.0, 0.5);
-        t += step;
-        if (step < 1e-13) return t;
-    }
-    return infinity;
-}
-
-std::vector<Analytic> analytic_scenes() {
-    const Box cube = Box::cube(2);
-    const Camera usual = default_camera(cube);
-    const Camera inside{{0.1, -0.2, 0.15}, {1, 0.5, 0.25}, {0, 0, 1}, 1.5};
-    const FirstRoot sphere = [](const Ray& ray, double from) {
-        return first_of(sphere_roots(ray, 1.0), from);
-    };
-    const FirstRoot shells = [](const Ray& ray, double from) {
-        return std::min(first_of(sphere_roots(ray, 1.5), from),
-                        first_of(sphere_roots(ray, 1.4999), from));
-    };
-    const FirstRoot plane = [](const Ray& ray, double from) {
-        return first_of({plane_root(ray, {0.3, -0.5, 1.0}, 0.2)}, from);
-    };
-    const FirstRoot pair = [](const Ray& ray, double from) {
-        return first_of({plane_root(ray, {0, 1, 0}, 0.5), plane_root(ray, {0, 1, 0}, 0.5001)},
-                        from);
-    };
-    return {
-        {"sphere", "x^2 + y^2 + z^2 = 1", sphere, usual, cube},
-        {"sphere from inside", "x^2 + y^2 + z^2 = 1", sphere, inside, cube},
-        {"sphere cut by the box",
-         "x^2 + y^2 + z^2 = 1",
-         sphere,
-         usual,
-         {{-0.7, -2, -0.8}, {2, 0.3, 2}}},
-        {"two close spheres", "(x^2+y^2+z^2-1.5^2)*(x^2+y^2+z^2-1.4999^2)", shells, usual, cube},
-        {"plane", "0.3*x - 0.5*y + z = 0.2", plane, usual, cube},
-        {"plane from nearby", "0.3*x - 0.5*y + z = 0.2", plane, inside, cube},
-        {"two close planes", "(y-0.5)*(y-0.5001)", pair, usual, cube},
-        {"torus", "(x^2+y^2+z^2+0.75)^2 = 4*(x^2+y^2)", torus_root, usual, cube},
-        {"torus from its hole", "(1-sqrt(x^2+y^2))^2 + z^2 = 0.25", torus_root, inside, cube}};
-}
-
 /// What a pixel says against what is there. `cell` is the width of the finest slice.
 void check_pixel(const Analytic& scene, const Ray& ray, Certificate certificate, double depth,
                  double cell) {
@@ -112,7 +32,7 @@ void check_pixel(const Analytic& scene, const Ray& ray, Certificate certificate,
     const double margin = bracket_cells * cell * ray.stretch() + rounding;
     const bool in_box = ray.t_in < ray.t_out;
     const double early =
-        in_box ? scene.first_root(ray, std::max(ray.t_in - margin, 0.0)) : infinity;
+        in_box ? scene.first_root(ray, std::max(ray.t_in - margin, ray.t_first)) : infinity;
     const double first = in_box ? scene.first_root(ray, ray.t_in) : infinity;
     const bool hit = first < ray.t_out - margin && early == first && first > ray.t_in + margin;
     const bool miss = early > ray.t_out + margin;
@@ -129,7 +49,8 @@ void check_pixel(const Analytic& scene, const Ray& ray, Certificate certificate,
 
 void check_scene(const Analytic& analytic, const std::string& tracer, double d_stop) {
     Framebuffer frame(41, 31);
-    const Scene scene = scene_of(analytic.text, analytic.clip);
+    Scene scene = scene_of(analytic.text, analytic.clip);
+    scene.region = analytic.region;
     render_frame(scene, analytic.camera, settings_at(tracer, d_stop), frame);
     const double cell = analytic.clip.size() * std::exp2(-d_stop);
     for (int row = 0; row < frame.height; ++row) {
@@ -137,7 +58,8 @@ void check_scene(const Analytic& analytic, const std::string& tracer, double d_s
             SCOPED_TRACE(analytic.name + ", pixel " + std::to_string(col) + "," +
                          std::to_string(row) + ", d_stop " + std::to_string(d_stop));
             const std::size_t i = frame.index(col, row);
-            check_pixel(analytic, Ray(analytic.camera, analytic.clip, col, row, frame),
+            check_pixel(analytic,
+                        Ray(analytic.camera, analytic.clip, col, row, frame, analytic.region),
                         frame.certificate[i], static_cast<double>(frame.depth[i]), cell);
         }
     }
@@ -148,6 +70,20 @@ class TracerTest : public ::testing::TestWithParam<std::string> {};
 TEST_P(TracerTest, AgreesWithClosedForms) {
     for (const Analytic& scene : analytic_scenes()) {
         for (const double d_stop : {8.0, 12.0, 19.0})
+            check_scene(scene, GetParam(), d_stop);
+    }
+}
+
+TEST_P(TracerTest, AgreesWithClosedFormsOnParallelRays) {
+    for (const Analytic& scene : parallel_scenes()) {
+        for (const double d_stop : {8.0, 14.0, 19.0})
+            check_scene(scene, GetParam(), d_stop);
+    }
+}
+
+TEST_P(TracerTest, AgreesWithClosedFormsInRegions) {
+    for (const Analytic& scene : region_scenes()) {
+        for (const double d_stop : {8.0, 19.0})
             check_scene(scene, GetParam(), d_stop);
     }
 }

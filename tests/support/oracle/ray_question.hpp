@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
+#include "engine/trace/region.hpp"
 
 #include <array>
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 namespace zeroset::test {
 
-/// A ray eye + t * direction, its doubles taken as exact, and the part of it in a clip box.
+/// A ray eye + t * direction, its doubles taken as exact, and the part of it in a clip box and a
+/// region.
 struct RayQuestion {
     std::array<double, 3> eye;
     std::array<double, 3> direction;
-    /// Surely within the clip box and in front of the eye; empty if inner_from > inner_to.
+    /// Surely inside and, in perspective, in front of the eye; empty if inner_from > inner_to.
     double inner_from, inner_to;
     /// The same with what a tracer may add at either end by rounding outward.
     double outer_from, outer_to;
 };
 
-/// The ray through a pixel's centre, as ViewFrame::direction gives it; nothing when it surely
-/// passes by the clip box.
-std::optional<RayQuestion> ray_question(const ViewFrame& view, const Box& clip, int col, int row,
-                                        int width, int height);
+/// The ray through a pixel's centre, as ViewFrame gives it; nothing when it surely passes by.
+std::optional<RayQuestion> ray_question(const ViewFrame& view, const Box& clip,
+                                        const Region& region, int col, int row, int width,
+                                        int height);
 
 enum class RayTruth : std::uint8_t {
     Hit,      ///< the first root is known, and f is continuous there

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/camera.hpp"
+
+#include "document/document.hpp"
+
+#include <expected>
+#include <string>
+
+namespace zeroset {
+
+/// The picture with the document's axes, clip box and grid over its colours, or one line that says
+/// why they cannot be drawn.
+std::expected<Framebuffer, std::string> furnished(const Framebuffer& picture,
+                                                  const Document& document, const Camera& camera);
+
+}  // namespace zeroset

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "app/options.hpp"
+#include "engine/trace/region.hpp"
+
+namespace zeroset {
+
+/// The region of the view options over `base`. `eye`: a section that says no side keeps the other
+/// one.
+OrInputError<Region> read_region(const ViewText& view, const Region& base, const glm::dvec3& eye);
+
+}  // namespace zeroset

@@ -1,0 +1,87 @@
+#include "document/framing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace zeroset {
+namespace {
+
+/// Surfaces that are smaller than this part of the clip box get one of their own.
+constexpr double small_part = 0.25;
+/// The clip box stands off from what it holds by this part of its size.
+constexpr double margin = 0.02;
+/// What sticks out by less is no more than enclosures are off.
+constexpr double tolerance = 2.0 / 64.0;
+
+double rounded_up(double length) {
+    const double unit = std::pow(10.0, std::floor(std::log10(length)) - 1.0);
+    return std::ceil(length / unit * (1.0 - 1e-12)) * unit;
+}
+
+/// A cube about the box; about the origin where that is not much larger.
+Box cube_about(const Box& box) {
+    constexpr double not_much = 1.3;
+    const glm::dvec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    const double about_origin = std::max({far.x, far.y, far.z});
+    const double about_centre = 0.5 * box.size();
+    if (about_origin <= not_much * about_centre) {
+        return Box::cube(rounded_up((1.0 + margin) * about_origin));
+    }
+    const double half = rounded_up((1.0 + margin) * about_centre);
+    return {box.centre() - half, box.centre() + half};
+}
+
+bool sticks_out(const Box& box, const Box& clip) {
+    const double slack = tolerance * box.size();
+    return glm::any(glm::lessThan(box.lo, clip.lo - slack)) ||
+           glm::any(glm::greaterThan(box.hi, clip.hi + slack));
+}
+
+std::string half_text(const Box& clip) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", 0.5 * clip.size());
+    return text.data();
+}
+
+Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
+    Framing framing{document, std::move(note), true};
+    const Camera usual = default_camera(document.clip, aspect, document.up);
+    framing.document.camera = framed(document.camera.value_or(usual), seen, aspect);
+    return framing;
+}
+
+}  // namespace
+
+Framing frame_surfaces(const Document& document, const Extent& extent, double aspect,
+                       bool may_clip) {
+    Document wished = document;
+    if (may_clip && extent.whole) {
+        const bool small = extent.whole->size() < small_part * document.clip.size();
+        if (small || sticks_out(*extent.whole, document.clip)) {
+            wished.clip = cube_about(*extent.whole);
+            return shown(wished, *extent.whole, aspect,
+                         "framed the whole surface: clip box \u00B1" + half_text(wished.clip));
+        }
+    }
+    if (extent.inside) {
+        const char* const note = extent.whole
+                                     ? "framed the surface"
+                                     : "framed what the clip box shows: the surface goes on";
+        return shown(wished, *extent.inside, aspect, note);
+    }
+    if (may_clip && extent.reached) {
+        wished.clip = *extent.reached;
+        return shown(
+            wished, wished.clip, aspect,
+            "enlarged the clip box until it meets the surface: \u00B1" + half_text(wished.clip));
+    }
+    const bool somewhere = extent.whole || extent.reached;
+    return {document,
+            somewhere ? "the clip box holds nothing of the surface"
+                      : "no surface: f vanishes nowhere near the clip box",
+            false};
+}
+
+}  // namespace zeroset

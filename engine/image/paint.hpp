@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace zeroset {
+
+/// `over` on `under`, colours as in Framebuffer::color: as much of it as its opacity times
+/// `coverage` says. The result is opaque.
+std::uint32_t blended(std::uint32_t under, std::uint32_t over, double coverage);
+
+/// A line of the picture's colours with smooth edges, its ends cut straight: lines that go on where
+/// another ends join without a seam. Places in pixels (a pixel's centre is at (i + 0.5, j + 0.5)),
+/// `width` in pixels. Parts beyond the picture are left out.
+void paint_line(Framebuffer& picture, const glm::dvec2& from, const glm::dvec2& to, double width,
+                std::uint32_t color);
+
+}  // namespace zeroset

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tracer.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace zeroset {
+
+/// -1 or 1: the sign of f inside the surface's solid. That is f < 0, unless f < 0 on most of each
+/// face of the clip box: then the solid is what the rest of the box holds, f > 0. So
+/// 1 = x^2 + y^2 + z^2 is filled like x^2 + y^2 + z^2 = 1.
+int solid_sign(const Scene& scene, const Kernel& kernel);
+
+/// Whether the scene has a section that may be capped.
+bool has_caps(const Scene& scene);
+
+/// How light a cap is at a point, of its surface's colour: 1 or less, less on the lines of a fine
+/// hatch.
+float cap_tone(const ViewFrame& view, int height_px, const glm::dvec3& point,
+               const glm::dvec3& normal);
+
+/// The caps of a tile: where rays enter the region through a section and f has the sign of the
+/// solid, they show the section. One for each thread; what it keeps is room.
+class CapFinder {
+public:
+    CapFinder();
+    /// Finds the rays that enter through capped sections. In upward rounding, as all here.
+    void enter(const TraceFrame& frame, const Tile& tile);
+    /// Finds the caps of a surface on these rays, whose solid has f of this sign.
+    void fill(const TraceFrame& surface, int sign, Counters& counters);
+    /// Tile::limits that leave out what is behind the caps or `limits` (nullptr: none).
+    const float* limits(const float* limits);
+    /// Shows the caps instead of what was found of the surface. A cap is certified where the sign
+    /// of f and the way in are proved; where the sign is not known the ray is unsettled.
+    void put(TileHits& hits) const;
+
+private:
+    enum class State : std::uint8_t { Empty, Unknown, Possible, Certain };
+    struct Entry {
+        std::uint16_t pixel;
+        bool sure;               ///< whether the ray surely enters here
+        const Section* section;
+        glm::dvec3 point, radius;  ///< where f is asked for: an enclosure of the entry
+        float distance, before;    ///< from the eye; the latter surely no farther
+        State state = State::Empty;
+    };
+
+    void enter_pixel(const BeamView& view, int col, int row);
+    /// Asks for the signs of f at entries, in boxes of this type.
+    template <class Real>
+    void ask(const TraceFrame& surface, int sign, std::vector<Entry*>& open);
+
+    std::vector<const Section*> sections_;  ///< through which rays of the tile may enter
+    std::vector<Entry> entries_;
+    std::vector<float> limits_;
+};
+
+}  // namespace zeroset
