@@ -35,7 +35,12 @@ protected:
 TEST_F(PreferencesTest, AreTheSameAfterAFile) {
     Preferences preferences;
     EXPECT_EQ(load_preferences(folder_), preferences) << "as usual without a file";
-    preferences.layout = {.panel_em = 31.5F, .folded = true, .view_open = false};
+    preferences.layout = {.panel_em = 31.5F,
+                          .folded = true,
+                          .view_open = false,
+                          .space_open = true,
+                          .clip_open = true,
+                          .edges_open = true};
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;
     preferences.window = {1000, 700, true};
