@@ -110,13 +110,13 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     return result;
 }
 
+}  // namespace
+
 InputError input_error(const ParseError& error, std::string_view text) {
     const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
     return {error.reason + hint, column_of(text, error.offset),
             std::string(line_at(text, error.offset)), error.offset, error.unfinished};
 }
-
-}  // namespace
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
 

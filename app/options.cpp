@@ -103,6 +103,8 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, const Surf
 Surface surface_of(Document document) {
     Surface surface{
         joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
+    surface.coloring = document.coloring;
+    surface.markers = document.markers;
     surface.document = std::move(document);
     return surface;
 }
@@ -131,6 +133,8 @@ Document document_of(const Surface& surface) {
     }
     document.clip = surface.clip;
     document.camera = surface.camera;
+    document.coloring = surface.coloring;
+    document.markers = surface.markers;
     set_value(document.w, surface.w);
     for (const auto& [name, value] : surface.parameters) {
         Slider slider = slider_of(document, name);
@@ -231,6 +235,9 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     auto parameters = read_parameters(view.set);
     if (!parameters) return std::unexpected(parameters.error());
     surface.parameters = std::move(*parameters);
+    if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
+        return std::unexpected(*error);
+    }
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/formula.hpp"
+#include "app/look_options.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
@@ -20,6 +21,7 @@ namespace zeroset {
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, w;
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
+    LookText look;
 };
 
 /// What the user typed for tracing.
@@ -37,6 +39,8 @@ struct Surface {
     ParameterValues parameters;    ///< those that are given
     /// Of a file: its rows, colours and sliders, whose text `equation` is.
     std::optional<Document> document = std::nullopt;
+    ColorChoice coloring = {};
+    std::vector<Marker> markers = {};
 };
 
 /// The surface as a document: a row for each statement.

@@ -3,6 +3,8 @@
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
+#include "document/look.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -55,6 +57,8 @@ struct Document {
     bool mark_undecided = false;
     bool shadows = false;
     bool antialias = false;
+    ColorChoice coloring;
+    std::vector<Marker> markers;  ///< in the order in which they were made
 
     bool operator==(const Document&) const = default;
 };

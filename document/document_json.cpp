@@ -2,6 +2,8 @@
 
 #include "engine/expr/parse.hpp"
 
+#include "document/json_fields.hpp"
+#include "document/look_json.hpp"
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -13,10 +15,6 @@
 
 namespace zeroset {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t longest_text = 1'000'000;
 
 // ---- writing
 
@@ -73,78 +71,6 @@ Json look_of(const Document& document) {
 }
 
 // ---- reading
-
-/// Why a text is no document; caught in document_from.
-struct Damage {
-    std::string reason;
-};
-
-/// An object of the file whose fields are taken one by one; the others are unknown.
-class Fields {
-public:
-    Fields(const Json& json, std::string place, std::vector<std::string>& unknown)
-        : json_(json), place_(std::move(place)), unknown_(unknown) {
-        if (!json.is_object()) throw Damage{place_ + " is no object"};
-    }
-    ~Fields() {
-        for (const auto& [name, value] : json_.items()) {
-            if (std::ranges::find(taken_, name) == taken_.end()) unknown_.push_back(at(name));
-        }
-    }
-    Fields(const Fields&) = delete;
-    Fields& operator=(const Fields&) = delete;
-
-    const Json* find(const char* name) {
-        taken_.emplace_back(name);
-        const auto found = json_.find(name);
-        return found == json_.end() ? nullptr : &*found;
-    }
-    const Json& get(const char* name) {
-        const Json* found = find(name);
-        if (found == nullptr) throw Damage{at(name) + " is missing"};
-        return *found;
-    }
-    [[nodiscard]] std::string at(const std::string& name) const {
-        return place_.empty() ? name : place_ + "." + name;
-    }
-    std::vector<std::string>& unknown() { return unknown_; }
-
-private:
-    const Json& json_;
-    std::string place_;
-    std::vector<std::string>& unknown_;
-    std::vector<std::string> taken_;
-};
-
-double number_of(const Json& json, const std::string& place) {
-    if (!json.is_number()) throw Damage{place + " is no number"};
-    const auto number = json.get<double>();
-    if (!(std::abs(number) <= largest_number)) throw Damage{place + " is too large a number"};
-    return number;
-}
-
-template <std::size_t Count>
-std::array<double, Count> numbers_of(const Json& json, const std::string& place) {
-    if (!json.is_array() || json.size() != Count) {
-        throw Damage{place + " is no list of " + std::to_string(Count) + " numbers"};
-    }
-    std::array<double, Count> numbers{};
-    for (std::size_t i = 0; i < Count; ++i)
-        numbers[i] = number_of(json[i], place);
-    return numbers;
-}
-
-std::string string_of(const Json& json, const std::string& place) {
-    if (!json.is_string()) throw Damage{place + " is no text"};
-    auto text = json.get<std::string>();
-    if (text.size() > longest_text) throw Damage{place + " is longer than a million characters"};
-    return text;
-}
-
-bool flag_of(const Json& json, const std::string& place) {
-    if (!json.is_boolean()) throw Damage{place + " is neither true nor false"};
-    return json.get<bool>();
-}
 
 std::uint32_t color_of(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
@@ -283,6 +209,9 @@ ReadDocument document_of(const Json& json) {
     if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
+    if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
+    if (const Json* markers = fields.find("markers"))
+        document.markers = markers_of(*markers, unknown);
     document = renumbered(std::move(document), 1);
     return read;
 }
@@ -319,6 +248,8 @@ std::string text_of(const Document& document) {
     if (document.home) json["home"] = json_of(*document.home);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
+    if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
+    if (!document.markers.empty()) json["markers"] = json_of(document.markers);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -52,6 +52,9 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.camera != b.camera) return "camera";
     if (a.clip != b.clip) return "clip";
     if (a.stop != b.stop) return "stop";
+    if (a.markers != b.markers) return "markers";
+    if (a.coloring.expression != b.coloring.expression) return "color expression";
+    if (a.coloring.range != b.coloring.range) return "color range";
     return "look";
 }
 

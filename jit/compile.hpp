@@ -27,6 +27,9 @@ struct CompileError {
 /// missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
+/// Machine code for the values alone, in double; at once.
+std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
+
 /// The LLVM IR or the assembly that `compile` makes machine code of; double's behind float's.
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,

@@ -5,6 +5,8 @@
 #include "ui/gallery_picker.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
+#include "ui/look_section.hpp"
+#include "ui/marker_section.hpp"
 #include "ui/statement_list.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/theme.hpp"
@@ -15,6 +17,7 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace zeroset::ui {
@@ -25,6 +28,8 @@ constexpr float narrowest_em = 17.0F;
 constexpr float most_of_window = 0.6F;
 /// The list of statements keeps this height before the sections below it scroll.
 constexpr float least_list_em = 9.0F;
+/// Of the height of both, if the list needs as much.
+constexpr float most_for_list = 0.7F;
 
 constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoFocusOnAppearing |
@@ -99,14 +104,39 @@ void draw_edge(UiState& state, float width, float height) {
     ImGui::PopClipRect();
 }
 
-void draw_view(UiState& state, float room) {
-    const Palette& colors = palette(state.theme);
-    ImGui::Separator();
-    draw_section_title("View", state.layout.view_open, colors);
-    if (!state.layout.view_open) return;
-    const float height = std::min(view_section_height(state), room);
-    ImGui::BeginChild("##view", ImVec2(0.0F, height));
-    draw_view_section(state);
+/// What stands below the list, one after the other.
+struct Section {
+    const char* title;
+    const char* id;
+    bool Layout::* open;
+    void (*draw)(UiState&);
+    float (*height)(const UiState&);  ///< of what is drawn, window coordinates
+};
+constexpr std::array<Section, 3> sections{
+    {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
+     {"Look", "##look", &Layout::look_open, draw_look_section, look_section_height},
+     {"Markers", "##markers", &Layout::markers_open, draw_marker_section, marker_section_height}}};
+
+float sections_height(const UiState& state) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    float height = 0.0F;
+    for (const Section& section : sections) {
+        height += std::ceil(em(1.9F)) + 2.0F * gap;
+        if (state.layout.*section.open) height += section.height(state) + gap;
+    }
+    return height;
+}
+
+void draw_below(UiState& state, float height) {
+    ImGui::BeginChild("##sections", ImVec2(0.0F, height));
+    for (const Section& section : sections) {
+        ImGui::Separator();
+        draw_section_title(section.title, state.layout.*section.open, palette(state.theme));
+        if (!(state.layout.*section.open)) continue;
+        ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
+        section.draw(state);
+        ImGui::EndChild();
+    }
     ImGui::EndChild();
 }
 
@@ -122,17 +152,21 @@ void draw_folded(UiState& state) {
     ImGui::PopStyleVar(2);
 }
 
+/// The list has the room it needs, but in a low window only the greater part of it; the sections
+/// have the rest, and scroll.
 void draw_sections(UiState& state) {
-    const float title = std::ceil(em(1.9F)) + 3.0F * ImGui::GetStyle().ItemSpacing.y;
-    const float room = ImGui::GetContentRegionAvail().y - title;
-    const float view =
-        std::max(std::min(view_section_height(state), room - em(least_list_em)), em(4.0F));
-    const float below = title + (state.layout.view_open ? view : 0.0F);
-    const float list = std::max(ImGui::GetContentRegionAvail().y - below, em(4.0F));
-    ImGui::BeginChild("##list", ImVec2(0.0F, list));
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID needed = ImGui::GetID("##list_height");
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const float room = ImGui::GetContentRegionAvail().y - gap;
+    const float least = std::max(em(least_list_em), most_for_list * room);
+    const float list = std::clamp(kept.GetFloat(needed), em(least_list_em), least);
+    const float below = std::max(std::min(sections_height(state), room - list), em(4.0F));
+    ImGui::BeginChild("##list", ImVec2(0.0F, std::max(room - below, em(4.0F))));
     draw_statement_list(state);
+    kept.SetFloat(needed, ImGui::GetCursorPosY());
     ImGui::EndChild();
-    draw_view(state, view);
+    draw_below(state, below);
 }
 
 }  // namespace

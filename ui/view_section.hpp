@@ -4,9 +4,8 @@
 
 namespace zeroset::ui {
 
-/// The settings of the view: search depth, clip box, marks, shadows, first view and
-/// theme. Edits the document's `stop`, `clip`, `mark_undecided`, `shadows` and `antialias`, `theme`
-/// and `reset_view`.
+/// The settings of the view: search depth, clip box, shadows, first view and theme. Edits the
+/// document's `stop`, `clip`, `shadows` and `antialias`, `theme` and `reset_view`.
 void draw_view_section(UiState& state);
 /// Its height, window coordinates.
 float view_section_height(const UiState& state);

@@ -127,8 +127,8 @@ struct FormBatchOf {
     ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
 };
 
-/// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row), counted from
-/// the middle of the tile, is o + s d,
+/// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row), counted
+/// from the middle of the tile, is o + s d,
 ///   o = origin + col origin_by_col + row origin_by_row, and d likewise.
 /// Rounded to nearest: FormBatchOf::r counts on it. Only numbers: kernels take it as an array.
 template <class Real>
@@ -186,6 +186,9 @@ struct KernelFunction {
     explicit operator bool() const { return call != nullptr; }
     bool operator==(const KernelFunction&) const = default;
 };
+
+/// f in double at points; the batch's `gradient` is left alone.
+using PointFunction = KernelFunction<ValueBatchOf<double>>;
 
 /// For one choice (min, max, if, where) and a block of cells, a bit for each cell: the first
 /// alternative surely may stand for the choice, or the second, in the whole cell: it is its value,

@@ -2,6 +2,7 @@
 
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/coloring.hpp"
 #include "engine/trace/palette.hpp"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct Scene {
     Box clip;
     Uniforms uniforms;
     std::vector<SurfaceColors> colors = {};  ///< of the surfaces; the palette's of those beyond
+    Coloring coloring = {};                  ///< over `colors`; with a range where one is needed
 };
 
 /// When the search along a ray stops [Knoll07, sec. 5.5].

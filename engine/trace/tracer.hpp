@@ -83,6 +83,9 @@ struct TileHits {
     bool any_unsettled = false;
     std::vector<float> lit;  ///< of the key light, what reaches a hit: 0 or 1
     bool any_dark = false;   ///< else `lit` is 1 everywhere
+    /// Where the scene is coloured by more than its surfaces: the reflectances of hits, red, green
+    /// and blue; else empty.
+    std::array<std::vector<float>, 3> reflectance;
 
     TileHits();
     void clear();
