@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
 // what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).
@@ -60,6 +61,7 @@ struct UiShotCommand {
     std::string output;
     std::optional<std::string> pointer;
     bool mark_undecided = false;
+    std::vector<std::string> actions;  ///< names of what is done first
 };
 int run_ui_shot(const UiShotCommand& command);
 

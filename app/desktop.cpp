@@ -69,7 +69,9 @@ ui::UiState first_state(const DesktopOptions& options) {
     }
     state.language_help = language_help();
     for (const GalleryItem& item : gallery())
-        state.gallery.push_back({item.title, item.equation, item.about});
+        state.gallery.push_back({item.title, item.equation, item.about, item.group, item.source});
+    for (const ui::Action* const action : options.actions)
+        action->run(state);
     return state;
 }
 
@@ -87,6 +89,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       state_(first_state(options)),
       session_(state_, {options.path, options.note, options.keeps_files}),
       settings_(options.settings),
+      cards_(options.keeps_files, [this] { window_.wake(); }),
       formulas_([this] { window_.wake(); }),
       pictures_([this] { window_.wake(); }) {}
 
@@ -101,19 +104,22 @@ void Desktop::draw_frame() {
     take_formula();
     take_double();
     take_frame();
+    cards_.show(state_);
     play();
     window_.hold_keys(state_.focus.has_value());
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
-    window_.end_frame();
+    cards_.follow(state_);
+    // Before the frame waits for the screen.
     follow_edits();
+    window_.end_frame();
 }
 
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
     return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
-           drawn && state_.document.camera;
+           drawn && state_.document.camera && cards_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
@@ -138,6 +144,7 @@ void Desktop::take_formula() {
     state_.surface_rows = result->reading.surface_rows;
     if (result->formula) {
         show(*result);
+        submit_picture();
     } else {
         state_.note = result->formula.error().reason;
     }

@@ -2,12 +2,14 @@
 
 #include "app/formula.hpp"
 #include "app/formula_job.hpp"
+#include "app/gallery_cards.hpp"
 #include "app/options.hpp"
 #include "app/pointing.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/actions.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
@@ -34,8 +36,9 @@ struct DesktopOptions {
     ParameterValues given;   ///< those that were given by name
     TraceSettings settings;  ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
-    bool takes_keyboard = true;  ///< the first row can be typed over at once
-    bool keeps_files = true;     ///< as in SessionOptions
+    std::vector<const ui::Action*> actions;  ///< run before the first frame
+    bool takes_keyboard = true;              ///< the first row can be typed over at once
+    bool keeps_files = true;                 ///< as in SessionOptions
 };
 
 /// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
@@ -120,6 +123,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;
 
+    GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;
 };

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -31,13 +30,6 @@ std::string note_of(const std::vector<std::string>& unknown) {
     for (const std::string& name : unknown)
         note += " " + name;
     return note;
-}
-
-/// An environment variable that names a folder, as the XDG specification has it: absolute.
-std::optional<fs::path> folder_in(const char* variable) {
-    const char* text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): read-only
-    if (text == nullptr || *text != '/') return std::nullopt;
-    return fs::path(text);
 }
 
 fs::path lock_of(const fs::path& file) {
@@ -91,12 +83,6 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
 
 std::expected<void, FileError> save_document(const fs::path& path, const Document& document) {
     return write_text(path.string(), text_of(document));
-}
-
-std::optional<fs::path> state_folder() {
-    if (const auto state = folder_in("XDG_STATE_HOME")) return *state / "zeroset";
-    if (const auto home = folder_in("HOME")) return *home / ".local" / "state" / "zeroset";
-    return std::nullopt;
 }
 
 RecentFiles::RecentFiles(std::optional<fs::path> folder) {

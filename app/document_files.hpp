@@ -29,9 +29,6 @@ std::expected<LoadedDocument, std::string> load_document(const std::filesystem::
 std::expected<void, FileError> save_document(const std::filesystem::path& path,
                                              const Document& document);
 
-/// $XDG_STATE_HOME/zeroset, by default ~/.local/state/zeroset; nothing without a home.
-std::optional<std::filesystem::path> state_folder();
-
 /// The documents used last, the newest first; kept in a file of the state folder.
 class RecentFiles {
 public:

@@ -79,8 +79,7 @@ std::expected<Kernel, InputError> machine_code(const Expr& surface,
 
 /// Of all surfaces, or of their parts.
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
-                                                            Precision precision) {
-    const jit::CompileOptions options{.with_double = precision == Precision::Double};
+                                                            const jit::CompileOptions& options) {
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
         auto kernel = machine_code(surface, options);
@@ -101,13 +100,34 @@ Formula interpreted(Formula formula) {
 /// The formula with machine code, in this type, too.
 std::expected<Formula, InputError> compiled(const Formula& formula, Precision precision) {
     const auto start = Clock::now();
-    auto kernels = machine_code(formula.drawn, precision);
+    auto kernels =
+        machine_code(formula.drawn, {.with_double = precision == Precision::Double, .quick = true});
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;
     result.compile_ms += ms_since(start);
     return result;
+}
+
+std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
+                                            const jit::CompileOptions& options) {
+    const auto start = Clock::now();
+    auto program = read_formula(text);
+    if (!program) return std::unexpected(program.error());
+    Formula formula{std::string(text), std::move(*program), {}, {}, CodeState::Machine, 0.0};
+    for (const Expr& surface : formula.program.surfaces)
+        formula.drawn.push_back(drawn_form(surface, sample_region(region)));
+    formula.code = code_for(formula.drawn);
+    if (formula.code != CodeState::Machine) {
+        formula = interpreted(std::move(formula));
+    } else {
+        auto kernels = machine_code(formula.drawn, options);
+        if (!kernels) return std::unexpected(kernels.error());
+        formula.kernels = std::move(*kernels);
+    }
+    formula.compile_ms = ms_since(start);
+    return formula;
 }
 
 }  // namespace
@@ -131,22 +151,7 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 }
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    const auto start = Clock::now();
-    auto program = read_formula(text);
-    if (!program) return std::unexpected(program.error());
-    Formula formula{std::string(text), std::move(*program), {}, {}, CodeState::Machine, 0.0};
-    for (const Expr& surface : formula.program.surfaces)
-        formula.drawn.push_back(drawn_form(surface, sample_region(region)));
-    formula.code = code_for(formula.drawn);
-    if (formula.code != CodeState::Machine) {
-        formula = interpreted(std::move(formula));
-    } else {
-        auto kernels = machine_code(formula.drawn, Precision::Float);
-        if (!kernels) return std::unexpected(kernels.error());
-        formula.kernels = std::move(*kernels);
-    }
-    formula.compile_ms = ms_since(start);
-    return formula;
+    return prepared(text, region, {.quick = true});
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
@@ -160,7 +165,7 @@ Formula with_double(const Formula& formula) {
 
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
                                                    Precision precision) {
-    auto formula = prepare_formula(text, region);
+    auto formula = prepared(text, region, {});
     if (!formula || formula->code == CodeState::Interpreted) return formula;
     const bool complete = formula->code == CodeState::Machine && formula->has_code(precision);
     return complete ? formula : compiled(*formula, precision);

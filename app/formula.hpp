@@ -59,8 +59,8 @@ using ParameterValues = std::map<std::string, double>;
 /// Text to graphs.
 std::expected<Program, InputError> read_formula(std::string_view text);
 
-/// Text to code, its forms the tightest in `region`. Machine code unless that would take more than
-/// a second. Thread-safe.
+/// Text to the code of a first picture (CompileOptions::quick), its forms the tightest in `region`.
+/// Machine code unless that would take more than a second. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
 
 /// The same formula with machine code, for one whose code is InterpretedFirst. Thread-safe.

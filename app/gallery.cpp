@@ -29,9 +29,10 @@ Camera camera_of(const json& camera) {
             vector_of(camera.at("up")), glm::radians(camera.at("fov").get<double>())};
 }
 
+/// `group`: of an item that names none.
 GalleryItem item_of(const json& item, const std::string& group) {
     GalleryItem result;
-    result.group = group;
+    result.group = item.value("group", group);
     result.name = item.at("name");
     result.title = item.at("title");
     result.equation = item.at("equation");

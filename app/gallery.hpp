@@ -25,7 +25,7 @@ struct GalleryItem {
 };
 
 /// The group of the papers' surfaces, which the benchmark times.
-inline constexpr std::string_view suite_group = "Benchmark suite";
+inline constexpr std::string_view suite_group = "From the papers";
 
 /// All items, in the order of the files. The files are compiled into the program.
 const std::vector<GalleryItem>& gallery();

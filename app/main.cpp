@@ -36,10 +36,9 @@ void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& val
     app.add_flag_function("--" + name + ",!--no-" + name, take, about);
 }
 
-/// May be repeated.
-CLI::Option* add_values(CLI::App& app, const std::string& names, std::vector<std::string>& values,
-                        const std::string& about) {
-    return app.add_option(names, values, about)
+void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                  const std::string& about) {
+    app.add_option(name, values, about)
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
@@ -51,11 +50,12 @@ void add_look_options(CLI::App& app, LookText& look) {
     add_value(app, "--color-range", look.color_range,
               "the numbers at the ends of the colours: A,B, or auto (default)");
     add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
-    add_values(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
+    add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
 }
 
 void add_parameters(CLI::App& app, std::vector<std::string>& set) {
-    add_values(app, "--set", set, "value of a parameter: NAME=VALUE (default 1); may be repeated");
+    add_repeated(app, "--set", set,
+                 "value of a parameter: NAME=VALUE (default 1); may be repeated");
 }
 
 void add_view_options(CLI::App& app, ViewText& view) {
@@ -99,6 +99,8 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
     add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
     add_value(*shot_app, "--pointer", shot.pointer,
               "where the pointer rests: X,Y from the left and the top, at scale 1");
+    add_repeated(*shot_app, "--do", shot.actions,
+                 "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
     shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
     add_view_options(*shot_app, shot.view);
     add_trace_options(*shot_app, shot.trace);
@@ -146,7 +148,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--certificate", render.certificate,
               "what is proved of each pixel, in colours: a PNG file");
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
-    add_values(*render_app, "--probe", render.probes,
+    add_repeated(*render_app, "--probe", render.probes,
                "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
     render_app->add_flag("--no-legend", render.no_legend,
                          "leave out what says which colour stands for which number");

@@ -1,5 +1,6 @@
 #include "app/session.hpp"
 
+#include "app/folders.hpp"
 #include "ui/clipboard.hpp"
 #include "ui/label.hpp"
 #include "ui/statement_list.hpp"

@@ -2,17 +2,24 @@
 #include "app/desktop.hpp"
 #include "app/formula.hpp"
 #include "app/options.hpp"
+#include "engine/expr/nearest_word.hpp"
 #include "engine/image/file.hpp"
 #include "engine/image/framebuffer.hpp"
+#include "ui/actions.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
 #include <glm/ext/vector_float2.hpp>
 
+#include <algorithm>
 #include <expected>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -56,6 +63,22 @@ OrInputError<std::optional<glm::vec2>> read_pointer(const std::optional<std::str
     return scale * glm::vec2((*at)[0], (*at)[1]);
 }
 
+OrInputError<std::vector<const ui::Action*>> read_actions(const std::vector<std::string>& names) {
+    std::vector<std::string_view> known;
+    std::ranges::transform(ui::actions(), std::back_inserter(known), &ui::Action::name);
+    std::vector<const ui::Action*> found;
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) {
+            const auto meant = meant_word(name, known);
+            return wrong_input("--do " + name + ": there is no such action" +
+                               (meant ? "; did you mean '" + std::string(*meant) + "'?"
+                                      : "; Ctrl+K in the window lists them"));
+        }
+        found.push_back(&ui::action_named(name));
+    }
+    return found;
+}
+
 OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (command.output.empty()) return wrong_input("nothing to write: give -o UI.png");
     if (!command.output.ends_with(".png")) {
@@ -68,6 +91,9 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (!theme) return std::unexpected(theme.error());
     auto desktop = read_desktop_options(command.equation, command.view, command.trace);
     if (!desktop) return std::unexpected(desktop.error());
+    auto actions = read_actions(command.actions);
+    if (!actions) return std::unexpected(actions.error());
+    desktop->actions = std::move(*actions);
     desktop->theme = *theme;
     desktop->takes_keyboard = false;  // nothing selected, no text cursor
     desktop->keeps_files = false;

@@ -119,45 +119,59 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
     }
 }
 
-/// A function that is made when it is first called, as most formulas are drawn without it. The
-/// interpreter's where LLVM fails.
+/// A function that is made when it is first called, as most formulas are drawn without it. Until
+/// then, and where LLVM fails, `otherwise` can do its work.
 template <class Batch>
 class OnFirstCall {
 public:
     OnFirstCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise)
-        : expr_(expr), piece_(piece), made_(std::move(otherwise)) {}
+        : expr_(expr), piece_(piece), otherwise_(std::move(otherwise)), made_(otherwise_) {}
 
     static void call(const void* code, const Batch* batch) {
         const auto& self = *static_cast<const OnFirstCall*>(code);
         std::call_once(self.once_, [&] {
             if (auto made = cached_code(self.expr_, self.piece_)) put_in(self.made_, *made);
+            self.ready_.store(true, std::memory_order_release);
         });
         self.made_(*batch);
+    }
+    static void call_meanwhile(const void* code, const Batch* batch) {
+        const auto& self = *static_cast<const OnFirstCall*>(code);
+        const bool ready = self.ready_.load(std::memory_order_acquire);
+        (ready ? self.made_ : self.otherwise_)(*batch);
     }
 
 private:
     Expr expr_;
     Piece piece_;
+    KernelFunction<Batch> otherwise_;
     mutable std::once_flag once_;
     mutable KernelFunction<Batch> made_;
+    mutable std::atomic<bool> ready_ = false;
 };
 
 template <class Batch>
-void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece) {
+void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece,
+                const KernelFunction<Batch>& otherwise) {
     std::string key = piece.key(expr);
     auto code = later_functions().find(key);
     if (!code) {
-        code = std::make_shared<const OnFirstCall<Batch>>(expr, piece, function);
+        code = std::make_shared<const OnFirstCall<Batch>>(expr, piece, otherwise);
         later_functions().insert(std::move(key), code);
     }
-    function = {OnFirstCall<Batch>::call, std::move(code)};
+    function = {OnFirstCall<Batch>::call, std::move(code), OnFirstCall<Batch>::call_meanwhile};
+}
+template <class Batch>
+void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece) {
+    make_later(function, expr, piece, KernelFunction<Batch>(function));
 }
 
 /// What is made at once for these options, the longest first: what the beam tracer needs.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
-    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form},
-                              {vectors.in_float, KernelPart::Newton},
-                              {vectors.in_double, KernelPart::RayValue}};
+    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form}};
+    if (!options.quick) pieces.push_back({vectors.in_float, KernelPart::RayForm});
+    pieces.push_back({vectors.in_float, KernelPart::Newton});
+    pieces.push_back({vectors.in_double, KernelPart::RayValue});
     if (options.with_double) {
         pieces.push_back({vectors.in_double, KernelPart::Form});
         pieces.push_back({vectors.in_double, KernelPart::Newton});
@@ -222,7 +236,10 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         put_in(kernel, pieces[i], *codes[i]);
     }
     make_later(kernel.range_float, expr, {vectors->in_float, KernelPart::Range});
-    make_later(kernel.ray_form_float, expr, {vectors->in_float, KernelPart::RayForm});
+    if (options.quick) {
+        make_later(kernel.ray_form_float, expr, {vectors->in_float, KernelPart::RayForm},
+                   kernel.form_float);
+    }
     make_later(kernel.value_float, expr, {vectors->in_float, KernelPart::Value});
     make_later(kernel.value_double, expr, {vectors->in_double, KernelPart::Value});
     kernel.has_double = options.with_double;

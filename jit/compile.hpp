@@ -13,6 +13,9 @@ struct CompileOptions {
     /// Also all code in double; without, only that of points, and the interpreter's ranges and
     /// forms.
     bool with_double = false;
+    /// Only what a first picture needs is made at once; forms on rays are made when they are first
+    /// called, too.
+    bool quick = false;
 
     bool operator==(const CompileOptions&) const = default;
 };
@@ -22,7 +25,8 @@ struct CompileError {
 };
 
 /// Machine code for the graph: at once what the beam tracer always needs (forms, Newton's method,
-/// values on rays), the other functions when they are first called. Thread-safe; equal graphs
+/// values on rays), the other functions when they are first called; Kernel::without_waiting calls
+/// the interpreter's, and forms in place of forms on rays, until they are there. Thread-safe; equal graphs
 /// compiled lately share their code, function by function: asking for double later makes what is
 /// missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});

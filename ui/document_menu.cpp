@@ -51,7 +51,7 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     ImGui::Separator();
     draw_items(state, {"Copy as text", "Paste"});
     ImGui::Separator();
-    draw_items(state, {"Quit"});
+    draw_items(state, {"Find a command...", "Quit"});
     ImGui::EndPopup();
 }
 

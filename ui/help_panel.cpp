@@ -4,6 +4,7 @@
 #include "ui/fonts.hpp"
 #include "ui/keys.hpp"
 #include "ui/status_panel.hpp"
+#include "ui/text_match.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
@@ -55,14 +56,6 @@ const std::vector<HelpSection>& keys_help() {
         return all;
     }();
     return sections;
-}
-
-char lower(char letter) {
-    return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return std::ranges::search(text, part, {}, lower, lower).begin() != text.end() || part.empty();
 }
 
 std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter) {

@@ -1,6 +1,8 @@
 #include "ui/screen.hpp"
 
+#include "ui/command_palette.hpp"
 #include "ui/dialogs.hpp"
+#include "ui/gallery_page.hpp"
 #include "ui/help_panel.hpp"
 #include "ui/shortcuts.hpp"
 #include "ui/side_panel.hpp"
@@ -38,6 +40,8 @@ void draw_screen(UiState& state, const Texture& picture) {
     draw_side_panel(state);
     draw_status_panel(state);
     draw_help_panel(state);
+    draw_gallery_page(state);
+    draw_command_palette(state);
     draw_dialogs(state);
 }
 

@@ -2,7 +2,6 @@
 
 #include "ui/actions.hpp"
 #include "ui/document_menu.hpp"
-#include "ui/gallery_picker.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
 #include "ui/look_section.hpp"
@@ -44,6 +43,12 @@ void draw_action(UiState& state, const char* name, Icon icon, IconLook look) {
     if (icon_button(name, icon, look, described(action))) action.run(state);
 }
 
+void draw_gallery_button(UiState& state, const ImVec2& size) {
+    const Action& action = action_named("Gallery");
+    if (ImGui::Button(action.name, size)) action.run(state);
+    draw_tooltip(described(action));
+}
+
 void draw_header(UiState& state) {
     const Palette& colors = palette(state.theme);
     const float size = button_size();
@@ -57,7 +62,7 @@ void draw_header(UiState& state) {
     draw_action(state, "Redo", Icon::Redo, look);
     ImGui::SameLine(0.0F, em(0.5F));
     const float gallery = right - ImGui::GetCursorPosX() - 2.0F * (size + em(0.2F)) - em(0.3F);
-    draw_gallery_picker(state, std::clamp(gallery, em(5.0F), em(9.0F)));
+    draw_gallery_button(state, ImVec2(std::clamp(gallery, em(5.0F), em(9.0F)), size));
     ImGui::SameLine(right - 2.0F * size - em(0.2F));
     draw_action(state, "Help", Icon::Help, look);
     ImGui::SameLine(right - size);

@@ -42,17 +42,23 @@ void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
         const bool pale = drawn && !is_on_stripe(i, frame.width);
         pixels_[i] = (pale ? undecided->pale : undecided->solid) | opaque;
     }
+    upload(pixels_, frame.width, frame.height);
+}
+
+void Texture::upload(const RgbaImage& image) { upload(image.pixels, image.width, image.height); }
+
+void Texture::upload(const std::vector<std::uint32_t>& pixels, int width, int height) {
     gl().bind_texture(GL_TEXTURE_2D, name_);
     gl().pixel_store(GL_UNPACK_ALIGNMENT, 4);
-    if (frame.width == width_ && frame.height == height_) {
+    if (width == width_ && height == height_) {
         gl().tex_sub_image(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE,
-                           pixels_.data());
+                           pixels.data());
         return;
     }
-    width_ = frame.width;
-    height_ = frame.height;
+    width_ = width;
+    height_ = height;
     gl().tex_image(GL_TEXTURE_2D, 0, GL_RGBA8, width_, height_, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                   pixels_.data());
+                   pixels.data());
 }
 
 void Texture::set_filter(Filter filter) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
+#include "engine/image/rgba_image.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -10,7 +11,7 @@ namespace zeroset::ui {
 
 enum class Filter : std::uint8_t { Nearest, Linear };
 
-/// A framebuffer as an OpenGL texture. Lives while the window's OpenGL context is current; the
+/// A picture as an OpenGL texture. Lives while the window's OpenGL context is current; the
 /// window's thread.
 class Texture {
 public:
@@ -30,6 +31,7 @@ public:
     /// keep the colour `behind` (as in Palette) so that a stretched picture has no fringe.
     void upload(const Framebuffer& frame, std::uint32_t behind,
                 const std::optional<Tint>& undecided = std::nullopt);
+    void upload(const RgbaImage& image);
     void set_filter(Filter filter) const;
 
     /// OpenGL's name of it.
@@ -39,6 +41,8 @@ public:
     [[nodiscard]] int height() const { return height_; }
 
 private:
+    void upload(const std::vector<std::uint32_t>& pixels, int width, int height);
+
     unsigned int name_ = 0;
     int width_ = 0;
     int height_ = 0;

@@ -25,11 +25,28 @@ namespace zeroset::ui {
 
 enum class Theme : std::uint8_t { Dark, Light };
 
-/// One line of the surface picker.
+/// A surface of the gallery.
 struct GalleryEntry {
     std::string title;
     std::string equation;
     std::string about;  ///< one sentence
+    std::string group = {};
+    std::string source = {};
+};
+
+/// The page on which the gallery is looked through.
+struct GalleryPage {
+    bool open = false;
+    bool drawn = false;        ///< it was there in the frame before
+    std::string search;        ///< words that are looked for
+    std::size_t selected = 0;  ///< a line of the gallery
+    bool follow = false;       ///< the selection is to be scrolled into sight
+
+    // Set by the page for the owner of the pictures.
+    std::vector<std::size_t> visible;  ///< lines of the gallery whose pictures are in sight
+    glm::ivec2 picture_px{0};
+    /// Set by that owner: OpenGL's name of a line's picture, where it is there.
+    std::map<std::size_t, unsigned int> pictures;
 };
 
 /// One line of the help: what to type, and what it does.
@@ -41,6 +58,15 @@ struct HelpEntry {
 struct HelpSection {
     std::string title;
     std::vector<HelpEntry> entries;
+};
+
+/// The field in which commands are found by a part of their name.
+struct CommandPalette {
+    bool open = false;
+    bool drawn = false;  ///< it was there in the frame before
+    std::string typed = {};
+    std::size_t selected = 0;  ///< of the lines found
+    bool follow = false;       ///< the selection is to be scrolled into sight
 };
 
 /// What the status line says of the picture. The figures are those of the last full picture.
@@ -115,6 +141,8 @@ struct UiState {
     Theme theme = Theme::Dark;
     bool show_help = false;
     std::string help_filter;
+    GalleryPage gallery_page;
+    CommandPalette command_palette;
 
     // Wishes: set by a panel, cleared by whoever fulfils them.
     std::optional<RowFocus> focus;       ///< by the list of statements

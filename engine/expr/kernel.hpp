@@ -178,10 +178,17 @@ template <class Batch>
 struct KernelFunction {
     void (*call)(const void* code, const Batch* batch) = nullptr;
     std::shared_ptr<const void> code;
+    /// The same without waiting for code that `call` makes first: slower code does its work.
+    /// nullptr: `call` never waits.
+    void (*meanwhile)(const void* code, const Batch* batch) = nullptr;
 
     void operator()(const Batch& batch) const {
         assert(rounds_upward());
         call(code.get(), &batch);
+    }
+    /// Of this function, or of what does its work meanwhile.
+    [[nodiscard]] KernelFunction without_waiting() const {
+        return {meanwhile != nullptr ? meanwhile : call, code};
     }
     explicit operator bool() const { return call != nullptr; }
     bool operator==(const KernelFunction&) const = default;
@@ -257,6 +264,18 @@ struct Kernel {
     void newton(const NewtonBatchOf<float>& batch) const { newton_float(batch); }
     void newton(const NewtonBatchOf<double>& batch) const { newton_double(batch); }
     explicit operator bool() const { return static_cast<bool>(range_float); }
+
+    /// A kernel whose functions never wait for their code to be made.
+    [[nodiscard]] Kernel without_waiting() const {
+        Kernel kernel = *this;
+        const auto change = [](auto&... functions) {
+            ((functions = functions.without_waiting()), ...);
+        };
+        change(kernel.range_float, kernel.value_float, kernel.form_float, kernel.ray_form_float,
+               kernel.newton_float, kernel.ray_value, kernel.range_double, kernel.value_double,
+               kernel.form_double, kernel.ray_form_double, kernel.newton_double);
+        return kernel;
+    }
 };
 
 }  // namespace zeroset

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -117,22 +118,38 @@ struct CellBits {
     std::array<LaneBits, 4> child_finished;  ///< the same for a quarter of the tile
 };
 
+/// The tile of pixels of a cell: its first pixel in the tile at work.
+struct CellTile {
+    std::uint16_t pixel = 0;   ///< in rows of tile_size
+    std::uint16_t inside = 0;  ///< 1: all rays are inside the clip box in the cell's slab
+
+    [[nodiscard]] int col() const { return pixel % tile_size; }
+    [[nodiscard]] int row() const { return pixel / tile_size; }
+    static CellTile at(int col, int row, bool inside) {
+        return {static_cast<std::uint16_t>(row * tile_size + col),
+                static_cast<std::uint16_t>(inside ? 1 : 0)};
+    }
+};
+
 /// The cells of one size of a tile, in order: tile by tile, front to back.
 template <class Real>
 struct Cells {
     std::size_t size = 0;
-    CellPlaces<Real> places;             ///< the slabs a little longer than `from` to `to`
-    std::vector<Real> from, to;          ///< the slabs: neighbours touch
-    std::vector<std::uint8_t> col, row;  ///< first pixel in the tile
-    std::vector<std::uint8_t> inside;    ///< all rays are inside the clip box in the slab
-    std::vector<const Kernel*> kernel;   ///< of f in the cell
+    std::vector<Real> from, to;  ///< the slabs: neighbours touch
+    std::vector<CellTile> tile;
+    CellRuns runs;
 
+    CellPlaces<Real> places;  ///< once they are placed: the slabs a little longer
     Forms<Real> forms;
     std::vector<CellBits> bits;  ///< one for each vector of cells
     /// Where f may vanish in each quarter of the cell's tile: left top, right top, left bottom,
     /// right bottom. Empty where lo > hi.
     std::array<std::vector<Real>, 4> child_from, child_to;
 
+    void clear() {
+        size = 0;
+        runs.clear();
+    }
     void resize(std::size_t capacity) {
         places.resize(capacity);
         forms.resize(capacity);
@@ -142,34 +159,20 @@ struct Cells {
             child_from[q].resize(capacity);
             child_to[q].resize(capacity);
         }
-        for (std::vector<std::uint8_t>* column : {&col, &row, &inside})
-            column->resize(capacity);
-        kernel.resize(capacity);
+        tile.resize(capacity);
         bits.resize(capacity / hn::Lanes(LanesOf<Real>()) + 1);
     }
-    /// A tile of pixels at (col, row), whose middle is at (u, v).
-    struct Place {
-        Real u, v;
-        int col, row;
-        const Kernel* kernel;
-    };
-    void push(const Place& at, Real slab_from, Real slab_to, Real margin, bool is_inside) {
+    void push(CellTile at, Real slab_from, Real slab_to) {
         if (size + 2 * batch_multiple > from.size()) resize(2 * from.size() + 256);
-        const Real half = Real{0.5};
-        places.u[size] = at.u;
-        places.v[size] = at.v;
-        const Real middle = half * slab_from + half * slab_to;
-        places.s[size] = middle;
-        places.s_radius[size] = std::max(slab_to - middle, middle - slab_from) + margin;
         from[size] = slab_from;
         to[size] = slab_to;
-        col[size] = static_cast<std::uint8_t>(at.col);
-        row[size] = static_cast<std::uint8_t>(at.row);
-        inside[size] = is_inside ? 1 : 0;
-        kernel[size] = at.kernel;
+        tile[size] = at;
         ++size;
     }
     void pop() { --size; }
+    /// Makes `places` of cells whose tiles have this side; `margin`: how much longer than their
+    /// slabs they are.
+    void place(const BeamView& view, int pixels, Real margin);
     [[nodiscard]] bool bit(LaneBits CellBits::* member, std::size_t cell) const {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         return (bits[cell / lanes].*member >> (cell % lanes) & 1U) != 0;
@@ -183,6 +186,31 @@ struct Cells {
         return (bits[cell / lanes].child_finished[child] >> (cell % lanes) & 1U) != 0;
     }
 };
+
+template <class Real>
+void Cells<Real>::place(const BeamView& view, int pixels, Real margin) {
+    constexpr LanesOf<Real> d;
+    std::array<Real, tile_size> u, v;
+    const double half = 0.5 * (pixels - 1);
+    for (int first = 0; first < tile_size; first += pixels) {
+        u[static_cast<std::size_t>(first)] = static_cast<Real>(view.u(first + half));
+        v[static_cast<std::size_t>(first)] = static_cast<Real>(view.v(first + half));
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+        places.u[i] = u[tile[i].pixel % tile_size];
+        places.v[i] = v[tile[i].pixel / tile_size];
+    }
+    const auto one_half = hn::Set(d, Real{0.5});
+    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
+        const auto lo = hn::LoadU(d, from.data() + i);
+        const auto hi = hn::LoadU(d, to.data() + i);
+        const auto middle = hn::Add(hn::Mul(one_half, lo), hn::Mul(one_half, hi));
+        const auto radius = hn::Max(hn::Sub(hi, middle), hn::Sub(middle, lo));
+        hn::StoreU(middle, d, places.s.data() + i);
+        hn::StoreU(hn::Add(radius, hn::Set(d, margin)), d, places.s_radius.data() + i);
+    }
+    places.pad(size);
+}
 
 template <class D>
 HWY_INLINE LaneBits bits_of(D d, hn::Mask<D> mask) {
@@ -219,6 +247,7 @@ private:
     };
 
     void judge_vector(Cells<Real>& cells, std::size_t i) const;
+    HWY_INLINE static LaneBits inside_of(const Cells<Real>& cells, std::size_t i);
     HWY_INLINE LaneBits contract(Cells<Real>& cells, std::size_t i, std::size_t child,
                                  const Form& form, V inverse, M usable, V width) const;
     static M mask_at(const std::vector<ContinuityMask<Real>>& masks, std::size_t i) {
@@ -246,9 +275,7 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     const M continuous = mask_at(f.continuous, i);
     const M sloped = hn::Or(hn::Lt(load(f.slope_neg_lo), zero), hn::Lt(load(f.slope_hi), zero));
     bits.smooth = bits_of(d, hn::And(continuous, sloped));
-    LaneBits inside = 0;
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-        inside |= static_cast<LaneBits>(cells.inside[i + lane]) << lane;
+    const LaneBits inside = inside_of(cells, i);
     const V steepness = hn::Max(size_t_, hn::Set(d, std::numeric_limits<Real>::min()));
     const V inverse = hn::Div(hn::Set(d, Real{1}), hn::CopySign(steepness, form.kt));
     const V radius = hn::Set(d, radius_);
@@ -260,6 +287,17 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     }
     bits.finished = bits.child_finished[0] & bits.child_finished[1] & bits.child_finished[2] &
                     bits.child_finished[3];
+}
+
+/// Which cells of a vector are inside the clip region.
+template <class Real>
+HWY_INLINE LaneBits CellJudge<Real>::inside_of(const Cells<Real>& cells, std::size_t i) {
+    const hn::Rebind<std::uint32_t, D> du;
+    const hn::Repartition<std::uint8_t, decltype(du)> bytes;
+    const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.tile.data() + i);
+    const auto tiles = hn::BitCast(du, hn::LoadU(bytes, from));
+    constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{0, 1});
+    return bits_of(du, hn::TestBit(tiles, hn::Set(du, flag)));
 }
 
 /// The depths where f may vanish on the rays of a quarter; returns where all rays surely have a

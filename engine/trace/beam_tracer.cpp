@@ -150,10 +150,8 @@ void BeamTile<Real>::visit_run(const CellRun& run, int pixels) {
     const std::size_t end = run.first + run.count;
     for (std::size_t first = run.first; first < end;) {
         std::size_t last = first + 1;
-        while (last < end && cells.col[last] == cells.col[first] &&
-               cells.row[last] == cells.row[first]) {
+        while (last < end && cells.tile[last].pixel == cells.tile[first].pixel)
             ++last;
-        }
         visit_tile(run, first, last, pixels);
         first = last;
     }
@@ -164,8 +162,9 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
                                 int pixels) {
     const Cells<Real>& cells = tree_.cells();
     open_.clear();
-    for (std::size_t i = first; i < last; ++i) {
-        if (cells.bit(&CellBits::rejected, i) || tree_.is_hidden(i, pixels)) continue;
+    const Real hidden = tree_.hidden_from(cells.tile[first], pixels);
+    for (std::size_t i = first; i < last && cells.from[i] < hidden; ++i) {
+        if (cells.bit(&CellBits::rejected, i)) continue;
         const bool smooth = cells.bit(&CellBits::smooth, i);
         const bool finished = cells.bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
@@ -222,9 +221,10 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kern
     const Real ku = f.k[0][cell] / half;
     const Real kv = f.k[1][cell] / half;
     const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
-    Leaf<Real> leaf{cells.col[cell],
-                    cells.row[cell],
-                    cells.inside[cell] != 0,
+    const CellTile tile = cells.tile[cell];
+    Leaf<Real> leaf{tile.col(),
+                    tile.row(),
+                    tile.inside != 0,
                     first,
                     ku,
                     kv,
@@ -244,8 +244,8 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kern
     }
     for (int row = 0; row < pixels; row += leaf_pixels) {
         for (int col = 0; col < pixels; col += leaf_pixels) {
-            leaf.col = cells.col[cell] + col;
-            leaf.row = cells.row[cell] + row;
+            leaf.col = tile.col() + col;
+            leaf.row = tile.row() + row;
             leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
             if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.add(leaf);
         }
@@ -269,8 +269,9 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
                                            : std::numeric_limits<double>::infinity();
     const double first = number(cells.places.s) - (number(f.c) - half * (ku - kv)) * scale;
     const Marched marched{cell, kernel, radius, ku * scale};
-    for (int row = 0; row < pixels && cells.row[cell] + row < tile_.rows; ++row) {
-        for (int col = 0; col < pixels && cells.col[cell] + col < tile_.cols; col += clip_lanes)
+    const CellTile tile = cells.tile[cell];
+    for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
+        for (int col = 0; col < pixels && tile.col() + col < tile_.cols; col += clip_lanes)
             march_some(marched, col, row, first - (ku * col - kv * row) * scale);
     }
 }
@@ -280,9 +281,10 @@ template <class Real>
 void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, double middle) {
     constexpr ClipTag d;
     const Cells<Real>& cells = tree_.cells();
-    const int col = cells.col[marched.cell] + first_col;
-    const auto pixel = static_cast<std::size_t>((cells.row[marched.cell] + row) * tile_size + col);
-    const bool inside = cells.inside[marched.cell] != 0;
+    const CellTile tile = cells.tile[marched.cell];
+    const int col = tile.col() + first_col;
+    const auto pixel = static_cast<std::size_t>((tile.row() + row) * tile_size + col);
+    const bool inside = tile.inside != 0;
     const auto radius = hn::Set(d, marched.radius);
     const auto middles =
         hn::NegMulAdd(hn::Iota(d, 0.0), hn::Set(d, marched.by_col), hn::Set(d, middle));
@@ -297,7 +299,7 @@ void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, 
         alignas(64) float cols[clip_lanes], rows[clip_lanes];
         for (int lane = 0; lane < clip_lanes; ++lane) {
             cols[lane] = from_middle(col + lane);
-            rows[lane] = from_middle(cells.row[marched.cell] + row);
+            rows[lane] = from_middle(tile.row() + row);
         }
         ClipDepths(view_, cols, rows).narrow(from, to);
     }

@@ -32,7 +32,6 @@ constexpr std::size_t slabs_a_kernel = 4;
 template <class Real>
 struct TreeMemory {
     Cells<Real> cells[2];
-    CellRuns runs;
     CellKernels kernels;
     RangeMemory<Real> ranges;
     std::vector<std::size_t> asked;
@@ -52,7 +51,6 @@ public:
           counters_(counters),
           cells_(&memory.cells[0]),
           next_(&memory.cells[1]),
-          runs_(memory.runs),
           kernels_(memory.kernels),
           asked_(memory.asked),
           hidden_(memory.hidden),
@@ -64,13 +62,12 @@ public:
     [[nodiscard]] const Cells<Real>& cells() const { return *cells_; }
     /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
     std::span<const CellRun> judge(int pixels);
-    /// Whether every ray of the cell's tile, of this size, surely has a root before the cell.
-    [[nodiscard]] bool is_hidden(std::size_t cell, int pixels) const {
-        return is_hidden(cells_->col[cell], cells_->row[cell], pixels, cells_->from[cell]);
-    }
+    /// The depth before which every ray of a tile, of this size, surely has a root: what begins
+    /// there or behind it is hidden.
+    [[nodiscard]] Real hidden_from(CellTile tile, int pixels) const;
     /// Every ray of the cell's tile, of this size, surely has a root in it.
     void hide_behind(std::size_t cell, int pixels) {
-        hide(cells_->col[cell], cells_->row[cell], pixels, cells_->to[cell]);
+        hide(cells_->tile[cell], pixels, cells_->to[cell]);
     }
     /// Makes the quarters of a tile, for `open`: its cells that may hold roots, with the kernel of
     /// f in them. `farthest(col, row)` is the depth from which on nothing is wanted in the quarter
@@ -80,7 +77,7 @@ public:
     /// Goes on with the cells that were pushed.
     void go_down() {
         std::swap(cells_, next_);
-        next_->size = 0;
+        next_->clear();
     }
     /// Goes back to the cells from which it went down; nothing was pushed since.
     void go_up() { go_down(); }
@@ -97,13 +94,12 @@ public:
     [[nodiscard]] Real margin() const { return margin_; }
 
 private:
-    using Place = typename Cells<Real>::Place;
     /// A quarter of the tile at work.
     struct Child {
-        Place place;
+        CellTile tile;  ///< inside, for the cells that are
         std::size_t index;
         DepthRange depths;  ///< of its rays, where some cell of the tile is not inside the clip box
-        Real margin;
+        Real hidden;        ///< see hidden_from
         Real width_by_depth;  ///< twice the tile's width at the distance 1 from the eye
     };
 
@@ -112,23 +108,17 @@ private:
     /// By natural interval extensions, cells on which f is not known to be continuous: they are
     /// sharper beside poles and jumps.
     void reject_by_ranges(const CellRun& run, int pixels);
-    void push_child(const Child& tile, int pixels, std::size_t parent);
-    [[nodiscard]] bool is_hidden(int col, int row, int pixels, Real from) const;
-    void hide(int col, int row, int pixels, Real to);
+    void push_child(const Child& child, int pixels, std::size_t parent);
+    void hide(CellTile tile, int pixels, Real to);
 
     [[nodiscard]] DepthRange depths_of(std::span<const std::size_t> open, int col, int row,
                                        int pixels) const {
-        const bool needed =
-            std::ranges::any_of(open, [&](std::size_t cell) { return cells_->inside[cell] == 0; });
+        const bool needed = std::ranges::any_of(
+            open, [&](std::size_t cell) { return cells_->tile[cell].inside == 0; });
         if (!needed) return {};
         const double half = 0.5 * (pixels - 1);
         return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
                             half * view_.pixel());
-    }
-    [[nodiscard]] Place place(int col, int row, int pixels, const Kernel* kernel) const {
-        const double half = 0.5 * (pixels - 1);
-        return {static_cast<Real>(view_.u(col + half)), static_cast<Real>(view_.v(row + half)), col,
-                row, kernel};
     }
     /// How much longer than their slabs cells are: from size to size a little less, so that they
     /// lie in those that their kernels were shortened for.
@@ -143,7 +133,6 @@ private:
     Counters& counters_;
     Cells<Real>* cells_;
     Cells<Real>* next_;
-    CellRuns& runs_;
     CellKernels& kernels_;
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
     std::array<Real, least_tiles * least_tiles>& hidden_;
@@ -155,8 +144,8 @@ private:
 
 template <class Real>
 void CellTree<Real>::start() {
-    cells_->size = 0;
-    next_->size = 0;
+    cells_->clear();
+    next_->clear();
     kernels_.clear();
     hidden_.fill(std::numeric_limits<Real>::infinity());
     const double half = 0.5 * (tile_size - 1);
@@ -168,7 +157,7 @@ void CellTree<Real>::start() {
     const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
-    const Place at = place(0, 0, tile_size, &frame_.kernel);
+    cells_->runs.begin(&frame_.kernel, 0);
     const Real near = -upper_end(Real{}, -all.enter_lo);
     const Real far = upper_end(Real{}, farthest);
     Real from = near;
@@ -177,7 +166,7 @@ void CellTree<Real>::start() {
         const Real to = i == first_slabs ? far : near + (far - near) * part;
         const bool inside =
             static_cast<double>(from) >= all.enter_hi && static_cast<double>(to) <= all.exit_lo;
-        cells_->push(at, from, to, margin_of(tile_size), inside);
+        cells_->push(CellTile::at(0, 0, inside), from, to);
         from = to;
     }
 }
@@ -185,14 +174,14 @@ void CellTree<Real>::start() {
 template <class Real>
 std::span<const CellRun> CellTree<Real>::judge(int pixels) {
     const FrustumOf<Real> frustum = view_.frustum<Real>(pixels);
-    cells_->places.pad(cells_->size);
-    runs_.divide(std::span(cells_->kernel).first(cells_->size));
-    for (CellRun& run : runs_.all())
+    cells_->runs.end(cells_->size);
+    cells_->place(view_, pixels, margin_of(pixels));
+    for (CellRun& run : cells_->runs.all())
         evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
     CellJudge<Real>(pixels).judge(*cells_);
-    for (const CellRun& run : runs_.all())
+    for (const CellRun& run : cells_->runs.all())
         reject_by_ranges(run, pixels);
-    return runs_.all();
+    return cells_->runs.all();
 }
 
 template <class Real>
@@ -203,7 +192,7 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
         if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
         asked_.push_back(i);
-        ranges_.push(view_.u(cells_->col[i] + half), view_.v(cells_->row[i] + half),
+        ranges_.push(view_.u(cells_->tile[i].col() + half), view_.v(cells_->tile[i].row() + half),
                      half * view_.pixel(), half * view_.pixel(),
                      static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
     }
@@ -214,19 +203,19 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
 }
 
 template <class Real>
-bool CellTree<Real>::is_hidden(int col, int row, int pixels, Real from) const {
-    for (int r = row / least_pixels; r < (row + pixels) / least_pixels; ++r) {
-        for (int c = col / least_pixels; c < (col + pixels) / least_pixels; ++c) {
-            if (from < hidden_[static_cast<std::size_t>(r * least_tiles + c)]) return false;
-        }
+Real CellTree<Real>::hidden_from(CellTile tile, int pixels) const {
+    Real farthest = -std::numeric_limits<Real>::infinity();
+    for (int r = tile.row() / least_pixels; r < (tile.row() + pixels) / least_pixels; ++r) {
+        for (int c = tile.col() / least_pixels; c < (tile.col() + pixels) / least_pixels; ++c)
+            farthest = std::max(farthest, hidden_[static_cast<std::size_t>(r * least_tiles + c)]);
     }
-    return true;
+    return farthest;
 }
 
 template <class Real>
-void CellTree<Real>::hide(int col, int row, int pixels, Real to) {
-    for (int r = row / least_pixels; r < (row + pixels) / least_pixels; ++r) {
-        for (int c = col / least_pixels; c < (col + pixels) / least_pixels; ++c) {
+void CellTree<Real>::hide(CellTile tile, int pixels, Real to) {
+    for (int r = tile.row() / least_pixels; r < (tile.row() + pixels) / least_pixels; ++r) {
+        for (int c = tile.col() / least_pixels; c < (tile.col() + pixels) / least_pixels; ++c) {
             Real& depth = hidden_[static_cast<std::size_t>(r * least_tiles + c)];
             depth = std::min(depth, to);
         }
@@ -237,44 +226,47 @@ template <class Real>
 void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::size_t> open,
                                    int pixels, auto farthest) {
     const int half = pixels / 2;
-    const Real margin = margin_of(half);
     const auto width_by_depth = static_cast<Real>(2 * view_.pixel() * half);
-    const std::size_t parent = open.front();
+    const CellTile parent = cells_->tile[open.front()];
+    next_->runs.begin(kernel, next_->size);
     for (std::size_t child = 0; child < 4; ++child) {
-        const int col = cells_->col[parent] + ((child & 1U) != 0 ? half : 0);
-        const int row = cells_->row[parent] + ((child & 2U) != 0 ? half : 0);
+        const int col = parent.col() + ((child & 1U) != 0 ? half : 0);
+        const int row = parent.row() + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
         const Real limit = farthest(col, row);
-        const Child tile{place(col, row, half, kernel), child, depths_of(open, col, row, half),
-                         margin, width_by_depth};
+        const CellTile tile = CellTile::at(col, row, true);
+        const Child quarter{tile, child, depths_of(open, col, row, half), hidden_from(tile, half),
+                            width_by_depth};
         for (const std::size_t cell : open) {
             if (cells_->from[cell] > limit) break;
-            push_child(tile, half, cell);
+            push_child(quarter, half, cell);
             if (!cells_->child_finished(child, cell)) continue;
-            hide(col, row, half, cells_->to[cell]);
+            hide(tile, half, cells_->to[cell]);
             break;
         }
     }
 }
 
 template <class Real>
-void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t parent) {
-    Real from = cells_->child_from[tile.index][parent];
-    Real to = cells_->child_to[tile.index][parent];
-    bool inside = cells_->inside[parent] != 0;
-    if (!inside) {
-        from = std::max(from, -upper_end(Real{}, -tile.depths.enter_lo));
-        to = std::min(to, upper_end(Real{}, tile.depths.exit_hi));
-        inside = static_cast<double>(from) >= tile.depths.enter_hi &&
-                 static_cast<double>(to) <= tile.depths.exit_lo;
+void CellTree<Real>::push_child(const Child& child, int pixels, std::size_t parent) {
+    Real from = cells_->child_from[child.index][parent];
+    Real to = cells_->child_to[child.index][parent];
+    CellTile tile = child.tile;
+    if (cells_->tile[parent].inside == 0) {
+        from = std::max(from, -upper_end(Real{}, -child.depths.enter_lo));
+        to = std::min(to, upper_end(Real{}, child.depths.exit_hi));
+        tile.inside = static_cast<double>(from) >= child.depths.enter_hi &&
+                              static_cast<double>(to) <= child.depths.exit_lo
+                          ? 1
+                          : 0;
     }
-    if (is_hidden(tile.place.col, tile.place.row, pixels, from)) return;
+    if (from >= child.hidden) return;
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
-    const Real width = tile.width_by_depth * (distance_ + from);
+    const Real width = child.width_by_depth * (distance_ + from);
     if (!(length > width && length > static_cast<Real>(0.6) * parent_length)) {
         // Written in any case: whether it is empty is hard to predict.
-        next_->push(tile.place, from, to, tile.margin, inside);
+        next_->push(tile, from, to);
         if (!(from <= to)) next_->pop();
         return;
     }
@@ -283,7 +275,7 @@ void CellTree<Real>::push_child(const Child& tile, int pixels, std::size_t paren
     for (int i = 1; i <= parts; ++i) {
         const Real end =
             i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(tile.place, begin, end, tile.margin, inside);
+        next_->push(tile, begin, end);
         begin = end;
     }
 }

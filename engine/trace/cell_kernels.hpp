@@ -17,23 +17,23 @@ struct CellRun {
     ChoiceRecord record;  ///< of these cells, if the kernel has a shortener
 };
 
-/// What is kept of runs from list to list.
+/// The runs of a list, in order. Keeps their memory from list to list.
 class CellRuns {
 public:
-    /// Divides a list of cells by their kernels.
-    void divide(std::span<const Kernel* const> kernels) {
-        count_ = 0;
-        for (std::size_t first = 0; first < kernels.size();) {
-            std::size_t last = first + 1;
-            while (last < kernels.size() && kernels[last] == kernels[first])
-                ++last;
-            if (count_ == runs_.size()) runs_.emplace_back();
-            CellRun& run = runs_[count_++];
-            run.first = first;
-            run.count = last - first;
-            run.kernel = kernels[first];
-            first = last;
-        }
+    void clear() { count_ = 0; }
+    /// Cells from `first` on, the end of the list so far, are of this kernel.
+    void begin(const Kernel* kernel, std::size_t first) {
+        if (count_ > 0 && runs_[count_ - 1].kernel == kernel) return;
+        if (count_ == 0 || runs_[count_ - 1].first < first) ++count_;
+        if (count_ > runs_.size()) runs_.emplace_back();
+        runs_[count_ - 1].first = first;
+        runs_[count_ - 1].kernel = kernel;
+    }
+    /// The list has this many cells.
+    void end(std::size_t size) {
+        if (count_ > 0 && runs_[count_ - 1].first == size) --count_;
+        for (std::size_t i = 0; i < count_; ++i)
+            runs_[i].count = (i + 1 < count_ ? runs_[i + 1].first : size) - runs_[i].first;
     }
     [[nodiscard]] std::span<CellRun> all() { return std::span(runs_).first(count_); }
 

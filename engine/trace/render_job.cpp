@@ -228,6 +228,8 @@ void RenderJob::draw(Work work) {
 
 std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, double scale) {
     Work smaller = work;
+    for (Kernel& surface : smaller.request.scene.surfaces)
+        surface = surface.without_waiting();
     const auto scaled = [scale](int side) {
         return std::max(1, static_cast<int>(std::lround(scale * side)));
     };

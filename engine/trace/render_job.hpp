@@ -97,7 +97,8 @@ private:
     /// Finds the range of the colours where the request leaves it open: the last one, unless it is
     /// to be found `anew`.
     void find_colors(Work& work, bool anew);
-    /// A picture of the moment, by so many pixels along a side; nothing when it was cancelled.
+    /// A picture of the moment, by so many pixels along a side, with whatever code there is;
+    /// nothing when it was cancelled.
     std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
     /// The surfaces, then their shadows, then smooth edges, each over the picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);

@@ -3,6 +3,7 @@
 #include "app/session.hpp"
 
 #include "app/document_files.hpp"
+#include "app/folders.hpp"
 #include "engine/image/file.hpp"
 
 #include "document/document_json.hpp"

@@ -200,6 +200,64 @@ TEST(Jit, MakesDoubleWhenAskedAndApart) {
     EXPECT_EQ(both.range_double, compiled(expr, 4, true).range_double);
 }
 
+/// f's c and e over cells without width, on the view axis from depth 0 to 2.
+std::vector<float> centres_and_errors(const KernelFunction<FormBatch>& form) {
+    constexpr std::size_t count = batch_multiple;
+    using Column = std::array<float, count>;
+    FrustumOf<float> view{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        view.right[i] = i == 0 ? 1.0F : 0.0F;
+        view.up[i] = i == 1 ? 1.0F : 0.0F;
+        view.forward[i] = i == 2 ? 1.0F : 0.0F;
+        view.size[i] = view.direction_size[i] = 4.0F;
+    }
+    view.distance = 1.0F;
+    Column u{}, v{}, s{}, s_radius{}, c{}, ku{}, kv{}, ks{}, e{}, r{}, neg_lo{}, hi{};
+    u.fill(0.25F);
+    v.fill(-0.5F);
+    s_radius.fill(0.0625F);
+    for (std::size_t i = 0; i < count; ++i)
+        s.at(i) = 0.125F * static_cast<float>(i);
+    std::array<ContinuityMask<float>, count> continuous{}, nowhere{};
+    const UpwardRounding upward;
+    form(FormBatch{count,
+                   u.data(),
+                   v.data(),
+                   s.data(),
+                   s_radius.data(),
+                   view.base,
+                   nullptr,
+                   c.data(),
+                   {ku.data(), kv.data(), ks.data()},
+                   e.data(),
+                   r.data(),
+                   neg_lo.data(),
+                   hi.data(),
+                   continuous.data(),
+                   nowhere.data()});
+    std::vector<float> result(c.begin(), c.end());
+    result.insert(result.end(), e.begin(), e.end());
+    return result;
+}
+
+TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
+    const Expr expr = parsed("x^3*y + 1.0625*sin(y*z) - x*z^2");
+    RandomNumbers random(19);
+    const KernelBatch batch(random, 64);
+    const Kernel quick = test::compiled(expr, {.quick = true});
+    const Kernel meanwhile = quick.without_waiting();
+    EXPECT_NE(meanwhile.range_float, quick.range_float);
+    EXPECT_EQ(meanwhile.form_float, quick.form_float);
+    EXPECT_EQ(batch.run(interpret(expr)), batch.run(meanwhile));
+
+    EXPECT_NE(meanwhile.ray_form_float, quick.ray_form_float);
+    const auto of_rays = centres_and_errors(interpret(expr).ray_form_float);
+    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
+    EXPECT_EQ(centres_and_errors(quick.ray_form_float), of_rays);
+    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
+    EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
+}
+
 TEST(Jit, KeepsLaneCountsApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
     const std::vector<int> lanes = machine_lanes();

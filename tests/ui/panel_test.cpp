@@ -148,17 +148,6 @@ TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     EXPECT_TRUE(state_.document.antialias);
 }
 
-TEST_P(Panels, OpenTheGallery) {
-    draw();
-    click(130, 22);
-    OffscreenWindow::point({-1, -1}, false);
-    draw();
-    EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
-    EXPECT_FALSE(state_.surface);
-    click(130, 66);
-    EXPECT_EQ(state_.surface, 0U);
-}
-
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 

@@ -1,0 +1,129 @@
+#include "engine/image/rgba_image.hpp"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+
+namespace zeroset {
+namespace {
+
+constexpr int largest_side = 4096;
+
+/// The mean of some pixels' colours.
+class Mean {
+public:
+    void add(std::uint32_t color) {
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            sums_[i] += (color >> (8U * i)) & 0xFFU;
+        ++count_;
+    }
+    [[nodiscard]] std::uint32_t count() const { return count_; }
+    /// Of at least one pixel; its alpha is 0.
+    [[nodiscard]] std::uint32_t color() const {
+        std::uint32_t mean = 0;
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            mean |= ((sums_[i] + count_ / 2) / count_) << (8U * i);
+        return mean;
+    }
+
+private:
+    std::array<std::uint32_t, 3> sums_{};
+    std::uint32_t count_ = 0;
+};
+
+std::uint32_t pixel_of(const Framebuffer& frame, int col, int row) {
+    Mean mean;
+    for (const int down : {0, 1}) {
+        for (const int right : {0, 1}) {
+            const std::size_t at = frame.index(2 * col + right, 2 * row + down);
+            if (std::isfinite(frame.depth[at])) mean.add(frame.color[at]);
+        }
+    }
+    if (mean.count() == 0) return 0;
+    return mean.color() | ((mean.count() * 255U / 4U) << 24U);
+}
+
+std::size_t index(const RgbaImage& image, int col, int row) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+           static_cast<std::size_t>(col);
+}
+
+/// The mean colour of the pixels around that show something, without alpha.
+std::uint32_t color_around(const RgbaImage& image, int col, int row) {
+    Mean mean;
+    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, image.height - 1); ++y) {
+        for (int x = std::max(col - 1, 0); x <= std::min(col + 1, image.width - 1); ++x) {
+            const std::uint32_t pixel = image.pixels[index(image, x, y)];
+            if (pixel >= 1U << 24U) mean.add(pixel);
+        }
+    }
+    return mean.count() == 0 ? 0 : mean.color();
+}
+
+void spread_colors(RgbaImage& image) {
+    const RgbaImage before = image;
+    for (int row = 0; row < image.height; ++row) {
+        for (int col = 0; col < image.width; ++col) {
+            std::uint32_t& pixel = image.pixels[index(image, col, row)];
+            if (pixel == 0) pixel = color_around(before, col, row);
+        }
+    }
+}
+
+struct FreePixels {
+    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
+};
+
+}  // namespace
+
+RgbaImage halved(const Framebuffer& frame) {
+    RgbaImage image{frame.width / 2, frame.height / 2, {}};
+    for (int row = 0; row < image.height; ++row) {
+        for (int col = 0; col < image.width; ++col)
+            image.pixels.push_back(pixel_of(frame, col, row));
+    }
+    spread_colors(image);
+    return image;
+}
+
+std::vector<std::byte> png_of(const RgbaImage& image) {
+    std::vector<std::byte> bytes;
+    const auto append = [](void* context, void* data, int size) {
+        auto& out = *static_cast<std::vector<std::byte>*>(context);
+        const auto* const begin = static_cast<const std::byte*>(data);
+        out.insert(out.end(), begin, begin + size);
+    };
+    const int stride = image.width * 4;
+    const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4,
+                                            image.pixels.data(), stride);
+    return done == 0 ? std::vector<std::byte>() : bytes;
+}
+
+std::optional<RgbaImage> image_from_png(std::span<const std::byte> png) {
+    RgbaImage image;
+    int channels = 0;
+    const auto* const data = reinterpret_cast<const stbi_uc*>(png.data());
+    const int size = static_cast<int>(png.size());
+    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0 ||
+        std::max(image.width, image.height) > largest_side) {
+        return std::nullopt;
+    }
+    const std::unique_ptr<stbi_uc, FreePixels> pixels(
+        stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4));
+    if (pixels == nullptr) return std::nullopt;
+    image.pixels.resize(static_cast<std::size_t>(image.width) *
+                        static_cast<std::size_t>(image.height));
+    std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(std::uint32_t));
+    return image;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace zeroset::ui {
+
+/// Whether `part` occurs in `text`; capitals count as small letters.
+bool contains(std::string_view text, std::string_view part);
+
+/// Whether each of the words (apart by spaces) occurs in `text`.
+bool contains_words(std::string_view text, std::string_view words);
+
+/// How well `typed` abbreviates `text`: its characters occur in this order, spaces aside. Higher is
+/// better: beginnings of words and runs of neighbours count most, then shortness. Nothing when it
+/// does not.
+std::optional<int> abbreviation_score(std::string_view text, std::string_view typed);
+
+}  // namespace zeroset::ui
