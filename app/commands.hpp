@@ -22,6 +22,8 @@ struct RenderCommand {
     TraceText trace;
     std::string size = "1024x1024";
     std::optional<std::string> output, depth, certificate, stats, repeat;
+    std::vector<std::string> probes;  ///< COL,ROW of each
+    bool no_legend = false;
 };
 int run_render(const RenderCommand& command);
 
@@ -57,6 +59,7 @@ struct UiShotCommand {
     std::string scale = "1";
     std::string theme = "dark";
     std::string output;
+    std::optional<std::string> pointer;
     bool mark_undecided = false;
     std::vector<std::string> actions;  ///< names of what is done first
 };

@@ -6,10 +6,12 @@
 #include "app/formula_job.hpp"
 #include "app/gallery.hpp"
 #include "app/language.hpp"
+#include "app/text.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/render_job.hpp"
 #include "engine/trace/scene.hpp"
+#include "ui/legend.hpp"
 #include "ui/parameter_row.hpp"
 #include "ui/screen.hpp"
 #include "ui/texture.hpp"
@@ -86,8 +88,8 @@ ui::UiState first_state(const DesktopOptions& options) {
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
     return a.formula == b.formula && a.clip == b.clip && a.region == b.region &&
            a.camera == b.camera && a.stop == b.stop && a.shadows == b.shadows &&
-           a.antialias == b.antialias && a.size_px == b.size_px && a.surfaces == b.surfaces &&
-           a.uniforms == b.uniforms;
+           a.antialias == b.antialias && a.colors == b.colors && a.coloring == b.coloring &&
+           a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
 }
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
@@ -153,15 +155,16 @@ void Desktop::log_submission(std::uint64_t before) {
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
-    return answered_rows_ == sheet_of(state_.document) && drawn && state_.document.camera &&
-           !state_.move && !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() &&
-           cards_.settled();
+    return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
+           drawn && state_.document.camera && !state_.move &&
+           !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() && cards_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
     if (state_.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
+    if (const auto click = pointing_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
     if (!state_.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
         due = std::min(due.value_or(next), next);
@@ -173,6 +176,10 @@ void Desktop::take_formula() {
     const std::optional<FormulaResult> result = formulas_.take();
     if (!result) return;
     answered_rows_ = result->sheet;
+    answered_choice_ = result->choice;
+    // Nothing is wrong before anything is typed.
+    const bool typed = !trimmed(result->choice.expression).empty();
+    state_.color_error = typed && result->color_error ? result->color_error->reason : "";
     state_.reports = result->reading.reports;
     state_.surface_rows = result->reading.surface_rows;
     if (result->formula) {
@@ -197,6 +204,7 @@ void Desktop::show(const FormulaResult& result) {
     const bool same = shown_ != nullptr && shown_->text == formula->text &&
                       (shown_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) shown_ = formula;
+    colors_ = result.colors;
     state_.parameters = result.reading.parameters;
     state_.uses_w = shown_->uses_w();
     state_.note = note_of(shown_->code);
@@ -218,6 +226,7 @@ void Desktop::take_frame() {
             latency_->taken(result->request, result->frame->width, result->frame->height,
                             result->complete);
         }
+        show_legend(*result);
         upload_frame();
         const bool full = result->complete;
         pictured_request_ = result->request;
@@ -232,6 +241,18 @@ void Desktop::take_frame() {
                 state_.document.mark_undecided != uploaded_marks_)) {
         upload_frame();
     }
+}
+
+void Desktop::show_legend(const RenderResult& result) {
+    state_.legend.reset();
+    if (result.coloring.by == ColorBy::Plain) return;
+    state_.legend = ui::legend_of(result.coloring, colors_->expression);
+}
+
+std::optional<Pointing::Behind> Desktop::behind_picture() const {
+    if (!submitted_ || pictured_request_ != request_) return std::nullopt;
+    return Pointing::Behind{submitted_->formula, submitted_rows_of_surfaces_, submitted_uniforms_,
+                            submitted_->stop};
 }
 
 void Desktop::upload_frame() {
@@ -265,6 +286,7 @@ void Desktop::play() {
 
 void Desktop::follow_edits() {
     show_gallery_item();
+    pointing_.follow(state_, behind_picture(), now_s());
     session_.follow(now_s());
     submit_rows();
     find_view();
@@ -279,15 +301,22 @@ void Desktop::show_gallery_item() {
     const GalleryItem& item = gallery()[*picked];
     Document document = document_of({item.equation, item.clip, item.w, item.camera, {}});
     keep_settings(document, state_.document);
+    document.coloring = state_.document.coloring;
+    document.coloring.range.reset();
     session_.show(std::move(document));
     window_.wake();
 }
 
 void Desktop::submit_rows() {
     Sheet sheet = sheet_of(state_.document);
-    if (sheet == submitted_rows_) return;
+    // Of the colours, only what needs a formula.
+    ColorChoice choice;
+    choice.by = state_.document.coloring.by;
+    if (choice.by == ColorBy::Expression) choice.expression = state_.document.coloring.expression;
+    if (sheet == submitted_rows_ && choice == submitted_choice_) return;
     submitted_rows_ = sheet;
-    formulas_.submit(std::move(sheet), state_.document.clip);
+    submitted_choice_ = choice;
+    formulas_.submit(std::move(sheet), state_.document.clip, choice);
 }
 
 /// Looks at the whole box where the document does not say, or when it is asked for.
@@ -341,7 +370,9 @@ void Desktop::frame(const Extent& extent) {
 std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     const glm::ivec2 size = state_.viewport_px;
     const Document& document = state_.document;
-    if (shown_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) return std::nullopt;
+    if (shown_ == nullptr || colors_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) {
+        return std::nullopt;
+    }
     Wanted wanted{shown_,
                   document.clip,
                   document.region,
@@ -349,6 +380,8 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
                   document.stop,
                   document.shadows,
                   document.antialias,
+                  colors_,
+                  document.coloring,
                   size,
                   {},
                   {}};
@@ -376,6 +409,9 @@ void Desktop::submit_picture() {
     }
     RenderRequest request;
     request.scene = document_scene(*shown_, state_.document, state_.surface_rows);
+    request.scene.coloring =
+        coloring_of(wanted.coloring, *wanted.colors,
+                    visible_surfaces(state_.document, state_.surface_rows), wanted.camera.up);
     request.camera = wanted.camera;
     request.settings = settings_;
     request.settings.stop = wanted.stop;
@@ -383,6 +419,8 @@ void Desktop::submit_picture() {
     request.settings.antialias = wanted.antialias;
     request.width = wanted.size_px.x;
     request.height = wanted.size_px.y;
+    submitted_rows_of_surfaces_ = state_.surface_rows;
+    submitted_uniforms_ = request.scene.uniforms;
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
     submitted_ = std::move(next);

@@ -6,6 +6,7 @@
 #include "app/gallery_cards.hpp"
 #include "app/latency_log.hpp"
 #include "app/options.hpp"
+#include "app/pointing.hpp"
 #include "app/preferences.hpp"
 #include "app/session.hpp"
 #include "engine/trace/camera.hpp"
@@ -86,6 +87,8 @@ private:
         StopCriterion stop;
         bool shadows;
         bool antialias;
+        std::shared_ptr<const ColorFormulas> colors;  ///< for the formula
+        ColorChoice coloring;
         glm::ivec2 size_px{0};
         /// Of each visible surface: its row and its colour.
         std::vector<std::pair<int, std::uint32_t>> surfaces;
@@ -98,6 +101,9 @@ private:
     void take_double();
     void take_frame();
     void upload_frame();
+    void show_legend(const RenderResult& result);
+    /// What is behind the picture that is shown, unless another is on its way.
+    [[nodiscard]] std::optional<Pointing::Behind> behind_picture() const;
     void follow_edits();
     void show_gallery_item();
     void find_view();
@@ -118,10 +124,16 @@ private:
     TraceSettings settings_;
 
     std::optional<Sheet> submitted_rows_;
+    ColorChoice submitted_choice_;
+    ColorChoice answered_choice_;
+    std::shared_ptr<const ColorFormulas> colors_;  ///< for `shown_`
+    Pointing pointing_;
     std::optional<Sheet> answered_rows_;        ///< what the newest reading is of
     std::shared_ptr<const Formula> shown_;      ///< of the newest reading
     std::shared_ptr<const Formula> deepening_;  ///< `shown_`, when it waits for code in double
     std::optional<Wanted> submitted_;
+    std::vector<int> submitted_rows_of_surfaces_;
+    Uniforms submitted_uniforms_;
     std::uint64_t request_ = 0;
     std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
     bool pictured_fully_ = false;

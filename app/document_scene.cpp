@@ -18,6 +18,15 @@ std::vector<int> surface_rows(const Document& document, const Program& program) 
     return rows;
 }
 
+std::vector<std::size_t> visible_surfaces(const Document& document, const std::vector<int>& rows) {
+    std::vector<std::size_t> visible;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto row = std::ranges::find(document.statements, rows[i], &Statement::id);
+        if (row != document.statements.end() && row->visible) visible.push_back(i);
+    }
+    return visible;
+}
+
 Scene document_scene(const Formula& formula, const Document& document,
                      const std::vector<int>& rows) {
     ParameterValues values;
@@ -26,9 +35,8 @@ Scene document_scene(const Formula& formula, const Document& document,
     Scene scene = make_scene(formula, document.clip, document.w.value, values);
     scene.region = document.region;
     const std::vector<Kernel> all = std::exchange(scene.surfaces, {});
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::size_t i : visible_surfaces(document, rows)) {
         const auto row = std::ranges::find(document.statements, rows[i], &Statement::id);
-        if (row == document.statements.end() || !row->visible) continue;
         scene.surfaces.push_back(all[i]);
         scene.colors.push_back(row->color ? surface_colors(*row->color) : colors_of(i));
     }

@@ -110,12 +110,6 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     return result;
 }
 
-InputError input_error(const ParseError& error, std::string_view text) {
-    const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
-    return {error.reason + hint, column_of(text, error.offset),
-            std::string(line_at(text, error.offset)), error.offset, error.unfinished};
-}
-
 std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
                                             const jit::CompileOptions& options) {
     const auto start = Clock::now();
@@ -137,6 +131,12 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
 }
 
 }  // namespace
+
+InputError input_error(const ParseError& error, std::string_view text) {
+    const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
+    return {error.reason + hint, column_of(text, error.offset),
+            std::string(line_at(text, error.offset)), error.offset, error.unfinished};
+}
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
 

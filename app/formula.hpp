@@ -30,6 +30,9 @@ inline std::unexpected<InputError> wrong_input(std::string reason) {
     return std::unexpected(InputError{std::move(reason)});
 }
 
+/// What is wrong with a text.
+InputError input_error(const ParseError& error, std::string_view text);
+
 enum class CodeState : std::uint8_t {
     Machine,           ///< machine code, or that of the parts of what has many choices
     InterpretedFirst,  ///< large: interpreted; its machine code takes more than a second

@@ -8,22 +8,44 @@ namespace {
 /// What prepares sheets: remembers the last good text of each row and the last formula.
 class Preparer {
 public:
-    FormulaResult prepare(Sheet sheet, const Box& region) {
+    FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
         SheetReading reading = reader_.read(sheet);
-        if (last_ == nullptr || last_->text != reading.text || region_ != region) {
-            auto formula = prepare_formula(reading.text, region);
+        FormulaResult result{std::move(sheet), std::move(reading), last_, choice};
+        const std::string& text = result.reading.text;
+        if (last_ == nullptr || last_->text != text || region_ != region) {
+            auto formula = prepare_formula(text, region);
             if (!formula) {
-                return {std::move(sheet), std::move(reading), std::unexpected(formula.error())};
+                result.formula = std::unexpected(formula.error());
+                return result;
             }
+            if (last_ == nullptr || last_->text != text) colors_ = nullptr;
             last_ = std::make_shared<const Formula>(std::move(*formula));
             region_ = region;
         }
-        return {std::move(sheet), std::move(reading), last_};
+        result.formula = last_;
+        add_colors(result);
+        return result;
     }
 
 private:
+    void add_colors(FormulaResult& result) {
+        const ColorChoice& choice = result.choice;
+        if (colors_ == nullptr || colors_->by != choice.by ||
+            colors_->expression != choice.expression) {
+            auto colors = color_formulas(last_->program, last_->text, choice);
+            if (colors) {
+                colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));
+            } else {
+                result.color_error = colors.error();
+                if (colors_ == nullptr) colors_ = std::make_shared<const ColorFormulas>();
+            }
+        }
+        result.colors = colors_;
+    }
+
     SheetReader reader_;
     std::shared_ptr<const Formula> last_;
+    std::shared_ptr<const ColorFormulas> colors_;  ///< for `last_`
     Box region_;
 };
 
@@ -54,11 +76,12 @@ FormulaJob::~FormulaJob() {
     compiling_.join();
 }
 
-void FormulaJob::submit(Sheet sheet, const Box& region) {
+void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice) {
     {
         const std::scoped_lock lock(mutex_);
         newest_ = sheet;
-        pending_ = Request{std::move(sheet), region};
+        newest_choice_ = choice;
+        pending_ = Request{std::move(sheet), region, choice};
         large_.reset();
     }
     wake_.notify_all();
@@ -86,7 +109,7 @@ std::shared_ptr<const Formula> FormulaJob::take_double() {
 void FormulaJob::publish(FormulaResult result) {
     {
         const std::scoped_lock lock(mutex_);
-        if (result.sheet == newest_) {
+        if (result.sheet == newest_ && result.choice == newest_choice_) {
             const bool large =
                 result.formula && (*result.formula)->code == CodeState::InterpretedFirst;
             if (large) large_ = result;
@@ -107,7 +130,7 @@ void FormulaJob::prepare_sheets() {
             if (stop_) return;
             request = std::move(*std::exchange(pending_, std::nullopt));
         }
-        publish(preparer.prepare(std::move(request.sheet), request.region));
+        publish(preparer.prepare(std::move(request.sheet), request.region, request.choice));
     }
 }
 

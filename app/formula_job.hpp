@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/color_formulas.hpp"
 #include "app/formula.hpp"
 
 #include "document/sheet.hpp"
@@ -19,6 +20,10 @@ struct FormulaResult {
     Sheet sheet;
     SheetReading reading;
     std::expected<std::shared_ptr<const Formula>, InputError> formula;  ///< of reading.text
+    ColorChoice choice = {};  ///< of what the colours tell
+    /// For the formula; where there is an error, the last that could be made, or plain ones.
+    std::shared_ptr<const ColorFormulas> colors = {};
+    std::optional<InputError> color_error = {};
 };
 
 /// Reads and compiles the newest sheet in the background. Members may be called from the UI thread
@@ -32,8 +37,8 @@ public:
     FormulaJob(const FormulaJob&) = delete;
     FormulaJob& operator=(const FormulaJob&) = delete;
 
-    /// `region`: where the formula will be looked at.
-    void submit(Sheet sheet, const Box& region);
+    /// `region`: where the formula will be looked at. Of `choice`, its map and range do not matter.
+    void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {});
     /// The newest result not yet taken, or nothing.
     std::optional<FormulaResult> take();
     /// Makes code in double for a formula, unless it is overtaken by another.
@@ -45,6 +50,7 @@ private:
     struct Request {
         Sheet sheet;
         Box region;
+        ColorChoice choice = {};
     };
 
     void prepare_sheets();
@@ -61,6 +67,7 @@ private:
     std::shared_ptr<const Formula> double_;  ///< has it
     std::optional<FormulaResult> finished_;
     Sheet newest_;
+    ColorChoice newest_choice_;
     bool stop_ = false;
     std::thread preparing_;
     std::thread compiling_;

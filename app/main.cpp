@@ -44,6 +44,16 @@ void add_repeated(CLI::App& app, const std::string& name, std::vector<std::strin
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_look_options(CLI::App& app, LookText& look) {
+    add_value(app, "--color-by", look.color_by,
+              "what colours tell: plain, normal, height, depth, mean-curvature, "
+              "gaussian-curvature, gradient, or an expression in x, y, z, w and the parameters");
+    add_value(app, "--color-range", look.color_range,
+              "the numbers at the ends of the colours: A,B, or auto (default)");
+    add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
+    add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
+}
+
 void add_parameters(CLI::App& app, std::vector<std::string>& set) {
     add_repeated(app, "--set", set,
                  "value of a parameter: NAME=VALUE (default 1); may be repeated");
@@ -68,6 +78,7 @@ void add_view_options(CLI::App& app, ViewText& view) {
     add_parameters(app, view.set);
     app.add_flag("--fit", view.fit,
                  "look at all of the surface; without --box the clip box follows it, too");
+    add_look_options(app, view.look);
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
@@ -101,6 +112,8 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
               "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
     add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
     add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_value(*shot_app, "--pointer", shot.pointer,
+              "where the pointer rests: X,Y from the left and the top, at scale 1");
     add_repeated(*shot_app, "--do", shot.actions,
                  "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
     shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
@@ -136,6 +149,9 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
         if (!program) return report(program.error());
         const auto unknown = check_parameters(*program, options->given);
         if (unknown) return report(*unknown);
+        const ColorChoice& choice = options->document.coloring;
+        const auto colors = color_formulas(*program, options->equation, choice);
+        if (!colors) return report(color_by_error(colors.error()));
     }
     return run_desktop(*options);
 }
@@ -153,6 +169,10 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--certificate", render.certificate,
               "what is proved of each pixel, in colours: a PNG file");
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
+    add_repeated(*render_app, "--probe", render.probes,
+                 "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
+    render_app->add_flag("--no-legend", render.no_legend,
+                         "leave out what says which colour stands for which number");
     add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
     return render_app;
 }

@@ -118,6 +118,8 @@ Surface surface_of(Document document) {
     Surface surface{
         joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
     surface.region = document.region;
+    surface.coloring = document.coloring;
+    surface.markers = document.markers;
     surface.document = std::move(document);
     return surface;
 }
@@ -148,6 +150,8 @@ Document document_of(const Surface& surface) {
     document.region = surface.region;
     document.camera = surface.camera;
     document.up = surface.up.value_or(document.up);
+    document.coloring = surface.coloring;
+    document.markers = surface.markers;
     set_value(document.w, surface.w);
     for (const auto& [name, value] : surface.parameters) {
         Slider slider = slider_of(document, name);
@@ -248,6 +252,9 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     auto parameters = read_parameters(view.set);
     if (!parameters) return std::unexpected(parameters.error());
     surface.parameters = std::move(*parameters);
+    if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
+        return std::unexpected(*error);
+    }
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;

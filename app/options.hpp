@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/formula.hpp"
+#include "app/look_options.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
@@ -23,6 +24,7 @@ struct ViewText {
     bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool fit = false;
+    LookText look;
 };
 
 /// What the user typed for tracing and for the look.
@@ -43,6 +45,8 @@ struct Surface {
     std::optional<glm::dvec3> up = std::nullopt;  ///< if it is given
     /// Of a file: its rows, colours and sliders, whose text `equation` is.
     std::optional<Document> document = std::nullopt;
+    ColorChoice coloring = {};
+    std::vector<Marker> markers = {};
 };
 
 /// The surface as a document: a row for each statement.

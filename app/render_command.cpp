@@ -1,19 +1,26 @@
+#include "app/color_formulas.hpp"
 #include "app/commands.hpp"
 #include "app/document_scene.hpp"
 #include "app/furnish.hpp"
+#include "app/picture_point.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
+#include "engine/trace/color_range.hpp"
 #include "engine/trace/extent.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/render.hpp"
 #include "engine/trace/tolerance.hpp"
 #include "engine/trace/tracer.hpp"
+#include "ui/legend.hpp"
+#include "ui/picture_overlay.hpp"
 
 #include "document/framing.hpp"
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <numeric>
 
 namespace zeroset {
 namespace {
@@ -28,7 +35,27 @@ struct RenderPlan {
     Size size{};
     int repeats = 1;
     Camera camera;
+    std::vector<glm::ivec2> probes;  ///< columns and rows
 };
+
+OrInputError<std::vector<glm::ivec2>> read_probes(const std::vector<std::string>& texts,
+                                                  const Size& size) {
+    std::vector<glm::ivec2> pixels;
+    for (const std::string& text : texts) {
+        const auto numbers = read_numbers("--probe", text, 2);
+        if (!numbers) return std::unexpected(numbers.error());
+        const double col = (*numbers)[0];
+        const double row = (*numbers)[1];
+        const bool inside = col >= 0 && col < size.width && row >= 0 && row < size.height;
+        if (!inside || col != std::floor(col) || row != std::floor(row)) {
+            return wrong_input("--probe " + text + ": type a pixel COL,ROW, from 0,0 to " +
+                               std::to_string(size.width - 1) + "," +
+                               std::to_string(size.height - 1));
+        }
+        pixels.emplace_back(static_cast<int>(col), static_cast<int>(row));
+    }
+    return pixels;
+}
 
 OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     RenderPlan plan;
@@ -43,11 +70,15 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
         if (!repeats) return std::unexpected(repeats.error());
         plan.repeats = *repeats;
     }
-    if (!command.output && !command.depth && !command.certificate && !command.stats) {
+    if (!command.output && !command.depth && !command.certificate && !command.stats &&
+        command.probes.empty()) {
         return wrong_input(
-            "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png or "
-            "--stats -");
+            "nothing to write: give -o OUT.png, --depth FILE.pfm, --certificate FILE.png, "
+            "--probe COL,ROW or --stats -");
     }
+    auto probes = read_probes(command.probes, plan.size);
+    if (!probes) return std::unexpected(probes.error());
+    plan.probes = std::move(*probes);
     for (const auto& [option, path] :
          {std::pair{"-o ", &command.output}, std::pair{"--certificate ", &command.certificate}}) {
         if (*path && !(*path)->ends_with(".png")) {
@@ -126,8 +157,18 @@ void fit(RenderPlan& plan, const RenderCommand& command, const Scene& scene) {
     plan.camera = *framing.document.camera;
 }
 
+/// The surfaces of the formula that are shown.
+std::vector<std::size_t> shown_surfaces(const Formula& formula, const RenderPlan& plan) {
+    if (plan.surface.document) {
+        return visible_surfaces(plan.document, surface_rows(plan.document, formula.program));
+    }
+    std::vector<std::size_t> all(formula.drawn.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 /// As a document has its rows, or all surfaces in the palette's colours.
-Scene scene_of(const Formula& formula, const RenderPlan& plan) {
+Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
     const Surface& surface = plan.surface;
     if (!surface.document) {
         Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
@@ -135,6 +176,53 @@ Scene scene_of(const Formula& formula, const RenderPlan& plan) {
         return scene;
     }
     return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
+}
+
+Scene scene_of(const Formula& formula, const RenderPlan& plan, const ColorFormulas& colors) {
+    Scene scene = plain_scene(formula, plan);
+    scene.coloring =
+        coloring_of(plan.document.coloring, colors, shown_surfaces(formula, plan), plan.camera.up);
+    if (has_range(scene.coloring.by) && !scene.coloring.range) {
+        scene.coloring.range =
+            find_range(scene, plan.camera, plan.settings, plan.size.width, plan.size.height);
+    }
+    return scene;
+}
+
+/// The picture with markers and legend.
+Framebuffer marked(const Framebuffer& frame, const RenderPlan& plan, const Scene& scene,
+                   bool with_legend) {
+    const ui::Legend legend = ui::legend_of(scene.coloring, plan.document.coloring.expression);
+    const bool needs_legend = with_legend && scene.coloring.by != ColorBy::Plain;
+    Framebuffer picture = frame;
+    ui::draw_marks_over(picture, plan.camera, plan.document.markers,
+                        needs_legend ? &legend : nullptr);
+    return picture;
+}
+
+/// The reading of each of the formula's surfaces.
+std::vector<std::string> surface_readings(const Formula& formula) {
+    std::vector<std::string> texts;
+    for (const Reading& reading : formula.program.readings) {
+        if (reading.kind == StatementKind::Surface) texts.push_back(reading.text);
+    }
+    return texts;
+}
+
+void print_probes(const RenderPlan& plan, const Scene& scene, const Formula& formula,
+                  const Framebuffer& frame) {
+    const std::vector<std::size_t> shown = shown_surfaces(formula, plan);
+    const std::vector<Kernel> typed = typed_formulas(formula.program, shown);
+    const std::vector<std::string> readings = surface_readings(formula);
+    const StopCriterion& stop = plan.settings.stop;
+    const Precision precision = frame_precision(scene, ViewFrame(plan.camera), stop);
+    const double tolerance = depth_tolerance(scene.clip, stop, precision);
+    for (const glm::ivec2& pixel : plan.probes) {
+        const auto facts =
+            probe({frame, plan.camera, typed, scene.uniforms, tolerance}, pixel.x, pixel.y);
+        const std::size_t surface = facts ? shown[facts->surface] : 0;
+        std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);
+    }
 }
 
 }  // namespace
@@ -149,19 +237,24 @@ int run_render(const RenderCommand& command) {
     if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
         return report(*unknown);
     }
-    fit(*plan, command, scene_of(*formula, *plan));
+    const auto colors = color_formulas(formula->program, formula->text, plan->document.coloring);
+    if (!colors) return report(color_by_error(colors.error()));
+    fit(*plan, command, plain_scene(*formula, *plan));
     const Precision precision =
         wanted_precision(surface.clip, ViewFrame(plan->camera), plan->settings.stop);
     if (!formula->has_code(precision)) formula = with_double(*formula);
-    const Scene scene = scene_of(*formula, *plan);
+    const Scene scene = scene_of(*formula, *plan, *colors);
     Framebuffer frame(plan->size.width, plan->size.height);
     const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
                                            plan->repeats, command.repeat.has_value());
 
-    const auto painted = furnished(frame, plan->document, plan->camera);
-    if (!painted) return report_run_time(painted.error());
+    if (!plan->probes.empty()) print_probes(*plan, scene, *formula, frame);
     std::expected<void, FileError> written;
-    if (command.output) written = write_png(*command.output, *painted);
+    if (command.output) {
+        const auto painted = furnished(frame, plan->document, plan->camera);
+        if (!painted) return report_run_time(painted.error());
+        written = write_png(*command.output, marked(*painted, *plan, scene, !command.no_legend));
+    }
     if (written && command.depth) written = write_pfm(*command.depth, frame);
     if (written && command.certificate) {
         written = write_png(*command.certificate, certificate_picture(frame));

@@ -150,7 +150,7 @@ void Session::follow_command() {
         case ui::Command::SaveAs: return save_as();
         case ui::Command::Undo: return undo(true);
         case ui::Command::Redo: return undo(false);
-        case ui::Command::Copy: return ui::set_clipboard(text_of(state_.document));
+        case ui::Command::Copy: return copy();
         case ui::Command::Paste: return paste();
         case ui::Command::Quit: return close();
     }
@@ -159,6 +159,11 @@ void Session::follow_command() {
 void Session::undo(bool back) {
     state_.document = back ? history_.undo() : history_.redo();
     if (state_.typing_row != 0) state_.reload = state_.typing_row;
+}
+
+void Session::copy() {
+    const Marker* const marker = find_marker(state_.document.markers, state_.selected_marker);
+    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(state_.document));
 }
 
 void Session::paste() {

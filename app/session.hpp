@@ -72,6 +72,8 @@ private:
     void save_as();
     void write(const std::string& path);
     void undo(bool back);
+    /// The selected marker's coordinates, or the document.
+    void copy();
     void paste();
     void ask(Asked what, std::string text, std::vector<std::string> answers);
     void say(const std::string& text) { ask(Asked::Message, text, {"OK"}); }

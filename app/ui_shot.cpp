@@ -10,6 +10,8 @@
 #include "ui/ui_state.hpp"
 #include "ui/window.hpp"
 
+#include <glm/ext/vector_float2.hpp>
+
 #include <algorithm>
 #include <expected>
 #include <iterator>
@@ -26,6 +28,7 @@ namespace {
 struct UiShotPlan {
     DesktopOptions desktop;
     ui::OffscreenOptions window;
+    std::optional<glm::vec2> pointer;  ///< pixels
 };
 
 OrInputError<ui::Theme> read_theme(const std::string& text) {
@@ -50,6 +53,14 @@ OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
                            " each side must be at most " + std::to_string(largest_side / *scale));
     }
     return ui::OffscreenOptions{size->width, size->height, static_cast<float>(*scale)};
+}
+
+OrInputError<std::optional<glm::vec2>> read_pointer(const std::optional<std::string>& text,
+                                                    float scale) {
+    if (!text) return std::nullopt;
+    const auto at = read_numbers("--pointer", *text, 2);
+    if (!at) return std::unexpected(at.error());
+    return scale * glm::vec2((*at)[0], (*at)[1]);
 }
 
 OrInputError<std::vector<const ui::Action*>> read_actions(const std::vector<std::string>& names) {
@@ -88,12 +99,16 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     desktop->keeps_files = false;
     desktop->note.clear();
     if (command.mark_undecided) desktop->document.mark_undecided = true;
-    return UiShotPlan{*desktop, *window};
+    const auto pointer = read_pointer(command.pointer, window->scale);
+    if (!pointer) return std::unexpected(pointer.error());
+    return UiShotPlan{*desktop, *window, *pointer};
 }
 
 /// The window's pixels when nothing in it changes any more.
-Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options) {
+Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options,
+                         const std::optional<glm::vec2>& pointer) {
     Desktop desktop(window, options);
+    if (pointer) ui::OffscreenWindow::point(*pointer, false);
     while (!desktop.settled()) {
         window.wait(desktop.due_s());
         desktop.draw_frame();
@@ -117,7 +132,8 @@ int run_ui_shot(const UiShotCommand& command) {
         return report_run_time(window.error() +
                                "; `zeroset render \"EQUATION\" -o out.png` needs no OpenGL");
     }
-    const auto written = write_png(command.output, draw_settled(**window, plan->desktop));
+    const auto written =
+        write_png(command.output, draw_settled(**window, plan->desktop, plan->pointer));
     return written ? exit_ok : report_run_time(written.error().message);
 }
 

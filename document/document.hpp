@@ -3,6 +3,8 @@
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
 
+#include "document/look.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -62,6 +64,8 @@ struct Document {
     /// What is up, not 0: what dragging turns about, unless it turns freely.
     glm::dvec3 up{0.0, 0.0, 1.0};
     bool trackball = false;  ///< dragging turns freely
+    ColorChoice coloring;
+    std::vector<Marker> markers;  ///< in the order in which they were made
 
     bool operator==(const Document&) const = default;
 };

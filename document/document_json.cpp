@@ -3,6 +3,7 @@
 #include "engine/expr/parse.hpp"
 
 #include "document/json_fields.hpp"
+#include "document/look_json.hpp"
 #include "document/region_json.hpp"
 #include <nlohmann/json.hpp>
 
@@ -229,6 +230,9 @@ ReadDocument document_of(const Json& json) {
     if (glm::length(document.up) == 0) throw Damage{"up is zero"};
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
+    if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
+    if (const Json* markers = fields.find("markers"))
+        document.markers = markers_of(*markers, unknown);
     document = renumbered(std::move(document), 1);
     return read;
 }
@@ -267,6 +271,8 @@ std::string text_of(const Document& document) {
     json["up"] = json_of(document.up);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
+    if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
+    if (!document.markers.empty()) json["markers"] = json_of(document.markers);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

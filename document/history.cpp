@@ -54,6 +54,9 @@ std::string changed_part(const Document& a, const Document& b) {
     if (a.region != b.region) return "region";
     if (a.stop != b.stop) return "stop";
     if (a.up != b.up) return "up";
+    if (a.markers != b.markers) return "markers";
+    if (a.coloring.expression != b.coloring.expression) return "color expression";
+    if (a.coloring.range != b.coloring.range) return "color range";
     return "look";
 }
 

@@ -7,6 +7,7 @@
 #include "jit/orc.hpp"
 
 #include <atomic>
+#include <cassert>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -114,6 +115,7 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
             return in_float ? put_in(kernel.newton_float, std::move(code))
                             : put_in(kernel.newton_double, std::move(code));
         case KernelPart::RayValue: return put_in(kernel.ray_value, std::move(code));
+        case KernelPart::Points: assert(false); return;
     }
 }
 
@@ -246,6 +248,16 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         make_later(kernel.ray_form_double, expr, {vectors->in_double, KernelPart::RayForm});
     }
     return kernel;
+}
+
+std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {
+    const auto vectors = usable_vectors({});
+    if (!vectors) return std::unexpected(vectors.error());
+    auto code = cached_code(expr, {vectors->in_double, KernelPart::Points});
+    if (!code) return std::unexpected(code.error());
+    PointFunction function;
+    put_in(function, std::move(*code));
+    return function;
 }
 
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options) {

@@ -26,10 +26,13 @@ struct CompileError {
 
 /// Machine code for the graph: at once what the beam tracer always needs (forms, Newton's method,
 /// values on rays), the other functions when they are first called; Kernel::without_waiting calls
-/// the interpreter's, and forms in place of forms on rays, until they are there. Thread-safe; equal graphs
-/// compiled lately share their code, function by function: asking for double later makes what is
-/// missing. LLVM runs on threads of its own with a large stack.
+/// the interpreter's, and forms in place of forms on rays, until they are there. Thread-safe; equal
+/// graphs compiled lately share their code, function by function: asking for double later makes
+/// what is missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
+
+/// Machine code for the values alone, in double; at once.
+std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
 
 /// The LLVM IR or the assembly that `compile` makes machine code of; double's behind float's.
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});

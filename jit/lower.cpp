@@ -106,9 +106,10 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
 
 template <class Real>
 void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                 llvm::Module& module) {
+                 KernelPart part, llvm::Module& module) {
     using Batch = ValueBatchOf<Real>;
-    BatchFunction function(module, symbol_of(KernelPart::Value), kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(part), kind, offsetof(Batch, size));
+    const bool with_gradient = part == KernelPart::Value;
     std::array<llvm::Value*, 3> x{};
     std::array<llvm::Value*, 3> gradient{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -125,14 +126,14 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{function.load(x[v]), {}};
-        variable.slope[v] = function.splat(1.0);
+        if (with_gradient) variable.slope[v] = function.splat(1.0);
         return variable;
     };
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f = evaluate(
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
     function.store(value, f.value);
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; with_gradient && i < 3; ++i) {
         function.store(gradient[i], f.slope[i].value_or(function.splat(0.0)));
     }
     function.finish();
@@ -274,7 +275,8 @@ void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm:
     const std::vector<Facts> facts = facts_of(expr);
     switch (part) {
         case KernelPart::Range: return lower_range<Real>(expr, facts, kind, module);
-        case KernelPart::Value: return lower_value<Real>(expr, facts, kind, module);
+        case KernelPart::Value:
+        case KernelPart::Points: return lower_value<Real>(expr, facts, kind, part, module);
         case KernelPart::Form: return lower_form<Real>(expr, facts, kind, part, module);
         case KernelPart::RayForm: return lower_form<Real>(expr, facts, kind, part, module);
         case KernelPart::Newton: return lower_newton<Real>(expr, facts, kind, module);
@@ -304,6 +306,7 @@ const char* symbol_of(KernelPart part) {
         case KernelPart::RayForm: return "zeroset_ray_form";
         case KernelPart::Newton: return "zeroset_newton";
         case KernelPart::RayValue: return "zeroset_ray_value";
+        case KernelPart::Points: return "zeroset_points";
     }
     return "";
 }

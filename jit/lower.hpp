@@ -20,8 +20,17 @@ struct VectorKind {
 };
 
 /// The batch functions of kernel.hpp.
-enum class KernelPart : std::uint8_t { Range, Value, Form, RayForm, Newton, RayValue };
+enum class KernelPart : std::uint8_t {
+    Range,
+    Value,
+    Form,
+    RayForm,
+    Newton,
+    RayValue,
+    Points,  ///< of a PointFunction: the values alone
+};
 
+/// Those of a Kernel.
 inline constexpr KernelPart kernel_parts[] = {KernelPart::Range,  KernelPart::Value,
                                               KernelPart::Form,   KernelPart::RayForm,
                                               KernelPart::Newton, KernelPart::RayValue};

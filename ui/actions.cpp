@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <optional>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -71,6 +72,33 @@ void turn(UiState& state) {
     orbit_step(state, {right, up});
 }
 
+template <ColorBy by>
+void color_by(UiState& state) {
+    state.document.coloring = {by, state.document.coloring.expression};
+    if (by == ColorBy::Expression) state.layout.look_open = true;
+}
+
+template <ColorBy by>
+bool is_colored_by(const UiState& state) {
+    return state.document.coloring.by == by;
+}
+
+/// At the pointer, or in the middle of the picture.
+void keep_marker(UiState& state) {
+    state.click = PictureClick{.cursor = state.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
+}
+
+void select_next_marker(UiState& state) {
+    const std::vector<Marker>& markers = state.document.markers;
+    auto next = std::ranges::find(markers, state.selected_marker, &Marker::number);
+    if (next != markers.end()) ++next;
+    state.selected_marker = (next == markers.end() ? markers.front() : *next).number;
+    state.layout.markers_open = true;
+}
+
+bool has_markers(const UiState& state) { return !state.document.markers.empty(); }
+bool has_selected_marker(const UiState& state) { return state.selected_marker != 0; }
+
 constexpr const char* picture = "Picture";
 constexpr const char* view = "View";
 constexpr const char* document = "Document";
@@ -95,6 +123,59 @@ constexpr auto table = std::to_array<Action>({
      .keys = "U",
      .run = toggle_document<&Document::mark_undecided>,
      .is_on = is_document<&Document::mark_undecided>},
+    {.section = picture,
+     .name = "Keep a marker",
+     .keys = "M",
+     .about = "keep a marker at the pointer, or in the middle; so does a click on a surface",
+     .run = keep_marker,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Next marker",
+     .keys = "Shift+M",
+     .about = "select the next marker: Ctrl+C copies its coordinates",
+     .run = select_next_marker,
+     .enabled = has_markers,
+     .repeats = true,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Remove the marker",
+     .keys = "Delete",
+     .about = "remove the selected marker",
+     .run = [](UiState& state) { remove_marker(state.document.markers, state.selected_marker); },
+     .enabled = has_selected_marker,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Color by surface and side",
+     .run = color_by<ColorBy::Plain>,
+     .is_on = is_colored_by<ColorBy::Plain>},
+    {.section = picture,
+     .name = "Color by normal",
+     .run = color_by<ColorBy::Normal>,
+     .is_on = is_colored_by<ColorBy::Normal>},
+    {.section = picture,
+     .name = "Color by height",
+     .run = color_by<ColorBy::Height>,
+     .is_on = is_colored_by<ColorBy::Height>},
+    {.section = picture,
+     .name = "Color by distance from the eye",
+     .run = color_by<ColorBy::Depth>,
+     .is_on = is_colored_by<ColorBy::Depth>},
+    {.section = picture,
+     .name = "Color by mean curvature",
+     .run = color_by<ColorBy::MeanCurvature>,
+     .is_on = is_colored_by<ColorBy::MeanCurvature>},
+    {.section = picture,
+     .name = "Color by Gaussian curvature",
+     .run = color_by<ColorBy::GaussianCurvature>,
+     .is_on = is_colored_by<ColorBy::GaussianCurvature>},
+    {.section = picture,
+     .name = "Color by length of the gradient",
+     .run = color_by<ColorBy::Gradient>,
+     .is_on = is_colored_by<ColorBy::Gradient>},
+    {.section = picture,
+     .name = "Color by an expression",
+     .run = color_by<ColorBy::Expression>,
+     .is_on = is_colored_by<ColorBy::Expression>},
     {.section = picture,
      .name = "Shadows",
      .run = toggle_document<&Document::shadows>,
@@ -191,7 +272,7 @@ constexpr auto table = std::to_array<Action>({
     {.section = document,
      .name = "Copy as text",
      .keys = "Ctrl+C",
-     .about = "outside a row: copy all as text",
+     .about = "outside a row: copy all as text, or the selected marker's coordinates",
      .run = give<Command::Copy>,
      .in_fields = false},
     {.section = document,
@@ -217,6 +298,14 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: Space",
      .run = toggle_layout<&Layout::space_open>,
      .is_on = is_layout<&Layout::space_open>},
+    {.section = window,
+     .name = "Section: Look",
+     .run = toggle_layout<&Layout::look_open>,
+     .is_on = is_layout<&Layout::look_open>},
+    {.section = window,
+     .name = "Section: Markers",
+     .run = toggle_layout<&Layout::markers_open>,
+     .is_on = is_layout<&Layout::markers_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

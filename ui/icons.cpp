@@ -132,6 +132,10 @@ void draw_sign(Pen& pen, Icon icon) {
         case Icon::Down: return pen.lines({{-0.6F, -0.3F}, {0.0F, 0.3F}, {0.6F, -0.3F}});
         case Icon::Up: return pen.lines({{-0.6F, 0.3F}, {0.0F, -0.3F}, {0.6F, 0.3F}});
         case Icon::Help: return draw_help(pen);
+        case Icon::Copy:
+            pen.lines(
+                {{-0.3F, 0.35F}, {-0.75F, 0.35F}, {-0.75F, -0.8F}, {0.3F, -0.8F}, {0.3F, -0.4F}});
+            return pen.lines({{-0.3F, -0.4F}, {0.75F, -0.4F}, {0.75F, 0.8F}, {-0.3F, 0.8F}}, true);
         case Icon::Folder:
             return pen.lines({{-0.85F, 0.65F},
                               {-0.85F, -0.6F},

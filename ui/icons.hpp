@@ -27,6 +27,7 @@ enum class Icon : std::uint8_t {
     Up,
     Help,
     Folder,
+    Copy,
 };
 
 /// The sign in a square of `size` about `centre`, window coordinates.

@@ -5,6 +5,8 @@
 #include "ui/document_menu.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
+#include "ui/look_section.hpp"
+#include "ui/marker_section.hpp"
 #include "ui/space_section.hpp"
 #include "ui/statement_list.hpp"
 #include "ui/status_panel.hpp"
@@ -112,31 +114,37 @@ void draw_edge(UiState& state, float width, float height) {
 /// What stands below the list, one after the other.
 struct FoldedSection {
     const char* title;
+    const char* id;
     bool Layout::* open;
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< of what is drawn, window coordinates
 };
-constexpr std::array<FoldedSection, 3> sections{
-    {{"View", &Layout::view_open, draw_view_section, view_section_height},
-     {"Space", &Layout::space_open, draw_space_section, space_section_height},
-     {"Clip", &Layout::clip_open, draw_clip_section, clip_section_height}}};
+constexpr std::array<FoldedSection, 5> sections{
+    {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
+     {"Look", "##look", &Layout::look_open, draw_look_section, look_section_height},
+     {"Clip", "##clip", &Layout::clip_open, draw_clip_section, clip_section_height},
+     {"Space", "##space", &Layout::space_open, draw_space_section, space_section_height},
+     {"Markers", "##markers", &Layout::markers_open, draw_marker_section, marker_section_height}}};
 
 float sections_height(const UiState& state) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     float height = 0.0F;
     for (const FoldedSection& section : sections) {
         height += std::ceil(em(1.9F)) + 2.0F * gap;
-        if (state.layout.*section.open) height += section.height(state);
+        if (state.layout.*section.open) height += section.height(state) + gap;
     }
     return height;
 }
 
 void draw_below(UiState& state, float height) {
-    ImGui::BeginChild("##view", ImVec2(0.0F, height));
+    ImGui::BeginChild("##sections", ImVec2(0.0F, height));
     for (const FoldedSection& section : sections) {
         ImGui::Separator();
         draw_section_title(section.title, state.layout.*section.open, palette(state.theme));
-        if (state.layout.*section.open) section.draw(state);
+        if (!(state.layout.*section.open)) continue;
+        ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
+        section.draw(state);
+        ImGui::EndChild();
     }
     ImGui::EndChild();
 }

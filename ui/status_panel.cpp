@@ -1,18 +1,22 @@
 #include "ui/status_panel.hpp"
 
 #include "ui/bar.hpp"
+#include "ui/color_picker.hpp"
 #include "ui/fonts.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"
 
+#include "document/look.hpp"
 #include <imgui/imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -38,11 +42,11 @@ std::string milliseconds(double ms) {
 }
 
 /// Goes on with the line, as far as the window is wide.
-void add_text(std::uint32_t color, const std::string& text) {
+void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
     const float room = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
-    const std::string before = first ? "" : separator;
+    const std::string before = first ? "" : between;
     if (ImGui::CalcTextSize((before + text).c_str()).x > room && !first) return;
     ImGui::TextDisabled("%s", before.c_str());
     ImGui::SameLine(0.0F, 0.0F);
@@ -82,6 +86,45 @@ void draw_figures(const UiState& state, const Palette& colors) {
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
 
+/// The surface's colour, and the number of its row where there are several.
+void add_surface(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
+    const std::vector<Statement>& rows = state.document.statements;
+    const auto row = std::ranges::find(rows, pointed.row, &Statement::id);
+    if (row == rows.end()) return;
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    draw_color_dot(*ImGui::GetWindowDrawList(), ImVec2(lo.x + 0.4F * size, lo.y + 0.5F * size),
+                   0.33F * size, *row, colors, false);
+    ImGui::Dummy(ImVec2(1.1F * size, size));
+    ImGui::SameLine(0.0F, 0.0F);
+    if (rows.size() < 2) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
+    ImGui::Text("row %d  ", static_cast<int>(row - rows.begin()) + 1);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0.0F, 0.0F);
+}
+
+/// "f = 1.2e-16".
+std::string small_number(const char* format, double number) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, number == 0.0 ? 0.0 : number);
+    return text.data();
+}
+
+/// What is under the pointer: to the digits that tell neighbouring pixels apart, as far as they are
+/// known.
+void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
+    const PointFacts& facts = pointed.facts;
+    const double resolution = std::max(0.1 * pointed.pixel_size, facts.within);
+    add_surface(state, pointed, colors);
+    const bool certified = facts.certificate == Certificate::Certified;
+    add_text(colors.text, coordinates_text(facts.point, resolution), "");
+    add_text(certified ? colors.quiet : colors.warning, certified ? "certified" : "undecided");
+    add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
+    add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
+    add_text(colors.quiet, small_number("f = %.2g", facts.f));
+}
+
 void draw_keys_hint() {
     const float width = ImGui::CalcTextSize(keys_hint).x;
     const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
@@ -106,7 +149,11 @@ void draw_status_panel(const UiState& state) {
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
         if (!state.note.empty()) add_text(colors.warning, state.note);
         if (!state.done.empty()) add_text(colors.accent, state.done);
-        draw_figures(state, colors);
+        if (state.pointed) {
+            draw_pointed(state, *state.pointed, colors);
+        } else {
+            draw_figures(state, colors);
+        }
         if (state.picture.tracing) add_text(colors.accent, "tracing\xE2\x80\xA6");
         draw_keys_hint();
         ImGui::PopFont();

@@ -2,12 +2,15 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/coloring.hpp"
 #include "engine/trace/precision.hpp"
+#include "engine/trace/probe.hpp"
 #include "ui/dialogs.hpp"
 
 #include "document/document.hpp"
 #include "document/play.hpp"
 #include "document/sheet.hpp"
+#include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_int2.hpp>
 
 #include <cstddef>
@@ -86,6 +89,29 @@ struct ShownPicture {
     Camera camera;
 };
 
+/// What is known of the point under the pointer.
+struct PointedFacts {
+    PointFacts facts;
+    int row = 0;              ///< of the list, whose surface it is
+    double pixel_size = 0.0;  ///< how far apart neighbouring pixels are there, world units
+};
+
+/// A press of the button over the picture that was no drag.
+struct PictureClick {
+    glm::dvec2 cursor{0.0};  ///< see PointerMotion
+    int marker = 0;          ///< number of the one that was clicked; 0: none
+    bool again = false;      ///< the second of a double click
+    bool at_once = false;    ///< no second one follows: it came from the keyboard
+};
+
+/// Which colour stands for which number.
+struct Legend {
+    std::string title;
+    ColorBy by = ColorBy::Plain;
+    ColorMap map = ColorMap::Aurora;
+    std::optional<ValueRange> range;  ///< of what has one
+};
+
 /// What is done to the document as a whole; the owner does it.
 enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, Paste, Quit };
 
@@ -109,6 +135,8 @@ struct Layout {
     float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
     bool folded = false;
     bool view_open = true;  ///< the section of the view's settings
+    bool look_open = false;
+    bool markers_open = false;
     bool space_open = false;
     bool clip_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
@@ -141,6 +169,7 @@ struct UiState {
     bool reset_view = false;             ///< fulfilled by the owner, which knows the first view
     std::optional<std::size_t> surface;  ///< a line of `gallery` was picked
     std::optional<Command> command;
+    std::optional<PictureClick> click;     ///< by the owner: it knows what is under it
     std::optional<std::string> open_path;  ///< a recent file was picked
     Dialogs dialogs;
 
@@ -163,7 +192,13 @@ struct UiState {
 
     /// Size of the area the picture fills, framebuffer pixels; set by draw_viewport.
     glm::ivec2 viewport_px{0};
-    int typing_row = 0;  ///< the row whose field has the keyboard; 0: none. Set by the list.
+    /// Where the pointer rests over the picture, see PointerMotion; set by draw_viewport.
+    std::optional<glm::dvec2> pointer;
+    std::optional<PointedFacts> pointed;  ///< what is there; set by the owner
+    int selected_marker = 0;              ///< its number; 0: none
+    std::optional<Legend> legend;         ///< of the picture that is shown; set by the owner
+    std::string color_error;  ///< what is wrong with the expression of the colours; or empty
+    int typing_row = 0;       ///< the row whose field has the keyboard; 0: none. Set by the list.
 };
 
 }  // namespace zeroset::ui

@@ -44,40 +44,6 @@ void draw_projection(std::optional<Camera>& camera) {
     draw_tooltip("All rays leave the picture in one direction, none is nearer to the eye (5).");
 }
 
-/// A square as the marked pixels look.
-void draw_swatch(const Palette& colors, bool striped) {
-    const float size = ImGui::GetTextLineHeight();
-    const ImVec2 lo = ImGui::GetCursorScreenPos();
-    const ImVec2 hi(lo.x + size, lo.y + size);
-    ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    canvas.PushClipRect(lo, hi, true);
-    canvas.AddRectFilled(lo, hi, striped ? colors.undecided_pale : colors.undecided);
-    const float step = em(0.5F);
-    for (float at = step; striped && at < 2.0F * size; at += 2.0F * step) {
-        canvas.AddLine(ImVec2(lo.x + at, lo.y - 1.0F), ImVec2(lo.x + at - size - 1.0F, hi.y),
-                       colors.undecided, 0.7F * step);
-    }
-    canvas.PopClipRect();
-    ImGui::Dummy(ImVec2(size, size));
-    ImGui::SameLine(0.0F, em(0.4F));
-}
-
-void draw_undecided(UiState& state) {
-    ImGui::Checkbox("Mark undecided###undecided", &state.document.mark_undecided);
-    draw_tooltip(
-        "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
-        "place where f jumps or ends. A larger d_stop decides more of them.");
-    if (!state.document.mark_undecided) return;
-    const Palette& colors = palette(state.theme);
-    ImGui::Dummy(ImVec2(0.0F, 0.0F));
-    ImGui::SameLine(0.0F, em(2.0F));
-    draw_swatch(colors, true);
-    ImGui::TextDisabled("drawn");
-    ImGui::SameLine(0.0F, em(1.2F));
-    draw_swatch(colors, false);
-    ImGui::TextDisabled("not drawn");
-}
-
 void draw_light(Document& document) {
     ImGui::Checkbox("Shadows###shadows", &document.shadows);
     draw_tooltip("Let the surfaces throw shadows, once the picture rests.");
@@ -104,15 +70,13 @@ void draw_buttons(UiState& state) {
 
 }  // namespace
 
-float view_section_height(const UiState& state) {
-    const float rows = state.document.mark_undecided ? 6.0F : 5.0F;
-    return rows * ImGui::GetFrameHeightWithSpacing();
+float view_section_height(const UiState& /*state*/) {
+    return 4.0F * ImGui::GetFrameHeightWithSpacing();
 }
 
 void draw_view_section(UiState& state) {
     draw_d_stop(state.document.stop);
     draw_projection(state.document.camera);
-    draw_undecided(state);
     draw_light(state.document);
     draw_buttons(state);
 }

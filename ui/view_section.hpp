@@ -4,9 +4,8 @@
 
 namespace zeroset::ui {
 
-/// The settings of the view: search depth, projection, marks, shadows, first view and theme. Edits
-/// the document's `stop`, `camera`, `mark_undecided`, `shadows` and `antialias`, `theme` and
-/// `reset_view`.
+/// The settings of the view: search depth, projection, shadows, first view and theme. Edits the
+/// document's `stop`, `camera`, `shadows` and `antialias`, `theme` and `reset_view`.
 void draw_view_section(UiState& state);
 /// Its height, window coordinates.
 float view_section_height(const UiState& state);

@@ -3,6 +3,8 @@
 #include "engine/trace/camera.hpp"
 #include "engine/trace/navigation.hpp"
 #include "ui/furniture_layer.hpp"
+#include "ui/picture_place.hpp"
+#include "ui/picture_pointer.hpp"
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
@@ -56,6 +58,7 @@ void draw_picture(const Area& area, const UiState& state, const Texture& picture
     // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
     draw_furniture(canvas, area.lo, area.hi, state);
+    draw_picture_marks(canvas, area.lo, area.hi, state);
 }
 
 PointerMotion pointer_motion(const Area& area) {
@@ -102,8 +105,9 @@ Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& t
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
     if (shown.frame == nullptr) return std::nullopt;
     const Framebuffer& frame = *shown.frame;
-    const int col = static_cast<int>(std::floor(0.5 * frame.width + cursor.x * frame.height));
-    const int row = static_cast<int>(std::floor((0.5 - cursor.y) * frame.height));
+    const glm::ivec2 pixel = pixel_under(frame, cursor);
+    const int col = pixel.x;
+    const int row = pixel.y;
     if (col < 0 || col >= frame.width || row < 0 || row >= frame.height) return std::nullopt;
     const auto distance = static_cast<double>(frame.depth[frame.index(col, row)]);
     if (!std::isfinite(distance)) return std::nullopt;
@@ -130,6 +134,7 @@ void draw_viewport(UiState& state, const Texture& picture) {
             "##picture", ImGui::GetContentRegionAvail(),
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
         PointerMotion motion = pointer_motion(area);
+        follow_picture_pointer(state, motion.cursor);
         if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
         if (state.document.camera) {
             state.document.camera = steer(*state.document.camera, motion, turning_of(state));

@@ -82,6 +82,22 @@ std::expected<Expr, ParseError> Elaborator::formula() {
     return builder_.finish(*root, parameters_);
 }
 
+std::expected<Expr, ParseError> Elaborator::last_value() {
+    if (!find_definitions()) return std::unexpected(*error_);
+    const StatementSyntax& statement = tree_.statements.back();
+    const Syntax& syntax = tree_[statement.relation];
+    const bool relates = syntax.kind == SyntaxKind::Compare || syntax.kind == SyntaxKind::And ||
+                         syntax.kind == SyntaxKind::Or || syntax.kind == SyntaxKind::Not;
+    if (relates || !statement.restrictions.empty()) {
+        fail(statement.offset, "an expression is needed here, no equation and no condition",
+             "type a value such as x^2 + y^2");
+        return std::unexpected(*error_);
+    }
+    const Number root = number(statement.relation, nullptr);
+    if (!root) return std::unexpected(*error_);
+    return builder_.finish(*root, parameters_);
+}
+
 bool Elaborator::build_statements() {
     std::map<std::size_t, std::pair<const std::string, Definition>*> defining;
     for (auto& entry : definitions_)

@@ -20,6 +20,8 @@ public:
     explicit Elaborator(const SyntaxTree& tree) : tree_(tree) {}
 
     std::expected<Program, ParseError> program();
+    /// The last statement, an expression.
+    std::expected<Expr, ParseError> last_value();
     /// The only statement, an equation or an expression; its constants may be undefined.
     std::expected<Expr, ParseError> formula();
 

@@ -233,7 +233,8 @@ void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord&
     interpret_cells(tape, &batch, false, &record);
 }
 
-template <class Real>
+/// Without gradients the variables have no slopes, and so nothing has.
+template <class Real, bool with_gradient>
 void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
     using Lanes = Block<Real>;
     const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Lanes> {
@@ -241,7 +242,7 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {Lanes::splat(batch->uniforms[v - 3]), {}};
         Dual<Lanes> variable{load(batch->x[v] + i), {}};
-        variable.slope[v] = Lanes::splat(1);
+        if constexpr (with_gradient) variable.slope[v] = Lanes::splat(1);
         return variable;
     };
     const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
@@ -249,6 +250,7 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
     };
     const auto finish = [&](const Dual<Lanes>& f, std::size_t i) {
         store(batch->f + i, f.value);
+        if constexpr (!with_gradient) return;
         for (std::size_t k = 0; k < 3; ++k)
             store(batch->gradient[k] + i, f.slope[k].value_or(Lanes::splat(0)));
     };
@@ -276,11 +278,11 @@ private:
 /// All but the functions over rays.
 void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.range_float = {interpret_range<float>, tape};
-    kernel.value_float = {interpret_value<float>, tape};
+    kernel.value_float = {interpret_value<float, true>, tape};
     kernel.form_float = {interpret_form<float>, tape};
     kernel.ray_form_float = {interpret_ray_form<float>, tape};
     kernel.range_double = {interpret_range<double>, tape};
-    kernel.value_double = {interpret_value<double>, tape};
+    kernel.value_double = {interpret_value<double, true>, tape};
     kernel.form_double = {interpret_form<double>, tape};
     kernel.ray_form_double = {interpret_ray_form<double>, tape};
     kernel.has_double = true;
@@ -328,6 +330,12 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
     add_ray_functions(kernel);
     if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
     return kernel;
+}
+
+PointFunction interpret_points(const Expr& expr) {
+    return {interpret_value<double, false>,
+            std::make_shared<const Tape>(
+                std::make_shared<const TapeGraph>(expr, facts_of(expr), Parts{}))};
 }
 
 Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,

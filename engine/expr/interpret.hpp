@@ -18,6 +18,9 @@ Kernel interpret(const Expr& expr);
 /// The same, where parts of the graph have code of their own. `facts` are the graph's.
 Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts);
 
+/// The values alone, bit-equal to the JIT's.
+PointFunction interpret_points(const Expr& expr);
+
 /// f and its gradient in double at (x, y, z, w), not rounded outward; parameters that are not given
 /// are 1.
 Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,

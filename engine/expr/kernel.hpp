@@ -194,6 +194,9 @@ struct KernelFunction {
     bool operator==(const KernelFunction&) const = default;
 };
 
+/// f in double at points; the batch's `gradient` is left alone.
+using PointFunction = KernelFunction<ValueBatchOf<double>>;
+
 /// For one choice (min, max, if, where) and a block of cells, a bit for each cell: the first
 /// alternative surely may stand for the choice, or the second, in the whole cell: it is its value,
 /// or does the same to signs and zeros of f; and the choice is defined wherever it is.

@@ -40,8 +40,8 @@ struct Camera {
 
 /// The camera as an orthonormal frame, and its rays: the points origin + t * direction. In
 /// perspective they begin at the eye; orthographic ones begin anywhere and go through the plane
-/// across the view through the eye at t = 0. Distances are measured from there, along the ray: those
-/// of an orthographic view may be below 0.
+/// across the view through the eye at t = 0. Distances are measured from there, along the ray:
+/// those of an orthographic view may be below 0.
 struct ViewFrame {
     glm::dvec3 eye, right, up, forward;
     double look_distance = 1.0;  ///< from the eye to the point looked at, along forward
@@ -56,6 +56,10 @@ struct ViewFrame {
     /// The width of a pixel at the point looked at.
     [[nodiscard]] double pixel_at_look(int height_px) const {
         return pixel_size(height_px) * look_distance;
+    }
+    /// The same at a distance along a ray near the image's centre.
+    [[nodiscard]] double pixel_width(int height_px, double distance) const {
+        return parallel() ? pixel_at_look(height_px) : pixel_size(height_px) * distance;
     }
     /// Direction (not normalised, 1 along forward) of the ray through the point (col, row) of the
     /// image in pixels; a pixel's centre is at (i + 0.5, j + 0.5).

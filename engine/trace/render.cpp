@@ -8,6 +8,7 @@
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
 #include "engine/trace/shadow.hpp"
+#include "engine/trace/tile_colors.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/tracer.hpp"
 
@@ -117,6 +118,8 @@ bool TilePainter::paint(Tile tile, Workspace& workspace, const Canvas& out,
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_gradients(frame_of(i, tile), workspace.hits[i], counters);
     if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        find_colors(surfaces_[i], i, tile, workspace.hits[i], counters);
     if (cancelled()) return false;
     draw_tile(surfaces_, workspace.hits, tile, out);
     return true;

@@ -179,8 +179,9 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     drawing_ = false;
     wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
     if (stop_) return std::nullopt;
-    Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_,
-              Precision::Float};
+    Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_};
+    const Coloring& coloring = work.request.scene.coloring;
+    work.finds_range = has_range(coloring.by) && !coloring.range;
     if (!same_surfaces(surfaces_, work.request.scene.surfaces)) governor_.forget();
     surfaces_ = work.request.scene.surfaces;
     drawing_ = true;
@@ -194,21 +195,35 @@ void RenderJob::run() {
         const RenderRequest& request = work->request;
         work->precision =
             frame_precision(request.scene, ViewFrame(request.camera), request.settings.stop);
-        draw(*work);
+        draw(std::move(*work));
     }
 }
 
-void RenderJob::draw(const Work& work) {
+void RenderJob::find_colors(Work& work, bool anew) {
+    if (!work.finds_range) return;
+    RenderRequest& request = work.request;
+    std::optional<ValueRange>& range = request.scene.coloring.range;
+    range = range_.last(request.scene);
+    if (range && !anew) return;
+    const auto found = find_range(request.scene, request.camera, request.settings, request.width,
+                                  request.height, &cancel_);
+    if (found) range = range_.after(request.scene, *found);
+}
+
+void RenderJob::draw(Work work) {
+    find_colors(work, false);
     const std::size_t pixels = pixels_of(work.request);
     const double expected = governor_.expected_ms(pixels);
     const bool at_once = !work.in_motion && expected > 0 && expected < pace_.at_once_ms;
     const double scale = governor_.choose(pixels);
-    if (at_once || scale == 1.0) {
-        draw_full(work, nullptr);
-        return;
+    std::shared_ptr<const Framebuffer> first;
+    if (!at_once && scale < 1.0) {
+        first = draw_first(work, scale);
+        if (first == nullptr || !rests(work)) return;
+        work.in_motion = false;
     }
-    const auto first = draw_first(work, scale);
-    if (first != nullptr && rests(work)) draw_full(work, first);
+    if (!work.in_motion) find_colors(work, true);
+    draw_full(work, first);
 }
 
 std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, double scale) {
@@ -273,6 +288,7 @@ void RenderJob::publish(const Work& work, RenderResult result) {
     result.request = work.number;
     result.camera = work.request.camera;
     result.precision = work.precision;
+    result.coloring = work.request.scene.coloring;
     {
         const std::scoped_lock lock(mutex_);
         if (cancel_) return;

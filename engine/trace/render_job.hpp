@@ -2,6 +2,7 @@
 
 #include "engine/image/frame_pool.hpp"
 #include "engine/image/framebuffer.hpp"
+#include "engine/trace/color_range.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/resolution.hpp"
 #include "engine/trace/scene.hpp"
@@ -38,6 +39,7 @@ struct RenderResult {
     CertificateCounts counts;   ///< of a complete one
     Camera camera;
     Precision precision = Precision::Float;
+    Coloring coloring = {};  ///< with the range that was found, if there is one
 };
 
 /// When a RenderJob does what.
@@ -84,13 +86,17 @@ private:
         std::uint64_t number = 0;
         bool in_motion = false;  ///< it followed another one closely
         Precision precision = Precision::Float;
+        bool finds_range = false;  ///< of the colours
     };
     class Growing;
 
     void run();
     /// The next request; nothing at the end.
     std::optional<Work> wait_for_work();
-    void draw(const Work& work);
+    void draw(Work work);
+    /// Finds the range of the colours where the request leaves it open: the last one, unless it is
+    /// to be found `anew`.
+    void find_colors(Work& work, bool anew);
     /// A picture of the moment, by so many pixels along a side, with whatever code there is;
     /// nothing when it was cancelled.
     std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
@@ -108,6 +114,7 @@ private:
     RenderPace pace_;
     FramePool pool_;
     ResolutionGovernor governor_;  ///< the job's thread's
+    SteadyRange range_;            ///< likewise
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;

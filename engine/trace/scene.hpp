@@ -2,6 +2,7 @@
 
 #include "engine/expr/kernel.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/coloring.hpp"
 #include "engine/trace/palette.hpp"
 #include "engine/trace/region.hpp"
 
@@ -14,14 +15,15 @@ namespace zeroset {
 
 inline constexpr std::size_t max_surfaces = 255;
 
-/// What is drawn: the code of each surface's formula, the clip box with what is shown of it, and the
-/// uniforms' values, which all surfaces share. A value: copy it as a snapshot for a job.
+/// What is drawn: the code of each surface's formula, the clip box with what is shown of it, and
+/// the uniforms' values, which all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
     std::vector<Kernel> surfaces;  ///< at most max_surfaces
     Box clip;
     Uniforms uniforms;
     std::vector<SurfaceColors> colors = {};  ///< of the surfaces; the palette's of those beyond
     Region region = {};
+    Coloring coloring = {};  ///< over `colors`; with a range where one is needed
 };
 
 /// When the search along a ray stops [Knoll07, sec. 5.5].

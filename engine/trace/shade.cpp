@@ -139,19 +139,39 @@ HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gr
     hn::Store(facing, d, &light.facing[col]);
 }
 
-/// The colours of the pixels from `col` on.
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> colored(const Shading& shading, const Light& light,
-                                                    std::size_t col) {
+/// The reflectances of pixels by the side of the surface that is seen.
+struct BySide {
+    const Shading& shading;
+
+    HWY_INLINE V at(int channel, V facing, std::size_t /*pixel*/) const {
+        const auto front = hn::Ge(facing, hn::Zero(d));
+        return hn::IfThenElse(front, shading.front[channel], shading.back[channel]);
+    }
+};
+
+/// The reflectances that each pixel has of its own.
+struct ByPixel {
+    const TileHits& hits;
+
+    HWY_INLINE V at(int channel, V /*facing*/, std::size_t pixel) const {
+        return hn::LoadU(d, &hits.reflectance[static_cast<std::size_t>(channel)][pixel]);
+    }
+};
+
+/// The colours of the pixels from `col` on, which are those from `pixel` on in the tile.
+template <class Paint>
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> colored(const Paint& paint, const Light& light,
+                                                    std::size_t col, std::size_t pixel) {
     const hn::RebindToUnsigned<D> du;
     const V diffuse = hn::Load(d, &light.diffuse[col]);
     V gloss = hn::Load(d, &light.gloss[col]);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
     const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
-    const auto front = hn::Ge(hn::Load(d, &light.facing[col]), hn::Zero(d));
+    const V facing = hn::Load(d, &light.facing[col]);
     auto color = hn::Set(du, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
-        const V albedo = hn::IfThenElse(front, shading.front[channel], shading.back[channel]);
+        const V albedo = paint.at(channel, facing, pixel);
         const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
         color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
     }
@@ -236,8 +256,10 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
     }
 }
 
-/// `fresh`: the picture holds nothing yet, so that misses are to be written, too.
-void shade_row(const Shading& shading, std::uint8_t surface, bool fresh, const Row& to, int row,
+/// `paint`: BySide or ByPixel. `fresh`: the picture holds nothing yet, so that misses are to be
+/// written, too.
+template <class Paint>
+void shade_row(const Paint& paint, std::uint8_t surface, bool fresh, const Row& to, int row,
                const TileHits& hits, const Light& light, Framebuffer& out) {
     constexpr std::size_t lanes = hn::MaxLanes(d);
     for (std::size_t col = 0; col < to.count; col += lanes) {
@@ -248,7 +270,7 @@ void shade_row(const Shading& shading, std::uint8_t surface, bool fresh, const R
         const bool all = hn::AllTrue(d, hit);
         if (fresh && !all) clear_pixels(pixel, std::min(lanes, to.count - col), to.background, out);
         if (!all && hn::AllFalse(d, hit)) continue;
-        const auto color = colored(shading, light, col);
+        const auto color = colored(paint, light, col, at);
         if (all) {
             hn::StoreU(color, hn::RebindToUnsigned<D>(), &out.color[pixel]);
             hn::StoreU(depth, d, &out.depth[pixel]);
@@ -267,12 +289,17 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
                 const TileHits& hits, const Canvas& out) {
     const std::vector<SurfaceColors>& own = frame.scene.colors;
     const Shading shading(frame.view, surface < own.size() ? own[surface] : colors_of(surface));
+    const bool by_pixel = !hits.reflectance[0].empty();
     Light light;
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);
         if (illuminate_row(frame, shading, tile, row, hits, light)) {
             if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
-            shade_row(shading, surface, fresh, to, row, hits, light, out.pixels);
+            if (by_pixel) {
+                shade_row(ByPixel{hits}, surface, fresh, to, row, hits, light, out.pixels);
+            } else {
+                shade_row(BySide{shading}, surface, fresh, to, row, hits, light, out.pixels);
+            }
         } else if (fresh) {
             clear_pixels(to.first, to.count, to.background, out.pixels);
         }

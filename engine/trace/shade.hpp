@@ -21,8 +21,8 @@ struct Canvas {
 
 /// Draws a tile of the picture: what was hit of each surface (hits[i] of surface i; no pixel is hit
 /// in two), by two-sided shading with the gradient in the surface's colours: front where the viewer
-/// stands on the side f > 0, back on the other. Elsewhere the background, and Undecided where a ray
-/// is unsettled.
+/// stands on the side f > 0, back on the other; or in the reflectances of the hits' own. Elsewhere
+/// the background, and Undecided where a ray is unsettled.
 void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> hits,
                const Tile& tile, const Canvas& out);
 

@@ -91,6 +91,9 @@ struct TileHits {
     /// normal.
     std::vector<std::uint8_t> cap;
     bool any_cap = false;  ///< else `cap` is 0 everywhere
+    /// Where the scene is coloured by more than its surfaces: the reflectances of hits, red, green
+    /// and blue; else empty.
+    std::array<std::vector<float>, 3> reflectance;
 
     TileHits();
     void clear();

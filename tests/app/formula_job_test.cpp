@@ -142,5 +142,30 @@ TEST(FormulaJob, EndsWhileItWorks) {
     }
 }
 
+TEST(FormulaJob, MakesTheFormulasOfColors) {
+    Receiver receiver;
+    const std::string text = "x^2 + y = a";
+    const ColorChoice choice{ColorBy::Expression, "a x"};
+    receiver.job.submit(one_row(text), {}, choice);
+    const auto result = receiver.result_for(text);
+    ASSERT_TRUE(result && result->formula && result->colors);
+    EXPECT_EQ(result->choice, choice);
+    EXPECT_EQ(result->colors->by, ColorBy::Expression);
+    EXPECT_EQ(result->colors->values.size(), 1U);
+    EXPECT_FALSE(result->color_error);
+
+    // The last good ones stay; another formula begins plain.
+    receiver.job.submit(one_row(text), {}, {ColorBy::Expression, "b"});
+    const auto wrong = receiver.result_for(text);
+    ASSERT_TRUE(wrong && wrong->color_error);
+    EXPECT_EQ(wrong->color_error->reason, "there is no parameter 'b'; the formula's are a");
+    EXPECT_EQ(wrong->colors, result->colors);
+    EXPECT_EQ(*wrong->formula, *result->formula);
+    receiver.job.submit(one_row("x = 1"), {}, {ColorBy::Expression, "b"});
+    const auto other = receiver.result_for("x = 1");
+    ASSERT_TRUE(other && other->color_error && other->colors);
+    EXPECT_EQ(other->colors->by, ColorBy::Plain);
+}
+
 }  // namespace
 }  // namespace zeroset::test

@@ -12,6 +12,16 @@ RUN_TIME = 1
 # Options of `render x` that are wrong, and words that the line must have.
 WRONG_OPTIONS = [
     (["--nope"], ["--nope"]),
+    (["--color-by", ""], ["--color-by", "expression"]),
+    (["--color-map", "jet"], ["--color-map jet", "aurora"]),
+    (["--color-range", "1"], ["--color-range 1", "2 numbers"]),
+    (["--color-range", "2,1"], ["--color-range 2,1", "below"]),
+    (["--color-range", "0,inf"], ["--color-range", "inf"]),
+    (["--mark", "1,2"], ["--mark 1,2", "3"]),
+    (["--mark", "1,2,nan"], ["--mark", "nan"]),
+    (["--probe", "5"], ["--probe 5", "2"]),
+    (["--probe", "5,1.5"], ["--probe 5,1.5", "COL,ROW"]),
+    (["--probe", "1024,0"], ["--probe 1024,0", "1023,1023"]),
     (["--size", "0x0"], ["--size", "0x0"]),
     (["--size", "100000x100000"], ["--size", "100000x100000"]),
     (["--size", "16384x16384"], ["--size"]),
@@ -131,6 +141,18 @@ class WrongInputTest(ProgramTest):
             with self.subTest(options):
                 command = ["render", "x", "-o", "picture.png", *options]
                 self.check_one_line(command, WRONG, words)
+
+    def test_colors_have_a_caret_under_the_place(self):
+        for expression, column, words in [("x +", 3, ["mean-curvature"]),
+                                          ("b x", 0, ["no parameter 'b'", "none"]),
+                                          ("x = 1", 0, ["no equation"]),
+                                          ("taste", 0, ["gradient"])]:
+            with self.subTest(expression):
+                command = ["render", "x", "-o", "picture.png", "--color-by", expression]
+                lines = self.check_refused(run(*command, cwd=self.folder), WRONG,
+                                           ["--color-by: ", *words])
+                self.assertEqual(lines[1].strip(), expression)
+                self.assertEqual(lines[2].index("^") - lines[1].index(expression), column)
 
     def test_commands(self):
         for command, words in WRONG_COMMANDS:

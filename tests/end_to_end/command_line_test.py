@@ -138,6 +138,66 @@ class RenderTest(ProgramTest):
         self.assertEqual(picture({"shadows": True}, "--no-shadows"), plain)
         self.assertEqual(len({plain, both, picture({"shadows": True})}), 3)
 
+    def look(self, *options):
+        """The bytes of a small picture of a ball with a parameter."""
+        result = run("render", "x^2 + y^2 + z^2 = a", "--size", "240x180", "-o", "out.png", *options,
+                     cwd=self.folder)
+        self.assertEqual(result.code, 0, result)
+        return (self.folder / "out.png").read_bytes()
+
+    def test_colors_tell_numbers(self):
+        modes = ["plain", "normal", "height", "depth", "mean-curvature", "gaussian-curvature",
+                 "gradient", "x + a w"]
+        pictures = {mode: self.look("--color-by", mode, "--w", 2, "--set", "a=1.5")
+                    for mode in modes}
+        self.assertEqual(pictures["plain"], self.look("--w", 2, "--set", "a=1.5"))
+        # All curvatures and slopes of a ball are the same: one colour, with another legend.
+        self.assertEqual(len(set(pictures.values())), len(modes))
+        self.assertNotEqual(self.look("--color-by", "height"),
+                            self.look("--color-by", "height", "--color-map", "ember"))
+        self.assertEqual(self.look("--color-by", "z", "--color-range", "-1,2", "--no-legend"),
+                         self.look("--color-by", "height", "--color-range", "-1,2", "--no-legend"))
+        self.assertNotEqual(self.look("--color-by", "height", "--no-legend"),
+                            self.look("--color-by", "height"))
+        self.assertEqual(self.look("--color-by", "height", "--color-range", "auto"),
+                         self.look("--color-by", "height"))
+
+    def test_marks_are_drawn(self):
+        plain, one = self.look(), self.look("--mark", "0,-1,0")
+        two = self.look("--mark", "0,-1,0", "--mark", "-0.1,-0.9,0.4")
+        self.assertEqual(len({plain, one, two}), 3)
+        self.assertEqual(self.look("--mark", "0,100,0"), plain)
+
+    def test_probe_says_what_a_pixel_shows(self):
+        camera = Camera.default(Box.of(2))
+        result = run("render", "z = 5; x^2 + y^2 + z^2 = 1", "--size", "64x64", "--probe", "32,32",
+                     "--probe", "0,63", *camera.options())
+        self.assertEqual((result.code, result.err), (0, ""), result)
+        hit, miss = map(json.loads, result.out.splitlines())
+        distance = Sphere().roots(camera.ray(32, 32, 64, 64), 0.0, math.inf)[0]
+        self.assertAlmostEqual(hit["distance"], distance, delta=1e-13)
+        self.assertAlmostEqual(sum(x * x for x in hit["point"]), 1.0, delta=1e-13)
+        for normal, point in zip(hit["normal"], hit["point"]):
+            self.assertAlmostEqual(normal, point, delta=1e-13)
+        self.assertLess(abs(hit["f"]), 1e-13)
+        self.assertTrue(hit["proved"] and hit["within"] < 1e-12, hit)
+        self.assertEqual((hit["col"], hit["row"], hit["certificate"], hit["surface"]),
+                         (32, 32, "certified", 2))
+        self.assertEqual(hit["reading"], "x^2 + y^2 + z^2 - 1 = 0")
+        self.assertEqual(miss, {"col": 0, "row": 63, "hit": False})
+
+    def test_a_document_keeps_colors_and_markers(self):
+        file = self.folder / "marked.zeroset.json"
+        statements = [{"text": "x^2 + y^2 + z^2 = a"}]
+        file.write_text(json.dumps({
+            "zeroset": 1, "statements": statements, "color": {"by": "height", "range": [-1, 1]},
+            "markers": [{"number": 1, "at": [0, -1, 0]}]}))
+        result = run("render", file, "--size", "240x180", "-o", "document.png", cwd=self.folder)
+        self.assertEqual(result.code, 0, result)
+        self.assertEqual((self.folder / "document.png").read_bytes(),
+                         self.look("--color-by", "height", "--color-range", "-1,1", "--mark",
+                                   "0,-1,0"))
+
     def error_of(self, *options):
         """Hits, and the largest error of depth on clear hits of the unit sphere."""
         camera, worst = Camera.default(Box.of(2)), 0.0

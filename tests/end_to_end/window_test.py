@@ -77,6 +77,23 @@ class WindowTest(RealWindowTest):
         self.rest(lambda image: self.marked_pixels(image) == 0, "no marks any more")
         self.quit_by_key()
 
+    def accent_pixels(self, image):
+        """Pixels of the colour of markers."""
+        return sum(abs(r - 0x6F) < 4 and abs(g - 0xA8) < 4 and abs(b - 0xF5) < 4
+                   for r, g, b in zip(image.rgb[0::3], image.rgb[1::3], image.rgb[2::3]))
+
+    def test_a_click_keeps_a_marker(self):
+        """Undo takes it away."""
+        first = self.start("x^2 + y^2 + z^2 = 3; x + y + z = 0.5")
+        before = self.accent_pixels(first)
+        few = 12 * self.SCALE * self.SCALE
+        self.display.xdotool("key", "Escape")
+        self.display.xdotool("click", 1)
+        self.rest(lambda image: self.accent_pixels(image) > before + few, "a marker")
+        self.display.xdotool("key", "ctrl+z")
+        self.rest(lambda image: self.accent_pixels(image) < before + few, "no marker any more")
+        self.quit_by_key()
+
     def test_a_parameter_has_a_slider(self):
         """Below the row of the statement and the place for another."""
         self.start("x^2 + y^2 + z^2 = a")

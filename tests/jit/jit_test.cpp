@@ -367,5 +367,36 @@ TEST(Jit, CompilesADeepFormula) {
     expect_same_bits(parsed(text), batches);
 }
 
+TEST(Jit, PointsAreTheInterpretersToTheBit) {
+    RandomNumbers random(11);
+    for (int i = 0; i < 20; ++i) {
+        const Expr expr = random_expression(random, 4);
+        const auto compiled_points = jit::compile_points(expr);
+        ASSERT_TRUE(compiled_points.has_value()) << compiled_points.error().message;
+        std::array<std::array<double, batch_multiple>, 3> x{};
+        for (auto& column : x) {
+            for (double& item : column)
+                item = random.uniform(-3.0, 3.0);
+        }
+        Uniforms uniforms;
+        uniforms.set(0, 0.5);
+        std::array<double, batch_multiple> found{};
+        std::array<double, batch_multiple> expected{};
+        ValueBatchOf<double> batch{batch_multiple,
+                                   {x[0].data(), x[1].data(), x[2].data()},
+                                   uniforms.points<double>(),
+                                   found.data(),
+                                   {}};
+        const UpwardRounding upward;
+        (*compiled_points)(batch);
+        batch.f = expected.data();
+        interpret_points(expr)(batch);
+        for (std::size_t k = 0; k < batch_multiple; ++k) {
+            const bool both_none = found.at(k) != found.at(k) && expected.at(k) != expected.at(k);
+            EXPECT_TRUE(both_none || found.at(k) == expected.at(k)) << expr.canonical();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test

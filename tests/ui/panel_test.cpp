@@ -127,23 +127,24 @@ TEST_P(Panels, MarkUndecidedPixels) {
 
 TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
     const auto legend = [this](const Framebuffer& frame) {
-        return count(frame, colors().undecided, child("##side/##view_")->Rect());
+        return count(frame, colors().undecided, section("look")->ParentWindow->Rect());
     };
+    state_.layout.view_open = false;
+    state_.layout.look_open = true;
     EXPECT_EQ(legend(draw()), 0);
-    click_at(view_line(2));
+    click_at(section_line("look", 1));
     EXPECT_TRUE(state_.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
-    view_line(2);
-    draw();
+    section_line("look", 2);
     EXPECT_GT(legend(draw()), px(8) * px(8));
 }
 
 TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
-    click_at(view_line(3));
+    click_at(section_line("view", 2));
     EXPECT_TRUE(state_.document.shadows);
     EXPECT_FALSE(state_.document.antialias);
-    click_at(view_line(3) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
+    click_at(section_line("view", 2) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
     EXPECT_TRUE(state_.document.shadows);
     EXPECT_TRUE(state_.document.antialias);
 }

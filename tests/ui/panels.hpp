@@ -243,15 +243,25 @@ protected:
         }
     }
 
-    /// Scrolls to a line of the view's settings, counted from 0; where its checkbox is.
-    glm::vec2 view_line(int line) {
-        ImGuiWindow* section = ImGui::FindWindowByName(child("##side/##view_")->Name);
-        const float row = ImGui::GetFrameHeightWithSpacing();
-        const float title = std::ceil(em(1.9F)) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
-        const float top = title + row * static_cast<float>(line);
-        ImGui::SetScrollY(section, std::min(top, section->ScrollMax.y));
+    /// What stands in an open section of the side panel: "view", "look".
+    static const ImGuiWindow* section(const std::string& id) {
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (window->WasActive && std::string(window->Name).contains("/##" + id + "_"))
+                return window;
+        }
+        return nullptr;
+    }
+    /// Scrolls to a line of a section, counted from 0; where its checkbox is.
+    glm::vec2 section_line(const std::string& id, int line) {
         draw();
-        return {section->Pos.x + 0.4F * row, section->Pos.y + top + 0.4F * row - section->Scroll.y};
+        ImGuiWindow* const all = section(id)->ParentWindow;
+        const float row = ImGui::GetFrameHeightWithSpacing();
+        const float down = row * static_cast<float>(line);
+        const float top = section(id)->Pos.y - all->Pos.y + all->Scroll.y + down;
+        ImGui::SetScrollY(all, std::min(top, all->ScrollMax.y));
+        draw();
+        const ImVec2 place = section(id)->Pos;
+        return {place.x + 0.4F * row, place.y + down + 0.4F * row};
     }
 
     /// A key, in GLFW's numbers, pressed and released.

@@ -69,12 +69,11 @@ TEST_P(Parameters, HaveARowForWOnlyWhenThereIsOne) {
 TEST_P(Parameters, KeepTheNumberOffTheSlidersGrab) {
     for (const double value : {4.0, 13.0, 22.0}) {
         state_.document.stop.value = value;
-        draw();
-        const int middle = static_cast<int>(view_line(0).y);
+        section_line("view", 0);
         const Framebuffer frame = draw();
-        const ImRect view = child("##side/##view_")->Rect();
-        const Rectangle line{static_cast<int>(view.Min.x) + px(56), middle - px(13),
-                             static_cast<int>(view.Max.x), middle + px(13)};
+        const ImRect view = section("view")->Rect();
+        const Rectangle line{static_cast<int>(view.Min.x) + px(56), static_cast<int>(view.Min.y),
+                             static_cast<int>(view.Max.x), static_cast<int>(view.Min.y) + px(26)};
         const Rectangle grab = bounds(frame, blended_grab(), line, exact);
         const Rectangle number = bounds(frame, colors().text, line);
         ASSERT_LT(grab.left, grab.right);
