@@ -17,11 +17,9 @@
 #include "ui/texture.hpp"
 #include "ui/typing_popup.hpp"
 #include "ui/ui_state.hpp"
-#include "ui/view_moves.hpp"
 #include "ui/window.hpp"
 
 #include "document/colors.hpp"
-#include "document/framing.hpp"
 #include "document/play.hpp"
 #include <glm/ext/vector_int2.hpp>
 
@@ -317,54 +315,6 @@ void Desktop::submit_rows() {
     submitted_rows_ = sheet;
     submitted_choice_ = choice;
     formulas_.submit(std::move(sheet), state_.document.clip, choice);
-}
-
-/// Looks at the whole box where the document does not say, or when it is asked for.
-void Desktop::find_view() {
-    const glm::ivec2 size = state_.viewport_px;
-    if (size.x <= 0 || size.y <= 0) return;
-    const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
-    const auto look = [aspect](Document& document) {
-        Camera first = default_camera(document.clip, aspect, document.up);
-        if (document.camera) first.projection = document.camera->projection;
-        document.camera = document.home.value_or(first);
-    };
-    const bool reset = std::exchange(state_.reset_view, false);
-    if (reset && state_.document.camera) {
-        Document wished = state_.document;
-        look(wished);
-        ui::move_view(state_, *wished.camera);
-    }
-    if (!state_.document.camera) session_.amend(look);
-}
-
-/// Finds where the surfaces lie, in the background, and looks at all of them.
-void Desktop::find_surfaces() {
-    if (state_.gesture != done_gesture_) state_.done.clear();
-    if (extent_.valid()) {
-        if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        const Extent extent = extent_.get();
-        const std::optional<Wanted> now = wanted_picture();
-        if (now && now->formula == measured_->formula && now->clip == measured_->clip)
-            frame(extent);
-    }
-    const std::optional<Wanted> wanted = wanted_picture();
-    if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
-    state_.frame_surfaces = false;
-    measured_ = wanted;
-    extent_ = std::async(std::launch::async, find_extent,
-                         document_scene(*shown_, state_.document, state_.surface_rows));
-}
-
-void Desktop::frame(const Extent& extent) {
-    const double aspect = static_cast<double>(state_.viewport_px.x) / state_.viewport_px.y;
-    const Framing framing =
-        frame_surfaces(state_.document, extent, aspect, std::exchange(fits_box_, true));
-    state_.document.clip = framing.document.clip;
-    ui::move_view(state_, *framing.document.camera);
-    state_.done = framing.note;
-    done_gesture_ = state_.gesture;
-    window_.wake();
 }
 
 std::optional<Desktop::Wanted> Desktop::wanted_picture() const {

@@ -21,20 +21,10 @@ protected:
         state_.layout.clip_open = true;
     }
 
-    static ImGuiWindow& below_list() {
-        return *ImGui::FindWindowByName(child("##side/##view_")->Name);
-    }
-    /// Scrolls a row of the section, the third of them, into sight and clicks it `along` its width.
+    /// Scrolls a row of the section into sight and clicks it `along` its width.
     void click_row(int row, float along) {
-        draw();
-        const float title = std::ceil(em(1.9F)) + 2.0F * ImGui::GetStyle().ItemSpacing.y;
-        const float height = ImGui::GetFrameHeightWithSpacing();
-        ImGuiWindow& window = below_list();
-        const float y = 3.0F * title + (static_cast<float>(row) + 0.4F) * height;
-        ImGui::SetScrollY(&window, y - 0.5F * window.Size.y);
-        draw();
-        click_at({window.Pos.x + along * window.WorkRect.GetWidth(),
-                  window.Pos.y - window.Scroll.y + y});
+        const glm::vec2 at = section_line("clip", row);
+        click_at({section("clip")->Pos.x + along * section("clip")->WorkRect.GetWidth(), at.y});
         OffscreenWindow::point({-1, -1}, false);
         draw();
     }
