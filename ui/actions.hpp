@@ -17,8 +17,9 @@ struct Action {
     const char* about = "";  ///< for the help, where the name does not say it all
     void (*run)(UiState&) = nullptr;
     bool (*enabled)(const UiState&) = nullptr;  ///< absent: always
-    bool (*is_on)(const UiState&) = nullptr;    ///< of a switch
+    bool (*is_on)(const UiState&) = nullptr;    ///< of a switch or a choice
     bool repeats = false;                       ///< while its keys are held
+    bool chooses = false;   ///< one of several: it is taken in place of the others
     bool in_fields = true;  ///< its keys act while a field has the keyboard, too
 };
 

@@ -57,13 +57,24 @@ TEST(Actions, HaveNamesAndKeysOfTheirOwn) {
 
 TEST(Actions, OfASwitchTurnItOnAndOff) {
     for (const Action& action : actions()) {
-        if (action.is_on == nullptr) continue;
+        if (action.is_on == nullptr || action.chooses) continue;
         UiState state;
         const bool before = action.is_on(state);
         action.run(state);
         EXPECT_NE(action.is_on(state), before) << action.name;
         action.run(state);
         EXPECT_EQ(action.is_on(state), before) << action.name;
+    }
+}
+
+TEST(Actions, OfAChoiceTakeItInPlaceOfTheOthers) {
+    UiState state;
+    for (const Action& action : actions()) {
+        if (!action.chooses) continue;
+        action.run(state);
+        EXPECT_TRUE(action.is_on(state)) << action.name;
+        const auto taken = [&](const Action& one) { return one.chooses && one.is_on(state); };
+        EXPECT_EQ(std::ranges::count_if(actions(), taken), 1) << action.name;
     }
 }
 

@@ -140,12 +140,12 @@ TEST_P(Looking, KnowsWhereThePointerRests) {
 
 TEST_P(Looking, TellsAClickFromADragAndFromADoubleClick) {
     draw();
-    click_at(in_picture(0.1F, 0.1F));
+    click_at(in_picture(-0.1F, -0.1F));
     ASSERT_TRUE(state_.click.has_value());
-    EXPECT_NEAR(state_.click->cursor.x, 0.1, 0.01);
+    EXPECT_NEAR(state_.click->cursor.x, -0.1, 0.01);
     EXPECT_FALSE(state_.click->again);
     state_.click.reset();
-    click_at(in_picture(0.1F, 0.1F));
+    click_at(in_picture(-0.1F, -0.1F));
     ASSERT_TRUE(state_.click.has_value());
     EXPECT_TRUE(state_.click->again);
     state_.click.reset();
