@@ -113,7 +113,7 @@ class WindowTest(RealWindowTest):
         self.type_equation(BALL)
         ball = self.changed(first, "the typed surface")
         self.display.xdotool("key", "Tab")
-        self.display.xdotool("type", "++")
+        self.display.xdotool("type", ",,")
         self.display.xdotool("key", "F1")
         self.changed(ball, "the help")
         self.assertEqual(self.red_pixels(), 0, "typed after Tab, yet in the field")
