@@ -65,8 +65,7 @@ private:
         };
         RayLines<ClipTag> lines;
         for (int k = 0; k < 3; ++k) {
-            lines.origin[k] =
-                line(rays.origin[k], rays.origin_by_col[k], rays.origin_by_row[k]);
+            lines.origin[k] = line(rays.origin[k], rays.origin_by_col[k], rays.origin_by_row[k]);
             lines.direction[k] =
                 line(rays.direction[k], rays.direction_by_col[k], rays.direction_by_row[k]);
         }

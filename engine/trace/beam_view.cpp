@@ -193,8 +193,8 @@ DepthRange BeamView::in_box(const Rays& rays) const {
         const double d = view_.forward[i] + rays.u * view_.right[i] + rays.v * view_.up[i];
         const double across = std::abs(view_.right[i]) * rays.u_radius +
                               std::abs(view_.up[i]) * rays.v_radius + 0x1p-48;
-        all = both(all, between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across,
-                                       d + across));
+        all = both(all,
+                   between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across, d + across));
     }
     return {all.enter_lo - from_eye - depth_error_, all.enter_hi - from_eye + depth_error_,
             all.exit_lo - from_eye - depth_error_, all.exit_hi - from_eye + depth_error_};
@@ -202,8 +202,8 @@ DepthRange BeamView::in_box(const Rays& rays) const {
 
 DepthRange BeamView::depths_kept(const Section& section, double u, double v, double u_radius,
                                  double v_radius) const {
-    return below(height(section.normal, section.offset, error_of(section),
-                        {u, v, u_radius, v_radius}));
+    return below(
+        height(section.normal, section.offset, error_of(section), {u, v, u_radius, v_radius}));
 }
 
 DepthRange BeamView::depths_uncut(double u, double v, double u_radius, double v_radius) const {

@@ -33,8 +33,8 @@ constexpr float from_middle(int pixels) { return from_middle(static_cast<float>(
 ///
 /// Parallel rays are those of an eye very far away: `distance` is then a power of two D, some 2^56
 /// times the largest of the scene's sizes, and u = U / D for a ray at U from the axis. What is
-/// proved of beams holds for any distance; only the rays are not quite those of the view: at depth s
-/// they are off by s U / D, less than 2^-55 of s and of U (TileHits allows 2^-48).
+/// proved of beams holds for any distance; only the rays are not quite those of the view: at depth
+/// s they are off by s U / D, less than 2^-55 of s and of U (TileHits allows 2^-48).
 class BeamView {
 public:
     /// `side`: of the tile, at most, in pixels.

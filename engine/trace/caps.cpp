@@ -49,13 +49,14 @@ struct Boxes {
                 hi[k][i] = hi[k][0];
             }
         }
-        frame.kernel.range(RangeBatchOf<Real>{size,
-                                              {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
-                                              {hi[0].data(), hi[1].data(), hi[2].data()},
-                                              frame.scene.uniforms.template boxes<Real>(),
-                                              f_neg_lo.data(),
-                                              f_hi.data(),
-                                              continuous.data()});
+        frame.kernel.range(
+            RangeBatchOf<Real>{size,
+                               {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
+                               {hi[0].data(), hi[1].data(), hi[2].data()},
+                               frame.scene.uniforms.template boxes<Real>(),
+                               f_neg_lo.data(),
+                               f_hi.data(),
+                               continuous.data()});
     }
 };
 
@@ -248,9 +249,8 @@ void CapFinder::put(TileHits& hits) const {
         }
     }
     if (hits.any_cap) {
-        std::erase_if(hits.points, [&hits](const TileHits::Point& point) {
-            return hits.cap[point.pixel] != 0;
-        });
+        std::erase_if(hits.points,
+                      [&hits](const TileHits::Point& point) { return hits.cap[point.pixel] != 0; });
     }
 }
 

@@ -41,7 +41,7 @@ private:
     enum class State : std::uint8_t { Empty, Unknown, Possible, Certain };
     struct Entry {
         std::uint16_t pixel;
-        bool sure;               ///< whether the ray surely enters here
+        bool sure;  ///< whether the ray surely enters here
         const Section* section;
         glm::dvec3 point, radius;  ///< where f is asked for: an enclosure of the entry
         float distance, before;    ///< from the eye; the latter surely no farther

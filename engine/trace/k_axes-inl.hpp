@@ -54,8 +54,7 @@ inline TileRays::TileRays(const TraceFrame& frame, const Tile& tile) {
     const glm::dvec3 nearest =
         glm::mix(clip.hi, clip.lo, glm::greaterThan(view.forward, glm::dvec3(0.0)));
     start_depth = glm::dot(nearest - view.eye, view.forward) - 2.0 * place_error(frame);
-    start.first =
-        view.origin(col, row, frame.width, frame.height) + start_depth * view.forward;
+    start.first = view.origin(col, row, frame.width, frame.height) + start_depth * view.forward;
     start.by_col = size * view.look_distance * view.right;
     start.by_row = -size * view.look_distance * view.up;
 }
@@ -119,8 +118,7 @@ HWY_NOINLINE void AxesTable<Real>::make(Axes<Real>& axes, int k, const glm::bvec
     axes.parallel = frame_.view.parallel();
     axes.start_depth = rays_.start_depth;
     const double apart = std::abs(rays_.start.by_col[k]) + std::abs(rays_.start.by_row[k]);
-    axes.k_reach =
-        std::max(std::abs(axes.from_lo[0]), std::abs(axes.to_hi[0])) + tile_size * apart;
+    axes.k_reach = std::max(std::abs(axes.from_lo[0]), std::abs(axes.to_hi[0])) + tile_size * apart;
     set_grid(axes);
 }
 

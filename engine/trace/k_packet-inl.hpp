@@ -85,11 +85,11 @@ struct Axes {
     Real neg_lo[3], hi[3];        ///< the same, rounded upward
     double k_size;                ///< the largest |K| in the clip box
     double k_reach;  ///< not below any distance in K from a ray's start to a place in the clip box
-    double direction_error;       ///< bound for the error of a direction's component
-    Real origin;                  ///< where the grid of slices starts; not behind the clip box
-    Real unit;                    ///< width of the finest slices
-    std::int64_t slice_cells;     ///< of them to a top slice: a power of two, at least 2
-    int slice_count;              ///< top slices that cover the clip box, at most 64
+    double direction_error;    ///< bound for the error of a direction's component
+    Real origin;               ///< where the grid of slices starts; not behind the clip box
+    Real unit;                 ///< width of the finest slices
+    std::int64_t slice_cells;  ///< of them to a top slice: a power of two, at least 2
+    int slice_count;           ///< top slices that cover the clip box, at most 64
     /// Slices of up to `coarsest` cells are not halved where they are no wider than the double of
     /// their distance in cells from eye_cell times 2^-near_shift.
     std::int64_t coarsest, eye_cell;

@@ -55,10 +55,7 @@ private:
 
 template <class Real>
 PacketSource<Real>::PacketSource(const TraceFrame& frame, const Tile& tile)
-    : frame_(frame),
-      tile_(tile),
-      rays_(frame, tile),
-      axes_(frame, rays_) {}
+    : frame_(frame), tile_(tile), rays_(frame, tile), axes_(frame, rays_) {}
 
 template <class Real>
 bool PacketSource<Real>::next_block() {
@@ -86,8 +83,8 @@ bool PacketSource<Real>::next(Packet<Real>& packet) {
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
         const int first = std::countr_zero(pending_);
-        const Axes<Real>& axes = axes_for(rays_.direction.at(col_ + first % block_cols<Real>,
-                                                             row_ + first / block_cols<Real>));
+        const Axes<Real>& axes = axes_for(
+            rays_.direction.at(col_ + first % block_cols<Real>, row_ + first / block_cols<Real>));
         const glm::dvec3 start = rays_.start.at(col_, row_);
         const glm::dvec3 direction = rays_.direction.at(col_, row_);
         const PartRays low = part_of(axes, start, direction, 0);

@@ -1,6 +1,6 @@
 // Rays in the axes of a packet: where they enter and leave the clip box and the region, and their
-// coordinates as lines over K, enclosed. All in double and in upward rounding, then rounded outward to the
-// packet's type. Included once for each instruction set, after Highway.
+// coordinates as lines over K, enclosed. All in double and in upward rounding, then rounded outward
+// to the packet's type. Included once for each instruction set, after Highway.
 //
 // The exact ray of a pixel starts at the eye, in the direction that ViewFrame's numbers give
 // without rounding. A computed component of a direction is off by at most 16 q (1 + u + v), where
@@ -151,8 +151,7 @@ HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& start,
         V64& moves = axes.parallel ? rays.start[i] : rays.direction[i];
         moves = hn::Add(moves, offset);
         const Slab slab{hn::Sub(rays.start[i], hn::Set(d64, axes.box_lo[i])),
-                        hn::Sub(hn::Set(d64, axes.box_hi[i]), rays.start[i]),
-                        axes.direction_error};
+                        hn::Sub(hn::Set(d64, axes.box_hi[i]), rays.start[i]), axes.direction_error};
         const V64 inverse = clip(rays.span, slab, rays.direction[i]);
         if (i == 0) {
             // 1 / direction but for the square of the error.
@@ -214,7 +213,8 @@ HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>
     const V64 fastest = hn::Add(bound, rays.direction[0]);
     const V64 neg_k_in = hn::MulAdd(hn::Neg(rays.span.neg_in), neg_slowest, hn::Neg(k_start));
     hn::Store(hn::Neg(narrowed<Real>(neg_k_in)), tag, packet.k_in + first);
-    hn::Store(narrowed<Real>(hn::MulAdd(rays.span.out, fastest, k_start)), tag, packet.k_out + first);
+    hn::Store(narrowed<Real>(hn::MulAdd(rays.span.out, fastest, k_start)), tag,
+              packet.k_out + first);
     hn::Store(narrowed<Real>(k_start), tag, packet.k_start + first);
     V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
     for (int i = 1; i < 3; ++i) {

@@ -92,9 +92,8 @@ void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::d
 }
 
 void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters) {
-    std::erase_if(hits.points, [&](const TileHits::Point& point) {
-        return hits.depth[point.pixel] == none;
-    });
+    std::erase_if(hits.points,
+                  [&](const TileHits::Point& point) { return hits.depth[point.pixel] == none; });
     if (hits.points.empty()) return;
     counters.value += hits.points.size();
     if (frame.precision == Precision::Double) {

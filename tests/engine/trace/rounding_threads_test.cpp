@@ -105,8 +105,7 @@ std::vector<float> depths_of_a_sphere() {
     Framebuffer frame(48, 32);
     TraceSettings settings;
     settings.threads = 2;
-    const Counters counters =
-        render_frame(scene, default_camera(scene.clip), settings, frame);
+    const Counters counters = render_frame(scene, default_camera(scene.clip), settings, frame);
     EXPECT_GT(counters.range + counters.form, 0U);
     return {frame.depth.begin(), frame.depth.end()};
 }
