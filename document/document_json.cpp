@@ -19,8 +19,6 @@ namespace {
 
 // ---- writing
 
-Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
 std::string hexadecimal(std::uint32_t color) {
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
@@ -43,9 +41,9 @@ Json json_of(const Slider& slider) {
 }
 
 Json json_of(const Camera& camera) {
-    Json json{{"eye", json_of(camera.eye)},
-              {"look_at", json_of(camera.look_at)},
-              {"up", json_of(camera.up)},
+    Json json{{"eye", array_of(camera.eye)},
+              {"look_at", array_of(camera.look_at)},
+              {"up", array_of(camera.up)},
               {"fov_rad", camera.fov_rad}};
     if (camera.projection == Projection::Orthographic) json["projection"] = "orthographic";
     return json;
@@ -131,11 +129,6 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
         slider.repeat = repeat_of(*repeat, fields.at("repeat"));
     }
     return slider;
-}
-
-glm::dvec3 vector_of(const Json& json, const std::string& place) {
-    const auto [x, y, z] = numbers_of<3>(json, place);
-    return {x, y, z};
 }
 
 Projection projection_of(const Json& json, const std::string& place) {
@@ -268,7 +261,7 @@ std::string text_of(const Document& document) {
     if (!document.region.is_whole()) json["region"] = json_of(document.region);
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);
-    json["up"] = json_of(document.up);
+    json["up"] = array_of(document.up);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
     if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);

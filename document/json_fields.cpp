@@ -48,6 +48,13 @@ std::string string_of(const Json& json, const std::string& place) {
     return text;
 }
 
+glm::dvec3 vector_of(const Json& json, const std::string& place) {
+    const auto [x, y, z] = numbers_of<3>(json, place);
+    return {x, y, z};
+}
+
+Json array_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
 bool flag_of(const Json& json, const std::string& place) {
     if (!json.is_boolean()) throw Damage{place + " is neither true nor false"};
     return json.get<bool>();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/document.hpp"
+#include <glm/ext/vector_double3.hpp>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -47,6 +48,11 @@ private:
 double number_of(const Json& json, const std::string& place);
 std::string string_of(const Json& json, const std::string& place);
 bool flag_of(const Json& json, const std::string& place);
+
+glm::dvec3 vector_of(const Json& json, const std::string& place);
+
+/// [x, y, z].
+Json array_of(const glm::dvec3& v);
 
 template <std::size_t Count>
 std::array<double, Count> numbers_of(const Json& json, const std::string& place) {

@@ -43,8 +43,7 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
 Json json_of(const std::vector<Marker>& markers) {
     Json json = Json::array();
     for (const Marker& marker : markers) {
-        json.push_back({{"number", marker.number},
-                        {"at", Json::array({marker.at.x, marker.at.y, marker.at.z})}});
+        json.push_back({{"number", marker.number}, {"at", array_of(marker.at)}});
     }
     return json;
 }
@@ -64,8 +63,7 @@ std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unkno
         if (find_marker(markers, marker.number) != nullptr) {
             throw Damage{fields.at("number") + " is that of another marker"};
         }
-        const auto [x, y, z] = numbers_of<3>(fields.get("at"), fields.at("at"));
-        marker.at = {x, y, z};
+        marker.at = vector_of(fields.get("at"), fields.at("at"));
         markers.push_back(marker);
     }
     return markers;

@@ -5,13 +5,6 @@
 namespace zeroset {
 namespace {
 
-Json array_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-glm::dvec3 vector_of(const Json& json, const std::string& place) {
-    const auto [x, y, z] = numbers_of<3>(json, place);
-    return {x, y, z};
-}
-
 Ball ball_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "region.sphere", unknown);
     Ball ball;

@@ -174,11 +174,7 @@ void draw_sections(UiState& state) {
 
 }  // namespace
 
-Box resized(const Box& box, double half) {
-    const double factor = 2.0 * half / box.size();
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
-}
+Box resized(const Box& box, double half) { return scaled(box, 2.0 * half / box.size()); }
 
 int axis_of(const Section& section) {
     for (int i = 0; i < 3; ++i) {

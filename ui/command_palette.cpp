@@ -156,12 +156,7 @@ void draw_command_palette(UiState& state) {
     const ImVec2 size(std::min(em(36.0F), 0.95F * window.x), std::min(em(28.0F), 0.85F * window.y));
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.06F * window.y));
     ImGui::SetNextWindowSize(size);
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
-    if (!ImGui::BeginPopup(popup, flags)) return;
-    draw_palette(state);
-    if (!shown.open) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    draw_popup(shown, popup, [&] { draw_palette(state); });
 }
 
 }  // namespace zeroset::ui

@@ -232,12 +232,7 @@ void draw_gallery_page(UiState& state) {
     page.picture_px = glm::ivec2(glm::round(scale * picture_size));
     if (page.frames == 1) page.follow = true;
     place_page(state);
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
-    if (!ImGui::BeginPopup(popup, flags)) return;
-    draw_page(state);
-    if (!page.open) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    draw_popup(page, popup, [&] { draw_page(state); });
 }
 
 }  // namespace zeroset::ui

@@ -26,6 +26,15 @@ bool follow_popup(TypingPopup& popup, const char* name) {
     return popup.open;
 }
 
+void draw_popup(const TypingPopup& popup, const char* name, const std::function<void()>& draw) {
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+    if (!ImGui::BeginPopup(name, flags)) return;
+    draw();
+    if (!popup.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     const bool changed = ImGui::InputTextWithHint("##typed", hint, &text);

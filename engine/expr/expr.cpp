@@ -20,13 +20,13 @@ bool Expr::uses_variable(int variable) const {
     });
 }
 
-std::string Expr::key() const {
+std::string key_of(std::span<const Node> nodes) {
     std::string key;
-    key.reserve(nodes_.size() * sizeof(Node));
+    key.reserve(nodes.size() * sizeof(Node));
     const auto append = [&key](const auto& value) {
         key.append(reinterpret_cast<const char*>(&value), sizeof(value));
     };
-    for (const Node& node : nodes_) {
+    for (const Node& node : nodes) {
         append(node.op);
         append(node.number);
         append(node.a);
@@ -35,6 +35,11 @@ std::string Expr::key() const {
         append(node.lo);
         append(node.hi);
     }
+    return key;
+}
+
+std::string Expr::key() const {
+    std::string key = key_of(nodes_);
     for (const std::string& name : parameters_)
         key += name + ' ';
     return key;

@@ -32,6 +32,9 @@ struct Node {
     bool operator==(const Node&) const = default;
 };
 
+/// Bytes that are equal for equal lists of nodes only.
+std::string key_of(std::span<const Node> nodes);
+
 /// An expression as a graph in which equal subexpressions are one node. Nodes stand in
 /// topological order, operands first; the root is the last. Immutable once built; a value.
 class Expr {

@@ -23,26 +23,8 @@ struct Skeleton {
     std::vector<Interval<double>> constants;  ///< of the places
 
     /// Equal for parts of one shape.
-    [[nodiscard]] std::string key() const;
+    [[nodiscard]] std::string key() const { return key_of(nodes); }
 };
-
-std::string Skeleton::key() const {
-    std::string key;
-    key.reserve(nodes.size() * sizeof(Node));
-    const auto append = [&key](const auto& value) {
-        key.append(reinterpret_cast<const char*>(&value), sizeof value);
-    };
-    for (const Node& node : nodes) {
-        append(node.op);
-        append(node.number);
-        append(node.a);
-        append(node.b);
-        append(node.c);
-        append(node.lo);
-        append(node.hi);
-    }
-    return key;
-}
 
 /// Whether a uniform does for the constant: uniform_form says that its value at points is off by no
 /// more than one of its units in double.

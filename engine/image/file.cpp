@@ -1,6 +1,7 @@
 #include "engine/image/file.hpp"
 
-#include <stb/stb_image_write.h>
+#include "engine/image/png.hpp"
+
 #include <unistd.h>
 
 #include <bit>
@@ -74,17 +75,8 @@ std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer
             rgb.push_back(static_cast<unsigned char>((pixel >> shift) & 0xFFU));
         }
     }
-    std::vector<std::byte> bytes;
-    const auto append = [](void* context, void* data, int size) {
-        auto& out = *static_cast<std::vector<std::byte>*>(context);
-        const auto* const begin = static_cast<const std::byte*>(data);
-        out.insert(out.end(), begin, begin + size);
-    };
-    const int stride = frame.width * 3;
-    if (stbi_write_png_to_func(append, &bytes, frame.width, frame.height, 3, rgb.data(), stride) ==
-        0) {
-        return cannot_write(path, "the PNG encoder failed");
-    }
+    const std::vector<std::byte> bytes = encoded_png(rgb.data(), frame.width, frame.height, 3);
+    if (bytes.empty()) return cannot_write(path, "the PNG encoder failed");
     return write_file(path, bytes);
 }
 

@@ -1,11 +1,12 @@
 #include "engine/image/rgba_image.hpp"
 
+#include "engine/image/png.hpp"
+
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
 #include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
 
 #include <algorithm>
 #include <array>
@@ -96,16 +97,7 @@ RgbaImage halved(const Framebuffer& frame) {
 }
 
 std::vector<std::byte> png_of(const RgbaImage& image) {
-    std::vector<std::byte> bytes;
-    const auto append = [](void* context, void* data, int size) {
-        auto& out = *static_cast<std::vector<std::byte>*>(context);
-        const auto* const begin = static_cast<const std::byte*>(data);
-        out.insert(out.end(), begin, begin + size);
-    };
-    const int stride = image.width * 4;
-    const int done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 4,
-                                            image.pixels.data(), stride);
-    return done == 0 ? std::vector<std::byte>() : bytes;
+    return encoded_png(image.pixels.data(), image.width, image.height, 4);
 }
 
 std::optional<RgbaImage> image_from_png(std::span<const std::byte> png) {

@@ -11,6 +11,11 @@ double Box::size() const {
     return std::max({edges.x, edges.y, edges.z});
 }
 
+Box scaled(const Box& box, double factor) {
+    const glm::dvec3 centre = box.centre();
+    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
+}
+
 ViewFrame::ViewFrame(const Camera& camera)
     : eye(camera.eye),
       forward(glm::normalize(camera.look_at - camera.eye)),
@@ -49,6 +54,17 @@ glm::dmat3 front_axes(const glm::dvec3& up) {
     const glm::dvec3 sideways = x_is_up ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 behind = glm::normalize(glm::cross(above, sideways));
     return {glm::cross(behind, above), behind, above};
+}
+
+glm::dvec3 ViewFrame::homogeneous(const glm::dvec3& point) const {
+    const glm::dvec3 to = point - eye;
+    const double along = parallel() ? look_distance : glm::dot(to, forward);
+    return {glm::dot(to, right), glm::dot(to, up), half_height * along};
+}
+
+double ViewFrame::distance_of(const glm::dvec3& point) const {
+    const glm::dvec3 to = point - eye;
+    return parallel() ? glm::dot(to, forward) : glm::length(to);
 }
 
 Camera default_camera(const Box& box, double aspect, const glm::dvec3& up) {

@@ -21,6 +21,9 @@ struct Box {
     [[nodiscard]] double size() const;
 };
 
+/// `box` about its own centre, `factor` times as large.
+Box scaled(const Box& box, double factor);
+
 /// How rays leave the image: from the eye, or all along the view. Both show the same height at the
 /// point looked at.
 enum class Projection : std::uint8_t { Perspective, Orthographic };
@@ -69,6 +72,12 @@ struct ViewFrame {
     /// The ray's point at a distance.
     [[nodiscard]] glm::dvec3 point(double col, double row, int width_px, int height_px,
                                    double distance) const;
+
+    /// Where a point shows: (u, v, c), affine in the point, which lies u / c to the right and v / c
+    /// upwards of the image's centre, in half heights of the image; not at all where c <= 0.
+    [[nodiscard]] glm::dvec3 homogeneous(const glm::dvec3& point) const;
+    /// As Framebuffer::depth of a pixel that shows the point.
+    [[nodiscard]] double distance_of(const glm::dvec3& point) const;
 
 private:
     /// From the image's centre, in widths of a pixel times right and up.

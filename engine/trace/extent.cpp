@@ -174,11 +174,6 @@ bool strictly_inside(const Box& box, const Box& domain) {
 
 }  // namespace
 
-Box scaled(const Box& box, double factor) {
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
-}
-
 std::optional<Box> enclosing_box(const Scene& scene, const Box& domain) {
     return ExtentSearch(scene, domain).run();
 }

@@ -26,7 +26,4 @@ inline constexpr double extent_reach = 64.0;
 
 Extent find_extent(const Scene& scene);
 
-/// `box` about its own centre, `factor` times as large.
-Box scaled(const Box& box, double factor);
-
 }  // namespace zeroset

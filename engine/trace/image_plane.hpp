@@ -14,12 +14,9 @@ public:
     ImagePlane(const Camera& camera, int width_px, int height_px)
         : view_(camera), width_(width_px), height_(height_px) {}
 
-    /// (u, v, c), affine in the point, which shows u / c to the right and v / c upwards of the
-    /// image's centre, in half heights of the image; not at all where c <= 0.
+    /// As ViewFrame's.
     [[nodiscard]] glm::dvec3 homogeneous(const glm::dvec3& point) const {
-        const glm::dvec3 to = point - view_.eye;
-        const double along = view_.parallel() ? view_.look_distance : glm::dot(to, view_.forward);
-        return {glm::dot(to, view_.right), glm::dot(to, view_.up), view_.half_height * along};
+        return view_.homogeneous(point);
     }
     /// Column and row of such a place; a pixel's centre is at (i + 0.5, j + 0.5).
     [[nodiscard]] glm::dvec2 pixel(const glm::dvec3& place) const {
@@ -33,8 +30,7 @@ public:
     }
     /// As Framebuffer::depth of a pixel that shows the point.
     [[nodiscard]] double distance(const glm::dvec3& point) const {
-        const glm::dvec3 to = point - view_.eye;
-        return view_.parallel() ? glm::dot(to, view_.forward) : glm::length(to);
+        return view_.distance_of(point);
     }
 
     [[nodiscard]] const ViewFrame& view() const { return view_; }

@@ -31,13 +31,9 @@ struct PlaceInView {
     double distance;
 };
 inline std::optional<PlaceInView> place_in_view(const ViewFrame& view, const glm::dvec3& point) {
-    const glm::dvec3 offset = point - view.eye;
-    const double along = glm::dot(offset, view.forward);
-    const double depth = view.parallel() ? view.look_distance : along;
-    if (!(depth > 0.0)) return std::nullopt;
-    const glm::dvec2 across(glm::dot(offset, view.right), glm::dot(offset, view.up));
-    const double distance = view.parallel() ? along : glm::length(offset);
-    return PlaceInView{0.5 / (depth * view.half_height) * across, distance};
+    const glm::dvec3 shown = view.homogeneous(point);
+    if (!(shown.z > 0.0)) return std::nullopt;
+    return PlaceInView{0.5 / shown.z * glm::dvec2(shown), view.distance_of(point)};
 }
 
 }  // namespace zeroset

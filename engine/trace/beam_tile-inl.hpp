@@ -1,0 +1,380 @@
+// The roots on the rays of one tile, by cells from the largest down.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_BEAM_TILE_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_TILE_INL
+#undef ZEROSET_BEAM_TILE_INL
+#else
+#define ZEROSET_BEAM_TILE_INL
+#endif
+
+#include "engine/num/scalar.hpp"
+#include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/beam_leaf-inl.hpp"
+#include "engine/trace/beam_rays-inl.hpp"
+#include "engine/trace/beam_roots-inl.hpp"
+#include "engine/trace/beam_tree-inl.hpp"
+#include "engine/trace/beam_waves-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// What a thread keeps from tile to tile.
+template <class Real>
+struct BeamMemory {
+    TreeMemory<Real> tree;
+    Found<Real> found;
+    MarchMemory<Real> rays;
+    MarchMemory<double> fine_rays;
+};
+
+template <class Real>
+class BeamTile {
+public:
+    BeamTile(const TraceFrame& frame, const Tile& tile, BeamMemory<Real>& memory, TileHits& hits,
+             Counters& counters)
+        : frame_(frame),
+          tile_(tile),
+          hits_(hits),
+          view_(frame, tile),
+          tree_(frame, tile, view_, memory.tree, counters),
+          found_(memory.found),
+          roots_(frame, view_, found_, counters),
+          leaves_(frame, tile, view_, found_, roots_, counters),
+          small_leaves_(frame, tile, view_, found_, roots_, counters),
+          marcher_(frame, view_, memory.rays, found_, roots_, counters),
+          fine_marcher_(frame, view_, memory.fine_rays, found_, roots_, counters),
+          fair_guess_(static_cast<Real>(0.005 * view_.extent())) {}
+
+    void trace();
+
+private:
+    static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+    /// Cells of one size; their children are made.
+    void descend(int pixels);
+    /// Those of a run.
+    void visit_run(const CellRun& run, int pixels);
+    /// Some cells of one tile that may hold roots: their quarters are made, now or later.
+    void divide(const CellRun& run, std::span<const std::size_t> cells, int pixels);
+    /// Those of one tile, first to last.
+    void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
+    [[nodiscard]] bool is_accurate(std::size_t cell) const;
+    /// Goes on with the cells of tiles that wait.
+    void look_closer();
+    /// The pixels of a smooth cell.
+    void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
+    /// The pixels of a cell one by one.
+    void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
+    /// A cell whose pixels go on one by one.
+    struct Marched {
+        std::size_t cell;
+        const Kernel* kernel;
+        double radius;  ///< roots are no farther from where the form's linear part vanishes
+        double by_col;  ///< how much nearer that is from column to column
+    };
+    void march_some(const Marched& marched, int first_col, int row, double middle);
+    /// Finds the roots on single rays.
+    void march_rays();
+    void pass(std::uint32_t pixel, double s);
+    void hand_on();
+    void hand_on_row(int row);
+
+    const TraceFrame& frame_;
+    const Tile& tile_;
+    TileHits& hits_;
+    BeamView view_;
+    CellTree<Real> tree_;
+    Found<Real>& found_;
+    RootFinder<Real> roots_;
+    LeafSolver<Real, leaf_pixels> leaves_;
+    LeafSolver<Real, least_pixels> small_leaves_;
+    RayMarcher<Real, Real> marcher_;
+    RayMarcher<double, Real> fine_marcher_;
+    Real fair_guess_;
+    std::vector<std::size_t> open_;  ///< cells of the tile at work that go on to its children
+    WaitingTiles<Real, 2 * least_pixels> waiting_;
+};
+
+template <class Real>
+void BeamTile<Real>::trace() {
+    if (tree_.cells().size == 0) return;
+    found_.begin(hits_, tile_, view_);
+    for (int pixels = tile_size; pixels > 2 * least_pixels && !frame_.cancelled(); pixels /= 2) {
+        descend(pixels);
+        tree_.go_down();
+    }
+    descend(2 * least_pixels);
+    look_closer();
+    march_rays();
+    found_.end();
+    hand_on();
+}
+
+template <class Real>
+void BeamTile<Real>::descend(int pixels) {
+    if (tree_.cells().size == 0) return;
+    for (const CellRun& run : tree_.judge(pixels)) {
+        if (!frame_.cancelled()) visit_run(run, pixels);
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::visit_run(const CellRun& run, int pixels) {
+    const Cells<Real>& cells = tree_.cells();
+    const std::size_t end = run.first + run.count;
+    for (std::size_t first = run.first; first < end;) {
+        std::size_t last = first + 1;
+        while (last < end && cells.tile[last].pixel == cells.tile[first].pixel)
+            ++last;
+        visit_tile(run, first, last, pixels);
+        first = last;
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size_t last,
+                                int pixels) {
+    const Cells<Real>& cells = tree_.cells();
+    open_.clear();
+    const Real hidden = tree_.hidden_from(cells.tile[first], pixels);
+    for (std::size_t i = first; i < last && cells.from[i] < hidden; ++i) {
+        if (cells.bit(&CellBits::rejected, i)) continue;
+        const bool smooth = cells.bit(&CellBits::smooth, i);
+        const bool finished = cells.bit(&CellBits::finished, i);
+        const bool whole = finished && open_.empty() && is_accurate(i);
+        if (smooth && (pixels <= leaf_pixels || whole)) {
+            solve_leaf(i, pixels, tree_.kernel_of(run, i));
+        } else if (pixels <= least_pixels) {
+            march_pixels(i, pixels, tree_.kernel_of(run, i));
+        } else {
+            open_.push_back(i);
+        }
+        if (!finished) continue;
+        tree_.hide_behind(i, pixels);
+        break;
+    }
+    leaves_.solve();
+    small_leaves_.solve();
+    // The fewer slabs, the less matters in them; where nothing is left out they stay together.
+    const std::size_t most = run.kernel->shortener == nullptr ? cells.size : slabs_a_kernel;
+    for (std::size_t done = 0; done < open_.size(); done += most)
+        divide(run, std::span(open_).subspan(done, std::min(most, open_.size() - done)), pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::divide(const CellRun& run, std::span<const std::size_t> cells, int pixels) {
+    const Kernel* const kernel = tree_.kernel_of(run, cells);
+    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, cells);
+    tree_.push_children(kernel, cells, pixels, [](int, int) { return Found<Real>::none; });
+}
+
+template <class Real>
+void BeamTile<Real>::look_closer() {
+    while (!waiting_.empty() && !frame_.cancelled()) {
+        waiting_.divide_some(tree_, found_);
+        tree_.go_down();
+        descend(least_pixels);
+        march_rays();
+        tree_.go_up();
+    }
+}
+
+/// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
+template <class Real>
+bool BeamTile<Real>::is_accurate(std::size_t cell) const {
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
+    return f.e[cell] * cells.places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
+}
+
+template <class Real>
+void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kernel) {
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
+    const Real half = static_cast<Real>(0.5 * (pixels - 1));
+    const Real ku = f.k[0][cell] / half;
+    const Real kv = f.k[1][cell] / half;
+    const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
+    const CellTile tile = cells.tile[cell];
+    Leaf<Real> leaf{tile.col(),
+                    tile.row(),
+                    tile.inside != 0,
+                    first,
+                    ku,
+                    kv,
+                    f.k[2][cell],
+                    f.e[cell],
+                    cells.places.s[cell],
+                    cells.places.s_radius[cell],
+                    cells.from[cell],
+                    cells.to[cell],
+                    -f.slope_neg_lo[cell],
+                    f.slope_hi[cell],
+                    f.r[cell],
+                    kernel};
+    if (pixels < leaf_pixels) {
+        small_leaves_.add(leaf);
+        return;
+    }
+    for (int row = 0; row < pixels; row += leaf_pixels) {
+        for (int col = 0; col < pixels; col += leaf_pixels) {
+            leaf.col = tile.col() + col;
+            leaf.row = tile.row() + row;
+            leaf.c = first + ku * static_cast<Real>(col) - kv * static_cast<Real>(row);
+            if (leaf.col < tile_.cols && leaf.row < tile_.rows) leaves_.add(leaf);
+        }
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* kernel) {
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
+    const auto number = [cell](const std::vector<Real>& column) {
+        return static_cast<double>(column[cell]);
+    };
+    const double half = 0.5 * (pixels - 1);
+    const double ku = number(f.k[0]) / half;
+    const double kv = number(f.k[1]) / half;
+    const double kt = number(f.k[2]);
+    const double e = number(f.e) + 0x1p-10 * half * (std::abs(ku) + std::abs(kv));
+    const double scale = std::abs(kt) > 0 ? number(cells.places.s_radius) / kt : 0;
+    const double radius = std::abs(kt) > 0 ? e * std::abs(scale) + 4 * view_.depth_error()
+                                           : std::numeric_limits<double>::infinity();
+    const double first = number(cells.places.s) - (number(f.c) - half * (ku - kv)) * scale;
+    const Marched marched{cell, kernel, radius, ku * scale};
+    const CellTile tile = cells.tile[cell];
+    for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
+        for (int col = 0; col < pixels && tile.col() + col < tile_.cols; col += clip_lanes)
+            march_some(marched, col, row, first - (ku * col - kv * row) * scale);
+    }
+}
+
+/// The pixels of a vector; `middle`: where the linear part of the form vanishes on the first ray.
+template <class Real>
+void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, double middle) {
+    constexpr ClipTag d;
+    const Cells<Real>& cells = tree_.cells();
+    const CellTile tile = cells.tile[marched.cell];
+    const int col = tile.col() + first_col;
+    const auto pixel = static_cast<std::size_t>((tile.row() + row) * tile_size + col);
+    const bool inside = tile.inside != 0;
+    const auto radius = hn::Set(d, marched.radius);
+    const auto middles =
+        hn::NegMulAdd(hn::Iota(d, 0.0), hn::Set(d, marched.by_col), hn::Set(d, middle));
+    // The cell's ends where NaN.
+    const auto lo = hn::Sub(middles, radius);
+    const auto hi = hn::Add(middles, radius);
+    const auto cell_from = hn::Set(d, static_cast<double>(cells.from[marched.cell]));
+    const auto cell_to = hn::Set(d, static_cast<double>(cells.to[marched.cell]));
+    auto from = hn::IfThenElse(hn::Gt(lo, cell_from), lo, cell_from);
+    auto to = hn::IfThenElse(hn::Lt(hi, cell_to), hi, cell_to);
+    if (!inside) {
+        alignas(64) float cols[clip_lanes], rows[clip_lanes];
+        for (int lane = 0; lane < clip_lanes; ++lane) {
+            cols[lane] = from_middle(col + lane);
+            rows[lane] = from_middle(tile.row() + row);
+        }
+        ClipDepths(view_, cols, rows).narrow(from, to);
+    }
+    const auto depth = load_doubles(d, &found_.depth[pixel]);
+    const auto wanted = hn::And(hn::Le(from, to), hn::Le(from, depth));
+    LaneBits bits =
+        bits_of(d, hn::And(wanted, hn::FirstN(d, static_cast<std::size_t>(tile_.cols - col))));
+    if (bits == 0) return;
+    alignas(64) double froms[clip_lanes], tos[clip_lanes];
+    hn::Store(from, d, froms);
+    hn::Store(to, d, tos);
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const Real begin = -upper_end(Real{}, -froms[lane]);
+        const Real end = upper_end(Real{}, tos[lane]);
+        marcher_.push({static_cast<std::uint32_t>(pixel + lane), inside, begin, end, end - begin,
+                       marched.kernel});
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::march_rays() {
+    roots_.solve();
+    for (const Stretch& stretch : roots_.take_open()) {
+        const Real from = -upper_end(Real{}, -stretch.from);
+        const Real to = upper_end(Real{}, stretch.to);
+        marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
+    }
+    // Cells in this type are decided down to some hundred of its units.
+    const double rough = std::max(view_.tolerance(), 256 * tree_.s_most() * unit);
+    const bool final = rough <= view_.tolerance();
+    const auto stop = [&](std::uint32_t pixel, double from, double to, bool continuous) {
+        if (!continuous) {
+            pass(pixel, from);
+            return true;
+        }
+        found_.add_pending(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
+        return false;
+    };
+    const auto finest = static_cast<Real>(rough);
+    marcher_.march({finest, final ? finest / 4 : tree_.margin(), final},
+                   [&](const Segment<Real>& segment, bool continuous) {
+                       const auto from = static_cast<double>(segment.from);
+                       const auto to = static_cast<double>(segment.to);
+                       if (final) return stop(segment.pixel, from, to, continuous);
+                       fine_marcher_.push(
+                           {segment.pixel, segment.inside, from, to, to - from, segment.kernel});
+                       return true;
+                   });
+    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), true},
+                        [&](const Segment<double>& segment, bool continuous) {
+                            return stop(segment.pixel, segment.from, segment.to, continuous);
+                        });
+}
+
+template <class Real>
+void BeamTile<Real>::hand_on() {
+    hits_.any = found_.any();
+    for (int row = 0; row < tile_.rows && hits_.any; ++row)
+        hand_on_row(row);
+    for (const std::uint32_t pixel : found_.without_gradient) {
+        const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
+                                         static_cast<double>(found_.depth[pixel]));
+        hits_.points.push_back({pixel, {x.x, x.y, x.z}});
+    }
+    if (!hits_.any_unsettled) return;
+    for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
+        if (hits_.unsettled[pixel] <= hits_.depth[pixel])
+            hits_.certificate[pixel] = Certificate::Undecided;
+    }
+}
+
+/// Depths along the view axis to distances along the rays.
+template <class Real>
+void BeamTile<Real>::hand_on_row(int row) {
+    const hn::ScalableTag<double> dd;
+    const hn::Rebind<float, decltype(dd)> d;
+    const double v = view_.v(row);
+    const auto square_up = hn::Set(dd, 1.0 + v * v);
+    const auto first = static_cast<std::size_t>(row) * tile_size;
+    for (std::size_t col = 0; col < tile_size; col += hn::Lanes(dd)) {
+        const auto s = load_doubles(dd, &found_.depth[first + col]);
+        if (hn::AllFalse(dd, hn::Lt(s, hn::Inf(dd)))) continue;
+        const auto u = hn::MulAdd(hn::Iota(dd, static_cast<double>(col)),
+                                  hn::Set(dd, view_.pixel()), hn::Set(dd, view_.u(0)));
+        const auto stretch = hn::Sqrt(hn::MulAdd(u, u, square_up));
+        const auto depth = hn::Mul(hn::Add(s, hn::Set(dd, view_.look_distance())), stretch);
+        hn::StoreU(hn::DemoteTo(d, depth), d, &hits_.depth[first + col]);
+    }
+}
+
+/// A cell on the ray of a pixel, from s on, that was not decided.
+template <class Real>
+void BeamTile<Real>::pass(std::uint32_t pixel, double s) {
+    hits_.pass({static_cast<std::int16_t>(pixel % tile_size),
+                static_cast<std::int16_t>(pixel / tile_size)},
+               view_.distance_before(s, view_.u(pixel % tile_size), view_.v(pixel / tile_size)));
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,155 @@
+#include "jit/compile.hpp"
+
+#include "engine/expr/interpret.hpp"
+#include "engine/num/rounding.hpp"
+#include "tests/jit/machine_code.hpp"
+#include "tests/support/kernel_batch.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <thread>
+#include <vector>
+
+// Which code is made when, and which is shared.
+
+namespace zeroset::test {
+namespace {
+
+/// f's c and e over cells without width, on the view axis from depth 0 to 2.
+std::vector<float> centres_and_errors(const KernelFunction<FormBatch>& form) {
+    constexpr std::size_t count = batch_multiple;
+    using Column = std::array<float, count>;
+    FrustumOf<float> view{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        view.right[i] = i == 0 ? 1.0F : 0.0F;
+        view.up[i] = i == 1 ? 1.0F : 0.0F;
+        view.forward[i] = i == 2 ? 1.0F : 0.0F;
+        view.size[i] = view.direction_size[i] = 4.0F;
+    }
+    view.distance = 1.0F;
+    Column u{}, v{}, s{}, s_radius{}, c{}, ku{}, kv{}, ks{}, e{}, r{}, neg_lo{}, hi{};
+    u.fill(0.25F);
+    v.fill(-0.5F);
+    s_radius.fill(0.0625F);
+    for (std::size_t i = 0; i < count; ++i)
+        s.at(i) = 0.125F * static_cast<float>(i);
+    std::array<ContinuityMask<float>, count> continuous{}, nowhere{};
+    const UpwardRounding upward;
+    form(FormBatch{count,
+                   u.data(),
+                   v.data(),
+                   s.data(),
+                   s_radius.data(),
+                   view.base,
+                   nullptr,
+                   c.data(),
+                   {ku.data(), kv.data(), ks.data()},
+                   e.data(),
+                   r.data(),
+                   neg_lo.data(),
+                   hi.data(),
+                   continuous.data(),
+                   nowhere.data()});
+    std::vector<float> result(c.begin(), c.end());
+    result.insert(result.end(), e.begin(), e.end());
+    return result;
+}
+
+TEST(Jit, SharesTheCodeOfEqualGraphs) {
+    const Kernel first = compiled(parsed("x^2 + y^2 + z^2 - 1.25"), 4);
+    const Kernel second = compiled(parsed("x*x + y*y + z*z = 1.25"), 4);
+    const Kernel other = compiled(parsed("x*x + y*y + z*z = 1.26"), 4);
+    EXPECT_EQ(first.range_float, second.range_float);
+    EXPECT_EQ(first.form_float, second.form_float);
+    EXPECT_NE(first.range_float, other.range_float);
+}
+
+TEST(Jit, MakesDoubleWhenAskedAndApart) {
+    const Expr expr = parsed("x^2 + y^2 + z^2 - 1.75");
+    const Kernel floats = compiled(expr, 4);
+    EXPECT_FALSE(floats.has_double);
+    const Kernel both = compiled(expr, 4, true);
+    EXPECT_TRUE(both.has_double);
+    EXPECT_EQ(floats.range_float, both.range_float);
+    EXPECT_EQ(floats.value_double, both.value_double);
+    EXPECT_NE(floats.form_double, both.form_double);
+    EXPECT_EQ(both.range_double, compiled(expr, 4, true).range_double);
+}
+
+TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
+    const Expr expr = parsed("x^3*y + 1.0625*sin(y*z) - x*z^2");
+    RandomNumbers random(19);
+    const KernelBatch batch(random, 64);
+    const Kernel quick = test::compiled(expr, {.quick = true});
+    const Kernel meanwhile = quick.without_waiting();
+    EXPECT_NE(meanwhile.range_float, quick.range_float);
+    EXPECT_EQ(meanwhile.form_float, quick.form_float);
+    EXPECT_EQ(batch.run(interpret(expr)), batch.run(meanwhile));
+
+    EXPECT_NE(meanwhile.ray_form_float, quick.ray_form_float);
+    const auto of_rays = centres_and_errors(interpret(expr).ray_form_float);
+    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
+    EXPECT_EQ(centres_and_errors(quick.ray_form_float), of_rays);
+    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
+    EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
+}
+
+TEST(Jit, KeepsLaneCountsApart) {
+    const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
+    const std::vector<int> lanes = machine_lanes();
+    for (std::size_t i = 1; i < lanes.size(); ++i) {
+        EXPECT_NE(compiled(expr, lanes[i - 1]).range_float, compiled(expr, lanes[i]).range_float);
+    }
+    EXPECT_EQ(compiled(expr, 0).range_float, compiled(expr, jit::host_lanes()).range_float);
+    EXPECT_EQ(jit::host_lanes(), lanes.back());
+}
+
+TEST(Jit, RefusesLanesThatNoMachineHas) {
+    const Expr expr = parsed("x");
+    for (const int lanes : {-4, 1, 2, 5, 32}) {
+        const auto kernel = jit::compile(expr, {.lanes = lanes});
+        ASSERT_FALSE(kernel.has_value()) << lanes;
+        EXPECT_NE(kernel.error().message.find(std::to_string(lanes)), std::string::npos)
+            << kernel.error().message;
+        EXPECT_FALSE(jit::ir(expr, {.lanes = lanes}).has_value());
+        EXPECT_FALSE(jit::assembly(expr, {.lanes = lanes}).has_value());
+    }
+}
+
+TEST(Jit, CompilesOnManyThreadsAtOnce) {
+    constexpr int threads = 6;
+    RandomNumbers random(16);
+    const KernelBatch batch(random, 64);
+    std::array<int, threads> differences{};
+    const auto work = [&](int thread) {
+        for (int i = 0; i < 4; ++i) {
+            // Some graphs are made by all threads, some by one.
+            const int number = i % 2 == 0 ? i : 10 * thread + i;
+            const auto expr = parse("x^3 + sin(y*" + std::to_string(number) + ") - z");
+            const auto kernel = jit::compile(*expr);
+            const bool same = kernel && batch.run(*kernel) == batch.run(interpret(*expr));
+            if (!same) ++differences.at(static_cast<std::size_t>(thread));
+        }
+    };
+    std::vector<std::jthread> running;
+    for (int thread = 0; thread < threads; ++thread)
+        running.emplace_back(work, thread);
+    running.clear();
+    EXPECT_EQ(differences, (std::array<int, threads>{}));
+}
+
+TEST(Jit, OutlivesTheCache) {
+    RandomNumbers random(17);
+    const KernelBatch batch(random, 16);
+    const Expr expr = parsed("x*y - z*0.5");
+    const Kernel kernel = compiled(expr, 4);
+    for (int i = 0; i < 70; ++i)
+        compiled(parsed("x + " + std::to_string(i)), 4);
+    EXPECT_EQ(batch.run(interpret(expr)), batch.run(kernel));
+}
+
+}  // namespace
+}  // namespace zeroset::test
