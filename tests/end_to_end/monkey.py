@@ -20,7 +20,8 @@ from real_window import Display, check_tools  # noqa: E402
 
 SIZE = (900, 640)
 KEYS = ["Return", "Escape", "Tab", "Up", "Down", "Left", "Right", "Home", "End", "Prior", "Next",
-        "BackSpace", "Delete", "F1", "space", "r", "u", "f", "g", "t", "plus", "minus",
+        "BackSpace", "Delete", "F1", "space", "r", "u", "f", "g", "t", "a", "b", "m", "shift+m", "plus",
+        "minus", "ctrl+1", "ctrl+3", "ctrl+7",
         *"0123456789", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+g", "ctrl+k", "ctrl+b", "ctrl+d",
         "ctrl+c", "ctrl+v", "ctrl+a", "ctrl+n", "ctrl+o", "ctrl+s", "alt+Up", "alt+Down",
         "shift+Return", "shift+Tab"]
