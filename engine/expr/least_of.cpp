@@ -81,12 +81,40 @@ float trim(Reach& reach, std::size_t axis, bool thin_at_ends, const Kernel& kern
     return thin_at_ends ? 1.0F : static_cast<float>(last - first) / slices;
 }
 
+/// Whether f is above 0 in what the box has of the layers under the domain's faces.
+bool is_above_zero_at_faces(const Kernel& kernel, const ReachBox& box, const ReachBox& domain,
+                            const float* uniforms) {
+    float longest = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        longest = std::max(longest, domain.hi[axis] - domain.lo[axis]);
+    const auto is_above_zero = [&](std::size_t axis, float from, float to) {
+        if (box.lo[axis] > to || box.hi[axis] < from) return true;
+        ReachBox layer = box;
+        layer.lo[axis] = from;
+        layer.hi[axis] = to;
+        Slices parts(layer, (axis + 1) % 3, false);
+        parts.evaluate(kernel, uniforms);
+        bool all = true;
+        for (std::size_t i = 0; i < slices; ++i)
+            all = all && parts.above_zero(i);
+        return all;
+    };
+    const float thick = static_cast<float>(face_layer) * longest;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float lo_end = domain.lo[axis] + thick;
+        const float hi_begin = -(thick - domain.hi[axis]);
+        if (!is_above_zero(axis, domain.lo[axis], lo_end)) return false;
+        if (!is_above_zero(axis, hi_begin, domain.hi[axis])) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Reach reach_of(const Kernel& kernel, const ReachBox& domain, const float* uniforms) {
     constexpr int most_rounds = 5;
     constexpr float small_gain = 0.8F;
-    Reach reach{true, domain, false};
+    Reach reach{true, domain, false, false};
     const auto go_round = [&](bool thin_at_ends) {
         float left = 1;
         for (std::size_t axis = 0; axis < 3 && reach.any; ++axis)
@@ -97,6 +125,7 @@ Reach reach_of(const Kernel& kernel, const ReachBox& domain, const float* unifor
         if (go_round(false) > small_gain) break;
     }
     if (reach.any) go_round(true);
+    reach.within = !reach.any || is_above_zero_at_faces(kernel, reach.box, domain, uniforms);
     return reach;
 }
 

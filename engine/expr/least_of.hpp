@@ -22,7 +22,12 @@ struct Reach {
     bool any = false;         ///< else f > 0 and continuous in the whole box
     ReachBox box{};           ///< beside it f > 0 and continuous
     bool continuous = false;  ///< in this box, too
+    /// Whether f > 0 in a layer under the faces of the whole box, `face_layer` of its longest edge
+    /// thick.
+    bool within = false;
 };
+
+inline constexpr double face_layer = 0x1p-20;
 
 /// As tight as natural interval extensions tell for slices of a box. `uniforms`: for boxes. In
 /// upward rounding.

@@ -27,9 +27,11 @@ Box box_of(const ReachBox& box) {
     return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
 }
 
-bool strictly_inside(const Box& box, const Box& domain, double spare) {
-    return glm::all(glm::greaterThan(box.lo, domain.lo + spare)) &&
-           glm::all(glm::lessThan(box.hi, domain.hi - spare));
+/// Whether the clip box's faces are in the layers under those of the box that holds it.
+bool has_faces_in_layers(const Box& clip, const Box& domain, double spare) {
+    const double thick = face_layer * domain.size();
+    return glm::all(glm::lessThan(clip.lo + spare, domain.lo + thick)) &&
+           glm::all(glm::greaterThan(clip.hi - spare, domain.hi - thick));
 }
 
 bool outside(const glm::dvec3& point, const Box& box, double spare) {
@@ -151,13 +153,15 @@ bool Entries<Real>::are_above_zero(const Kernel& kernel) const {
 
 FrameParts::FrameParts(const TraceFrame& frame, const LeastOf& least_of) : frame_(frame) {
     const Box& clip = frame.scene.clip;
-    const auto reaches = least_of.reaches(around(clip), frame.scene.uniforms);
+    const ReachBox domain = around(clip);
+    const auto reaches = least_of.reaches(domain, frame.scene.uniforms);
     const double spare = 4 * place_error(frame);
+    const bool tells_of_faces = has_faces_in_layers(clip, box_of(domain), spare);
     for (std::size_t i = 0; i < reaches->size(); ++i) {
         const Reach& reach = (*reaches)[i];
         if (!reach.any) continue;
         const Box box = box_of(reach.box);
-        const bool whole = strictly_inside(box, clip, spare) &&
+        const bool whole = reach.within && tells_of_faces &&
                            (frame.view.parallel() || outside(frame.view.eye, box, spare));
         parts_.push_back({seen(frame, least_of.kernels()[i], box, spare), reach.continuous, whole});
     }

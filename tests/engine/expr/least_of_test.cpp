@@ -94,6 +94,15 @@ TEST(Reach, HoldsWhereFIsUndefinedOrJumps) {
     EXPECT_GE(pole.box.hi[0], 0.5F);
 }
 
+TEST(Reach, IsWithinTheBoxWhereFIsAboveZeroAtItsFaces) {
+    EXPECT_TRUE(reach_in_cube("(x-0.5)^2 + y^2 + z^2 - 0.24999").within);
+    EXPECT_FALSE(reach_in_cube("(x-0.5)^2 + y^2 + z^2 - 0.25").within);
+    EXPECT_FALSE(reach_in_cube("x^2 + (y+0.5)^2 + z^2 - 0.2501").within);
+    EXPECT_FALSE(reach_in_cube("z - 0.5").within);
+    EXPECT_TRUE(reach_in_cube("max(|x|, |y|, |z|) - 0.9999").within);
+    EXPECT_TRUE(reach_in_cube("x + 2").within);
+}
+
 TEST(Reach, IsThatOfAllValuesOfW) {
     const Reach reach = reach_in_cube("(x - w)^2 + y^2 + z^2 - 0.01", -0.5, 0.25);
     EXPECT_LE(reach.box.lo[0], -0.6F);
