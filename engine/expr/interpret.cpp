@@ -4,6 +4,7 @@
 #include "engine/expr/block_choice.hpp"
 #include "engine/expr/facts.hpp"
 #include "engine/expr/frustum.hpp"
+#include "engine/expr/least_of.hpp"
 #include "engine/expr/part_values.hpp"
 #include "engine/expr/ray_functions.hpp"
 #include "engine/expr/tape.hpp"
@@ -258,7 +259,7 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
                                                        leaf, of_part, finish);
 }
 
-class TapeShortener final : public Shortener {
+class TapeShortener : public Shortener {
 public:
     explicit TapeShortener(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
 
@@ -316,6 +317,38 @@ std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& recor
     return {made, &made->kernel};
 }
 
+/// Nothing where there are not several.
+std::optional<LeastOf> operands_of_least(const std::shared_ptr<const TapeGraph>& graph) {
+    const std::vector<NodeId> nodes = graph->least_of();
+    if (nodes.size() < 2) return std::nullopt;
+    std::vector<const Kernel*> kernels;
+    std::vector<std::shared_ptr<const void>> owners{graph};
+    for (const NodeId node : nodes) {
+        if (const auto part = graph->parts.of_node[node]; part != Parts::none) {
+            kernels.push_back(&graph->part_kernels[part]);
+            continue;
+        }
+        const auto made = std::make_shared<const TapeKernel>(Tape(graph, node));
+        kernels.push_back(&made->kernel);
+        owners.push_back(made);
+    }
+    return std::optional<LeastOf>(std::in_place, std::move(kernels), std::move(owners));
+}
+
+/// Of a whole formula.
+class WholeShortener final : public TapeShortener {
+public:
+    explicit WholeShortener(const std::shared_ptr<const Tape>& tape)
+        : TapeShortener(tape), least_of_(operands_of_least(tape->graph())) {}
+
+    [[nodiscard]] const LeastOf* least_of() const override {
+        return least_of_ ? &*least_of_ : nullptr;
+    }
+
+private:
+    std::optional<LeastOf> least_of_;
+};
+
 }  // namespace
 
 Kernel interpret(const Expr& expr) { return interpret(expr, facts_of(expr), {}); }
@@ -328,7 +361,7 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
         std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
     set_code(kernel, tape);
     add_ray_functions(kernel);
-    if (tape->choices() > 0) kernel.shortener = std::make_shared<TapeShortener>(tape);
+    if (tape->choices() > 0) kernel.shortener = std::make_shared<WholeShortener>(tape);
     return kernel;
 }
 

@@ -213,6 +213,7 @@ struct ChoiceRecord {
 };
 
 struct Kernel;
+class LeastOf;
 
 /// Makes kernels that leave out what does not matter in a part of space, as other parts of a union
 /// [Keeter20]. Thread-safe; called in upward rounding.
@@ -229,6 +230,8 @@ public:
     /// no longer than it.
     [[nodiscard]] virtual std::shared_ptr<const Kernel> shortened(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const = 0;
+    /// The functions of which the whole one is the least; nullptr where it is not known as that.
+    [[nodiscard]] virtual const LeastOf* least_of() const { return nullptr; }
 };
 
 /// What the tracer asks of a formula, whoever made the code (jit/compile or

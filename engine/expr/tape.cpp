@@ -45,9 +45,36 @@ std::size_t operand_count(const TapeGraph& graph, NodeId id) {
     return graph.is_first(id) ? 0 : static_cast<std::size_t>(arity(graph.expr.node(id).op));
 }
 
+std::array<NodeId, 3> operands_of(const Node& node) { return {node.a, node.b, node.c}; }
+
+/// The nodes that `root` needs: each behind its operands, and those soon behind theirs, so that few
+/// values wait for their use at a time.
+std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
+    std::vector<bool> seen(graph.expr.nodes().size(), false);
+    struct Visit {
+        NodeId id;
+        std::size_t next;  ///< operand
+    };
+    std::vector<Visit> stack{{root, 0}};
+    std::vector<NodeId> order;
+    seen[root] = true;
+    while (!stack.empty()) {
+        Visit& visit = stack.back();
+        if (visit.next == operand_count(graph, visit.id)) {
+            order.push_back(visit.id);
+            stack.pop_back();
+            continue;
+        }
+        const NodeId operand = operands_of(graph.expr.node(visit.id))[visit.next++];
+        if (!seen[operand]) stack.push_back({operand, 0});
+        seen[operand] = true;
+    }
+    return order;
+}
+
 /// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
 struct Room {
-    std::vector<Index> stands_for, last_use, place, unused;
+    std::vector<Index> stands_for, last_use, place, place_of_node, unused;
     std::vector<std::uint8_t> zero, by_value;
 };
 Room& room() {
@@ -182,25 +209,47 @@ bool TapeGraph::is_first(NodeId id) const {
     return parts.of_node[id] != Parts::none || is_leaf(expr.node(id), facts[id]);
 }
 
-Tape::Tape(std::shared_ptr<const TapeGraph> graph) {
-    const Expr& expr = graph->expr;
-    const std::size_t count = expr.nodes().size();
-    std::vector<Index> place(count);
+std::vector<NodeId> TapeGraph::least_of() const {
+    std::vector<bool> seen(expr.nodes().size(), false);
+    std::vector<NodeId> stack{expr.root()};
+    std::vector<NodeId> least;
+    while (!stack.empty()) {
+        const NodeId id = stack.back();
+        stack.pop_back();
+        if (seen[id]) continue;
+        seen[id] = true;
+        const Node& node = expr.node(id);
+        if (node.op != Op::Min || is_first(id)) {
+            least.push_back(id);
+        } else {
+            stack.insert(stack.end(), {node.b, node.a});
+        }
+    }
+    return least;
+}
+
+Tape::Tape(std::shared_ptr<const TapeGraph> graph) : Tape(graph, graph->expr.root()) {}
+
+Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
+    const std::vector<NodeId> order = in_order(*graph, root);
+    std::vector<Index>& place = room().place_of_node;
+    place.resize(graph->expr.nodes().size());
     std::vector<Step> steps;
-    steps.reserve(count);
+    steps.reserve(order.size());
     std::size_t uniform = 0;
     for (const bool want_uniform : {true, false}) {
-        for (NodeId id = 0; id < count; ++id) {
+        for (const NodeId id : order) {
             if (graph->facts[id].uniform != want_uniform) continue;
-            const Node& node = expr.node(id);
             place[id] = static_cast<Index>(steps.size());
-            steps.push_back({id, 0, {place[node.a], place[node.b], place[node.c]}});
+            Step& step = steps.emplace_back(Step{id, 0, {}});
+            for (std::size_t k = 0; k < operand_count(*graph, id); ++k)
+                step.operands[k] = place[operands_of(graph->expr.node(id))[k]];
         }
         if (want_uniform) uniform = steps.size();
     }
-    std::vector<Index> itself(count);
+    std::vector<Index> itself(steps.size());
     std::iota(itself.begin(), itself.end(), Index{0});
-    *this = Builder(steps, uniform, itself).build(std::move(graph), place[expr.root()]);
+    *this = Builder(steps, uniform, itself).build(std::move(graph), place[root]);
 }
 
 /// What the steps of a tape come to where its choices fall in a known way.

@@ -32,6 +32,8 @@ struct TapeGraph {
 
     /// Nothing is computed before it: it is taken from outside, or a part.
     [[nodiscard]] bool is_first(NodeId id) const;
+    /// The nodes of which the root is the least; the root where it is no min.
+    [[nodiscard]] std::vector<NodeId> least_of() const;
 };
 
 /// Immutable.
@@ -50,6 +52,8 @@ public:
     };
 
     explicit Tape(std::shared_ptr<const TapeGraph> graph);
+    /// Of what a node of the graph computes.
+    Tape(std::shared_ptr<const TapeGraph> graph, NodeId root);
 
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
     /// shorter. On whatever part of space these cells cover it computes a function with the same

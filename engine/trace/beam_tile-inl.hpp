@@ -60,6 +60,7 @@ private:
     /// Those of one tile, first to last.
     void visit_tile(const CellRun& run, std::size_t first, std::size_t last, int pixels);
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
+    [[nodiscard]] bool is_below_zero(std::size_t cell) const;
     /// Goes on with the cells of tiles that wait.
     void look_closer();
     /// The pixels of a smooth cell.
@@ -98,12 +99,14 @@ private:
 
 template <class Real>
 void BeamTile<Real>::trace() {
-    if (tree_.cells().size == 0) return;
+    if (tree_.empty()) return;
     found_.begin(hits_, tile_, view_);
     for (int pixels = tile_size; pixels > 2 * least_pixels && !frame_.cancelled(); pixels /= 2) {
+        tree_.begin(pixels);
         descend(pixels);
         tree_.go_down();
     }
+    tree_.begin(2 * least_pixels);
     descend(2 * least_pixels);
     look_closer();
     march_rays();
@@ -139,7 +142,10 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
     open_.clear();
     const Real hidden = tree_.hidden_from(cells.tile[first], pixels);
     for (std::size_t i = first; i < last && cells.from[i] < hidden; ++i) {
-        if (cells.bit(&CellBits::rejected, i)) continue;
+        if (cells.bit(&CellBits::rejected, i)) {
+            if (frame_.parts.size() > 1 && is_below_zero(i)) tree_.hide_behind(i, pixels);
+            continue;
+        }
         const bool smooth = cells.bit(&CellBits::smooth, i);
         const bool finished = cells.bit(&CellBits::finished, i);
         const bool whole = finished && open_.empty() && is_accurate(i);
@@ -186,6 +192,13 @@ bool BeamTile<Real>::is_accurate(std::size_t cell) const {
     const Cells<Real>& cells = tree_.cells();
     const Forms<Real>& f = cells.forms;
     return f.e[cell] * cells.places.s_radius[cell] < fair_guess_ * std::abs(f.k[2][cell]);
+}
+
+/// Of a rejected cell.
+template <class Real>
+bool BeamTile<Real>::is_below_zero(std::size_t cell) const {
+    const Forms<Real>& f = tree_.cells().forms;
+    return f.c[cell] < 0 && f.continuous[cell] != 0;
 }
 
 template <class Real>

@@ -15,6 +15,8 @@
 // (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
 // monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front,
 // a few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
+// A union may be given by its parts (TraceFrame::parts): then each cell is one of a part, and
+// begins as small as the part is.
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of

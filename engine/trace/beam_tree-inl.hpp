@@ -25,6 +25,7 @@ constexpr int leaf_pixels = 8;   ///< tiles of this size are solved where f is m
 constexpr int least_pixels = 4;  ///< smaller tiles are not made
 constexpr int least_tiles = tile_size / least_pixels;
 constexpr int first_slabs = 8;
+constexpr double most_slabs = first_slabs;
 /// Cells of so many neighbouring slabs of a tile share a shortened kernel.
 constexpr std::size_t slabs_a_kernel = 4;
 
@@ -60,6 +61,10 @@ public:
     }
 
     [[nodiscard]] const Cells<Real>& cells() const { return *cells_; }
+    /// Whether no ray meets the clip box.
+    [[nodiscard]] bool empty() const { return depths_.empty(); }
+    /// The first cells of those that begin as tiles of this size.
+    void begin(int pixels);
     /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
     std::span<const CellRun> judge(int pixels);
     /// The depth before which every ray of a tile, of this size, surely has a root: what begins
@@ -103,8 +108,28 @@ private:
         Real width_by_depth;  ///< twice the tile's width at the distance 1 from the eye
     };
 
-    /// The first cells; none when no ray meets the clip box.
     void start();
+    /// The first cells of one tile: `kernel` between depths, in so many slabs.
+    struct First {
+        const Kernel* kernel;
+        int col, row;
+        double from, to;
+        int slabs;
+    };
+    void push_first(const First& first, const DepthRange& depths);
+    /// Of a size, first to last of each, counted in tiles.
+    struct Tiles {
+        int first_col, last_col, first_row, last_row;
+
+        [[nodiscard]] int count() const {
+            return (last_col - first_col + 1) * (last_row - first_row + 1);
+        }
+    };
+    /// Those that the part may be in.
+    [[nodiscard]] Tiles tiles_of(const PartInView& part, int pixels) const;
+    /// The smallest tiles of which few cover the part: with these it begins.
+    [[nodiscard]] int first_pixels(const PartInView& part) const;
+    void push_part(const PartInView& part, int pixels);
     /// By natural interval extensions, cells on which f is not known to be continuous: they are
     /// sharper beside poles and jumps.
     void reject_by_ranges(const CellRun& run, int pixels);
@@ -137,7 +162,8 @@ private:
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
     std::array<Real, least_tiles * least_tiles>& hidden_;
     RangeList<Real> ranges_;
-    Real distance_;  ///< from the eye to the plane s = 0
+    Real distance_;        ///< from the eye to the plane s = 0
+    DepthRange depths_{};  ///< of the rays; they leave where nothing is wanted any more
     double s_most_ = 0;
     Real margin_ = 0;
 };
@@ -150,24 +176,79 @@ void CellTree<Real>::start() {
     hidden_.fill(std::numeric_limits<Real>::infinity());
     const double half = 0.5 * (tile_size - 1);
     const double radius = half * view_.pixel();
-    const DepthRange all = view_.depths(view_.u(half), view_.v(half), radius, radius);
-    const double farthest = std::min(all.exit_hi, view_.limit());
-    if (!(all.enter_lo <= farthest)) return;
-    s_most_ = std::max(std::abs(all.enter_lo), std::abs(all.exit_hi)) * (1.0 + 0x1p-10);
+    depths_ = view_.depths(view_.u(half), view_.v(half), radius, radius);
+    s_most_ = std::max(std::abs(depths_.enter_lo), std::abs(depths_.exit_hi)) * (1.0 + 0x1p-10);
+    depths_.exit_hi = std::min(depths_.exit_hi, view_.limit());
     const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
     const double finest = std::max(view_.tolerance(), 8 * s_most_ * unit);
     margin_ = static_cast<Real>(2 * finest);
-    cells_->runs.begin(&frame_.kernel, 0);
-    const Real near = -upper_end(Real{}, -all.enter_lo);
-    const Real far = upper_end(Real{}, farthest);
+}
+
+template <class Real>
+void CellTree<Real>::begin(int pixels) {
+    for (const PartInView& part : frame_.parts) {
+        if (first_pixels(part) == pixels) push_part(part, pixels);
+    }
+    if (!frame_.parts.empty() || pixels != tile_size) return;
+    push_first({&frame_.kernel, 0, 0, depths_.enter_lo, depths_.exit_hi, first_slabs}, depths_);
+}
+
+template <class Real>
+void CellTree<Real>::push_first(const First& first, const DepthRange& depths) {
+    cells_->runs.begin(first.kernel, cells_->size);
+    const Real near = -upper_end(Real{}, -first.from);
+    const Real far = upper_end(Real{}, first.to);
     Real from = near;
-    for (int i = 1; i <= first_slabs; ++i) {
-        const Real part = static_cast<Real>(i) / first_slabs;
-        const Real to = i == first_slabs ? far : near + (far - near) * part;
-        const bool inside =
-            static_cast<double>(from) >= all.enter_hi && static_cast<double>(to) <= all.exit_lo;
-        cells_->push(CellTile::at(0, 0, inside), from, to);
+    for (int i = 1; i <= first.slabs; ++i) {
+        const Real part = static_cast<Real>(i) / static_cast<Real>(first.slabs);
+        const Real to = i == first.slabs ? far : near + (far - near) * part;
+        const bool inside = static_cast<double>(from) >= depths.enter_hi &&
+                            static_cast<double>(to) <= depths.exit_lo;
+        cells_->push(CellTile::at(first.col, first.row, inside), from, to);
         from = to;
+    }
+}
+
+template <class Real>
+auto CellTree<Real>::tiles_of(const PartInView& part, int pixels) const -> Tiles {
+    const auto tile_at = [&](double place, int begin, int count) {
+        return static_cast<int>(std::clamp(place - begin, 0.0, count - 1.0)) / pixels;
+    };
+    return {tile_at(part.first_col, tile_.col, tile_.cols),
+            tile_at(part.last_col, tile_.col, tile_.cols),
+            tile_at(part.first_row, tile_.row, tile_.rows),
+            tile_at(part.last_row, tile_.row, tile_.rows)};
+}
+
+template <class Real>
+int CellTree<Real>::first_pixels(const PartInView& part) const {
+    constexpr int most_tiles = 12;  // with some slabs they are about a batch
+    int pixels = tile_size;
+    while (pixels > leaf_pixels && tiles_of(part, pixels / 2).count() <= most_tiles)
+        pixels /= 2;
+    return pixels;
+}
+
+template <class Real>
+void CellTree<Real>::push_part(const PartInView& part, int pixels) {
+    const double from = std::max(part.from, depths_.enter_lo);
+    const double to = std::min(part.to, depths_.exit_hi);
+    if (!(from <= to)) return;
+    const bool inside = from >= depths_.enter_hi && to <= depths_.exit_lo;
+    const double width = view_.pixel() * pixels * (view_.distance() + from);
+    const int slabs = static_cast<int>(std::clamp((to - from) / width + 0.5, 1.0, most_slabs));
+    const Tiles tiles = tiles_of(part, pixels);
+    const double half = 0.5 * (pixels - 1);
+    const double radius = half * view_.pixel();
+    for (int row = tiles.first_row * pixels; row <= tiles.last_row * pixels; row += pixels) {
+        for (int col = tiles.first_col * pixels; col <= tiles.last_col * pixels; col += pixels) {
+            const DepthRange depths =
+                inside ? depths_
+                       : view_.depths(view_.u(col + half), view_.v(row + half), radius, radius);
+            const double begin = std::max(from, depths.enter_lo);
+            const double end = std::min(to, depths.exit_hi);
+            if (begin <= end) push_first({part.kernel, col, row, begin, end, slabs}, depths);
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 #include "engine/num/rounding.hpp"
 #include "engine/trace/caps.hpp"
 #include "engine/trace/frame_kernels.hpp"
+#include "engine/trace/frame_parts.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/parallel.hpp"
 #include "engine/trace/shade.hpp"
@@ -28,8 +29,17 @@ struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
     CapFinder caps;
+    std::vector<PartInView> parts;
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
+
+/// nullptr where the surface is not known as a union.
+std::unique_ptr<FrameParts> parts_of(const TraceFrame& surface) {
+    const Shortener* const shortener = surface.kernel.shortener.get();
+    const LeastOf* const least_of = shortener == nullptr ? nullptr : shortener->least_of();
+    if (least_of == nullptr || !surface.scene.region.is_whole()) return nullptr;
+    return std::make_unique<FrameParts>(surface, *least_of);
+}
 
 /// A scene at one resolution, tile by tile.
 class TilePainter {
@@ -42,6 +52,9 @@ public:
 private:
     /// Fills workspace.hits with what each surface shows; false when cancelled.
     bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
+    /// Surface i by its parts, with what is left to find of gradients; false where that cannot be.
+    bool trace_parts(std::size_t i, const Tile& tile, Workspace& workspace,
+                     Counters& counters) const;
     /// Surface i.
     void trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
                        Counters& counters) const;
@@ -62,6 +75,7 @@ private:
     const std::atomic<bool>* cancel_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
+    std::vector<std::unique_ptr<FrameParts>> parts_;      ///< nullptr: not by parts
     std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 
@@ -77,13 +91,26 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
         kernels_.push_back(
             pays && surface.kernel.shortener ? std::make_unique<FrameKernels>(surface) : nullptr);
+        parts_.push_back(tracer_.takes_parts ? parts_of(surface) : nullptr);
     }
+}
+
+bool TilePainter::trace_parts(std::size_t i, const Tile& tile, Workspace& workspace,
+                              Counters& counters) const {
+    if (parts_[i] == nullptr || !parts_[i]->list(tile, workspace.parts)) return false;
+    if (workspace.parts.empty()) return true;
+    TraceFrame frame = surfaces_[i];
+    frame.parts = workspace.parts;
+    tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
+    find_gradients(frame, workspace.hits[i], counters);
+    return true;
 }
 
 void TilePainter::trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
                                 Counters& counters) const {
     TileHits& hits = workspace.hits[i];
     hits.clear();
+    if (trace_parts(i, tile, workspace, counters)) return;
     const TraceFrame frame = frame_of(i, tile);
     if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
     CapFinder& caps = workspace.caps;
@@ -115,8 +142,10 @@ bool TilePainter::trace(Tile tile, Workspace& workspace, Counters& counters) con
 bool TilePainter::paint(Tile tile, Workspace& workspace, const Canvas& out,
                         Counters& counters) const {
     if (!trace(tile, workspace, counters)) return false;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        find_gradients(frame_of(i, tile), workspace.hits[i], counters);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (!workspace.hits[i].points.empty())
+            find_gradients(frame_of(i, tile), workspace.hits[i], counters);
+    }
     if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         find_colors(surfaces_[i], i, tile, workspace.hits[i], counters);

@@ -8,33 +8,62 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
 
-/// Gradients at the points, by the kernel's code in this type.
+/// Gradients at the points, by kernels' code in this type.
 template <class Real>
-void find_gradients_in(const TraceFrame& frame, TileHits& hits) {
+class PointGradients {
+public:
+    PointGradients(const TraceFrame& frame, std::span<const TileHits::Point> points)
+        : frame_(frame), points_(points), columns_(columns()) {
+        const std::size_t count = points.size();
+        size_ = (count + batch_multiple - 1) / batch_multiple * batch_multiple;
+        columns_.f.resize(size_);
+        columns_.least.assign(count, std::numeric_limits<Real>::infinity());
+        for (std::size_t k = 0; k < 3; ++k) {
+            columns_.x[k].resize(size_);
+            columns_.gradient[k].resize(size_);
+            for (std::size_t i = 0; i < size_; ++i)
+                columns_.x[k][i] = static_cast<Real>(points[std::min(i, count - 1)].position[k]);
+        }
+    }
+    /// Those of this function, where it is no larger than those before.
+    void take(const Kernel& kernel, TileHits& hits) {
+        auto& [x, gradient, f, least] = columns_;
+        kernel.value(
+            ValueBatchOf<Real>{size_,
+                               {x[0].data(), x[1].data(), x[2].data()},
+                               frame_.scene.uniforms.points<Real>(),
+                               f.data(),
+                               {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            if (f[i] > least[i]) continue;
+            least[i] = f[i];
+            for (std::size_t k = 0; k < 3; ++k)
+                hits.gradient[k][points_[i].pixel] = static_cast<float>(gradient[k][i]);
+        }
+    }
+
+private:
     struct Columns {
         std::array<std::vector<Real>, 3> x, gradient;
-        std::vector<Real> f;
+        std::vector<Real> f, least;
     };
-    thread_local Columns columns;
-    const std::size_t count = hits.points.size();
-    const std::size_t size = (count + batch_multiple - 1) / batch_multiple * batch_multiple;
-    columns.f.resize(size);
-    for (std::size_t k = 0; k < 3; ++k) {
-        columns.x[k].resize(size);
-        columns.gradient[k].resize(size);
-        for (std::size_t i = 0; i < size; ++i)
-            columns.x[k][i] = static_cast<Real>(hits.points[std::min(i, count - 1)].position[k]);
+    static Columns& columns() {
+        thread_local Columns instance;
+        return instance;
     }
-    frame.kernel.value(ValueBatchOf<Real>{
-        size,
-        {columns.x[0].data(), columns.x[1].data(), columns.x[2].data()},
-        frame.scene.uniforms.points<Real>(),
-        columns.f.data(),
-        {columns.gradient[0].data(), columns.gradient[1].data(), columns.gradient[2].data()}});
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t i = 0; i < count; ++i)
-            hits.gradient[k][hits.points[i].pixel] = static_cast<float>(columns.gradient[k][i]);
-    }
+
+    const TraceFrame& frame_;
+    std::span<const TileHits::Point> points_;
+    Columns& columns_;
+    std::size_t size_;
+};
+
+template <class Real>
+void find_gradients_in(const TraceFrame& frame, TileHits& hits) {
+    PointGradients<Real> gradients(frame, hits.points);
+    if (frame.parts.empty()) gradients.take(frame.kernel, hits);
+    for (const PartInView& part : frame.parts)
+        gradients.take(*part.kernel, hits);
 }
 
 }  // namespace

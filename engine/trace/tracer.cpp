@@ -40,7 +40,7 @@ std::span<const Tracer> tracers() {
     static constexpr std::array table{
         Tracer{"beams",
                "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
-               trace_tile_beams, true},
+               trace_tile_beams, true, true},
         Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
                trace_tile_k_bisection},
     };

@@ -15,6 +15,14 @@ namespace zeroset {
 
 inline constexpr int tile_size = 64;
 
+/// A part of a union (engine/trace/frame_parts.hpp), and where in the image and at which depths
+/// along the view axis, from the plane through the point looked at, it may be.
+struct PartInView {
+    const Kernel* kernel;
+    double from, to;
+    double first_col, last_col, first_row, last_row;  ///< in pixels of the image
+};
+
 /// A surface of a frame being traced: what all tiles share. Lives while the frame is drawn;
 /// read-only.
 struct TraceFrame {
@@ -27,6 +35,10 @@ struct TraceFrame {
     SearchDepth depth;    ///< what `stop` comes to in this view
     Precision precision;  ///< of the kernel's code to use; it has it
     const std::atomic<bool>* cancel = nullptr;
+    /// Of a union in a tile, all parts that may be seen there, front to back: the first root is the
+    /// first one of any of them, and where one is below 0 there is a root before. Empty: there is
+    /// only `kernel`.
+    std::span<const PartInView> parts = {};
 
     /// What is found from now on is of no use. Tracers look at it every millisecond or so.
     [[nodiscard]] bool cancelled() const {
@@ -121,6 +133,7 @@ struct Tracer {
                        Counters& counters);
     /// Whether it is quicker with shortened kernels than with machine code of many choices.
     bool shortens = false;
+    bool takes_parts = false;  ///< knows of TraceFrame::parts
 };
 
 std::span<const Tracer> tracers();

@@ -1,0 +1,195 @@
+#include "engine/trace/frame_parts.hpp"
+
+#include "engine/num/scalar.hpp"
+#include "engine/trace/beam_view.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+ReachBox around(const Box& box) {
+    ReachBox result{};
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        result.lo[axis] = -float_above(-box.lo[i]);
+        result.hi[axis] = float_above(box.hi[i]);
+    }
+    return result;
+}
+
+Box box_of(const ReachBox& box) {
+    return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
+/// Whether the clip box's faces are in the layers under those of the box that holds it.
+bool has_faces_in_layers(const Box& clip, const Box& domain, double spare) {
+    const double thick = face_layer * domain.size();
+    return glm::all(glm::lessThan(clip.lo + spare, domain.lo + thick)) &&
+           glm::all(glm::greaterThan(clip.hi - spare, domain.hi - thick));
+}
+
+bool outside(const glm::dvec3& point, const Box& box, double spare) {
+    return glm::any(glm::lessThan(point, box.lo - spare)) ||
+           glm::any(glm::greaterThan(point, box.hi + spare));
+}
+
+/// Where a part shows that lies in the box.
+PartInView seen(const TraceFrame& frame, const Kernel* kernel, const Box& box, double spare) {
+    constexpr double pixel_spare = 1.0;
+    PartInView part{kernel, unbounded, -unbounded, unbounded, -unbounded, unbounded, -unbounded};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at((corner & 1) != 0 ? box.hi.x + spare : box.lo.x - spare,
+                            (corner & 2) != 0 ? box.hi.y + spare : box.lo.y - spare,
+                            (corner & 4) != 0 ? box.hi.z + spare : box.lo.z - spare);
+        const double along = glm::dot(at - frame.view.eye, frame.view.forward);
+        if (!frame.view.parallel() && along < 0x1p-10 * (box.size() + spare))
+            return {kernel, -unbounded, unbounded, -unbounded, unbounded, -unbounded, unbounded};
+        const glm::dvec3 shown = frame.view.homogeneous(at);
+        const double half = 0.5 * frame.height;
+        const double col = 0.5 * frame.width + half * (shown.x / shown.z);
+        const double row = half - half * (shown.y / shown.z);
+        part.from = std::min(part.from, along - frame.view.look_distance - spare);
+        part.to = std::max(part.to, along - frame.view.look_distance + spare);
+        part.first_col = std::min(part.first_col, col - pixel_spare);
+        part.last_col = std::max(part.last_col, col + pixel_spare);
+        part.first_row = std::min(part.first_row, row - pixel_spare);
+        part.last_row = std::max(part.last_row, row + pixel_spare);
+    }
+    return part;
+}
+
+bool meets(const PartInView& part, const Tile& tile) {
+    return part.last_col >= tile.col && part.first_col <= tile.col + tile.cols &&
+           part.last_row >= tile.row && part.first_row <= tile.row + tile.rows;
+}
+
+/// Where the rays of a tile enter the clip box, as one cell for each of its sixteenths.
+template <class Real>
+class Entries {
+public:
+    Entries(const TraceFrame& frame, const Tile& tile);
+
+    /// Whether f is above 0 where the rays enter, and continuous.
+    [[nodiscard]] bool are_above_zero(const Kernel& kernel) const;
+
+private:
+    static constexpr std::size_t cells = batch_multiple;
+    static constexpr int across = 4;
+    static constexpr int side = tile_size / across;
+    static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+    const TraceFrame& frame_;
+    FrustumOf<Real> frustum_;
+    std::size_t size_ = 0;
+    std::array<Real, cells> u_, v_, s_, s_radius_;
+};
+
+template <class Real>
+Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame) {
+    const BeamView view(frame, tile);
+    frustum_ = view.frustum<Real>(side);
+    const double half = 0.5 * (side - 1);
+    for (int i = 0; i < across * across; ++i) {
+        const int col = i % across * side;
+        const int row = i / across * side;
+        if (col >= tile.cols || row >= tile.rows) continue;
+        const double u = view.u(col + half);
+        const double v = view.v(row + half);
+        const double radius = half * view.pixel();
+        const DepthRange depths = view.depths(u, v, radius, radius);
+        if (depths.empty()) continue;
+        const double far = std::min(depths.enter_hi, depths.exit_hi);
+        const double most = std::max(std::abs(depths.enter_lo), std::abs(far));
+        u_[size_] = static_cast<Real>(u);
+        v_[size_] = static_cast<Real>(v);
+        s_[size_] = static_cast<Real>(0.5 * (depths.enter_lo + far));
+        s_radius_[size_] = upper_end(
+            Real{}, 0.5 * (far - depths.enter_lo) + 16 * most * unit + 4 * view.depth_error());
+        ++size_;
+    }
+    for (std::size_t i = size_; i < cells && size_ > 0; ++i) {
+        u_[i] = u_[0];
+        v_[i] = v_[0];
+        s_[i] = s_[0];
+        s_radius_[i] = s_radius_[0];
+    }
+}
+
+template <class Real>
+bool Entries<Real>::are_above_zero(const Kernel& kernel) const {
+    if (size_ == 0) return true;
+    std::array<Real, cells> c, e, r, slope_neg_lo, slope_hi;
+    std::array<std::array<Real, cells>, 3> k;
+    std::array<ContinuityMask<Real>, cells> continuous, nowhere;
+    kernel.form(FormBatchOf<Real>{cells,
+                                  u_.data(),
+                                  v_.data(),
+                                  s_.data(),
+                                  s_radius_.data(),
+                                  frustum_.base,
+                                  frame_.scene.uniforms.template boxes<Real>(),
+                                  c.data(),
+                                  {k[0].data(), k[1].data(), k[2].data()},
+                                  e.data(),
+                                  r.data(),
+                                  slope_neg_lo.data(),
+                                  slope_hi.data(),
+                                  continuous.data(),
+                                  nowhere.data()});
+    for (std::size_t i = 0; i < size_; ++i) {
+        const Real spread = std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
+        if (!(c[i] > spread) || continuous[i] == 0) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+FrameParts::FrameParts(const TraceFrame& frame, const LeastOf& least_of) : frame_(frame) {
+    const Box& clip = frame.scene.clip;
+    const ReachBox domain = around(clip);
+    const auto reaches = least_of.reaches(domain, frame.scene.uniforms);
+    const double spare = 4 * place_error(frame);
+    const bool tells_of_faces = has_faces_in_layers(clip, box_of(domain), spare);
+    for (std::size_t i = 0; i < reaches->size(); ++i) {
+        const Reach& reach = (*reaches)[i];
+        if (!reach.any) continue;
+        const Box box = box_of(reach.box);
+        const bool whole = reach.within && tells_of_faces &&
+                           (frame.view.parallel() || outside(frame.view.eye, box, spare));
+        parts_.push_back({seen(frame, least_of.kernels()[i], box, spare), reach.continuous, whole});
+    }
+    std::ranges::stable_sort(parts_, {}, [](const Part& part) { return part.in_view.from; });
+}
+
+template <class Real>
+bool FrameParts::is_above_zero_at_entries(const Kernel& part, const Tile& tile) const {
+    return Entries<Real>(frame_, tile).are_above_zero(part);
+}
+
+bool FrameParts::is_apart(const Part& part, const Tile& tile) const {
+    if (!part.continuous || part.whole) return part.continuous;
+    return frame_.precision == Precision::Double
+               ? is_above_zero_at_entries<double>(*part.in_view.kernel, tile)
+               : is_above_zero_at_entries<float>(*part.in_view.kernel, tile);
+}
+
+bool FrameParts::list(const Tile& tile, std::vector<PartInView>& parts) const {
+    parts.clear();
+    std::vector<const Part*> in_tile;
+    for (const Part& part : parts_) {
+        if (!meets(part.in_view, tile)) continue;
+        parts.push_back(part.in_view);
+        in_tile.push_back(&part);
+    }
+    return parts.size() < 2 ||
+           std::ranges::all_of(in_tile, [&](const Part* part) { return is_apart(*part, tile); });
+}
+
+}  // namespace zeroset
