@@ -22,14 +22,15 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The switches of the layout, by their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 7> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 8> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"look_open", &ui::Layout::look_open},
      {"markers_open", &ui::Layout::markers_open},
      {"space_open", &ui::Layout::space_open},
      {"clip_open", &ui::Layout::clip_open},
-     {"edges_open", &ui::Layout::edges_open}}};
+     {"edges_open", &ui::Layout::edges_open},
+     {"handles", &ui::Layout::handles}}};
 
 const char* name_of(ui::Theme theme) { return theme == ui::Theme::Dark ? "dark" : "light"; }
 

@@ -65,6 +65,8 @@ public:
     static void point(glm::vec2 at, bool pressed);
     /// The same for the right button.
     static void press_right(bool pressed);
+    /// Turns the wheel before the next frame; notches, away from the hand above 0.
+    static void turn_wheel(float notches);
     /// A key, in GLFW's numbers, is down from the next frame on, or up again.
     static void key(int key, bool pressed);
     static void hold_ctrl(bool pressed);
