@@ -96,4 +96,28 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
     (void)write_text((folder / file_name).string(), file.dump(2) + "\n");
 }
 
+void PreferencesFile::follow(const Preferences& now, double now_s) {
+    if (now != newest_) {
+        if (newest_ == saved_) first_s_ = now_s;
+        newest_ = now;
+        last_s_ = now_s;
+    }
+    if (now_s >= due_at_s()) finish();
+}
+
+double PreferencesFile::due_at_s() const {
+    return std::min(last_s_ + rest_s, first_s_ + longest_s);
+}
+
+std::optional<double> PreferencesFile::due_s(double now_s) const {
+    if (newest_ == saved_) return std::nullopt;
+    return std::max(due_at_s() - now_s, 0.0);
+}
+
+void PreferencesFile::finish() {
+    if (newest_ == saved_) return;
+    if (folder_) save_preferences(*folder_, newest_);
+    saved_ = newest_;
+}
+
 }  // namespace zeroset

@@ -59,6 +59,7 @@ public:
     WindowEvents take_events() override { return {}; }
     void hold_keys(bool /*hold*/) override {}
     [[nodiscard]] WindowSize size() const override;
+    [[nodiscard]] std::string portal_name() const override { return {}; }
     void set_title(const std::string& /*title*/) override {}
 
     /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
