@@ -104,7 +104,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
           if (latency_ != nullptr) latency_->picture_ready();
           window_.wake();
       }) {
-    if (options.on_desktop) portal_.emplace([this] { window_.wake(); });
+    if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
 }
 
 Preferences Desktop::preferences() const {

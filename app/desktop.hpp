@@ -74,6 +74,8 @@ public:
     void abandon() { session_.abandon(); }
     /// What the next window takes over.
     [[nodiscard]] Preferences preferences() const;
+    /// Seconds since it was made.
+    [[nodiscard]] double now_s() const;
     /// Seconds until there is something to draw or to do though nothing happens.
     [[nodiscard]] std::optional<double> due_s() const;
 
@@ -115,7 +117,6 @@ private:
     [[nodiscard]] std::optional<Wanted> wanted_picture() const;
     void submit_picture();
     void log_submission(std::uint64_t before);
-    [[nodiscard]] double now_s() const;
 
     ui::Window& window_;
     ui::Texture texture_;

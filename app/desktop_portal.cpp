@@ -52,7 +52,7 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
         portal_.ask(
             {saves, choice.folder,
              choice.name.ends_with(".json") ? choice.name : choice.name + ui::document_ending,
-             ui::document_ending});
+             ui::document_ending, parent_});
         choice.elsewhere = true;
         asks_ = true;
     }

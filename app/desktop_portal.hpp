@@ -4,6 +4,8 @@
 #include "ui/ui_state.hpp"
 
 #include <functional>
+#include <string>
+#include <utility>
 
 namespace zeroset {
 
@@ -12,8 +14,9 @@ namespace zeroset {
 /// window's thread only.
 class DesktopPortal {
 public:
-    /// `wake` is called from another thread when there is news.
-    explicit DesktopPortal(std::function<void()> wake) : portal_(std::move(wake)) {}
+    /// `wake` is called from another thread when there is news; `parent` as in FileRequest.
+    DesktopPortal(std::function<void()> wake, std::string parent)
+        : parent_(std::move(parent)), portal_(std::move(wake)) {}
 
     /// Before the panels are drawn.
     void follow(ui::UiState& state);
@@ -22,6 +25,7 @@ private:
     void follow_files(ui::Dialogs& dialogs);
     void take_answer(ui::FileChoice& choice);
 
+    std::string parent_;
     Portal portal_;
     ColorWish wish_ = ColorWish::None;
     bool is_wish_known_ = false;

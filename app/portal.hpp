@@ -17,6 +17,7 @@ struct FileRequest {
     std::string folder;  ///< where it begins; absolute
     std::string name;    ///< proposed for a file to be saved
     std::string ending;  ///< of the files that are offered
+    std::string parent;  ///< Window::portal_name of the window that the dialog is modal to
 };
 
 struct FileAnswer {

@@ -154,7 +154,8 @@ bool PortalBus::send(const FileRequest& request) {
         return false;
     }
     const Message message(made);
-    sd_bus_message_append(made, "ss", "", request.saves ? "Save as" : "Open a document");
+    sd_bus_message_append(made, "ss", request.parent.c_str(),
+                          request.saves ? "Save as" : "Open a document");
     sd_bus_message_open_container(made, 'a', "{sv}");
     append_text(made, "handle_token", token);
     append_path(made, "current_folder", request.folder);

@@ -22,14 +22,15 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The switches of the layout, by their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 7> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 8> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"look_open", &ui::Layout::look_open},
      {"markers_open", &ui::Layout::markers_open},
      {"space_open", &ui::Layout::space_open},
      {"clip_open", &ui::Layout::clip_open},
-     {"edges_open", &ui::Layout::edges_open}}};
+     {"edges_open", &ui::Layout::edges_open},
+     {"handles", &ui::Layout::handles}}};
 
 const char* name_of(ui::Theme theme) { return theme == ui::Theme::Dark ? "dark" : "light"; }
 
@@ -93,6 +94,30 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
     std::error_code ignored;
     fs::create_directories(folder, ignored);
     (void)write_text((folder / file_name).string(), file.dump(2) + "\n");
+}
+
+void PreferencesFile::follow(const Preferences& now, double now_s) {
+    if (now != newest_) {
+        if (newest_ == saved_) first_s_ = now_s;
+        newest_ = now;
+        last_s_ = now_s;
+    }
+    if (now_s >= due_at_s()) finish();
+}
+
+double PreferencesFile::due_at_s() const {
+    return std::min(last_s_ + rest_s, first_s_ + longest_s);
+}
+
+std::optional<double> PreferencesFile::due_s(double now_s) const {
+    if (newest_ == saved_) return std::nullopt;
+    return std::max(due_at_s() - now_s, 0.0);
+}
+
+void PreferencesFile::finish() {
+    if (newest_ == saved_) return;
+    if (folder_) save_preferences(*folder_, newest_);
+    saved_ = newest_;
 }
 
 }  // namespace zeroset

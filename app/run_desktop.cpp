@@ -7,12 +7,21 @@
 #include "app/preferences.hpp"
 #include "ui/window.hpp"
 
+#include <algorithm>
 #include <expected>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 
 namespace zeroset {
+namespace {
+
+std::optional<double> earlier(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+}  // namespace
 
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
                                                   const TraceText& trace) {
@@ -52,16 +61,18 @@ int run_desktop(const DesktopOptions& options) {
     taken_over.theme = before.theme.value_or(before.last_theme);
     taken_over.follows_desktop = !before.theme;
     Desktop desktop(**window, taken_over);
+    PreferencesFile kept(folder, before);
     while (!desktop.closed()) {
-        (*window)->wait(desktop.due_s());
+        (*window)->wait(earlier(desktop.due_s(), kept.due_s(desktop.now_s())));
         desktop.draw_frame();
+        kept.follow(desktop.preferences(), desktop.now_s());
         if (!(*window)->is_lost()) continue;
         desktop.abandon();
+        kept.finish();
         return report_run_time(
             "the graphics driver has lost the window; what was open is kept: start zeroset again");
     }
-    const Preferences after = desktop.preferences();
-    if (folder && after != before) save_preferences(*folder, after);
+    kept.finish();
     return exit_ok;
 }
 

@@ -71,7 +71,7 @@ void Session::follow(double now_s) {
     follow_question();
     follow_file_choice();
     if (state_.command || state_.open_path) follow_command();
-    history_.follow(state_.document, now_s, state_.gesture);
+    history_.follow(state_.document, now_s, state_.gesture, state_.held);
     keep(now_s);
     refresh();
 }

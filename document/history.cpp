@@ -62,11 +62,11 @@ std::string changed_part(const Document& a, const Document& b) {
 
 }  // namespace
 
-void History::follow(const Document& document, double time_s, unsigned gesture) {
+void History::follow(const Document& document, double time_s, unsigned gesture, bool held) {
     if (document == now_) return;
     const std::string part = changed_part(now_, document);
     const bool goes_on = part == open_part_ && part != "rows" && gesture == open_gesture_ &&
-                         time_s - changed_s_ <= rest_s;
+                         (held || time_s - changed_s_ <= rest_s);
     if (!goes_on) {
         if (undone_to_.size() == most_steps) undone_to_.erase(undone_to_.begin());
         undone_to_.push_back(now_);
@@ -76,6 +76,9 @@ void History::follow(const Document& document, double time_s, unsigned gesture) 
     open_part_ = part;
     open_gesture_ = gesture;
     changed_s_ = time_s;
+    if (undone_to_.back() != now_) return;
+    undone_to_.pop_back();
+    end_step();
 }
 
 const Document& History::undo() {

@@ -20,8 +20,9 @@ public:
     explicit History(Document start) : now_(std::move(start)) {}
 
     /// What the document is at `time_s` (any clock that does not go back). `gesture` is a number
-    /// that changes from one press of a button to the next.
-    void follow(const Document& document, double time_s, unsigned gesture);
+    /// that changes from one press of a button to the next; while the button is `held`, a rest ends
+    /// no step. A step that comes back to where it began is none.
+    void follow(const Document& document, double time_s, unsigned gesture, bool held = false);
     /// Changes the newest state without a step: by what no person did.
     void amend(const std::function<void(Document&)>& change) { change(now_); }
     /// The next change begins a step.

@@ -83,6 +83,13 @@ bool is_colored_by(const UiState& state) {
     return state.document.coloring.by == by;
 }
 
+/// They are there while their section is open.
+void switch_handles(UiState& state) {
+    Layout& layout = state.layout;
+    layout.handles = !has_clip_handles(layout);
+    layout.clip_open = layout.clip_open || layout.handles;
+}
+
 /// At the pointer, or in the middle of the picture.
 void keep_marker(UiState& state) {
     state.click = PictureClick{.cursor = state.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
@@ -210,6 +217,12 @@ constexpr auto table = std::to_array<Action>({
      .about = "a grid on the floor of the clip box",
      .run = toggle_document<&Document::grid>,
      .is_on = is_document<&Document::grid>},
+    {.section = picture,
+     .name = "Handles",
+     .keys = "H",
+     .about = "handles that move the clip box, the sphere and the sections",
+     .run = switch_handles,
+     .is_on = [](const UiState& state) { return has_clip_handles(state.layout); }},
     {.section = view,
      .name = "Frame the surface",
      .keys = "F, Home",

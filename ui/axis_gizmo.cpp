@@ -50,11 +50,6 @@ std::optional<GizmoBall> ball_under(const std::array<GizmoBall, 6>& balls, const
     return found;
 }
 
-std::uint32_t faded(std::uint32_t color, float opacity) {
-    const auto alpha = static_cast<std::uint32_t>(255.0F * opacity);
-    return (color & 0xFFFFFFU) | alpha << 24U;
-}
-
 void draw_letter(ImDrawList& canvas, const GizmoBall& ball, std::uint32_t color) {
     const char* const letter = names[static_cast<std::size_t>(ball.axis)] + 1;
     ImFont* const small = font(FontRole::Small);
@@ -144,6 +139,7 @@ void draw_axis_gizmo(UiState& state) {
         const auto under =
             hovered ? ball_under(balls, ImGui::GetIO().MousePos) : std::optional<GizmoBall>();
         follow_pointer(state, clicked, under);
+        if (hovered) zoom_by_wheel(state);
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),

@@ -91,6 +91,9 @@ void draw_ball(UiState& state) {
         ball = on ? std::optional(Ball{clip.centre(), 0.5 * clip.size()}) : std::nullopt;
     }
     draw_tooltip("Shows only what is in a sphere.");
+    ImGui::SameLine(0.0F, em(1.2F));
+    ImGui::Checkbox("Handles", &state.layout.handles);
+    draw_tooltip("Handles in the picture that move the box, the sphere and the sections (H).");
     if (!ball) return;
     draw_label("radius", "The sphere's radius.");
     Ball typed = *ball;

@@ -29,7 +29,10 @@ std::vector<HelpSection> gestures_help() {
               {"double click", "centre on the point of the surface"},
               {"balls at the upper right", "click: view along an axis; drag: orbit"},
               {"rest the pointer", "the status line says what is there"},
-              {"click on a surface", "keep a marker there; on a marker: select it"}}},
+              {"click on a surface", "keep a marker there; on a marker: select it"},
+              {"drag a handle", "move a face of the clip box, the sphere, a section; Esc: not"},
+              {"Shift with a face", "moves the opposite one, too; Ctrl: all of them"},
+              {"Shift with a section's ball", "turns it to even directions"}}},
             {"Statements",
              {{"Enter", "a new row below"},
               {"Shift+Enter", "a new line in the row"},
@@ -146,7 +149,9 @@ void place_window() {
 }  // namespace
 
 void follow_help_keys(UiState& state) {
-    if (!state.show_help || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;
+    const bool is_for_others =
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) || state.handle_drag.has_value();
+    if (!state.show_help || is_for_others) return;
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
     state.show_help = false;

@@ -105,6 +105,8 @@ void OffscreenWindow::key(int key, bool pressed) { ImGui::GetIO().KeysDown[key] 
 
 void OffscreenWindow::hold_ctrl(bool pressed) { ImGui::GetIO().KeyCtrl = pressed; }
 
+void OffscreenWindow::turn_wheel(float notches) { ImGui::GetIO().MouseWheel += notches; }
+
 void OffscreenWindow::hold_shift(bool pressed) { ImGui::GetIO().KeyShift = pressed; }
 
 void OffscreenWindow::hold_alt(bool pressed) { ImGui::GetIO().KeyAlt = pressed; }

@@ -59,12 +59,15 @@ public:
     WindowEvents take_events() override { return {}; }
     void hold_keys(bool /*hold*/) override {}
     [[nodiscard]] WindowSize size() const override;
+    [[nodiscard]] std::string portal_name() const override { return {}; }
     void set_title(const std::string& /*title*/) override {}
 
     /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
     static void point(glm::vec2 at, bool pressed);
     /// The same for the right button.
     static void press_right(bool pressed);
+    /// Turns the wheel before the next frame; notches, away from the hand above 0.
+    static void turn_wheel(float notches);
     /// A key, in GLFW's numbers, is down from the next frame on, or up again.
     static void key(int key, bool pressed);
     static void hold_ctrl(bool pressed);

@@ -1,8 +1,8 @@
 #include "ui/picture_marks.hpp"
 
 #include "engine/trace/pixel_ray.hpp"
-#include "ui/fonts.hpp"
 #include "ui/picture_place.hpp"
+#include "ui/picture_tag.hpp"
 
 #include <imgui/imgui.h>
 
@@ -15,48 +15,9 @@ namespace {
 
 constexpr float radius_em = 0.32F;
 
-/// The opacity of a colour times that.
-std::uint32_t faded(std::uint32_t color, float opacity) {
-    const auto alpha = static_cast<float>(color >> 24U) * opacity;
-    return (color & 0x00FFFFFFU) | static_cast<std::uint32_t>(alpha + 0.5F) << 24U;
-}
-
-/// Where a point shows in the area.
-struct Area {
-    ImVec2 lo, hi;
-
-    [[nodiscard]] ImVec2 at(const glm::dvec2& place) const {
-        const float height = hi.y - lo.y;
-        return {0.5F * (lo.x + hi.x) + static_cast<float>(place.x) * height,
-                0.5F * (lo.y + hi.y) - static_cast<float>(place.y) * height};
-    }
-    [[nodiscard]] bool holds(const ImVec2& p) const {
-        return p.x >= lo.x && p.x < hi.x && p.y >= lo.y && p.y < hi.y;
-    }
-};
-
 /// How far apart neighbouring pixels are at a distance: what a marker's coordinates need.
 double resolution_at(const ViewFrame& view, const Framebuffer& frame, double distance) {
     return 0.1 * view.pixel_width(std::max(frame.height, 1), distance);
-}
-
-/// A tag beside the dot, at the left of it where it would leave the area.
-void draw_tag(ImDrawList& canvas, const Area& area, const ImVec2& dot, const std::string& text,
-              float opacity, const Palette& colors) {
-    ImFont* const small = font(FontRole::Small);
-    const float size = small->FontSize * ImGui::GetIO().FontGlobalScale;
-    const ImVec2 extent = small->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
-    const float gap = em(radius_em + 0.3F);
-    const float pad = em(0.3F);
-    const bool fits = dot.x + gap + extent.x + 2.0F * pad <= area.hi.x;
-    const float width = extent.x + 2.0F * pad;
-    const float wished = fits ? dot.x + gap : dot.x - gap - width;
-    const float left = std::max(std::min(wished, area.hi.x - width), area.lo.x);
-    const float low = area.lo.y + extent.y;
-    const float top = std::clamp(dot.y - gap, low, std::max(low, area.hi.y)) - extent.y;
-    canvas.AddRectFilled(ImVec2(left, top), ImVec2(left + extent.x + 2.0F * pad, top + extent.y),
-                         faded(colors.card, opacity), em(0.3F));
-    canvas.AddText(small, size, ImVec2(left + pad, top), faded(colors.text, opacity), text.c_str());
 }
 
 void draw_dot(ImDrawList& canvas, const ImVec2& at, bool hidden, bool selected,
@@ -91,7 +52,7 @@ bool is_behind(const Framebuffer& frame, const ViewFrame& view, const glm::dvec3
 void draw_markers(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
                   const MarkedPicture& picture, const Palette& colors) {
     const ViewFrame view(picture.camera);
-    const Area area{lo, hi};
+    const PictureArea area{lo, hi};
     for (const Marker& marker : picture.markers) {
         const auto seen = place_in_view(view, marker.at);
         if (!seen) continue;
@@ -105,7 +66,7 @@ void draw_markers(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
             text += "  " +
                     coordinates_text(marker.at, resolution_at(view, picture.frame, seen->distance));
         }
-        draw_tag(canvas, area, dot, text, hidden ? 0.55F : 1.0F, colors);
+        draw_tag(canvas, area, dot, em(radius_em + 0.3F), text, hidden ? 0.55F : 1.0F, colors);
     }
 }
 

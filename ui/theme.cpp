@@ -143,6 +143,11 @@ void apply_theme(Theme theme, float scale) {
     style.ScaleAllSizes(scale);
 }
 
+std::uint32_t faded(std::uint32_t color, float opacity) {
+    const auto alpha = static_cast<float>(color >> 24U) * opacity;
+    return (color & 0x00FFFFFFU) | static_cast<std::uint32_t>(alpha + 0.5F) << 24U;
+}
+
 float em(float count) {
     return count * font(FontRole::Text)->FontSize * ImGui::GetIO().FontGlobalScale;
 }

@@ -38,6 +38,9 @@ const Palette& palette(Theme theme);
 /// Sets ImGui's style; `scale` is window coordinates per design unit.
 void apply_theme(Theme theme, float scale);
 
+/// The opacity of a colour times that.
+std::uint32_t faded(std::uint32_t color, float opacity);
+
 /// `count` times the size of the text font, in window coordinates: the unit of all layout.
 float em(float count);
 

@@ -5,6 +5,7 @@
 #include "engine/trace/coloring.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/probe.hpp"
+#include "ui/clip_handles.hpp"
 #include "ui/dialogs.hpp"
 
 #include "document/document.hpp"
@@ -140,9 +141,12 @@ struct Layout {
     bool space_open = false;
     bool clip_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
+    bool handles = true;      ///< in the picture, while the section of the clip box is open
 
     bool operator==(const Layout&) const = default;
 };
+
+inline bool has_clip_handles(const Layout& layout) { return layout.handles && layout.clip_open; }
 
 /// The name of w among the sliders; no parameter is called so.
 inline constexpr const char* w_name = "w";
@@ -153,7 +157,9 @@ struct UiState {
     Document document = empty_document();
     std::map<std::string, Playing> playing;  ///< the sliders that play, by name
     std::optional<ViewMove> move;            ///< while one is under way
+    std::optional<HandleDrag> handle_drag;   ///< while a handle of the clip region is held
     unsigned gesture = 0;                    ///< grows with each press of a button
+    bool held = false;                       ///< a button is down
     Layout layout;
     Theme theme = Theme::Dark;
     bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one

@@ -2,9 +2,11 @@
 
 #include "engine/trace/camera.hpp"
 #include "engine/trace/navigation.hpp"
+#include "ui/clip_handle_layer.hpp"
 #include "ui/furniture_layer.hpp"
 #include "ui/picture_place.hpp"
 #include "ui/picture_pointer.hpp"
+#include "ui/picture_tag.hpp"
 #include "ui/side_panel.hpp"
 #include "ui/status_panel.hpp"
 #include "ui/texture.hpp"
@@ -28,24 +30,13 @@ namespace {
 constexpr double orbit_rad = std::numbers::pi;
 constexpr double zoom_per_notch = 0.88;
 
-struct Area {
-    ImVec2 lo, hi;  ///< window coordinates
-    [[nodiscard]] float height() const { return hi.y - lo.y; }
-};
-
-Area viewport_area(const UiState& state) {
-    const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float left = std::min(side_panel_width(state), window.x);
-    return {ImVec2(left, 0.0F), ImVec2(window.x, picture_height())};
-}
-
-glm::ivec2 size_px(const Area& area) {
+glm::ivec2 size_px(const PictureArea& area) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
     return {static_cast<int>(std::lround((area.hi.x - area.lo.x) * scale.x)),
             static_cast<int>(std::lround(area.height() * scale.y))};
 }
 
-void draw_picture(const Area& area, const UiState& state, const Texture& picture) {
+void draw_picture(const PictureArea& area, const UiState& state, const Texture& picture) {
     const Palette& colors = palette(state.theme);
     ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
     canvas.AddRectFilledMultiColor(area.lo, area.hi, colors.sky, colors.sky, colors.ground,
@@ -61,7 +52,7 @@ void draw_picture(const Area& area, const UiState& state, const Texture& picture
     draw_picture_marks(canvas, area.lo, area.hi, state);
 }
 
-PointerMotion pointer_motion(const Area& area) {
+PointerMotion pointer_motion(const PictureArea& area) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto height = static_cast<double>(area.height());
     const glm::dvec2 moved = glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height;
@@ -72,11 +63,31 @@ PointerMotion pointer_motion(const Area& area) {
         const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
         (pans ? motion.pan : motion.orbit) = moved;
     }
-    if (ImGui::IsItemHovered()) motion.wheel = static_cast<double>(io.MouseWheel);
-    motion.cursor = glm::dvec2(io.MousePos.x - 0.5F * (area.lo.x + area.hi.x),
-                               0.5F * (area.lo.y + area.hi.y) - io.MousePos.y) /
-                    height;
+    motion.cursor = area.place(io.MousePos);
     return motion;
+}
+
+/// Right after the item that the picture is.
+void follow_view_pointer(UiState& state, const PointerMotion& motion) {
+    if (!state.document.camera) return;
+    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+    const auto point = surface_under(state.shown, motion.cursor);
+    if (point) centre_on(state, *point);
+}
+
+/// Right after the item that the picture is: gives the pointer to a handle, or to the view.
+void follow_pointer(UiState& state, const PictureArea& area) {
+    const PointerMotion motion = pointer_motion(area);
+    const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
+    if (ImGui::IsItemHovered() && !state.handle_drag) zoom_by_wheel(state);
+    if (handle) {
+        state.pointer.reset();
+    } else {
+        follow_picture_pointer(state, motion.cursor);
+        follow_view_pointer(state, motion);
+    }
+    draw_clip_handles(*ImGui::GetBackgroundDrawList(), area, state, handle);
 }
 
 }  // namespace
@@ -85,6 +96,22 @@ Turning turning_of(const UiState& state) { return {state.document.up, state.docu
 
 float picture_height() {
     return std::max(ImGui::GetIO().DisplaySize.y - status_bar_height(), 0.0F);
+}
+
+PictureArea viewport_area(const UiState& state) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float left = std::min(side_panel_width(state), window.x);
+    return {ImVec2(left, 0.0F), ImVec2(window.x, picture_height())};
+}
+
+void zoom_by_wheel(UiState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0.0F || !state.document.camera) return;
+    PointerMotion motion;
+    motion.wheel = static_cast<double>(io.MouseWheel);
+    motion.cursor = viewport_area(state).place(io.MousePos);
+    motion.surface = surface_under(state.shown, motion.cursor);
+    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
 }
 
 Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning) {
@@ -115,7 +142,7 @@ std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dv
 }
 
 void draw_viewport(UiState& state, const Texture& picture) {
-    const Area area = viewport_area(state);
+    const PictureArea area = viewport_area(state);
     state.viewport_px = size_px(area);
     draw_picture(area, state, picture);
     if (state.viewport_px.x <= 0 || state.viewport_px.y <= 0) return;
@@ -133,16 +160,7 @@ void draw_viewport(UiState& state, const Texture& picture) {
         ImGui::InvisibleButton(
             "##picture", ImGui::GetContentRegionAvail(),
             ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-        PointerMotion motion = pointer_motion(area);
-        follow_picture_pointer(state, motion.cursor);
-        if (motion.wheel != 0.0) motion.surface = surface_under(state.shown, motion.cursor);
-        if (state.document.camera) {
-            state.document.camera = steer(*state.document.camera, motion, turning_of(state));
-            if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-                const auto point = surface_under(state.shown, motion.cursor);
-                if (point) centre_on(state, *point);
-            }
-        }
+        follow_pointer(state, area);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

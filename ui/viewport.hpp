@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/trace/camera.hpp"
+#include "ui/picture_tag.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"
 
@@ -35,8 +36,13 @@ Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& t
 /// How dragging turns the document's view.
 Turning turning_of(const UiState& state);
 
-/// Of the area that the picture fills, window coordinates.
+/// The area that the picture fills: what the panels leave of the window.
+PictureArea viewport_area(const UiState& state);
 float picture_height();
+
+/// Zooms towards the pointer as the wheel was turned in this frame. For whatever is over the
+/// picture and has no use for the wheel, while the pointer is over it.
+void zoom_by_wheel(UiState& state);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);

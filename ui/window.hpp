@@ -67,6 +67,9 @@ public:
     /// about to get it.
     virtual void hold_keys(bool hold) = 0;
     [[nodiscard]] virtual WindowSize size() const = 0;
+    /// By which name a desktop's portal knows the window, "x11:" and its id in hexadecimal digits;
+    /// empty where it has none that can simply be had.
+    [[nodiscard]] virtual std::string portal_name() const = 0;
     /// UTF-8.
     virtual void set_title(const std::string& title) = 0;
 };

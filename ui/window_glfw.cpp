@@ -5,11 +5,14 @@
 #include "ui/window.hpp"
 
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -110,6 +113,7 @@ public:
     WindowEvents take_events() override { return std::exchange(events_, {}); }
     void hold_keys(bool hold) override { holds_keys_ = hold; }
     [[nodiscard]] WindowSize size() const override;
+    [[nodiscard]] std::string portal_name() const override;
     void set_title(const std::string& title) override;
 
 private:
@@ -300,6 +304,19 @@ void GlfwWindow::end_frame() {
     GuiContext::end_frame(width_px, height_px);
     glfwSwapBuffers(handle_.get());
     lost_ = is_context_lost();
+}
+
+/// A Wayland surface would have to be exported through xdg-foreign, by requests that GLFW does not
+/// make.
+std::string GlfwWindow::portal_name() const {
+    // Builds of GLFW for Wayland alone do not have it.
+    using GetX11Window = unsigned long (*)(GLFWwindow*);
+    const auto get = reinterpret_cast<GetX11Window>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+    const unsigned long id = get == nullptr ? 0 : get(handle_.get());
+    if (id == 0) return {};
+    std::array<char, 16> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), id, 16).ptr;
+    return "x11:" + std::string(digits.data(), end);
 }
 
 void GlfwWindow::set_title(const std::string& title) {

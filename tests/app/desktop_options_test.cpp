@@ -4,6 +4,7 @@
 #include "app/document_files.hpp"
 #include "app/document_scene.hpp"
 #include "app/options.hpp"
+#include "tests/support/test_folder.hpp"
 
 #include "document/colors.hpp"
 #include <gtest/gtest.h>
@@ -19,8 +20,6 @@ namespace fs = std::filesystem;
 class SavedSession : public testing::Test {
 protected:
     void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        path_ = fs::path(testing::TempDir()) / ("zeroset_" + test + ".zeroset.json");
         document_.statements = {{1, "x^2 + y^2 = a", true, 0x3399FF},
                                 {2, "b = 2", true, {}},
                                 {3, "z = b", false, palette_fronts()[3]},
@@ -33,9 +32,9 @@ protected:
         document_.shadows = true;
         ASSERT_TRUE(save_document(path_, document_));
     }
-    void TearDown() override { fs::remove(path_); }
 
-    fs::path path_;
+    TestFolder folder_;
+    fs::path path_ = folder_ / "a.zeroset.json";
     Document document_;
 };
 

@@ -1,5 +1,7 @@
 #include "app/latency_log.hpp"
 
+#include "tests/support/test_folder.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -18,8 +20,6 @@ using std::chrono::milliseconds;
 
 class LatencyLogTest : public testing::Test {
 protected:
-    void TearDown() override { std::filesystem::remove(path_); }
-
     /// An event that arrived a second ago.
     static ui::InputEvent event(Kind kind) {
         return {kind, LatencyLog::Clock::now() - milliseconds(1000)};
@@ -38,7 +38,8 @@ protected:
         return found;
     }
 
-    std::string path_ = testing::TempDir() + "zeroset_latency_log.jsonl";
+    TestFolder folder_;
+    std::string path_ = (folder_ / "log.jsonl").string();
     std::unique_ptr<LatencyLog> log_ = std::make_unique<LatencyLog>(path_);
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/preferences.hpp"
 
+#include "tests/support/test_folder.hpp"
 #include "ui/ui_state.hpp"
 
 #include <gtest/gtest.h>
@@ -18,18 +19,13 @@ namespace fs = std::filesystem;
 
 class PreferencesTest : public testing::Test {
 protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("zeroset_preferences_" + test) / "deep";
-        fs::remove_all(folder_.parent_path());
-    }
-    void TearDown() override { fs::remove_all(folder_.parent_path()); }
     void write(const std::string& text) const {
         fs::create_directories(folder_);
         std::ofstream(folder_ / "window.json") << text;
     }
 
-    fs::path folder_;
+    TestFolder outer_;
+    fs::path folder_ = outer_ / "deep";
 };
 
 TEST_F(PreferencesTest, AreTheSameAfterAFile) {
@@ -62,6 +58,48 @@ TEST_F(PreferencesTest, AreAsUsualWhereTheFileMakesNoSense) {
     Preferences expected;
     expected.window.maximized = true;
     EXPECT_EQ(load_preferences(folder_), expected);
+}
+
+TEST_F(PreferencesTest, AreWrittenAMomentAfterTheyChange) {
+    Preferences preferences;
+    PreferencesFile file(folder_, preferences);
+    EXPECT_EQ(file.due_s(0.0), std::nullopt);
+    preferences.theme = ui::Theme::Light;
+    file.follow(preferences, 10.0);
+    EXPECT_EQ(file.due_s(10.25), 0.75);
+    EXPECT_EQ(load_preferences(folder_).theme, std::nullopt);
+    file.follow(preferences, 11.0);
+    EXPECT_EQ(load_preferences(folder_).theme, ui::Theme::Light);
+    EXPECT_EQ(file.due_s(11.0), std::nullopt);
+}
+
+TEST_F(PreferencesTest, AreWrittenWhileTheyGoOnChanging) {
+    Preferences preferences;
+    PreferencesFile file(folder_, preferences);
+    for (int step = 0; step <= 10; ++step) {
+        preferences.window.width = 600 + step;
+        file.follow(preferences, 0.5 * step);
+        EXPECT_EQ(load_preferences(folder_).window.width, step < 10 ? 1280 : 610);
+    }
+    preferences.window.width = 700;
+    file.follow(preferences, 5.5);
+    EXPECT_EQ(load_preferences(folder_).window.width, 610);
+    file.finish();
+    EXPECT_EQ(load_preferences(folder_).window.width, 700);
+}
+
+TEST_F(PreferencesTest, AreLeftAloneWhereNothingHasChanged) {
+    const Preferences preferences;
+    PreferencesFile file(folder_, preferences);
+    file.follow(preferences, 100.0);
+    file.finish();
+    EXPECT_FALSE(fs::exists(folder_));
+    PreferencesFile nowhere(std::nullopt, preferences);
+    Preferences other;
+    other.theme = ui::Theme::Light;
+    nowhere.follow(other, 0.0);
+    nowhere.finish();
+    EXPECT_EQ(nowhere.due_s(1.0), std::nullopt);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "app/document_files.hpp"
 #include "app/folders.hpp"
 #include "engine/image/file.hpp"
+#include "tests/support/test_folder.hpp"
 
 #include "document/document_json.hpp"
 #include <gtest/gtest.h>
@@ -28,16 +29,8 @@ namespace fs = std::filesystem;
 class Sessions : public testing::Test {
 protected:
     void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("zeroset_session_" + test);
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
         state_.document = with_text("x = 1");
-    }
-    void TearDown() override {
-        session_.reset();
-        fs::remove_all(folder_);
     }
 
     static Document with_text(const std::string& text) {
@@ -79,7 +72,7 @@ protected:
         ASSERT_TRUE(write_file(path, std::as_bytes(std::span(text))));
     }
 
-    fs::path folder_;
+    TestFolder folder_;
     ui::UiState state_;
     std::unique_ptr<Session> session_;
     double now_s_ = 0.0;
@@ -307,17 +300,15 @@ TEST(CacheAndConfigFolders, FollowTheXdgSpecification) {
 }
 
 TEST(Recent, KeepsTheNewestFirst) {
-    const fs::path folder = fs::path(testing::TempDir()) / "zeroset_recent";
-    fs::remove_all(folder);
-    RecentFiles recent(folder);
+    const TestFolder folder;
+    RecentFiles recent(folder.path());
     for (int i = 0; i < 12; ++i)
         recent.add("/d/" + std::to_string(i));
     recent.add("/d/7");
     ASSERT_EQ(recent.paths().size(), RecentFiles::most);
     EXPECT_EQ(recent.paths()[0], "/d/7");
     EXPECT_EQ(recent.paths()[1], "/d/11");
-    EXPECT_EQ(RecentFiles(folder).paths(), recent.paths());
-    fs::remove_all(folder);
+    EXPECT_EQ(RecentFiles(folder.path()).paths(), recent.paths());
 }
 
 }  // namespace

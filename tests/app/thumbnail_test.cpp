@@ -3,6 +3,7 @@
 #include "app/gallery.hpp"
 #include "app/thumbnail_cache.hpp"
 #include "app/thumbnail_job.hpp"
+#include "tests/support/test_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,26 +24,19 @@ namespace fs = std::filesystem;
 
 class Thumbnails : public testing::Test {
 protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("zeroset_thumbnails_" + test);
-        fs::remove_all(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     static RgbaImage some_image() { return {2, 1, {0xFF102030U, 0x00000000U}}; }
     [[nodiscard]] std::vector<fs::path> files() const {
         std::vector<fs::path> found;
-        for (const auto& entry : fs::directory_iterator(folder_))
+        for (const auto& entry : fs::directory_iterator(folder_.path()))
             found.push_back(entry.path());
         return found;
     }
 
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST_F(Thumbnails, AreKeptByAllTheyDependOn) {
-    const ThumbnailCache cache(folder_);
+    const ThumbnailCache cache(folder_.path());
     EXPECT_FALSE(cache.find("a"));
     cache.keep("a", some_image());
     EXPECT_EQ(cache.find("a"), some_image());
@@ -53,7 +47,7 @@ TEST_F(Thumbnails, AreKeptByAllTheyDependOn) {
 }
 
 TEST_F(Thumbnails, AreNotTakenFromDamagedFiles) {
-    const ThumbnailCache cache(folder_);
+    const ThumbnailCache cache(folder_.path());
     cache.keep("a", some_image());
     const auto size = fs::file_size(cache.file_of("a"));
     for (std::uintmax_t at = 0; at < size; at += 5) {
@@ -114,7 +108,7 @@ std::size_t item_named(const char* name) {
 }
 
 TEST_F(Thumbnails, ShowTheSurfaceOnNothing) {
-    Waiting waiting(folder_);
+    Waiting waiting(folder_.path());
     const std::size_t sphere = item_named("sphere");
     waiting.job().want({sphere, item_named("torus")}, {32, 24});
     EXPECT_TRUE(waiting.job().busy());
@@ -127,19 +121,19 @@ TEST_F(Thumbnails, ShowTheSurfaceOnNothing) {
     EXPECT_EQ(image.height, 24);
     EXPECT_EQ(image.pixels[12 * 32 + 16] >> 24U, 255U) << "the sphere in the middle";
     EXPECT_EQ(image.pixels[0] >> 24U, 0U) << "nothing in the corner";
-    EXPECT_EQ(ThumbnailCache(folder_).find(thumbnail_key(sphere, {32, 24})), image);
+    EXPECT_EQ(ThumbnailCache(folder_.path()).find(thumbnail_key(sphere, {32, 24})), image);
 }
 
 TEST_F(Thumbnails, ComeFromTheCache) {
     const std::size_t item = item_named("sarti_dodecic");
-    ThumbnailCache(folder_).keep(thumbnail_key(item, {2, 1}), some_image());
-    Waiting waiting(folder_);
+    ThumbnailCache(folder_.path()).keep(thumbnail_key(item, {2, 1}), some_image());
+    Waiting waiting(folder_.path());
     waiting.job().want({item}, {2, 1});
     EXPECT_EQ(waiting.wait_for(1).front().image, some_image());
 }
 
 TEST_F(Thumbnails, WaitWhileTheyAreHeld) {
-    Waiting waiting(folder_);
+    Waiting waiting(folder_.path());
     waiting.job().hold(true);
     waiting.job().want({item_named("sphere")}, {32, 24});
     EXPECT_EQ(waiting.finished(), 0);

@@ -19,7 +19,7 @@ protected:
 
     void change(double after_s = 0.1) {
         now_s_ += after_s;
-        history_.follow(document_, now_s_, gesture_);
+        history_.follow(document_, now_s_, gesture_, held_);
     }
     void type(const std::string& text, double after_s = 0.1) {
         document_.statements[0].text += text;
@@ -33,6 +33,7 @@ protected:
     History history_{Document{}};
     double now_s_ = 0.0;
     unsigned gesture_ = 0;
+    bool held_ = false;
 };
 
 TEST_F(Undo, TakesARunOfTypingAsOneStep) {
@@ -51,6 +52,29 @@ TEST_F(Undo, TakesARunOfTypingAsOneStep) {
     redo();
     EXPECT_EQ(text(), "x^2+y");
     EXPECT_FALSE(history_.can_redo());
+}
+
+TEST_F(Undo, TakesADragAsOneStepHoweverLongItRests) {
+    held_ = true;
+    for (int i = 1; i <= 3; ++i) {
+        document_.clip.hi.x = 2.0 + i;
+        change(5.0);
+    }
+    undo();
+    EXPECT_EQ(document_.clip.hi.x, 2.0);
+    EXPECT_FALSE(history_.can_undo());
+}
+
+TEST_F(Undo, TakesWhatComesBackToItsBeginningAsNoStep) {
+    document_.clip.hi.x = 3.0;
+    change();
+    document_.clip.hi.x = 2.0;
+    change();
+    EXPECT_FALSE(history_.can_undo());
+    document_.clip.hi.x = 4.0;
+    change();
+    undo();
+    EXPECT_EQ(document_.clip.hi.x, 2.0);
 }
 
 TEST_F(Undo, TakesEachDragAsOneStep) {

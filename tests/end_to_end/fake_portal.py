@@ -57,11 +57,11 @@ class Portal(dbus.service.Object):
         self.SettingChanged(APPEARANCE, "color-scheme", self.scheme())
         return True
 
-    def answer(self, method, options, sender):
+    def answer(self, method, parent, options, sender):
         said = (self.folder / "answer").read_text()
         if said == "fail":
             raise dbus.DBusException("no dialogs", name="org.freedesktop.DBus.Error.UnknownMethod")
-        asked = {"method": method, "filter": str(options["filters"][0][1][0][1]),
+        asked = {"method": method, "parent": str(parent), "filter": str(options["filters"][0][1][0][1]),
                  "folder": bytes(options["current_folder"]).rstrip(b"\0").decode(),
                  "name": str(options.get("current_name", ""))}
         with open(self.folder / "asked", "a", encoding="utf-8") as file:
@@ -77,12 +77,12 @@ class Portal(dbus.service.Object):
     @dbus.service.method(CHOOSER, in_signature="ssa{sv}", out_signature="o",
                          sender_keyword="sender")
     def OpenFile(self, parent, title, options, sender=None):
-        return self.answer("OpenFile", options, sender)
+        return self.answer("OpenFile", parent, options, sender)
 
     @dbus.service.method(CHOOSER, in_signature="ssa{sv}", out_signature="o",
                          sender_keyword="sender")
     def SaveFile(self, parent, title, options, sender=None):
-        return self.answer("SaveFile", options, sender)
+        return self.answer("SaveFile", parent, options, sender)
 
 
 def run():

@@ -97,6 +97,7 @@ class PortalTest(RealWindowTest):
         self.wait_for(lambda: self.title() == "a b\u00e9 - Zeroset", "the file's name")
         asked = self.asked()[0]
         self.assertEqual(asked["method"], "SaveFile")
+        self.assertEqual(asked["parent"], f"x11:{int(self.window):x}")
         self.assertEqual(asked["filter"], "*.zeroset.json")
         self.assertEqual(asked["name"], "untitled.zeroset.json")
         self.assertTrue(Path(asked["folder"]).is_dir())
@@ -111,6 +112,7 @@ class PortalTest(RealWindowTest):
         self.wait_for(lambda: self.title() == "other - Zeroset", "the other file")
         self.rest(lambda _: True, "rest")
         self.assertEqual(self.asked()[-1]["method"], "OpenFile")
+        self.assertEqual(self.asked()[-1]["parent"], asked["parent"])
         self.assertEqual(self.asked()[-1]["folder"], str(self.folder))
         self.quit_by_key()
 

@@ -11,8 +11,8 @@ from pathlib import Path
 from zeroset_program import environment, program, read_xwd
 
 PATIENCE_S = 20.0  # for anything that is awaited
-REST_S = 0.4       # a picture at rest does not change for so long
-POLL_S = 0.05
+POLL_S = 0.03
+REST_S = 0.06      # a window at rest sleeps for so long
 SAME = 0.002       # fraction of pixels that may differ between equal pictures
 
 
@@ -21,6 +21,22 @@ def check_tools():
     missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
     if missing:
         raise SystemExit("needed and not installed: " + ", ".join(missing))
+
+
+def switches_of(*processes):
+    """How often all their threads together have gone to sleep; None while one does not sleep."""
+    total = 0
+    for process in processes:
+        for thread in Path(f"/proc/{process}/task").iterdir():
+            try:
+                status = (thread / "status").read_text()
+            except OSError:  # it has just ended
+                return None
+            fields = dict(line.split(":\t", 1) for line in status.splitlines() if ":\t" in line)
+            if not fields["State"].startswith("S"):
+                return None
+            total += int(fields["voluntary_ctxt_switches"])
+    return total
 
 
 class Display:
@@ -40,9 +56,10 @@ class Display:
             self.close()
             raise RuntimeError("Xvfb did not start")
         self.state = os.path.join(self.folder.name, "state")
+        self.config = os.path.join(self.folder.name, "config")
         self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull,
                                        XDG_STATE_HOME=self.state,
-                                       XDG_CONFIG_HOME=os.path.join(self.folder.name, "config"),
+                                       XDG_CONFIG_HOME=self.config,
                                        XDG_CACHE_HOME=os.path.join(self.folder.name, "cache"),
                                        DBUS_SESSION_BUS_ADDRESS="unix:path=" + os.devnull)
 
@@ -120,19 +137,30 @@ class RealWindowTest(unittest.TestCase):
         return self.display.screenshot(10 * self.SCALE, 74 * self.SCALE,
                                        (self.PANEL - 10) * self.SCALE, 94 * self.SCALE)
 
+    def sleeps_on(self):
+        """Whether no thread of the window and of its display runs, or waits for a processor, during
+        REST_S: then nothing is left to be drawn, however slow the machine is."""
+        processes = self.started.pid, self.display.server.pid
+        before, end = switches_of(*processes), time.monotonic() + REST_S
+        while before is not None and switches_of(*processes) == before:
+            if time.monotonic() >= end:
+                return True
+            time.sleep(REST_S / 4)
+        return False
+
     def rest(self, condition, what):
         """The first picture that fulfils the condition and has come to rest."""
-        last, since = None, time.monotonic()
+        image = None
 
         def at_rest():
-            nonlocal last, since
+            nonlocal image
+            if not self.sleeps_on():
+                return False
             image = self.picture()
-            if last is None or image.rgb != last.rgb:
-                last, since = image, time.monotonic()
-            return time.monotonic() - since >= REST_S and condition(image)
+            return condition(image)
 
         self.wait_for(at_rest, what)
-        return last
+        return image
 
     def changed(self, old, what):
         return self.rest(lambda image: not self.same(image, old), what)
@@ -178,11 +206,12 @@ class RealWindowTest(unittest.TestCase):
     def type_equation(self, text):
         """Into the first row, instead of what is there."""
         self.display.xdotool("key", "Escape")
+        self.display.xdotool("mousemove", 150 * self.SCALE, 58 * self.SCALE, "click", 1)
+        # Marked in the frame of the click, the click would take the marks away.
         self.rest(lambda _: True, "rest")
-        quiet = self.field()
-        self.display.xdotool("mousemove", 150 * self.SCALE, 58 * self.SCALE, "click", 1,
-                             "key", "ctrl+a")
-        self.wait_for(lambda: self.field().difference(quiet) > 0.02, "the text marked")
+        unmarked = self.field()
+        self.display.xdotool("key", "ctrl+a")
+        self.wait_for(lambda: self.field().difference(unmarked) > 0.02, "the text marked")
         self.display.xdotool("type", "--delay", 5, text)
         self.point(0.72, 0.55)
 

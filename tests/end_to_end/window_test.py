@@ -116,7 +116,15 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def test_saves_and_restores_after_a_crash(self):
-        ball = self.start(BALL)
+        """The theme, too, though the window was never closed."""
+        dark = self.start(BALL)
+        self.display.xdotool("key", "Escape", "ctrl+k")
+        self.display.xdotool("type", "--delay", 5, "light theme")
+        self.display.xdotool("key", "Return")
+        ball = self.changed(dark, "the light theme")
+        settings = Path(self.display.config) / "zeroset" / "window.json"
+        self.wait_for(lambda: settings.exists() and
+                      json.loads(settings.read_text())["theme"] == "light", "the theme kept")
         self.type_equation(TORUS)
         torus = self.changed(ball, "the typed surface")
         path = Path(self.display.folder.name) / "a.zeroset.json"
@@ -200,4 +208,4 @@ class NoDisplayTest(unittest.TestCase):
 
 if __name__ == "__main__":
     check_tools()
-    main()
+    main(at_once=2)

@@ -8,6 +8,7 @@ import sys
 import tempfile
 import unittest
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 TIMEOUT_S = 60
@@ -19,12 +20,43 @@ def program():
     return os.environ["ZEROSET_PROGRAM"]
 
 
-def main():
-    """unittest.main for scripts called as SCRIPT PATH_OF_PROGRAM [unittest's arguments]."""
+def main(at_once=1):
+    """unittest.main for scripts called as SCRIPT PATH_OF_PROGRAM [unittest's arguments]. Without
+    arguments so many of the tests run at once, each in a process of its own: for those that mostly
+    wait."""
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f"usage: {sys.argv[0]} PATH_OF_PROGRAM [TEST...]")
     os.environ["ZEROSET_PROGRAM"] = os.path.abspath(sys.argv.pop(1))
+    if at_once > 1 and len(sys.argv) == 1:
+        sys.exit(run_apart(at_once))
     unittest.main()
+
+
+def test_names(suite):
+    for test in suite:
+        if isinstance(test, unittest.TestSuite):
+            yield from test_names(test)
+        else:
+            yield test.id().removeprefix("__main__.")
+
+
+def run_apart(at_once):
+    """Runs each test of the script; 0 or 1: whether one has failed."""
+    names = list(test_names(unittest.defaultTestLoader.loadTestsFromModule(
+        sys.modules["__main__"])))
+
+    def run_one(name):
+        return subprocess.run([sys.executable, sys.argv[0], os.environ["ZEROSET_PROGRAM"], name],
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+
+    failed = 0
+    with ThreadPoolExecutor(at_once) as pool:
+        for name, done in zip(names, pool.map(run_one, names)):
+            if done.returncode != 0:
+                failed += 1
+                print(f"{name}\n{done.stdout.decode(errors='replace')}")
+    print(f"{len(names)} tests, {failed} failed")
+    return 1 if failed or not names else 0
 
 
 def environment(**changes):

@@ -2,6 +2,7 @@
 
 #include "ui/dialogs.hpp"
 
+#include "tests/support/test_folder.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/ui_state.hpp"
@@ -28,16 +29,10 @@ class DialogPanels : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        std::string name = "zeroset_dialog_" + test;
-        std::ranges::replace(name, '/', '_');
-        folder_ = fs::path(testing::TempDir()) / name;
-        fs::remove_all(folder_);
         fs::create_directories(folder_ / "sub");
         std::ofstream(folder_ / "a.zeroset.json") << "{}";
         std::ofstream(folder_ / "other.txt") << "no document";
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     void ask() {
         state_.dialogs.question =
@@ -50,7 +45,7 @@ protected:
     void choose(FileChoice::Purpose purpose) {
         state_.dialogs.file = FileChoice{};
         state_.dialogs.file->purpose = purpose;
-        state_.dialogs.file->folder = folder_.string();
+        state_.dialogs.file->folder = folder_.path().string();
         draw();
     }
     FileChoice& file() { return *state_.dialogs.file; }
@@ -59,7 +54,7 @@ protected:
         draw_frame();
     }
 
-    fs::path folder_;
+    test::TestFolder folder_;
 };
 
 TEST_P(DialogPanels, AnswerByKey) {
@@ -135,7 +130,7 @@ TEST_P(DialogPanels, GoIntoFoldersAndOut) {
     draw();
     const ImVec2 window = panel("##files").Pos;
     click_at({window.x + static_cast<float>(px(27)), window.y + static_cast<float>(px(47))});
-    EXPECT_EQ(file().folder, folder_.string());
+    EXPECT_EQ(file().folder, folder_.path().string());
 }
 
 TEST_P(DialogPanels, SaveUnderANameWithItsEnding) {

@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "engine/image/rgba_image.hpp"
+#include "tests/support/test_folder.hpp"
 #include "ui/offscreen_window.hpp"
 
 #include <gtest/gtest.h>
@@ -33,15 +34,10 @@ int png_side(const std::string& png, std::size_t offset) {
 class UiShot : public testing::Test {
 protected:
     void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / ("zeroset_ui_shot_" + test);
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
         command_.equation = "x^2 + y^2 + z^2 = 1";
         command_.size = "480x320";
         command_.output = (folder_ / "ui.png").string();
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     [[nodiscard]] std::string written() const {
         std::ifstream file(command_.output, std::ios::binary);
@@ -59,7 +55,7 @@ protected:
 
     static bool can_draw() { return ui::make_offscreen_window({480, 320, 1.0F}).has_value(); }
 
-    fs::path folder_;
+    test::TestFolder folder_;
     UiShotCommand command_;
 };
 
@@ -70,7 +66,8 @@ TEST_F(UiShot, WritesThePictureOfTheSizeTimesTheScale) {
     const std::string png = written();
     EXPECT_EQ(png_side(png, 16), 960);
     EXPECT_EQ(png_side(png, 20), 640);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "only the picture is left";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 1)
+        << "only the picture is left";
 }
 
 TEST_F(UiShot, ShowsAnErrorOfTheEquation) {
@@ -95,11 +92,11 @@ TEST_F(UiShot, RefusesWrongInput) {
     EXPECT_TRUE(refused(&UiShotCommand::output, "ui.jpg"));
     EXPECT_TRUE(refused(&UiShotCommand::output, ""));
     EXPECT_TRUE(refused(&UiShotCommand::equation, "@no_such_surface"));
-    EXPECT_TRUE(fs::is_empty(folder_));
+    EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(UiShot, SaysThatAFileCannotBeWritten) {
-    command_.output = (folder_ / "missing" / "ui.png").string();
+    command_.output = (folder_ / "missing/ui.png").string();
     EXPECT_EQ(run_ui_shot(command_), exit_run_time);
 }
 

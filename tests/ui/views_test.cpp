@@ -168,6 +168,25 @@ TEST_P(Views, TurnWhereTheGizmoIsDragged) {
     EXPECT_LT(glm::dot(camera().eye - before.eye, ViewFrame(before).right), 0);
 }
 
+TEST_P(Views, ZoomWhereTheWheelTurnsOverTheGizmo) {
+    draw();
+    if (!has_gizmo()) return;
+    const auto turn_at = [this](const glm::vec2& at) {
+        const Camera before = camera();
+        OffscreenWindow::point(at, false);
+        draw_frame();
+        OffscreenWindow::turn_wheel(1.0F);
+        draw_frame();
+        leave();
+        draw_frame();
+        return ViewFrame(camera()).look_distance / ViewFrame(before).look_distance;
+    };
+    const glm::vec2 beside = gizmo_place({}) - glm::vec2(static_cast<float>(px(200)), 0.0F);
+    const double usual = turn_at(beside);
+    EXPECT_LT(usual, 0.9);
+    EXPECT_NEAR(turn_at(gizmo_place({})), usual, 1e-9);
+}
+
 TEST_P(Views, SortTheBallsByTheirDepth) {
     draw();
     const auto balls = gizmo_balls(camera());

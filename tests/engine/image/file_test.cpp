@@ -1,5 +1,7 @@
 #include "engine/image/file.hpp"
 
+#include "tests/support/test_folder.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -21,22 +23,12 @@ namespace fs = std::filesystem;
 
 class FileTest : public ::testing::Test {
 protected:
-    FileTest() {
-        std::string name = (fs::temp_directory_path() / "zeroset_file_test_XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr) ADD_FAILURE() << name;
-        folder_ = name;
-    }
-    ~FileTest() override {
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-    }
-
     [[nodiscard]] static std::string content(const fs::path& path) {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
     [[nodiscard]] long files() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
     }
     static std::span<const std::byte> bytes_of(const std::string& text) {
         return std::as_bytes(std::span(text));
@@ -48,7 +40,7 @@ protected:
         EXPECT_EQ(result.error().message.find('\n'), std::string::npos);
     }
 
-    fs::path folder_;
+    TestFolder folder_;
 };
 
 TEST_F(FileTest, WritesAllBytes) {
@@ -68,25 +60,25 @@ TEST_F(FileTest, ReplacesALongerFile) {
 }
 
 TEST_F(FileTest, RefusesAFolderThatIsNotThere) {
-    const fs::path path = folder_ / "none" / "out";
+    const fs::path path = folder_ / "none/out";
     expect_refused(check_writable(path), path);
     expect_refused(write_file(path, bytes_of("x")), path);
     EXPECT_EQ(files(), 0);
 }
 
 TEST_F(FileTest, RefusesAFolderAsFile) {
-    expect_refused(check_writable(folder_), folder_);
-    expect_refused(write_file(folder_, bytes_of("x")), folder_);
+    expect_refused(check_writable(folder_.path()), folder_.path());
+    expect_refused(write_file(folder_.path(), bytes_of("x")), folder_.path());
     EXPECT_FALSE(check_writable(""));
     EXPECT_EQ(files(), 0);
 }
 
 TEST_F(FileTest, LeavesNothingBehindWithoutPermission) {
     if (::geteuid() == 0) GTEST_SKIP() << "permissions do not stop root";
-    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
     expect_refused(write_file(folder_ / "out", bytes_of("x")), folder_ / "out");
     EXPECT_EQ(files(), 0);
-    fs::permissions(folder_, fs::perms::owner_all);
+    fs::permissions(folder_.path(), fs::perms::owner_all);
 }
 
 TEST_F(FileTest, ReportsADeviceWithoutSpace) {
