@@ -11,7 +11,8 @@
 #include <string_view>
 
 // What many parts cost: unions, differences and smooth unions of 1 to 1000 spheres, all partly
-// visible; time of a frame, its ratio to that of 10 parts, and from text to first picture.
+// visible; time of a frame, its ratio to that of 10 parts, its share for a part, and from text to
+// first picture.
 //   csg_benchmark [--threads N] [--tracer NAME] [--size PIXELS] [--repeat N]
 //     [--series NAME] [--parts MOST]
 
@@ -62,8 +63,8 @@ void run(const Series& series, const Options& options) {
     const Camera camera = suite_camera(1.0);
     const Box clip = Box::cube(1.0);
     Framebuffer frame(options.size, options.size);
-    std::printf("%-18s %6s %12s %12s %18s %10s %10s\n", series.name, "parts", "frame ms", "of 10",
-                "first picture ms", "certified", "undecided");
+    std::printf("%-18s %6s %12s %10s %12s %18s %10s %10s\n", series.name, "parts", "frame ms",
+                "us a part", "of 10", "first picture ms", "certified", "undecided");
     double of_ten = 0;
     for (const int count : {1, 10, 100, 1000}) {
         if (count > options.most_parts) continue;
@@ -81,7 +82,8 @@ void run(const Series& series, const Options& options) {
             time_frames(scene, camera, options.settings, frame, options.repeats, false);
         if (count == 10) of_ten = timing.median_ms;
         const CertificateCounts counts = count_certificates(frame);
-        std::printf("%-18s %6d %12.2f ", "", count, timing.median_ms);
+        std::printf("%-18s %6d %12.2f %10.1f ", "", count, timing.median_ms,
+                    1e3 * timing.median_ms / count);
         if (of_ten > 0) {
             std::printf("%12.2f", timing.median_ms / of_ten);
         } else {
