@@ -140,7 +140,10 @@ private:
 };
 
 template <class Real>
-class ElementaryCode : public ::testing::Test {};
+class ElementaryCode : public ::testing::Test {
+    /// The functions go back to upward rounding whatever it was; later tests begin as this one did.
+    NearestRounding as_before_;
+};
 TYPED_TEST_SUITE(ElementaryCode, RealTypes, RealTypeNames);
 
 TYPED_TEST(ElementaryCode, HasErrorsBelowTheirBounds) {
