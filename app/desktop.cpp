@@ -121,6 +121,7 @@ void Desktop::draw_frame() {
     if (latency_ != nullptr && events.input) latency_->input(*events.input);
     if (events.close) session_.close();
     session_.open(events.dropped);
+    const std::uint64_t before = request_;
     take_formula();
     take_double();
     take_frame();
@@ -132,7 +133,6 @@ void Desktop::draw_frame() {
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
     // Before the frame waits for the screen.
-    const std::uint64_t before = request_;
     follow_edits();
     if (latency_ != nullptr) log_submission(before);
     const LatencyLog::InOpenGl drawing(latency_.get());

@@ -26,7 +26,7 @@ SIZE = (1280, 800)
 PANEL = 378
 MOVES = 120
 MOVE_S = 0.016
-TYPED = "+0.001"
+TYPED = "+0.1*x^3"
 KEY_S = 0.5
 GIVE_UP_S = 60.0
 

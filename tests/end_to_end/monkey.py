@@ -4,7 +4,8 @@
 Keys, clicks, drags, the wheel, other window sizes, typed formulas and plain noise, on an X display of its
 own. Ends with 1 and says which seed and step it was when the program ends, writes a sanitizer's report, takes
 more than --patience seconds to answer, or its memory grows without end. With a program built with
-AddressSanitizer, leaks at the end are found, too.
+AddressSanitizer, leaks at the end are found, too, but for those of a window that is closed at once: OpenGL
+drivers leave some, and cannot be named once they are unloaded.
 """
 
 import argparse
@@ -20,7 +21,8 @@ from real_window import Display, check_tools  # noqa: E402
 
 SIZE = (900, 640)
 KEYS = ["Return", "Escape", "Tab", "Up", "Down", "Left", "Right", "Home", "End", "Prior", "Next",
-        "BackSpace", "Delete", "F1", "space", "r", "u", "f", "g", "t", "plus", "minus",
+        "BackSpace", "Delete", "F1", "space", "r", "u", "f", "g", "t", "a", "b", "m", "shift+m", "plus",
+        "minus", "ctrl+1", "ctrl+3", "ctrl+7",
         *"0123456789", "ctrl+z", "ctrl+shift+z", "ctrl+y", "ctrl+g", "ctrl+k", "ctrl+b", "ctrl+d",
         "ctrl+c", "ctrl+v", "ctrl+a", "ctrl+n", "ctrl+o", "ctrl+s", "alt+Up", "alt+Down",
         "shift+Return", "shift+Tab"]
@@ -39,15 +41,20 @@ class Monkey:
         self.restarts = 0
         self.peak_kb = 0
         self.log = Path(display.folder.name) / "report"
+        self.drivers_leak = None
+        self.open()
+        self.close()
+        self.drivers_leak = self.leak()
+        self.check_end()
         self.open()
 
     def open(self):
         with open(self.log, "wb") as log:
             self.process = subprocess.Popen(
                 [os.path.abspath(self.options.program), "@torus"], stdout=log,
-                stderr=subprocess.STDOUT,
+                stderr=subprocess.STDOUT, cwd=self.display.folder.name,
                 env=dict(self.display.environment, ZEROSET_SCALE="1",
-                         ASAN_OPTIONS="detect_leaks=1", LSAN_OPTIONS=self.options.lsan))
+                         ASAN_OPTIONS="detect_leaks=1"))
         end = time.monotonic() + self.options.patience
         while time.monotonic() < end and not self.find_window():
             time.sleep(0.1)
@@ -62,6 +69,19 @@ class Monkey:
     def fail(self, what):
         report = self.log.read_text(errors="replace")[-4000:]
         sys.exit(f"{what}; seed {self.options.seed}, step {self.step}\n{report}")
+
+    def leak(self):
+        """LeakSanitizer's count of bytes and allocations."""
+        report = self.log.read_text(errors="replace")
+        if "ERROR: LeakSanitizer" not in report:
+            return None
+        return next(line for line in report.splitlines() if line.startswith("SUMMARY:"))
+
+    def check_end(self):
+        if self.process.returncode == 0 and not self.log.read_text(errors="replace").strip():
+            return
+        if self.leak() is None or self.leak() != self.drivers_leak:
+            self.fail(f"ended with exit code {self.process.returncode}")
 
     def place(self):
         return self.random.randrange(SIZE[0]), self.random.randrange(SIZE[1])
@@ -115,11 +135,9 @@ class Monkey:
 
     def check_alive(self):
         """A program that was closed as it should be is opened again."""
-        code = self.process.poll()
-        if code is None:
+        if self.process.poll() is None:
             return
-        if code != 0 or self.log.read_text(errors="replace").strip():
-            self.fail(f"ended with exit code {code}")
+        self.check_end()
         self.restarts += 1
         self.open()
 
@@ -159,11 +177,12 @@ class Monkey:
                 settled_kb = max(settled_kb, kb)
             elif kb > settled_kb + GROWTH_KB:
                 self.fail(f"memory has grown from {settled_kb} to {kb} kB")
-        self.end()
+        self.close()
+        self.check_end()
         print(f"seed {self.options.seed}: {self.step} steps, {self.restarts} restarts, memory "
               f"{settled_kb // 1000} MB after a third, at most {self.peak_kb // 1000} MB")
 
-    def end(self):
+    def close(self):
         """Closes the window by its keys; a question about the work is answered with D."""
         end = time.monotonic() + self.options.patience
         while self.process.poll() is None:
@@ -171,8 +190,6 @@ class Monkey:
             time.sleep(0.5)
             if time.monotonic() > end:
                 self.fail("cannot be closed")
-        if self.process.returncode != 0 or self.log.read_text(errors="replace").strip():
-            self.fail(f"ended with exit code {self.process.returncode}")
 
 
 def split(words):
@@ -189,7 +206,6 @@ def run():
     parser.add_argument("--seconds", type=float, default=600.0)
     parser.add_argument("--seed", type=int, default=random.randrange(10**6))
     parser.add_argument("--patience", type=float, default=30.0)
-    parser.add_argument("--lsan", default="", help="LSAN_OPTIONS, such as suppressions of drivers")
     options = parser.parse_args()
     check_tools()
     print(f"seed {options.seed}", flush=True)

@@ -168,6 +168,12 @@ class RealWindowTest(unittest.TestCase):
     def same(self, a, b):
         return a.rows(4).difference(b.rows(4)) <= SAME
 
+    def surface(self, image):
+        """Fraction of pixels that are no background; that is the same along a row."""
+        drawn = sum(image.at(col, row) != image.at(image.width - 1, row)
+                    for row in range(0, image.height, 4) for col in range(0, image.width, 4))
+        return drawn * 16 / (image.width * image.height)
+
     def point(self, across, down):
         """Moves the pointer to a place in the window, in fractions of its size."""
         width, height = self.SCREEN

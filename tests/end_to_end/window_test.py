@@ -43,12 +43,6 @@ class WindowTest(RealWindowTest):
         self.rest(lambda image: self.same(image, torus), "the first view again")
         self.quit_by_key()
 
-    def surface(self, image):
-        """Fraction of pixels that are no background; that is dark and the same along a row."""
-        drawn = sum(image.at(col, row) != image.at(image.width - 1, row)
-                    for row in range(0, image.height, 4) for col in range(0, image.width, 4))
-        return drawn * 16 / (image.width * image.height)
-
     def test_letters_in_the_field_are_text(self):
         """R resets the view and Escape leaves the field, but only where they should."""
         self.start(TORUS)

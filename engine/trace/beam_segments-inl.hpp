@@ -1,0 +1,102 @@
+// Parts of rays that are searched on their own, and what is known of them (beam_rays-inl.hpp).
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_BEAM_SEGMENTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_SEGMENTS_INL
+#undef ZEROSET_BEAM_SEGMENTS_INL
+#else
+#define ZEROSET_BEAM_SEGMENTS_INL
+#endif
+
+#include "engine/trace/beam_ranges-inl.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// A part of a ray still to be searched, from the front.
+template <class Real>
+struct Segment {
+    std::uint32_t pixel;
+    bool inside;  ///< surely inside the clip box
+    Real from, to;
+    Real step;             ///< how far the next cell reaches
+    const Kernel* kernel;  ///< of f on it
+
+    [[nodiscard]] Real end() const { return std::min(to, from + step); }
+};
+
+/// How a march ends.
+template <class Real>
+struct MarchSettings {
+    Real finest;     ///< segments are not made shorter
+    Real margin;     ///< cells are longer than their part of the ray by this at both ends
+    bool certifies;  ///< brackets of some `finest` are narrow enough to certify a root
+};
+
+/// What forms say of segments.
+template <class Real>
+struct Verdicts {
+    /// The parts of the segments that were evaluated, and where in them f may vanish.
+    std::vector<Real> begin, end, from, to;
+    std::vector<Real> guess;  ///< a guess of the root
+
+    /// Of the segments of a vector.
+    struct Bits {
+        LaneBits rejected;   ///< no root in the part
+        LaneBits weak;       ///< the form says little; the natural interval extension may say more
+        LaneBits monotone;   ///< f is continuous, with a slope that bends little
+        LaneBits certain;    ///< then there is a root
+        LaneBits contracts;  ///< the form leaves less than three fifths of the part
+    };
+    std::vector<Bits> bits;
+
+    explicit Verdicts(std::size_t capacity) : bits(capacity / hn::Lanes(LanesOf<Real>())) {
+        for (std::vector<Real>* column : {&begin, &end, &from, &to, &guess})
+            column->resize(capacity);
+    }
+    [[nodiscard]] bool bit(LaneBits Bits::* member, std::size_t i) const {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        return (bits[i / lanes].*member >> (i % lanes) & 1U) != 0;
+    }
+    void reject(std::size_t i) {
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        bits[i / lanes].rejected |= LaneBits{1} << (i % lanes);
+    }
+};
+
+/// What is left of a segment that is not cut any further.
+template <class Real>
+struct Rest {
+    Segment<Real> segment;
+    Real from, to;  ///< where the root may be
+    bool continuous;
+};
+
+/// What a RayMarcher keeps; empty between marches but for the room.
+template <class Real>
+struct MarchMemory {
+    static constexpr std::size_t capacity = 256;
+
+    std::vector<Segment<Real>> segments;
+    std::vector<Rest<Real>> rests;  ///< of the batch at work
+    std::vector<std::size_t> asked;
+    CellPlaces<Real> places;
+    Forms<Real> forms;
+    RangeMemory<Real> ranges;
+    Verdicts<Real> verdicts{capacity};
+
+    MarchMemory() {
+        places.resize(capacity);
+        forms.resize(capacity);
+    }
+};
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
