@@ -204,7 +204,7 @@ void Session::begin(Document document, const std::string& path) {
     state_.document = renumbered(std::move(document), unused_id(state_.document));
     state_.playing.clear();
     history_ = History(state_.document);
-    saved_ = state_.document;
+    saved_ = kept_ = state_.document;
     path_ = path;
     autosave_.forget();
     if (path.empty()) {
@@ -242,7 +242,7 @@ void Session::write(const std::string& path) {
         return say("I " + written.error().message + ".");
     }
     path_ = path;
-    saved_ = state_.document;
+    saved_ = kept_ = state_.document;
     autosave_.forget();
     recent_.add(path);
     if (const auto action = std::exchange(waiting_, std::nullopt)) perform(*action);

@@ -91,7 +91,7 @@ private:
     std::optional<LostSession> lost_;
     std::optional<Action> waiting_;  ///< for the answer about the work
     Asked asked_ = Asked::Nothing;
-    Document kept_;  ///< by autosave
+    Document kept_;  ///< by autosave, or as saved where it keeps nothing
     double kept_s_ = 0.0;
     bool closed_ = false;
 };

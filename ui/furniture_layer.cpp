@@ -12,6 +12,9 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
 
 namespace zeroset::ui {
 namespace {
@@ -20,6 +23,12 @@ namespace {
 constexpr float em_of_line = 1.0F / 1.164F;
 /// From a line's top to the middle of its digits.
 constexpr float digits_middle = 0.484F;
+
+constexpr float outline_em = 0.09F;
+/// Of each of its eight copies, which lie over one another.
+constexpr float outline_opacity = 0.3F;
+/// Of a number behind a surface: it must be read, unlike lines, which need only be seen.
+constexpr float hidden_label = 0.6F;
 
 struct LabelPen {
     ImFont* font;
@@ -34,6 +43,18 @@ struct LabelPen {
         const ImVec2 at(std::round(middle.x - 0.5F * extent.x),
                         std::round(middle.y - digits_middle * size));
         canvas.AddText(font, size, at, color, text.c_str());
+    }
+    /// The same about itself, in the colour of a thin outline.
+    void outline(ImDrawList& canvas, const ImVec2& middle, const std::string& text,
+                 std::uint32_t color) const {
+        const float reach = std::max(outline_em * em(), 1.0F);
+        for (const auto& [across, down] :
+             {std::pair(-1, -1), {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}) {
+            draw(canvas,
+                 ImVec2(middle.x + reach * static_cast<float>(across),
+                        middle.y + reach * static_cast<float>(down)),
+                 text, color);
+        }
     }
 };
 
@@ -62,6 +83,8 @@ void draw_furniture(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, cons
         make_furniture(view_of(state, extent, pen), choice, *state.shown.frame);
     const FurnitureColors& colors =
         state.theme == Theme::Dark ? furniture_on_dark : furniture_on_light;
+    // So that numbers can be read on surfaces, too.
+    const std::uint32_t behind = palette(state.theme).sky;
     const float pixel = 1.0F / ImGui::GetIO().DisplayFramebufferScale.x;
     canvas.PushClipRect(lo, hi, true);
     for (const FurnitureLine& line : furniture.lines) {
@@ -70,8 +93,11 @@ void draw_furniture(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, cons
                        furniture_color(colors, line.kind, line.hidden), std::max(width, pixel));
     }
     for (const FurnitureLabel& label : furniture.labels) {
-        pen.draw(canvas, placed(lo, label.middle), label.text,
-                 furniture_color(colors, label.kind, label.hidden));
+        const std::uint32_t color = furniture_color(colors, label.kind, false);
+        const float opacity = label.hidden ? hidden_label : 1.0F;
+        pen.outline(canvas, placed(lo, label.middle), label.text,
+                    faded(behind, outline_opacity * opacity));
+        pen.draw(canvas, placed(lo, label.middle), label.text, faded(color, opacity));
     }
     canvas.PopClipRect();
 }

@@ -1,6 +1,8 @@
 #include "ui/texture.hpp"
 
+#include "engine/image/blend.hpp"
 #include "engine/image/framebuffer.hpp"
+#include "engine/trace/shade.hpp"
 #include "ui/gl.hpp"
 
 #include <GL/gl.h>
@@ -35,9 +37,16 @@ void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
                      const std::optional<Tint>& undecided) {
     constexpr std::uint32_t opaque = 0xFF000000U;
     pixels_.resize(frame.color.size());
+    const auto columns = static_cast<std::size_t>(frame.width);
+    backgrounds_.clear();
+    for (int row = 0; row < frame.height; ++row)
+        backgrounds_.push_back(background_color(row, frame.height));
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const bool drawn = std::isfinite(frame.depth[i]);
-        pixels_[i] = drawn ? frame.color[i] | opaque : behind & ~opaque;
+        const std::uint32_t color = frame.color[i];
+        pixels_[i] = is_partly_drawn(color) ? without_background(color, backgrounds_[i / columns])
+                     : drawn                ? color | opaque
+                                            : behind & ~opaque;
         if (!undecided || frame.certificate[i] != Certificate::Undecided) continue;
         const bool pale = drawn && !is_on_stripe(i, frame.width);
         pixels_[i] = (pale ? undecided->pale : undecided->solid) | opaque;

@@ -27,8 +27,9 @@ public:
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// Missed pixels become transparent, so that the theme's background shows through them; they
-    /// keep the colour `behind` (as in Palette) so that a stretched picture has no fringe.
+    /// Missed pixels (and parts of smoothed ones) become transparent, so that the theme's
+    /// background shows through them; they keep the colour `behind` (as in Palette) so that a
+    /// stretched picture has no fringe.
     void upload(const Framebuffer& frame, std::uint32_t behind,
                 const std::optional<Tint>& undecided = std::nullopt);
     void upload(const RgbaImage& image);
@@ -47,6 +48,7 @@ private:
     int width_ = 0;
     int height_ = 0;
     std::vector<std::uint32_t> pixels_;
+    std::vector<std::uint32_t> backgrounds_;  ///< of the frame's rows
 };
 
 }  // namespace zeroset::ui

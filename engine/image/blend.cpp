@@ -24,6 +24,9 @@ std::uint32_t mean_of(const std::array<std::uint32_t, 5>& colors) {
     return mean;
 }
 
+/// Alpha of a pixel of whose five rays so many hit.
+std::uint32_t alpha_of(std::uint32_t hits) { return hits == 0 ? 255U : 51U * hits; }
+
 }  // namespace
 
 void blend_finer(const Framebuffer& finer, const PixelRect& rect, Framebuffer& picture) {
@@ -31,13 +34,33 @@ void blend_finer(const Framebuffer& finer, const PixelRect& rect, Framebuffer& p
         for (int col = 0; col < rect.cols; ++col) {
             const std::size_t above = finer.index(2 * col, 2 * row);
             const std::size_t below = finer.index(2 * col, 2 * row + 1);
-            std::uint32_t& color = picture.color[picture.index(rect.col + col, rect.row + row)];
+            const std::size_t at = picture.index(rect.col + col, rect.row + row);
+            std::uint32_t& color = picture.color[at];
             const std::array colors{color, finer.color[above], finer.color[above + 1],
                                     finer.color[below], finer.color[below + 1]};
             const bool even = std::ranges::all_of(colors, [&](auto c) { return c == color; });
             if (!even) color = mean_of(colors);
+            const std::array depths{picture.depth[at], finer.depth[above], finer.depth[above + 1],
+                                    finer.depth[below], finer.depth[below + 1]};
+            const auto hits =
+                std::ranges::count_if(depths, [](float d) { return std::isfinite(d); });
+            color = (color & 0xFFFFFFU) | alpha_of(static_cast<std::uint32_t>(hits)) << 24U;
         }
     }
+}
+
+std::uint32_t without_background(std::uint32_t color, std::uint32_t background) {
+    const std::uint32_t alpha = color >> 24U;
+    const float part = static_cast<float>(alpha) / 255.0F;
+    std::uint32_t drawn = alpha << 24U;
+    for (unsigned shift = 0; shift < 24; shift += 8) {
+        const auto mixed = static_cast<float>(color >> shift & 0xFFU);
+        const auto behind = static_cast<float>(background >> shift & 0xFFU);
+        const float light = (mixed * mixed - (1.0F - part) * behind * behind) / part;
+        const float value = std::sqrt(std::max(light, 0.0F)) + 0.5F;
+        drawn |= static_cast<std::uint32_t>(std::min(value, 255.0F)) << shift;
+    }
+    return drawn;
 }
 
 }  // namespace zeroset

@@ -25,7 +25,7 @@ inline constexpr std::uint8_t no_surface = 255;
 struct Framebuffer {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R in the lowest byte
+    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R lowest; A: 255, or see blend_finer
     std::vector<float> depth;          ///< as ViewFrame measures distances; +inf: a miss
     std::vector<Certificate> certificate;
     std::vector<std::uint8_t> surface;  ///< index of the surface that is drawn, or no_surface

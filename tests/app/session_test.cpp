@@ -256,6 +256,18 @@ TEST_F(Sessions, DoNotOfferWhatAnotherWindowHas) {
     EXPECT_FALSE(other.dialogs.question);
 }
 
+TEST_F(Sessions, KeepWhatIsAsItBeganButNotAsItWasSaved) {
+    start();
+    type(" + y", 0.1);
+    give(ui::Command::Save);
+    choose(file("a.zeroset.json"));
+    give(ui::Command::Undo);
+    EXPECT_EQ(text(), "x = 1");
+    ASSERT_TRUE(session_->due_s(now_s_));
+    frame(Session::autosave_s + 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "state/zeroset/autosave"), {}), 2);
+}
+
 TEST_F(Sessions, LeaveNothingWhenTheyAreClosed) {
     start();
     type(" + y", Session::autosave_s + 1);
