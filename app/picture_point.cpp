@@ -3,12 +3,11 @@
 #include "engine/expr/interpret.hpp"
 #include "engine/trace/tolerance.hpp"
 
+#include "document/json_fields.hpp"
 #include <nlohmann/json.hpp>
 
 namespace zeroset {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const char* name_of(Certificate certificate) {
     switch (certificate) {
@@ -18,8 +17,6 @@ const char* name_of(Certificate certificate) {
     }
     return "";
 }
-
-Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 }  // namespace
 
@@ -39,11 +36,11 @@ std::string json_line(int col, int row, const std::optional<PointFacts>& facts, 
                       const std::string& reading) {
     Json json{{"col", col}, {"row", row}, {"hit", facts.has_value()}};
     if (facts) {
-        json["point"] = json_of(facts->point);
+        json["point"] = array_of(facts->point);
         json["within"] = facts->within;
         json["proved"] = facts->proved;
         json["f"] = facts->f;
-        json["normal"] = json_of(facts->normal);
+        json["normal"] = array_of(facts->normal);
         json["distance"] = facts->distance;
         json["certificate"] = name_of(facts->certificate);
         json["surface"] = surface;

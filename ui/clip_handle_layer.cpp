@@ -66,6 +66,11 @@ std::uint32_t color_of(const Handle& handle, Theme theme) {
         .axes[handle.id.index / 2];
 }
 
+float opacity_of(std::uint32_t color) { return static_cast<float>(color >> 24U) / 255.0F; }
+
+/// As opaque as the colour.
+std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
+
 struct Pen {
     ImDrawList& canvas;
     const PictureArea& area;
@@ -90,10 +95,9 @@ void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) c
         if (!at) return;  // reaches behind the eye
         places.push_back(*at);
     }
-    const float opacity = static_cast<float>(color >> 24U) / 255.0F;
     const int count = static_cast<int>(places.size());
-    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3F * opacity), ImDrawFlags_Closed,
-                       em(0.22F));
+    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3F * opacity_of(color)),
+                       ImDrawFlags_Closed, em(0.22F));
     canvas.AddPolyline(places.data(), count, color, ImDrawFlags_Closed, em(0.11F));
 }
 
@@ -116,8 +120,7 @@ void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
     const ImVec2 lo(at.x - half, at.y - half);
     const ImVec2 hi(at.x + half, at.y + half);
     canvas.AddRectFilled(lo, hi, color, em(0.12F));
-    canvas.AddRect(lo, hi, faded(0xFFFFFFFFU, static_cast<float>(color >> 24U) / 255.0F), em(0.12F),
-                   0, em(0.1F));
+    canvas.AddRect(lo, hi, white_on(color), em(0.12F), 0, em(0.1F));
     const float rim = em(0.07F);
     canvas.AddRect(ImVec2(lo.x - rim, lo.y - rim), ImVec2(hi.x + rim, hi.y + rim),
                    faded(0xFF000000U, 0.5F), em(0.16F), 0, rim);
@@ -125,8 +128,7 @@ void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
 
 void Pen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
     canvas.AddCircleFilled(at, radius, color, 24);
-    canvas.AddCircle(at, radius, faded(0xFFFFFFFFU, static_cast<float>(color >> 24U) / 255.0F), 24,
-                     em(0.1F));
+    canvas.AddCircle(at, radius, white_on(color), 24, em(0.1F));
     canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5F), 24, em(0.07F));
 }
 
@@ -139,7 +141,7 @@ void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
         case HandlePart::BoxFace: return square(*at, color, size);
         case HandlePart::BallCentre: {
             ball(*at, color, size);
-            const std::uint32_t ink = faded(0xFFFFFFFFU, static_cast<float>(color >> 24U) / 255.0F);
+            const std::uint32_t ink = white_on(color);
             const float half = 0.6F * size;
             canvas.AddLine(ImVec2(at->x - half, at->y), ImVec2(at->x + half, at->y), ink, em(0.1F));
             canvas.AddLine(ImVec2(at->x, at->y - half), ImVec2(at->x, at->y + half), ink, em(0.1F));

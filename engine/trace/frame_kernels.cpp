@@ -2,6 +2,7 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
+#include "engine/trace/form_cells.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -35,7 +36,7 @@ private:
     const TraceFrame& frame_;
     bool any_ = false;
     FrustumOf<Real> frustum_{};
-    std::array<Real, slabs> u_, v_, s_, s_radius_;
+    FormCells<Real, slabs> cells_;
 };
 
 template <class Real>
@@ -53,39 +54,22 @@ RegionCells<Real>::RegionCells(const TraceFrame& frame, const Tile& square, int 
     // Longer than all cells of its tiles that end where it does.
     const double margin = 0.01 * length + 256 * s_most * unit + 16 * view.tolerance();
     for (std::size_t i = 0; i < slabs; ++i) {
-        u_[i] = static_cast<Real>(view.u(half));
-        v_[i] = static_cast<Real>(view.v(half));
-        s_[i] = static_cast<Real>(all.enter_lo + (static_cast<double>(i) + 0.5) * length);
-        s_radius_[i] = upper_end(Real{}, 0.5 * length + margin);
+        cells_.u[i] = static_cast<Real>(view.u(half));
+        cells_.v[i] = static_cast<Real>(view.v(half));
+        cells_.s[i] = static_cast<Real>(all.enter_lo + (static_cast<double>(i) + 0.5) * length);
+        cells_.s_radius[i] = upper_end(Real{}, 0.5 * length + margin);
     }
 }
 
 template <class Real>
 std::shared_ptr<const Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
-    std::array<Real, slabs> c, e, r, slope_neg_lo, slope_hi;
-    std::array<std::array<Real, slabs>, 3> k;
-    std::array<ContinuityMask<Real>, slabs> continuous, nowhere;
     ChoiceRecord record;
-    shortener.form(FormBatchOf<Real>{slabs,
-                                     u_.data(),
-                                     v_.data(),
-                                     s_.data(),
-                                     s_radius_.data(),
-                                     frustum_.base,
-                                     frame_.scene.uniforms.template boxes<Real>(),
-                                     c.data(),
-                                     {k[0].data(), k[1].data(), k[2].data()},
-                                     e.data(),
-                                     r.data(),
-                                     slope_neg_lo.data(),
-                                     slope_hi.data(),
-                                     continuous.data(),
-                                     nowhere.data()},
+    shortener.form(cells_.batch(slabs, frustum_, frame_.scene.uniforms.template boxes<Real>()),
                    record);
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < slabs; ++i) {
-        const Real reach = std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
-        if (nowhere[i] == 0 && !(std::abs(c[i]) > reach)) open.push_back(i);
+        const bool apart = std::abs(cells_.c[i]) > cells_.spread(i);
+        if (cells_.nowhere[i] == 0 && !apart) open.push_back(i);
     }
     if (open.empty()) return nullptr;
     return shortener.shortened(record, open);

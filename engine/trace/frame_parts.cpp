@@ -2,11 +2,12 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
+#include "engine/trace/form_cells.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace zeroset {
 namespace {
@@ -76,10 +77,10 @@ public:
     Entries(const TraceFrame& frame, const Tile& tile);
 
     /// Whether f is above 0 where the rays enter, and continuous.
-    [[nodiscard]] bool are_above_zero(const Kernel& kernel) const;
+    bool are_above_zero(const Kernel& kernel);
 
 private:
-    static constexpr std::size_t cells = batch_multiple;
+    static constexpr std::size_t room = batch_multiple;
     static constexpr int across = 4;
     static constexpr int side = tile_size / across;
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -87,7 +88,7 @@ private:
     const TraceFrame& frame_;
     FrustumOf<Real> frustum_;
     std::size_t size_ = 0;
-    std::array<Real, cells> u_, v_, s_, s_radius_;
+    FormCells<Real, room> cells_;
 };
 
 template <class Real>
@@ -106,45 +107,28 @@ Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame
         if (depths.empty()) continue;
         const double far = std::min(depths.enter_hi, depths.exit_hi);
         const double most = std::max(std::abs(depths.enter_lo), std::abs(far));
-        u_[size_] = static_cast<Real>(u);
-        v_[size_] = static_cast<Real>(v);
-        s_[size_] = static_cast<Real>(0.5 * (depths.enter_lo + far));
-        s_radius_[size_] = upper_end(
+        cells_.u[size_] = static_cast<Real>(u);
+        cells_.v[size_] = static_cast<Real>(v);
+        cells_.s[size_] = static_cast<Real>(0.5 * (depths.enter_lo + far));
+        cells_.s_radius[size_] = upper_end(
             Real{}, 0.5 * (far - depths.enter_lo) + 16 * most * unit + 4 * view.depth_error());
         ++size_;
     }
-    for (std::size_t i = size_; i < cells && size_ > 0; ++i) {
-        u_[i] = u_[0];
-        v_[i] = v_[0];
-        s_[i] = s_[0];
-        s_radius_[i] = s_radius_[0];
+    for (std::size_t i = size_; i < room && size_ > 0; ++i) {
+        cells_.u[i] = cells_.u[0];
+        cells_.v[i] = cells_.v[0];
+        cells_.s[i] = cells_.s[0];
+        cells_.s_radius[i] = cells_.s_radius[0];
     }
 }
 
 template <class Real>
-bool Entries<Real>::are_above_zero(const Kernel& kernel) const {
+bool Entries<Real>::are_above_zero(const Kernel& kernel) {
     if (size_ == 0) return true;
-    std::array<Real, cells> c, e, r, slope_neg_lo, slope_hi;
-    std::array<std::array<Real, cells>, 3> k;
-    std::array<ContinuityMask<Real>, cells> continuous, nowhere;
-    kernel.form(FormBatchOf<Real>{cells,
-                                  u_.data(),
-                                  v_.data(),
-                                  s_.data(),
-                                  s_radius_.data(),
-                                  frustum_.base,
-                                  frame_.scene.uniforms.template boxes<Real>(),
-                                  c.data(),
-                                  {k[0].data(), k[1].data(), k[2].data()},
-                                  e.data(),
-                                  r.data(),
-                                  slope_neg_lo.data(),
-                                  slope_hi.data(),
-                                  continuous.data(),
-                                  nowhere.data()});
+    kernel.form(cells_.batch(room, frustum_, frame_.scene.uniforms.template boxes<Real>()));
     for (std::size_t i = 0; i < size_; ++i) {
-        const Real spread = std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
-        if (!(c[i] > spread) || continuous[i] == 0) return false;
+        const bool above = cells_.c[i] > cells_.spread(i);
+        if (!above || cells_.continuous[i] == 0) return false;
     }
     return true;
 }
@@ -169,15 +153,15 @@ FrameParts::FrameParts(const TraceFrame& frame, const LeastOf& least_of) : frame
 }
 
 template <class Real>
-bool FrameParts::is_above_zero_at_entries(const Kernel& part, const Tile& tile) const {
-    return Entries<Real>(frame_, tile).are_above_zero(part);
-}
-
-bool FrameParts::is_apart(const Part& part, const Tile& tile) const {
-    if (!part.continuous || part.whole) return part.continuous;
-    return frame_.precision == Precision::Double
-               ? is_above_zero_at_entries<double>(*part.in_view.kernel, tile)
-               : is_above_zero_at_entries<float>(*part.in_view.kernel, tile);
+bool FrameParts::are_apart(std::span<const Part* const> parts, const Tile& tile) const {
+    std::optional<Entries<Real>> entries;  // few tiles need them
+    for (const Part* const part : parts) {
+        if (!part->continuous) return false;
+        if (part->whole) continue;
+        if (!entries) entries.emplace(frame_, tile);
+        if (!entries->are_above_zero(*part->in_view.kernel)) return false;
+    }
+    return true;
 }
 
 bool FrameParts::list(const Tile& tile, std::vector<PartInView>& parts) const {
@@ -188,8 +172,9 @@ bool FrameParts::list(const Tile& tile, std::vector<PartInView>& parts) const {
         parts.push_back(part.in_view);
         in_tile.push_back(&part);
     }
-    return parts.size() < 2 ||
-           std::ranges::all_of(in_tile, [&](const Part* part) { return is_apart(*part, tile); });
+    if (parts.size() < 2) return true;
+    return frame_.precision == Precision::Double ? are_apart<double>(in_tile, tile)
+                                                 : are_apart<float>(in_tile, tile);
 }
 
 }  // namespace zeroset

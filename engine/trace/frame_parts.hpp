@@ -3,6 +3,7 @@
 #include "engine/expr/least_of.hpp"
 #include "engine/trace/tracer.hpp"
 
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -25,10 +26,9 @@ private:
         bool continuous;
         bool whole;  ///< above 0 at the faces of the clip box and at the eye
     };
-    /// Whether all rays of the tile begin where it is above 0.
+    /// Whether all rays of the tile begin where all of these are above 0, and these are continuous.
     template <class Real>
-    [[nodiscard]] bool is_above_zero_at_entries(const Kernel& part, const Tile& tile) const;
-    [[nodiscard]] bool is_apart(const Part& part, const Tile& tile) const;
+    [[nodiscard]] bool are_apart(std::span<const Part* const> parts, const Tile& tile) const;
 
     const TraceFrame& frame_;
     std::vector<Part> parts_;  ///< front to back

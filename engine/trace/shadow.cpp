@@ -2,10 +2,10 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
+#include "engine/trace/form_cells.hpp"
 #include "engine/trace/shade.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -84,10 +84,7 @@ private:
     FrustumOf<Real> frustum_;
     double finest_;  ///< a cell that is no longer and may hold a root throws a shadow
     double margin_;  ///< cells are longer than their part of the way
-    std::array<Real, cells_at_once> u_, v_, s_, s_radius_;
-    std::array<Real, cells_at_once> c_, e_, r_, slope_neg_lo_, slope_hi_;
-    std::array<std::array<Real, cells_at_once>, 3> k_;
-    std::array<ContinuityMask<Real>, cells_at_once> continuous_, nowhere_;
+    FormCells<Real, cells_at_once> cells_;
 };
 
 template <class Real>
@@ -96,37 +93,25 @@ void WaySearch<Real>::evaluate(const Way* ways, std::size_t count) {
     for (std::size_t i = 0; i < padded; ++i) {
         const Way& way = ways[std::min(i, count - 1)];
         const double next = way.next();
-        u_[i] = static_cast<Real>(way.u);
-        v_[i] = static_cast<Real>(way.v);
-        s_[i] = static_cast<Real>(0.5 * next + 0.5 * way.to);
-        const auto middle = static_cast<double>(s_[i]);
-        s_radius_[i] = upper_end(Real{}, std::max(way.to - middle, middle - next) + margin_);
+        cells_.u[i] = static_cast<Real>(way.u);
+        cells_.v[i] = static_cast<Real>(way.v);
+        cells_.s[i] = static_cast<Real>(0.5 * next + 0.5 * way.to);
+        const auto middle = static_cast<double>(cells_.s[i]);
+        cells_.s_radius[i] = upper_end(Real{}, std::max(way.to - middle, middle - next) + margin_);
     }
     counters_.form += count;
-    light_.kernel.ray_form(FormBatchOf<Real>{padded,
-                                             u_.data(),
-                                             v_.data(),
-                                             s_.data(),
-                                             s_radius_.data(),
-                                             frustum_.base,
-                                             light_.scene.uniforms.template boxes<Real>(),
-                                             c_.data(),
-                                             {k_[0].data(), k_[1].data(), k_[2].data()},
-                                             e_.data(),
-                                             r_.data(),
-                                             slope_neg_lo_.data(),
-                                             slope_hi_.data(),
-                                             continuous_.data(),
-                                             nowhere_.data()});
+    light_.kernel.ray_form(
+        cells_.batch(padded, frustum_, light_.scene.uniforms.template boxes<Real>()));
 }
 
 template <class Real>
 auto WaySearch<Real>::judge(const Way& way, std::size_t i) const -> Verdict {
-    const Real steepness = std::abs(k_[2][i]);
-    const Real size = std::abs(c_[i]);
-    if (nowhere_[i] != 0 || size > steepness + e_[i]) return Verdict::Free;
-    const bool continuous = continuous_[i] != 0;
-    if (continuous && steepness > size + e_[i]) return Verdict::Dark;  // opposite signs at the ends
+    const Real steepness = std::abs(cells_.k[2][i]);
+    const Real size = std::abs(cells_.c[i]);
+    if (cells_.nowhere[i] != 0 || size > steepness + cells_.e[i]) return Verdict::Free;
+    const bool continuous = cells_.continuous[i] != 0;
+    if (continuous && steepness > size + cells_.e[i])
+        return Verdict::Dark;  // opposite signs at the ends
     if (way.to - way.next() > finest_) return Verdict::Open;
     return continuous ? Verdict::Dark : Verdict::Free;
 }
