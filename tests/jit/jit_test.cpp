@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(All, JitOperator, ::testing::ValuesIn(operators()),
 
 TEST(Jit, HasTheInterpretersBitsOnRandomFormulas) {
     RandomNumbers random(11);
-    for (int i = 0; i < 120 && !testing::Test::HasFailure(); ++i) {
+    const int count = formulas_to_try(120);
+    for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         const Batches batches(random, 128);
         expect_same_bits(random_expression(random, 1 + i % 6), batches);
     }

@@ -4,23 +4,17 @@
 #include "engine/expr/parse.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/parts.hpp"
+#include "tests/support/random_expression.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <cstdlib>
 
-// Range kernels of random formulas against MPFI. ZEROSET_FORMULAS=N in the environment tries N
-// formulas with each kernel instead of a few hundred.
+// Range kernels of random formulas against MPFI.
 
 namespace zeroset::test {
 namespace {
-
-int formulas(int usual) {
-    const char* const wanted = std::getenv("ZEROSET_FORMULAS");
-    return wanted == nullptr ? usual : std::atoi(wanted);
-}
 
 Kernel machine_code(const Expr& expr) { return compiled(expr, {.with_double = true}); }
 
@@ -40,9 +34,15 @@ protected:
 };
 TYPED_TEST_SUITE(KernelInclusion, RealTypes, RealTypeNames);
 
-TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) { this->check(interpret, formulas(1000), 11); }
-TYPED_TEST(KernelInclusion, OfPartsHolds) { this->check(interpret_with_parts, formulas(300), 13); }
-TYPED_TEST(KernelInclusion, OfMachineCodeHolds) { this->check(machine_code, formulas(30), 12); }
+TYPED_TEST(KernelInclusion, OfTheInterpreterHolds) {
+    this->check(interpret, formulas_to_try(1000), 11);
+}
+TYPED_TEST(KernelInclusion, OfPartsHolds) {
+    this->check(interpret_with_parts, formulas_to_try(300), 13);
+}
+TYPED_TEST(KernelInclusion, OfMachineCodeHolds) {
+    this->check(machine_code, formulas_to_try(30), 12);
+}
 
 Expr parsed(const char* text) { return parse(text).value(); }
 

@@ -13,4 +13,7 @@ Expr random_expression(RandomNumbers& random, int depth);
 /// x < y as the first, z <= x as the second.
 Expr operator_on_variables(const OpInfo& info, int n = 3);
 
+/// How many random formulas a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
+int formulas_to_try(int usual);
+
 }  // namespace zeroset::test
