@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/bit_bytes.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -74,10 +75,7 @@ public:
         static_assert(most <= 8);
         any_ = true;
         Certificate* const known = &hits_->certificate[pixel];
-        // A byte for each bit, all ones or 0.
-        const std::uint64_t spread = (bits * 0x0101010101010101U) & 0x8040201008040201U;
-        const std::uint64_t set = ((spread + 0x7F7F7F7F7F7F7F7FU) | spread) >> 7U;
-        const std::uint64_t bytes = (set & 0x0101010101010101U) * 0xFFU;
+        const std::uint64_t bytes = bytes_of_bits(bits);
         std::uint64_t all = 0;
         std::memcpy(&all, known, most);
         constexpr auto certified = static_cast<std::uint64_t>(Certificate::Certified);

@@ -1,5 +1,6 @@
 #include "engine/trace/shade.hpp"
 
+#include "engine/trace/bit_bytes.hpp"
 #include "engine/trace/caps.hpp"
 #include "engine/trace/palette.hpp"
 
@@ -190,45 +191,84 @@ Row row_of(const Tile& tile, int row, const Canvas& out) {
             background_color(tile.row + row, out.height)};
 }
 
-/// Misses: `count` pixels from `pixel` on.
-HWY_INLINE void clear_pixels(std::size_t pixel, std::size_t count, std::uint32_t background,
-                             Framebuffer& out) {
-    std::fill_n(&out.color[pixel], count, background);
-    std::fill_n(&out.depth[pixel], count, std::numeric_limits<float>::infinity());
-    std::memset(&out.certificate[pixel], static_cast<int>(Certificate::Miss), count);
-    std::memset(&out.surface[pixel], no_surface, count);
+/// A bit for each pixel of a row of a tile, the first one lowest.
+using RowBits = std::uint64_t;
+static_assert(tile_size == 64);
+
+RowBits first_bits(std::size_t count) { return ~RowBits{0} >> (tile_size - count); }
+
+/// Misses, in a picture that holds nothing yet.
+void clear_row(const Row& to, Framebuffer& out) {
+    std::fill_n(&out.color[to.first], to.count, to.background);
+    std::fill_n(&out.depth[to.first], to.count, std::numeric_limits<float>::infinity());
+    std::memset(&out.certificate[to.first], static_cast<int>(Certificate::Miss), to.count);
+    std::memset(&out.surface[to.first], no_surface, to.count);
 }
 
-/// Writes the pixels of a vector whose bits are set.
-HWY_INLINE void write_some(const hn::Vec<hn::RebindToUnsigned<D>>& color, V depth,
-                           const Certificate* known, std::uint8_t surface, unsigned bits,
-                           std::size_t pixel, Framebuffer& out) {
-    constexpr std::size_t lanes = hn::MaxLanes(d);
-    alignas(64) std::uint32_t colors[lanes];
-    alignas(64) float depths[lanes];
-    hn::Store(color, hn::RebindToUnsigned<D>(), colors);
-    hn::Store(depth, d, depths);
-    for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        out.color[pixel + lane] = colors[lane];
-        out.depth[pixel + lane] = depths[lane];
-        out.certificate[pixel + lane] = known[lane];
-        out.surface[pixel + lane] = surface;
+/// A whole row, hits and misses, in a picture that holds nothing yet.
+void write_row(const Row& to, RowBits hit, const std::uint32_t* colors, const float* depths,
+               const Certificate* known, std::uint8_t surface, Framebuffer& out) {
+    std::memcpy(&out.color[to.first], colors, to.count * sizeof(*colors));
+    std::memcpy(&out.depth[to.first], depths, to.count * sizeof(*depths));
+    if (hit == first_bits(to.count)) {
+        std::memcpy(&out.certificate[to.first], known, to.count);
+        std::memset(&out.surface[to.first], surface, to.count);
+        return;
+    }
+    constexpr std::uint64_t every = 0x0101010101010101U;
+    constexpr auto miss = static_cast<std::uint64_t>(Certificate::Miss) * every;
+    alignas(64) std::uint8_t certificates[tile_size], surfaces[tile_size];
+    for (std::size_t col = 0; col < tile_size; col += 8) {
+        const std::uint64_t bytes = bytes_of_bits(hit >> col & 0xFFU);
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, known + col, 8);
+        eight = (eight & bytes) | (miss & ~bytes);
+        std::memcpy(certificates + col, &eight, 8);
+        eight = (surface * every & bytes) | (no_surface * every & ~bytes);
+        std::memcpy(surfaces + col, &eight, 8);
+    }
+    std::memcpy(&out.certificate[to.first], certificates, to.count);
+    std::memcpy(&out.surface[to.first], surfaces, to.count);
+}
+
+/// The hits of a row, in a picture that holds those of other surfaces.
+void add_row(const Row& to, RowBits hit, const std::uint32_t* colors, const float* depths,
+             const Certificate* known, std::uint8_t surface, Framebuffer& out) {
+    for (; hit != 0; hit &= hit - 1) {
+        const auto col = static_cast<std::size_t>(std::countr_zero(hit));
+        out.color[to.first + col] = colors[col];
+        out.depth[to.first + col] = depths[col];
+        out.certificate[to.first + col] = known[col];
+        out.surface[to.first + col] = surface;
     }
 }
 
-/// Lights the hits of a row; whether there are any.
-bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile& tile, int row,
-                    const TileHits& hits, Light& light) {
+/// Which pixels of a row are hits.
+RowBits hits_of(const float* depths, std::size_t count) {
+    RowBits bits = 0;
+    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, hn::Lt(hn::LoadU(d, depths + col), hn::Inf(d)), bytes);
+        bits |= (bytes[0] | static_cast<RowBits>(bytes[1]) << 8U) << col;
+    }
+    return bits & first_bits(count);
+}
+
+/// Those of a vector.
+RowBits bits_at(RowBits bits, std::size_t col) {
+    return bits >> col & first_bits(hn::MaxLanes(d));
+}
+
+/// Lights the hits of a row.
+void illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile& tile, int row,
+                    RowBits hit, const TileHits& hits, Light& light) {
     const double size = frame.view.pixel_size(frame.height);
     const V3 start = splat(
         frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height));
     const V3 step = splat(frame.view.parallel() ? glm::dvec3(0.0) : size * frame.view.right);
-    bool any = false;
     for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
+        if (bits_at(hit, col) == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        if (hn::AllFalse(d, hn::Lt(hn::LoadU(d, &hits.depth[at]), hn::Inf(d)))) continue;
-        any = true;
         const V along = hn::Iota(d, static_cast<float>(col));
         const V3 ray{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
                      hn::MulAdd(along, step.z, start.z)};
@@ -237,7 +277,6 @@ bool illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile&
         const V lit = hits.any_dark ? hn::LoadU(d, &hits.lit[at]) : hn::Set(d, 1.0F);
         illuminate(shading, ray, gradient, lit, col, light);
     }
-    return any;
 }
 
 /// Caps are darker than the skin, hatched and without highlights.
@@ -256,32 +295,25 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
     }
 }
 
-/// `paint`: BySide or ByPixel. `fresh`: the picture holds nothing yet, so that misses are to be
-/// written, too.
+/// The colours of a row. `paint`: BySide or ByPixel.
 template <class Paint>
-void shade_row(const Paint& paint, std::uint8_t surface, bool fresh, const Row& to, int row,
-               const TileHits& hits, const Light& light, Framebuffer& out) {
-    constexpr std::size_t lanes = hn::MaxLanes(d);
-    for (std::size_t col = 0; col < to.count; col += lanes) {
-        const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        const std::size_t pixel = to.first + col;
-        const V depth = hn::LoadU(d, &hits.depth[at]);
-        const auto hit = hn::And(hn::Lt(depth, hn::Inf(d)), hn::FirstN(d, to.count - col));
-        const bool all = hn::AllTrue(d, hit);
-        if (fresh && !all) clear_pixels(pixel, std::min(lanes, to.count - col), to.background, out);
-        if (!all && hn::AllFalse(d, hit)) continue;
-        const auto color = colored(paint, light, col, at);
-        if (all) {
-            hn::StoreU(color, hn::RebindToUnsigned<D>(), &out.color[pixel]);
-            hn::StoreU(depth, d, &out.depth[pixel]);
-            std::memcpy(&out.certificate[pixel], &hits.certificate[at], lanes);
-            std::memset(&out.surface[pixel], surface, lanes);
-        } else {
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, hit, bytes);
-            write_some(color, depth, &hits.certificate[at], surface,
-                       bytes[0] | static_cast<unsigned>(bytes[1]) << 8U, pixel, out);
+void color_row(const Paint& paint, const Row& to, int row, RowBits hit, const Light& light,
+               std::uint32_t* colors) {
+    const hn::RebindToUnsigned<D> du;
+    const auto background = hn::Set(du, to.background);
+    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
+        const RowBits some = bits_at(hit, col);
+        auto color = background;
+        if (some != 0) {
+            const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+            color = colored(paint, light, col, at);
+            if (some != first_bits(hn::MaxLanes(d))) {
+                const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(some),
+                                               static_cast<std::uint8_t>(some >> 8U)};
+                color = hn::IfThenElse(hn::LoadMaskBits(du, bytes), color, background);
+            }
         }
+        hn::Store(color, du, colors + col);
     }
 }
 
@@ -291,26 +323,31 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
     const Shading shading(frame.view, surface < own.size() ? own[surface] : colors_of(surface));
     const bool by_pixel = !hits.reflectance[0].empty();
     Light light;
+    alignas(64) std::uint32_t colors[tile_size];
     for (int row = 0; row < tile.rows; ++row) {
         const Row to = row_of(tile, row, out);
-        if (illuminate_row(frame, shading, tile, row, hits, light)) {
-            if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
-            if (by_pixel) {
-                shade_row(ByPixel{hits}, surface, fresh, to, row, hits, light, out.pixels);
-            } else {
-                shade_row(BySide{shading}, surface, fresh, to, row, hits, light, out.pixels);
-            }
-        } else if (fresh) {
-            clear_pixels(to.first, to.count, to.background, out.pixels);
+        const auto at = static_cast<std::size_t>(row) * tile_size;
+        const float* const depths = &hits.depth[at];
+        const RowBits hit = hits_of(depths, to.count);
+        if (hit == 0) {
+            if (fresh) clear_row(to, out.pixels);
+            continue;
         }
+        illuminate_row(frame, shading, tile, row, hit, hits, light);
+        if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
+        if (by_pixel) {
+            color_row(ByPixel{hits}, to, row, hit, light, colors);
+        } else {
+            color_row(BySide{shading}, to, row, hit, light, colors);
+        }
+        const auto put = fresh ? write_row : add_row;
+        put(to, hit, colors, depths, &hits.certificate[at], surface, out.pixels);
     }
 }
 
 void clear_rows(const Tile& tile, const Canvas& out) {
-    for (int row = 0; row < tile.rows; ++row) {
-        const Row to = row_of(tile, row, out);
-        clear_pixels(to.first, to.count, to.background, out.pixels);
-    }
+    for (int row = 0; row < tile.rows; ++row)
+        clear_row(row_of(tile, row, out), out.pixels);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
