@@ -198,6 +198,7 @@ float scale_for(const Framebuffer& picture) {
 
 void draw_over(Framebuffer& picture, float scale, Theme theme,
                const std::function<void(ImDrawList&)>& draw) {
+    picture.blank_rows.clear();
     const Canvas canvas(static_cast<float>(picture.width), static_cast<float>(picture.height),
                         scale, theme);
     draw(*ImGui::GetBackgroundDrawList());

@@ -19,6 +19,7 @@ Framebuffer certificate_picture(const Framebuffer& frame) {
     constexpr std::uint32_t red = 0xFF3B3BE0;
     constexpr std::uint32_t black = 0xFF000000;
     Framebuffer picture = frame;
+    picture.blank_rows.clear();
     for (std::size_t i = 0; i < picture.color.size(); ++i) {
         const bool drawn = std::isfinite(frame.depth[i]);
         switch (frame.certificate[i]) {

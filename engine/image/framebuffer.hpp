@@ -29,6 +29,11 @@ struct Framebuffer {
     std::vector<float> depth;          ///< as ViewFrame measures distances; +inf: a miss
     std::vector<Certificate> certificate;
     std::vector<std::uint8_t> surface;  ///< index of the surface that is drawn, or no_surface
+    /// What render_frame knows of what it drew here last, so that it need not draw it again: for
+    /// each of its tiles, row by row, a bit for each row of pixels, the first one lowest; set where
+    /// all its pixels are misses in the background's colour. Empty: nothing is known. Whatever else
+    /// changes pixels empties it.
+    std::vector<std::uint64_t> blank_rows;
 
     Framebuffer() = default;
     Framebuffer(int width_px, int height_px);

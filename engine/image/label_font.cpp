@@ -40,6 +40,7 @@ struct Glyphs {
 
 void paint_glyph(Framebuffer& picture, const Glyphs& glyph, int left, int top,
                  std::uint32_t color) {
+    picture.blank_rows.clear();
     for (int row = 0; row < glyph.height; ++row) {
         for (int col = 0; col < glyph.width; ++col) {
             const int x = left + col;

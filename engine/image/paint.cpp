@@ -22,6 +22,7 @@ void paint_line(Framebuffer& picture, const glm::dvec2& from, const glm::dvec2& 
                 std::uint32_t color) {
     const double length = glm::distance(from, to);
     if (!(length > 0)) return;
+    picture.blank_rows.clear();
     const glm::dvec2 along = (to - from) / length;
     const int major = std::abs(along.x) >= std::abs(along.y) ? 0 : 1;
     const int minor = 1 - major;

@@ -86,6 +86,7 @@ void KnownFrame::evaluate(std::size_t surface, const Tile& tile, const Hits& kno
 
 void KnownFrame::draw(Framebuffer& frame) const {
     const NearestRounding nearest;
+    frame.blank_rows.clear();
     parallel_for(grid_.size(), threads_, [&](std::size_t index) {
         thread_local std::vector<TileHits> hits;
         hits.resize(std::max(hits.size(), surfaces_.size()));

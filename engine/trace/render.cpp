@@ -168,8 +168,8 @@ public:
                                   watch.cancel);
         }
     }
-    /// What it did. In upward rounding.
-    Counters paint(const Tile& tile, Workspace& workspace) const;
+    /// What it did. `blank_rows`: the tile's of the picture. In upward rounding.
+    Counters paint(const Tile& tile, Workspace& workspace, std::uint64_t& blank_rows) const;
 
 private:
     /// Into workspace.fine; false when cancelled.
@@ -195,12 +195,17 @@ bool FramePainter::paint_fine(const Tile& tile, Workspace& workspace, Counters& 
     return true;
 }
 
-Counters FramePainter::paint(const Tile& tile, Workspace& workspace) const {
+Counters FramePainter::paint(const Tile& tile, Workspace& workspace,
+                             std::uint64_t& blank_rows) const {
     Counters counters;
     if (fine_painter_ && !paint_fine(tile, workspace, counters)) return counters;
-    if (!painter_.paint(tile, workspace, {out_, 0, 0, out_.height}, counters)) return counters;
+    const Canvas canvas{out_, 0, 0, out_.height, &blank_rows};
+    if (!painter_.paint(tile, workspace, canvas, counters)) return counters;
     const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};
-    if (fine_painter_) blend_finer(workspace.fine, pixels, out_);
+    if (fine_painter_) {
+        blank_rows = 0;
+        blend_finer(workspace.fine, pixels, out_);
+    }
     if (watch_.on_tile) watch_.on_tile(pixels);
     return counters;
 }
@@ -216,10 +221,13 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
     std::mutex mutex;
     Counters total;
     const TileGrid grid(frame.width, frame.height);
+    frame.blank_rows.resize(grid.size());
     parallel_for(grid.size(), settings.threads, [&](std::size_t index) {
         thread_local Workspace workspace;
         const UpwardRounding upward;
-        const Counters counters = painter.paint(grid.tile(index), workspace);
+        std::uint64_t blank_rows = frame.blank_rows[index];  // others write beside it
+        const Counters counters = painter.paint(grid.tile(index), workspace, blank_rows);
+        frame.blank_rows[index] = blank_rows;
         const std::scoped_lock lock(mutex);
         total += counters;
     });

@@ -116,6 +116,7 @@ void RenderJob::Growing::finish_tile(const PixelRect& rect) {
 
 std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
     auto picture = job_.pool_.take(frame_->width, frame_->height);
+    picture->blank_rows.clear();
     for (std::size_t i = 0; i < grid_.size(); ++i) {
         const Tile tile = grid_.tile(i);
         const PixelRect rect{tile.col, tile.row, tile.cols, tile.rows};

@@ -198,7 +198,11 @@ static_assert(tile_size == 64);
 RowBits first_bits(std::size_t count) { return ~RowBits{0} >> (tile_size - count); }
 
 /// Misses, in a picture that holds nothing yet.
-void clear_row(const Row& to, Framebuffer& out) {
+void clear_row(const Row& to, int row, const Canvas& canvas) {
+    const RowBits bit = RowBits{1} << row;
+    if (canvas.blank_rows != nullptr && (*canvas.blank_rows & bit) != 0) return;
+    if (canvas.blank_rows != nullptr) *canvas.blank_rows |= bit;
+    Framebuffer& out = canvas.pixels;
     std::fill_n(&out.color[to.first], to.count, to.background);
     std::fill_n(&out.depth[to.first], to.count, std::numeric_limits<float>::infinity());
     std::memset(&out.certificate[to.first], static_cast<int>(Certificate::Miss), to.count);
@@ -255,9 +259,7 @@ RowBits hits_of(const float* depths, std::size_t count) {
 }
 
 /// Those of a vector.
-RowBits bits_at(RowBits bits, std::size_t col) {
-    return bits >> col & first_bits(hn::MaxLanes(d));
-}
+RowBits bits_at(RowBits bits, std::size_t col) { return bits >> col & first_bits(hn::MaxLanes(d)); }
 
 /// Lights the hits of a row.
 void illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile& tile, int row,
@@ -330,9 +332,10 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
         const float* const depths = &hits.depth[at];
         const RowBits hit = hits_of(depths, to.count);
         if (hit == 0) {
-            if (fresh) clear_row(to, out.pixels);
+            if (fresh) clear_row(to, row, out);
             continue;
         }
+        if (out.blank_rows != nullptr) *out.blank_rows &= ~(RowBits{1} << row);
         illuminate_row(frame, shading, tile, row, hit, hits, light);
         if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
         if (by_pixel) {
@@ -347,7 +350,7 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
 
 void clear_rows(const Tile& tile, const Canvas& out) {
     for (int row = 0; row < tile.rows; ++row)
-        clear_row(row_of(tile, row, out), out.pixels);
+        clear_row(row_of(tile, row, out), row, out);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
@@ -401,7 +404,9 @@ void draw_tile(std::span<const TraceFrame> surfaces, std::span<const TileHits> h
     }
     if (fresh) HWY_DYNAMIC_DISPATCH(clear_rows)(tile, out);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if (hits[i].any_unsettled) mark_unsettled(tile, hits[i], out);
+        if (!hits[i].any_unsettled) continue;
+        if (out.blank_rows != nullptr) *out.blank_rows = 0;
+        mark_unsettled(tile, hits[i], out);
     }
 }
 

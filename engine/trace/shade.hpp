@@ -13,6 +13,8 @@ struct Canvas {
     Framebuffer& pixels;  ///< those from (col, row) on
     int col = 0, row = 0;
     int height = 0;  ///< of the whole image
+    /// Of the tile to draw: see Framebuffer::blank_rows. nullptr: nothing is known.
+    std::uint64_t* blank_rows = nullptr;
 
     [[nodiscard]] std::size_t index(int image_col, int image_row) const {
         return pixels.index(image_col - col, image_row - row);
