@@ -102,7 +102,7 @@ public:
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }
     /// A step of Newton's method after which the next one is below what float tells apart.
-    [[nodiscard]] double small_step() const { return 0x1p-10 * extent_; }
+    [[nodiscard]] double small_step() const { return 0x1p-11 * extent_; }
     /// Above the rounding errors of a few operations in double on depths.
     [[nodiscard]] double depth_error() const { return depth_error_; }
     /// The same for distances from a section plane, and from a ball's surface.
