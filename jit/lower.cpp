@@ -189,7 +189,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
     const std::array gradient{array(offsetof(Batch, gradient)),
                               array(offsetof(Batch, gradient) + sizeof(Real*)),
                               array(offsetof(Batch, gradient) + 2 * sizeof(Real*))};
-    llvm::Value* const slope = array(offsetof(Batch, slope));
+    llvm::Value* const per_slope = array(offsetof(Batch, per_slope));
     llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
     llvm::Value* const more_steps = function.count(offsetof(Batch, more_steps));
     const Lanes small_step = function.member_uniform(offsetof(Batch, small_step));
@@ -223,11 +223,12 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
         fused(by(0), ray->direction[0], fused(by(1), ray->direction[1], by(2) * ray->direction[2]));
     const Lanes from = function.load(in[2]);
     const Lanes to = function.load(in[3]);
-    const Lanes next = minimum(maximum(loop->s - f.value / along, from), to);
+    const Lanes per_along = function.splat(1.0) / along;
+    const Lanes next = minimum(maximum(loop->s - f.value * per_along, from), to);
     const LaneMask far = both(magnitude(next - loop->s) > small_step, from <= to);
     function.end_steps(*loop, next, far);
     function.store(in[4], next);
-    function.store(slope, along);
+    function.store(per_slope, per_along);
     for (std::size_t i = 0; i < 3; ++i)
         function.store(gradient[i], by(i));
     function.finish();
@@ -239,7 +240,7 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     BatchFunction function(module, symbol_of(KernelPart::RayValue), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
-                        array(offsetof(Batch, slope)), array(offsetof(Batch, s))};
+                        array(offsetof(Batch, per_slope)), array(offsetof(Batch, s))};
     llvm::Value* const value = array(offsetof(Batch, f));
     llvm::Value* const steps = function.count(offsetof(Batch, steps));
     llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
@@ -263,7 +264,7 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
-    const Lanes next = loop->s - f.value / function.load_floats(in[2]);
+    const Lanes next = loop->s - f.value * function.load_floats(in[2]);
     function.end_steps(*loop, next, function.everywhere());
     function.store(in[3], loop->s);
     function.store(value, f.value);

@@ -152,7 +152,7 @@ struct NewtonBatchOf {
     int more_steps;  ///< at most, after the first; at least 0
     Real* s;  ///< in: guesses; out: where the steps end, in [from, to] where that is not empty
     Real* gradient[3];  ///< out: df/dx, df/dy, df/dz one step before s
-    Real* slope;        ///< out: df/ds there
+    Real* per_slope;    ///< out: 1 / (df/ds) there
 };
 
 /// f on the rays of `size` pixels, in double, after some steps of Newton's method.
@@ -160,7 +160,7 @@ struct RayValueBatch {
     std::size_t size;  ///< a multiple of batch_multiple, not 0
     const float* col;  ///< of the pixels, from the middle of the tile
     const float* row;
-    const float* slope;      ///< df/ds near s
+    const float* per_slope;  ///< 1 / (df/ds) near s
     int steps;               ///< at least 0
     double* s;               ///< in and out
     const double* rays;      ///< a RaysOf<double>

@@ -72,10 +72,11 @@ bool take_step(const NewtonBatchOf<Real>& batch, std::size_t first, std::size_t 
         Real& s = batch.s[first + i];
         const Real from = batch.from[first + i];
         const Real to = batch.to[first + i];
-        const Real newton = s - points.f[i] / slope;
+        const Real per_slope = 1 / slope;
+        const Real newton = s - points.f[i] * per_slope;
         const Real next = std::min(newton > from ? newton : from, to);  // `from` where NaN
         again = again || (from <= to && std::abs(next - s) > batch.small_step);
-        batch.slope[first + i] = slope;
+        batch.per_slope[first + i] = per_slope;
         s = next;
     }
     return again;
@@ -105,7 +106,8 @@ void ray_values_by_values(const void* code, const RayValueBatch* batch) {
             evaluate_at(value, batch->uniforms, batch->s + first, count, points);
             if (step == batch->steps) break;
             for (std::size_t i = 0; i < count; ++i) {
-                batch->s[first + i] -= points.f[i] / static_cast<double>(batch->slope[first + i]);
+                batch->s[first + i] -=
+                    points.f[i] * static_cast<double>(batch->per_slope[first + i]);
             }
         }
         std::copy_n(points.f.begin(), count, batch->f + first);

@@ -58,9 +58,9 @@ private:
 
     /// What the interval Newton operator makes of a vector of rays.
     struct Judged {
-        M proved, wanted;
-        V lo, hi;  ///< where the root is
-        V s;       ///< near it
+        M proved, wanted, wide;  ///< wide: where more steps may help
+        V lo, hi;                ///< where the root is
+        V s;                     ///< near it
     };
 
     /// The stretches of a leaf's rays, empty where from > to; joined to those before.
@@ -69,8 +69,15 @@ private:
     /// Leaves out rows without stretches; false when none is left.
     bool compact();
     void find_roots();
+    /// Newton's method in the cells' type.
     void take_steps();
-    void certify();
+    /// f in double, after so many more steps.
+    void evaluate(int steps);
+    /// Certifies what it can and leaves out rows in which no more steps would help; the rest of
+    /// them, and the last time all that is not proved, goes to the root finder.
+    void certify(bool last);
+    /// Makes a row the next of those that remain.
+    void keep(int slot);
     [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
     HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
     void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
@@ -92,6 +99,8 @@ private:
         std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits)};
         return hn::LoadMaskBits(d, bytes);
     }
+    /// The end of a stretch that is not wanted.
+    static V nothing() { return hn::Set(d, -std::numeric_limits<Real>::infinity()); }
     [[nodiscard]] std::size_t first_pixel(int row) const {
         return static_cast<std::size_t>((run_->row + row) * tile_size + run_->col);
     }
@@ -119,8 +128,8 @@ private:
     Real per_most_ = 0;   ///< not above it
     alignas(64) Real from_[items], to_[items], guess_[items];
     alignas(64) float col_[items], row_[items];
-    alignas(64) Real gradient_[3][items], slope_[items];
-    alignas(64) float float_slope_[items];
+    alignas(64) Real gradient_[3][items], per_slope_[items];
+    alignas(64) float float_per_slope_[items];
     alignas(64) double depth_[items], f_[items];
 };
 
@@ -186,8 +195,7 @@ bool LeafSolver<Real, pixels>::compact() {
             const M valid = hn::And(in_tile, hn::Le(from, hn::Min(to, before)));
             any = hn::Or(any, valid);
             hn::Store(from, d, from_ + out);
-            hn::Store(hn::IfThenElse(valid, to, hn::Set(d, -std::numeric_limits<Real>::infinity())),
-                      d, to_ + out);
+            hn::Store(hn::IfThenElse(valid, to, nothing()), d, to_ + out);
             hn::Store(hn::Load(d, guess_ + in), d, guess_ + out);
         }
         if (hn::AllFalse(d, any)) continue;
@@ -219,20 +227,26 @@ void LeafSolver<Real, pixels>::take_steps() {
                                              most_steps - 1,
                                              guess_,
                                              {gradient_[0], gradient_[1], gradient_[2]},
-                                             slope_});
+                                             per_slope_});
     for (std::size_t i = 0; i < count(); ++i) {
         depth_[i] = static_cast<double>(guess_[i]);
-        float_slope_[i] = static_cast<float>(slope_[i]);
+        float_per_slope_[i] = static_cast<float>(per_slope_[i]);
     }
-    counters_.value += 2 * used();
-    run_->kernel->ray_value(RayValueBatch{count(), col_, row_, float_slope_, 1, depth_,
+}
+
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::evaluate(int steps) {
+    counters_.value += static_cast<std::size_t>(1 + steps) * used();
+    run_->kernel->ray_value(RayValueBatch{count(), col_, row_, float_per_slope_, steps, depth_,
                                           view_.rays<double>(),
                                           frame_.scene.uniforms.points<double>(), f_});
 }
 
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::certify() {
-    for (int slot = 0; slot < slots_; ++slot) {
+void LeafSolver<Real, pixels>::certify(bool last) {
+    const int slots = std::exchange(slots_, 0);
+    for (int slot = 0; slot < slots; ++slot) {
+        bool again = false;
         for (int col = 0; col < pixels; col += lanes) {
             const int i = slot * pixels + col;
             const std::size_t pixel = first_pixel(rows_[slot]) + static_cast<std::size_t>(col);
@@ -240,10 +254,29 @@ void LeafSolver<Real, pixels>::certify() {
             if (!run_->inside) clip(i, judged);
             const M proved = hn::And(judged.proved, judged.wanted);
             if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.s);
-            const LaneBits rest = bits_of(d, hn::AndNot(proved, judged.wanted));
-            if (rest != 0) hand_over(pixel, i, judged, rest);
+            const M rest = hn::AndNot(proved, judged.wanted);
+            const M wide = last ? hn::FirstN(d, 0) : hn::And(rest, judged.wide);
+            again = again || !hn::AllFalse(d, wide);
+            hand_over(pixel, i, judged, bits_of(d, hn::AndNot(wide, rest)));
+            hn::Store(hn::IfThenElse(wide, hn::Load(d, to_ + i), nothing()), d, to_ + i);
         }
+        if (again) keep(slot);
     }
+}
+
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::keep(int slot) {
+    const int to = slots_++;
+    if (to == slot) return;
+    rows_[to] = rows_[slot];
+    const auto copy = [&](auto* column) {
+        std::copy_n(column + slot * pixels, pixels, column + to * pixels);
+    };
+    for (Real* column : {from_, to_, guess_, gradient_[0], gradient_[1], gradient_[2]})
+        copy(column);
+    for (float* column : {col_, row_, float_per_slope_})
+        copy(column);
+    copy(depth_);
 }
 
 /// Upper bounds of x and of -x in the cells' type.
@@ -290,8 +323,9 @@ HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const 
     const V from = hn::Load(d, from_ + i);
     const V to = hn::Load(d, to_ + i);
     const M beside = hn::Or(hn::Lt(hi, from), hn::Gt(lo, hn::Min(to, found)));
-    return {hn::And(narrow, within), hn::AndNot(beside, hn::Le(from, to)), lo, hi,
-            hn::Min(hn::Max(s, lo), hi)};
+    return {
+        hn::And(narrow, within),    hn::AndNot(beside, hn::Le(from, to)), hn::Not(narrow), lo, hi,
+        hn::Min(hn::Max(s, lo), hi)};
 }
 
 /// Drops roots that are surely outside the clip box; those that may be are not proved.
@@ -325,6 +359,7 @@ HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M pro
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged& judged,
                                          LaneBits rays) {
+    if (rays == 0) return;
     alignas(64) Real lo[side], hi[side], s[side];
     hn::Store(judged.lo, d, lo);
     hn::Store(judged.hi, d, hi);
@@ -360,7 +395,14 @@ void LeafSolver<Real, pixels>::find_roots() {
     per_most_ = -(-1 / most);
     error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
     take_steps();
-    certify();
+    // Where df/ds differs little the last step in float is as good.
+    evaluate(most <= 2 * least ? 0 : 1);
+    certify(false);
+    if (slots_ == 0) return;
+    pad(col_);
+    pad(row_);
+    evaluate(1);
+    certify(true);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

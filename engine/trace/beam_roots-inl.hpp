@@ -154,8 +154,8 @@ private:
     std::vector<Stretch> open_;
     alignas(64) float col_[capacity], row_[capacity];
     alignas(64) Real from_[capacity], to_[capacity], guess_[capacity];
-    alignas(64) Real gradient_[3][capacity], slope_[capacity];
-    alignas(64) float float_slope_[capacity];
+    alignas(64) Real gradient_[3][capacity], per_slope_[capacity];
+    alignas(64) float float_per_slope_[capacity];
     alignas(64) double s_[capacity], f_[capacity];
 };
 
@@ -183,7 +183,7 @@ void RootFinder<Real>::take_first_steps() {
                                                      first_steps - 1,
                                                      guess_,
                                                      {gradient_[0], gradient_[1], gradient_[2]},
-                                                     slope_});
+                                                     per_slope_});
     for (std::size_t i = 0; i < size_; ++i) {
         Stretch& stretch = stretches_[i];
         stretch.guess = std::clamp(static_cast<double>(guess_[i]), stretch.from, stretch.to);
@@ -195,10 +195,10 @@ void RootFinder<Real>::evaluate() {
     const std::size_t count = padded(size_);
     for (std::size_t i = 0; i < count; ++i) {
         s_[i] = stretches_[i < size_ ? i : 0].guess;
-        float_slope_[i] = static_cast<float>(slope_[i]);
+        float_per_slope_[i] = static_cast<float>(per_slope_[i]);
     }
     counters_.value += size_;
-    stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_slope_, 0, s_,
+    stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_per_slope_, 0, s_,
                                                   view_.rays<double>(),
                                                   frame_.scene.uniforms.points<double>(), f_});
 }
@@ -246,7 +246,7 @@ void RootFinder<Real>::step(bool last) {
         if (known && (hi < stretch.from || lo > stretch.to)) continue;
         const double from = known ? std::max(stretch.from, lo) : stretch.from;
         const double to = known ? std::min(stretch.to, hi) : stretch.to;
-        double next = stretch.guess - f_[i] / static_cast<double>(slope_[i]);
+        double next = stretch.guess - f_[i] * static_cast<double>(per_slope_[i]);
         if (!(next >= from && next <= to)) next = 0.5 * from + 0.5 * to;
         const bool narrow = known && hi - lo <= view_.tolerance();
         const bool proved = narrow && lo >= stretch.lo && hi <= stretch.hi;
@@ -261,7 +261,7 @@ void RootFinder<Real>::step(bool last) {
         remaining.guess = next;
         col_[kept] = col_[i];
         row_[kept] = row_[i];
-        slope_[kept] = slope_[i];
+        per_slope_[kept] = per_slope_[i];
         for (auto& component : gradient_)
             component[kept] = component[i];
         stretches_[kept++] = remaining;

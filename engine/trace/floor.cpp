@@ -57,7 +57,7 @@ void KnownFrame::evaluate(std::size_t surface, const Tile& tile, const Hits& kno
                           TileHits& hits) const {
     constexpr std::size_t most = static_cast<std::size_t>(tile_size) * tile_size;
     thread_local std::array<std::array<float, most>, 3> gradient;
-    thread_local std::array<float, most> s, slope;
+    thread_local std::array<float, most> s, per_slope;
     const TraceFrame& frame = surfaces_[surface];
     const std::size_t size = known.s.size();
     std::ranges::copy(known.s, s.begin());
@@ -73,7 +73,7 @@ void KnownFrame::evaluate(std::size_t surface, const Tile& tile, const Hits& kno
                              0,
                              s.data(),
                              {gradient[0].data(), gradient[1].data(), gradient[2].data()},
-                             slope.data()});
+                             per_slope.data()});
     hits.any = true;
     for (std::size_t i = 0; i < known.pixel.size(); ++i) {
         const std::size_t pixel = known.pixel[i];

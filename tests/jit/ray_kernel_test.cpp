@@ -37,8 +37,8 @@ struct RayBatch {
     RaysOf<Real> rays = some_rays<Real>();
     RaysOf<double> exact_rays = some_rays<double>();
     Uniforms uniforms;
-    std::array<float, pixels> col{}, row{}, float_slope{};
-    std::array<Real, pixels> from{}, to{}, s{}, slope{};
+    std::array<float, pixels> col{}, row{}, float_per_slope{};
+    std::array<Real, pixels> from{}, to{}, s{}, per_slope{};
     std::array<std::array<Real, pixels>, 3> gradient{};
     std::array<double, pixels> depth{}, f{};
 
@@ -65,13 +65,13 @@ struct RayBatch {
                                 more_steps,
                                 s.data(),
                                 {gradient[0].data(), gradient[1].data(), gradient[2].data()},
-                                slope.data()});
+                                per_slope.data()});
     }
     void values(const Kernel& kernel, int steps) {
         const UpwardRounding upward;
-        kernel.ray_value(RayValueBatch{pixels, col.data(), row.data(), float_slope.data(), steps,
-                                       depth.data(), exact_rays.origin, uniforms.points<double>(),
-                                       f.data()});
+        kernel.ray_value(RayValueBatch{pixels, col.data(), row.data(), float_per_slope.data(),
+                                       steps, depth.data(), exact_rays.origin,
+                                       uniforms.points<double>(), f.data()});
     }
 };
 
@@ -112,7 +112,8 @@ TYPED_TEST(RayKernel, FindsRootsAndTheirGradients) {
             EXPECT_NEAR(static_cast<double>(batch.gradient[0][i]), 2 * root, 0.03) << name;
             EXPECT_EQ(batch.gradient[1][i], Real{1}) << name;
             EXPECT_EQ(batch.gradient[2][i], Real{0}) << name;
-            EXPECT_NEAR(static_cast<double>(batch.slope[i]), 2 * root + c / 4, 0.03) << name;
+            EXPECT_NEAR(1 / static_cast<double>(batch.per_slope[i]), 2 * root + c / 4, 0.03)
+                << name;
         }
     }
 }
@@ -129,7 +130,7 @@ TYPED_TEST(RayKernel, TakesOneStepWhereNoOtherIsWanted) {
         for (std::size_t i = 0; i < pixels; ++i) {
             EXPECT_EQ(one.s[i], Real{2.5}) << name;  // 4 - 12/8
             EXPECT_EQ(large_steps.s[i], Real{2.5}) << name;
-            EXPECT_EQ(one.slope[i], Real{8}) << name;
+            EXPECT_EQ(one.per_slope[i], Real{0.125}) << name;
         }
     }
 }
@@ -169,7 +170,7 @@ TEST(RayValue, StepsByTheGivenSlope) {
     for (const auto& [name, kernel] : kernels_of("x^2 - 2")) {
         RayBatch<double> batch;
         batch.depth.fill(1.5);
-        batch.float_slope.fill(2.0F);
+        batch.float_per_slope.fill(0.5F);
         batch.values(kernel, 2);
         const double first = 1.5 - 0.25 / 2;
         const double second = first - (first * first - 2) / 2;

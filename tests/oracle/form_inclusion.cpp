@@ -35,7 +35,7 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
                  std::array<double, cells_a_batch>& value) {
     std::array<float, cells_a_batch> col{};
     std::array<float, cells_a_batch> row{};
-    std::array<float, cells_a_batch> slope{};  // no steps are taken
+    std::array<float, cells_a_batch> per_slope{};  // no steps are taken
     std::array<double, cells_a_batch> s{};
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
         col[i] = from_middle(cells.near[i].col);
@@ -44,7 +44,7 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
     }
     const UpwardRounding upward;  // in a mutant, too: interpreters check it
     run(kernel.ray_value,
-        RayValueBatch{cells_a_batch, col.data(), row.data(), slope.data(), 0, s.data(),
+        RayValueBatch{cells_a_batch, col.data(), row.data(), per_slope.data(), 0, s.data(),
                       cells.rays.origin, cells.uniforms.template points<double>(), value.data()});
 }
 

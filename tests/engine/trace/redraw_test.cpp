@@ -41,18 +41,18 @@ void expect_as_if_new(const Picture& picture, const Framebuffer& frame) {
 
 TEST(Redraw, ShowsNothingOfThePicturesBefore) {
     Framebuffer frame(width, height);
-    for (const Picture& picture : std::vector<Picture>{
-             {"x^2 + y^2 + z^2 = 0.3", false},
-             {"x^2 + y^2 + z^2 = 1", false},
-             {"(x - 1)^2 + y^2 + z^2 = 0.1", false},
-             {"(x + 1)^2 + y^2 + z^2 = 0.1", true},
-             {"x^2 + y^2 + z^2 = 0.3", false},
-             {"x = 5", false},
-             {"1 / (x + y + z) = 0", false},  // undecided where nothing is drawn
-             {"x = 5", false},
-             {"floor(x) = 0.5", false},
-             {"x^2 + y^2 + z^2 = 0.3", true},
-             {"x = 5", false}}) {
+    for (const Picture& picture :
+         std::vector<Picture>{{"x^2 + y^2 + z^2 = 0.3", false},
+                              {"x^2 + y^2 + z^2 = 1", false},
+                              {"(x - 1)^2 + y^2 + z^2 = 0.1", false},
+                              {"(x + 1)^2 + y^2 + z^2 = 0.1", true},
+                              {"x^2 + y^2 + z^2 = 0.3", false},
+                              {"x = 5", false},
+                              {"1 / (x + y + z) = 0", false},  // undecided where nothing is drawn
+                              {"x = 5", false},
+                              {"floor(x) = 0.5", false},
+                              {"x^2 + y^2 + z^2 = 0.3", true},
+                              {"x = 5", false}}) {
         draw(picture, frame);
         expect_as_if_new(picture, frame);
     }
