@@ -395,8 +395,7 @@ void LeafSolver<Real, pixels>::find_roots() {
     per_most_ = -(-1 / most);
     error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
     take_steps();
-    // Where df/ds differs little the last step in float is as good.
-    evaluate(most <= 2 * least ? 0 : 1);
+    evaluate(1);
     certify(false);
     if (slots_ == 0) return;
     pad(col_);
