@@ -68,7 +68,7 @@ public:
     /// Evaluates and judges the cells, tiles of this size; they are runs of the same kernel.
     std::span<const CellRun> judge(int pixels);
     /// The depth before which every ray of a tile, of this size, surely has a root: what begins
-    /// there or behind it is hidden.
+    /// there or behind it is hidden. Nothing smaller than its quarters has been hidden yet.
     [[nodiscard]] Real hidden_from(CellTile tile, int pixels) const;
     /// Every ray of the cell's tile, of this size, surely has a root in it.
     void hide_behind(std::size_t cell, int pixels) {
@@ -285,12 +285,15 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
 
 template <class Real>
 Real CellTree<Real>::hidden_from(CellTile tile, int pixels) const {
-    Real farthest = -std::numeric_limits<Real>::infinity();
-    for (int r = tile.row() / least_pixels; r < (tile.row() + pixels) / least_pixels; ++r) {
-        for (int c = tile.col() / least_pixels; c < (tile.col() + pixels) / least_pixels; ++c)
-            farthest = std::max(farthest, hidden_[static_cast<std::size_t>(r * least_tiles + c)]);
-    }
-    return farthest;
+    const auto at = [&](int row, int col) {
+        return hidden_[static_cast<std::size_t>(row / least_pixels * least_tiles +
+                                                col / least_pixels)];
+    };
+    const int half = pixels / 2;
+    const int row = tile.row();
+    const int col = tile.col();
+    return std::max(std::max(at(row, col), at(row, col + half)),
+                    std::max(at(row + half, col), at(row + half, col + half)));
 }
 
 template <class Real>

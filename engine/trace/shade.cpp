@@ -209,41 +209,58 @@ void clear_row(const Row& to, int row, const Canvas& canvas) {
     std::memset(&out.surface[to.first], no_surface, to.count);
 }
 
-/// A whole row, hits and misses, in a picture that holds nothing yet.
-void write_row(const Row& to, RowBits hit, const std::uint32_t* colors, const float* depths,
-               const Certificate* known, std::uint8_t surface, Framebuffer& out) {
-    std::memcpy(&out.color[to.first], colors, to.count * sizeof(*colors));
-    std::memcpy(&out.depth[to.first], depths, to.count * sizeof(*depths));
-    if (hit == first_bits(to.count)) {
-        std::memcpy(&out.certificate[to.first], known, to.count);
-        std::memset(&out.surface[to.first], surface, to.count);
+/// Where a row of a tile goes, all tile_size pixels of it.
+struct RowTarget {
+    std::uint32_t* color;
+    float* depth;
+    Certificate* certificate;
+    std::uint8_t* surface;
+};
+
+/// A row of a tile beside the picture.
+struct RowPixels {
+    alignas(64) std::uint32_t color[tile_size];
+    alignas(64) float depth[tile_size];
+    alignas(64) Certificate certificate[tile_size];
+    alignas(64) std::uint8_t surface[tile_size];
+
+    RowTarget target() { return {color, depth, certificate, surface}; }
+    /// The first `count` pixels.
+    void copy(std::size_t first, std::size_t count, Framebuffer& out) const {
+        std::copy_n(color, count, &out.color[first]);
+        std::copy_n(depth, count, &out.depth[first]);
+        std::copy_n(certificate, count, &out.certificate[first]);
+        std::copy_n(surface, count, &out.surface[first]);
+    }
+    /// Those whose bits are set.
+    void copy_some(std::size_t first, RowBits bits, Framebuffer& out) const {
+        for (; bits != 0; bits &= bits - 1) {
+            const auto col = static_cast<std::size_t>(std::countr_zero(bits));
+            out.color[first + col] = color[col];
+            out.depth[first + col] = depth[col];
+            out.certificate[first + col] = certificate[col];
+            out.surface[first + col] = surface[col];
+        }
+    }
+};
+
+/// The certificates and surfaces of a row; `known`: the hits' certificates.
+void write_facts(RowBits hit, const Certificate* known, std::uint8_t surface, const RowTarget& to) {
+    if (hit == ~RowBits{0}) {
+        std::memcpy(to.certificate, known, tile_size);
+        std::memset(to.surface, surface, tile_size);
         return;
     }
     constexpr std::uint64_t every = 0x0101010101010101U;
     constexpr auto miss = static_cast<std::uint64_t>(Certificate::Miss) * every;
-    alignas(64) std::uint8_t certificates[tile_size], surfaces[tile_size];
     for (std::size_t col = 0; col < tile_size; col += 8) {
         const std::uint64_t bytes = bytes_of_bits(hit >> col & 0xFFU);
         std::uint64_t eight = 0;
         std::memcpy(&eight, known + col, 8);
         eight = (eight & bytes) | (miss & ~bytes);
-        std::memcpy(certificates + col, &eight, 8);
+        std::memcpy(to.certificate + col, &eight, 8);
         eight = (surface * every & bytes) | (no_surface * every & ~bytes);
-        std::memcpy(surfaces + col, &eight, 8);
-    }
-    std::memcpy(&out.certificate[to.first], certificates, to.count);
-    std::memcpy(&out.surface[to.first], surfaces, to.count);
-}
-
-/// The hits of a row, in a picture that holds those of other surfaces.
-void add_row(const Row& to, RowBits hit, const std::uint32_t* colors, const float* depths,
-             const Certificate* known, std::uint8_t surface, Framebuffer& out) {
-    for (; hit != 0; hit &= hit - 1) {
-        const auto col = static_cast<std::size_t>(std::countr_zero(hit));
-        out.color[to.first + col] = colors[col];
-        out.depth[to.first + col] = depths[col];
-        out.certificate[to.first + col] = known[col];
-        out.surface[to.first + col] = surface;
+        std::memcpy(to.surface + col, &eight, 8);
     }
 }
 
@@ -297,55 +314,91 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
     }
 }
 
-/// The colours of a row. `paint`: BySide or ByPixel.
+/// The colours and depths of a row. `paint`: BySide or ByPixel.
 template <class Paint>
-void color_row(const Paint& paint, const Row& to, int row, RowBits hit, const Light& light,
-               std::uint32_t* colors) {
+void color_row(const Paint& paint, std::uint32_t background, int row, RowBits hit,
+               const TileHits& hits, const Light& light, const RowTarget& to) {
     const hn::RebindToUnsigned<D> du;
-    const auto background = hn::Set(du, to.background);
     for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
-        const RowBits some = bits_at(hit, col);
-        auto color = background;
-        if (some != 0) {
-            const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-            color = colored(paint, light, col, at);
-            if (some != first_bits(hn::MaxLanes(d))) {
-                const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(some),
-                                               static_cast<std::uint8_t>(some >> 8U)};
-                color = hn::IfThenElse(hn::LoadMaskBits(du, bytes), color, background);
+        const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+        const V depth = hn::LoadU(d, &hits.depth[at]);
+        auto color = hn::Set(du, background);
+        if (bits_at(hit, col) != 0) {
+            const auto is_hit = hn::RebindMask(du, hn::Lt(depth, hn::Inf(d)));
+            color = hn::IfThenElse(is_hit, colored(paint, light, col, at), color);
+        }
+        hn::StoreU(color, du, to.color + col);
+        hn::StoreU(depth, d, to.depth + col);
+    }
+}
+
+/// Draws the hits of one surface; into pictures that hold nothing yet its misses, too.
+class HitShader {
+public:
+    HitShader(const TraceFrame& frame, std::uint8_t surface, const Tile& tile, const TileHits& hits)
+        : frame_(frame),
+          surface_(surface),
+          tile_(tile),
+          hits_(hits),
+          shading_(frame.view, surface < frame.scene.colors.size() ? frame.scene.colors[surface]
+                                                                   : colors_of(surface)) {}
+
+    void draw(bool fresh, const Canvas& out) {
+        for (int row = 0; row < tile_.rows; ++row) {
+            const Row to = row_of(tile_, row, out);
+            const RowBits hit = hits_of(&hits_.depth[first_of(row)], to.count);
+            if (hit != 0) {
+                draw_row(fresh, row, hit, to, out);
+            } else if (fresh) {
+                clear_row(to, row, out);
             }
         }
-        hn::Store(color, du, colors + col);
     }
+
+private:
+    static std::size_t first_of(int row) { return static_cast<std::size_t>(row) * tile_size; }
+    void draw_row(bool fresh, int row, RowBits hit, const Row& to, const Canvas& out);
+    void make_row(int row, RowBits hit, std::uint32_t background, const RowTarget& to);
+
+    const TraceFrame& frame_;
+    std::uint8_t surface_;
+    const Tile& tile_;
+    const TileHits& hits_;
+    Shading shading_;
+    Light light_;
+    RowPixels aside_;
+};
+
+void HitShader::draw_row(bool fresh, int row, RowBits hit, const Row& to, const Canvas& out) {
+    if (out.blank_rows != nullptr) *out.blank_rows &= ~(RowBits{1} << row);
+    Framebuffer& pixels = out.pixels;
+    if (fresh && to.count == tile_size) {
+        return make_row(row, hit, to.background,
+                        {&pixels.color[to.first], &pixels.depth[to.first],
+                         &pixels.certificate[to.first], &pixels.surface[to.first]});
+    }
+    make_row(row, hit, to.background, aside_.target());
+    if (fresh) {
+        aside_.copy(to.first, to.count, pixels);
+    } else {
+        aside_.copy_some(to.first, hit, pixels);
+    }
+}
+
+void HitShader::make_row(int row, RowBits hit, std::uint32_t background, const RowTarget& to) {
+    illuminate_row(frame_, shading_, tile_, row, hit, hits_, light_);
+    if (hits_.any_cap) tone_caps(frame_, tile_, row, hits_, light_);
+    if (hits_.reflectance[0].empty()) {
+        color_row(BySide{shading_}, background, row, hit, hits_, light_, to);
+    } else {
+        color_row(ByPixel{hits_}, background, row, hit, hits_, light_, to);
+    }
+    write_facts(hit, &hits_.certificate[first_of(row)], surface_, to);
 }
 
 void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const Tile& tile,
                 const TileHits& hits, const Canvas& out) {
-    const std::vector<SurfaceColors>& own = frame.scene.colors;
-    const Shading shading(frame.view, surface < own.size() ? own[surface] : colors_of(surface));
-    const bool by_pixel = !hits.reflectance[0].empty();
-    Light light;
-    alignas(64) std::uint32_t colors[tile_size];
-    for (int row = 0; row < tile.rows; ++row) {
-        const Row to = row_of(tile, row, out);
-        const auto at = static_cast<std::size_t>(row) * tile_size;
-        const float* const depths = &hits.depth[at];
-        const RowBits hit = hits_of(depths, to.count);
-        if (hit == 0) {
-            if (fresh) clear_row(to, row, out);
-            continue;
-        }
-        if (out.blank_rows != nullptr) *out.blank_rows &= ~(RowBits{1} << row);
-        illuminate_row(frame, shading, tile, row, hit, hits, light);
-        if (hits.any_cap) tone_caps(frame, tile, row, hits, light);
-        if (by_pixel) {
-            color_row(ByPixel{hits}, to, row, hit, light, colors);
-        } else {
-            color_row(BySide{shading}, to, row, hit, light, colors);
-        }
-        const auto put = fresh ? write_row : add_row;
-        put(to, hit, colors, depths, &hits.certificate[at], surface, out.pixels);
-    }
+    HitShader(frame, surface, tile, hits).draw(fresh, out);
 }
 
 void clear_rows(const Tile& tile, const Canvas& out) {
