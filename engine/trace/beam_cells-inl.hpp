@@ -162,14 +162,17 @@ struct Cells {
         tile.resize(capacity);
         bits.resize(capacity / hn::Lanes(LanesOf<Real>()) + 1);
     }
+    /// Makes room for so many more cells.
+    void make_room(std::size_t more) {
+        if (size + more + 2 * batch_multiple > from.size()) resize(2 * from.size() + more + 256);
+    }
+    /// There must be room. Empty slabs leave nothing: whether one is empty is hard to predict.
     void push(CellTile at, Real slab_from, Real slab_to) {
-        if (size + 2 * batch_multiple > from.size()) resize(2 * from.size() + 256);
         from[size] = slab_from;
         to[size] = slab_to;
         tile[size] = at;
-        ++size;
+        size += slab_from <= slab_to ? 1U : 0U;
     }
-    void pop() { --size; }
     /// Makes `places` of cells whose tiles have this side; `margin`: how much longer than their
     /// slabs they are.
     void place(const BeamView& view, int pixels, Real margin);

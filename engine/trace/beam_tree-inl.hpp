@@ -26,6 +26,7 @@ constexpr int least_pixels = 4;  ///< smaller tiles are not made
 constexpr int least_tiles = tile_size / least_pixels;
 constexpr int first_slabs = 8;
 constexpr double most_slabs = first_slabs;
+constexpr int most_parts = 4;  ///< into which a slab is cut at once
 /// Cells of so many neighbouring slabs of a tile share a shortened kernel.
 constexpr std::size_t slabs_a_kernel = 4;
 
@@ -136,11 +137,7 @@ private:
     void push_child(const Child& child, int pixels, std::size_t parent);
     void hide(CellTile tile, int pixels, Real to);
 
-    [[nodiscard]] DepthRange depths_of(std::span<const std::size_t> open, int col, int row,
-                                       int pixels) const {
-        const bool needed = std::ranges::any_of(
-            open, [&](std::size_t cell) { return cells_->tile[cell].inside == 0; });
-        if (!needed) return {};
+    [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
         const double half = 0.5 * (pixels - 1);
         return view_.depths(view_.u(col + half), view_.v(row + half), half * view_.pixel(),
                             half * view_.pixel());
@@ -196,6 +193,7 @@ void CellTree<Real>::begin(int pixels) {
 template <class Real>
 void CellTree<Real>::push_first(const First& first, const DepthRange& depths) {
     cells_->runs.begin(first.kernel, cells_->size);
+    cells_->make_room(static_cast<std::size_t>(first.slabs));
     const Real near = -upper_end(Real{}, -first.from);
     const Real far = upper_end(Real{}, first.to);
     Real from = near;
@@ -313,14 +311,17 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
     const auto width_by_depth = static_cast<Real>(2 * view_.pixel() * half);
     const CellTile parent = cells_->tile[open.front()];
     next_->runs.begin(kernel, next_->size);
+    next_->make_room(4 * most_parts * open.size());
+    const bool all_inside =
+        std::ranges::all_of(open, [&](std::size_t cell) { return cells_->tile[cell].inside != 0; });
     for (std::size_t child = 0; child < 4; ++child) {
         const int col = parent.col() + ((child & 1U) != 0 ? half : 0);
         const int row = parent.row() + ((child & 2U) != 0 ? half : 0);
         if (col >= tile_.cols || row >= tile_.rows) continue;
         const Real limit = farthest(col, row);
         const CellTile tile = CellTile::at(col, row, true);
-        const Child quarter{tile, child, depths_of(open, col, row, half), hidden_from(tile, half),
-                            width_by_depth};
+        const DepthRange depths = all_inside ? DepthRange{} : depths_of(col, row, half);
+        const Child quarter{tile, child, depths, hidden_from(tile, half), width_by_depth};
         for (const std::size_t cell : open) {
             if (cells_->from[cell] > limit) break;
             push_child(quarter, half, cell);
@@ -348,13 +349,9 @@ void CellTree<Real>::push_child(const Child& child, int pixels, std::size_t pare
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
     const Real width = child.width_by_depth * (distance_ + from);
-    if (!(length > width && length > static_cast<Real>(0.6) * parent_length)) {
-        // Written in any case: whether it is empty is hard to predict.
-        next_->push(tile, from, to);
-        if (!(from <= to)) next_->pop();
-        return;
-    }
-    const int parts = length > 3 * width && pixels >= leaf_pixels ? 4 : 2;
+    if (!(length > width && length > static_cast<Real>(0.6) * parent_length))
+        return next_->push(tile, from, to);
+    const int parts = length > 3 * width && pixels >= leaf_pixels ? most_parts : 2;
     Real begin = from;
     for (int i = 1; i <= parts; ++i) {
         const Real end =

@@ -402,7 +402,9 @@ void shade_hits(const TraceFrame& frame, std::uint8_t surface, bool fresh, const
 }
 
 void clear_rows(const Tile& tile, const Canvas& out) {
-    for (int row = 0; row < tile.rows; ++row)
+    const bool blank = out.blank_rows != nullptr &&
+                       *out.blank_rows == first_bits(static_cast<std::size_t>(tile.rows));
+    for (int row = 0; row < tile.rows && !blank; ++row)
         clear_row(row_of(tile, row, out), row, out);
 }
 
