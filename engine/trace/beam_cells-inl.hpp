@@ -34,8 +34,8 @@ inline auto load_doubles(auto dd, const float* from) {
 }
 inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
 
-inline std::size_t padded(std::size_t size) {
-    return (size + batch_multiple - 1) / batch_multiple * batch_multiple;
+inline std::size_t padded(std::size_t size, std::size_t multiple = batch_multiple) {
+    return (size + multiple - 1) / multiple * multiple;
 }
 
 /// What a kernel says of a list of cells: FormBatchOf's arrays.
