@@ -243,6 +243,8 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
                         array(offsetof(Batch, per_slope)), array(offsetof(Batch, s))};
     llvm::Value* const value = array(offsetof(Batch, f));
     llvm::Value* const steps = function.count(offsetof(Batch, steps));
+    const Lanes lo = function.member_uniform(offsetof(Batch, lo));
+    const Lanes hi = function.member_uniform(offsetof(Batch, hi));
     llvm::Value* const uniforms = array(offsetof(Batch, uniforms));
     llvm::Value* const rays = array(offsetof(Batch, rays));
     const RayBundle bundle([&](std::size_t i) { return function.load_uniform(rays, i); });
@@ -264,7 +266,8 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
-    const Lanes next = loop->s - f.value * function.load_floats(in[2]);
+    const Lanes newton = loop->s - f.value * function.load_floats(in[2]);
+    const Lanes next = minimum(maximum(newton, lo), hi);
     function.end_steps(*loop, next, function.everywhere());
     function.store(in[3], loop->s);
     function.store(value, f.value);

@@ -162,6 +162,7 @@ struct RayValueBatch {
     const float* row;
     const float* per_slope;  ///< 1 / (df/ds) near s
     int steps;               ///< at least 0
+    double lo, hi;           ///< steps end between these; lo where they would be NaN
     double* s;               ///< in and out
     const double* rays;      ///< a RaysOf<double>
     const double* uniforms;  ///< Uniforms::points

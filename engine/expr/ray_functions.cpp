@@ -106,8 +106,10 @@ void ray_values_by_values(const void* code, const RayValueBatch* batch) {
             evaluate_at(value, batch->uniforms, batch->s + first, count, points);
             if (step == batch->steps) break;
             for (std::size_t i = 0; i < count; ++i) {
-                batch->s[first + i] -=
-                    points.f[i] * static_cast<double>(batch->per_slope[first + i]);
+                double& s = batch->s[first + i];
+                const auto per_slope = static_cast<double>(batch->per_slope[first + i]);
+                const double newton = s - points.f[i] * per_slope;
+                s = std::min(newton > batch->lo ? newton : batch->lo, batch->hi);
             }
         }
         std::copy_n(points.f.begin(), count, batch->f + first);

@@ -237,9 +237,11 @@ void LeafSolver<Real, pixels>::take_steps() {
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::evaluate(int steps) {
     counters_.value += static_cast<std::size_t>(1 + steps) * used();
-    run_->kernel->ray_value(RayValueBatch{count(), col_, row_, float_per_slope_, steps, depth_,
-                                          view_.rays<double>(),
-                                          frame_.scene.uniforms.points<double>(), f_});
+    // The slopes hold between lo and hi, and with them what certify() concludes.
+    run_->kernel->ray_value(
+        RayValueBatch{count(), col_, row_, float_per_slope_, steps, static_cast<double>(run_->lo),
+                      static_cast<double>(run_->hi), depth_, view_.rays<double>(),
+                      frame_.scene.uniforms.points<double>(), f_});
 }
 
 template <class Real, int pixels>

@@ -198,8 +198,8 @@ void RootFinder<Real>::evaluate() {
         float_per_slope_[i] = static_cast<float>(per_slope_[i]);
     }
     counters_.value += size_;
-    stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_per_slope_, 0, s_,
-                                                  view_.rays<double>(),
+    stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_per_slope_, 0, 0.0, 0.0,
+                                                  s_, view_.rays<double>(),
                                                   frame_.scene.uniforms.points<double>(), f_});
 }
 

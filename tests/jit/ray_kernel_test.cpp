@@ -41,6 +41,7 @@ struct RayBatch {
     std::array<Real, pixels> from{}, to{}, s{}, per_slope{};
     std::array<std::array<Real, pixels>, 3> gradient{};
     std::array<double, pixels> depth{}, f{};
+    double lo = -100, hi = 100;
 
     RayBatch() {
         uniforms.set(0, 0.0);
@@ -70,7 +71,7 @@ struct RayBatch {
     void values(const Kernel& kernel, int steps) {
         const UpwardRounding upward;
         kernel.ray_value(RayValueBatch{pixels, col.data(), row.data(), float_per_slope.data(),
-                                       steps, depth.data(), exact_rays.origin,
+                                       steps, lo, hi, depth.data(), exact_rays.origin,
                                        uniforms.points<double>(), f.data()});
     }
 };
@@ -177,6 +178,22 @@ TEST(RayValue, StepsByTheGivenSlope) {
         for (std::size_t i = 0; i < pixels; ++i) {
             EXPECT_DOUBLE_EQ(batch.depth[i], second) << name;
             EXPECT_NEAR(batch.f[i], second * second - 2, 1e-15) << name;
+        }
+    }
+}
+
+TEST(RayValue, StepsNoFartherThanTheSlopesHold) {
+    for (const auto& [name, kernel] : kernels_of("x^2 - 2")) {
+        RayBatch<double> batch;
+        batch.lo = -1;
+        batch.hi = 3;
+        batch.depth = {1, 1, 1, 1};
+        batch.float_per_slope = {1, -8, std::numeric_limits<float>::quiet_NaN(), 8};
+        batch.values(kernel, 1);
+        const std::array<double, 4> ends{2, -1, -1, 3};
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            EXPECT_EQ(batch.depth[i], ends[i]) << name;
+            EXPECT_EQ(batch.f[i], ends[i] * ends[i] - 2) << name;
         }
     }
 }

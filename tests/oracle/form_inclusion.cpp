@@ -43,9 +43,9 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
         s[i] = cells.near[i].s;
     }
     const UpwardRounding upward;  // in a mutant, too: interpreters check it
-    run(kernel.ray_value,
-        RayValueBatch{cells_a_batch, col.data(), row.data(), per_slope.data(), 0, s.data(),
-                      cells.rays.origin, cells.uniforms.template points<double>(), value.data()});
+    run(kernel.ray_value, RayValueBatch{cells_a_batch, col.data(), row.data(), per_slope.data(), 0,
+                                        0.0, 0.0, s.data(), cells.rays.origin,
+                                        cells.uniforms.template points<double>(), value.data()});
 }
 
 template <class Real>
