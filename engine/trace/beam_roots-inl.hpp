@@ -141,6 +141,8 @@ private:
 
     void take_first_steps();
     void evaluate();
+    /// One step of Newton's method in double: a help only.
+    void refine();
     /// One step of each stretch; keeps those that are not finished.
     void step(bool last);
     void finish(std::size_t i, double lo, double hi, double s, bool proved);
@@ -201,6 +203,16 @@ void RootFinder<Real>::evaluate() {
     stretches_[0].kernel->ray_value(RayValueBatch{count, col_, row_, float_per_slope_, 0, 0.0, 0.0,
                                                   s_, view_.rays<double>(),
                                                   frame_.scene.uniforms.points<double>(), f_});
+}
+
+template <class Real>
+void RootFinder<Real>::refine() {
+    for (std::size_t i = 0; i < size_; ++i) {
+        Stretch& stretch = stretches_[i];
+        const double newton = stretch.guess - f_[i] * static_cast<double>(per_slope_[i]);
+        const double above = newton > stretch.from ? newton : stretch.from;  // `from` where NaN
+        stretch.guess = std::min(above, stretch.to);
+    }
 }
 
 /// A root in [lo, hi], or one that may be there.
@@ -273,6 +285,8 @@ template <class Real>
 void RootFinder<Real>::solve() {
     if (size_ == 0) return;
     take_first_steps();
+    evaluate();
+    refine();
     for (int taken = 1; size_ > 0 && taken <= most_steps; ++taken) {
         evaluate();
         step(taken == most_steps);
