@@ -71,10 +71,11 @@ private:
     struct Marched {
         std::size_t cell;
         const Kernel* kernel;
-        double radius;  ///< roots are no farther from where the form's linear part vanishes
-        double by_col;  ///< how much nearer that is from column to column
+        Real radius;  ///< roots are no farther from where the form's linear part vanishes
+        Real by_col;  ///< how much nearer that is from column to column
     };
-    void march_some(const Marched& marched, int first_col, int row, double middle);
+    void march_some(const Marched& marched, int first_col, int row, Real middle);
+    void clip(int col, int row, Real* froms, Real* tos) const;
     /// Finds the roots on single rays.
     void march_rays();
     void pass(std::uint32_t pixel, double s);
@@ -244,30 +245,33 @@ template <class Real>
 void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* kernel) {
     const Cells<Real>& cells = tree_.cells();
     const Forms<Real>& f = cells.forms;
-    const auto number = [cell](const std::vector<Real>& column) {
-        return static_cast<double>(column[cell]);
-    };
-    const double half = 0.5 * (pixels - 1);
-    const double ku = number(f.k[0]) / half;
-    const double kv = number(f.k[1]) / half;
-    const double kt = number(f.k[2]);
-    const double e = number(f.e) + 0x1p-10 * half * (std::abs(ku) + std::abs(kv));
-    const double scale = std::abs(kt) > 0 ? number(cells.places.s_radius) / kt : 0;
-    const double radius = std::abs(kt) > 0 ? e * std::abs(scale) + 4 * view_.depth_error()
-                                           : std::numeric_limits<double>::infinity();
-    const double first = number(cells.places.s) - (number(f.c) - half * (ku - kv)) * scale;
+    const Real half = static_cast<Real>(0.5 * (pixels - 1));
+    const Real ku = f.k[0][cell] / half;
+    const Real kv = f.k[1][cell] / half;
+    const Real kt = f.k[2][cell];
+    const Real s = cells.places.s[cell];
+    const Real reach = cells.places.s_radius[cell];
+    const Real error =
+        f.e[cell] + static_cast<Real>(0x1p-10 * tile_size) * (std::abs(ku) + std::abs(kv));
+    const Real rounding = 8 * std::numeric_limits<Real>::epsilon() * (std::abs(s) + reach);
+    const bool steep = std::abs(kt) > 0;
+    const Real scale = steep ? reach / kt : 0;
+    const Real radius =
+        steep ? error * std::abs(scale) + rounding : std::numeric_limits<Real>::infinity();
+    const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
     const Marched marched{cell, kernel, radius, ku * scale};
     const CellTile tile = cells.tile[cell];
     for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
+        const Real middle = s - (first - kv * static_cast<Real>(row)) * scale;
         for (int col = 0; col < pixels && tile.col() + col < tile_.cols; col += clip_lanes)
-            march_some(marched, col, row, first - (ku * col - kv * row) * scale);
+            march_some(marched, col, row, middle - static_cast<Real>(col) * marched.by_col);
     }
 }
 
 /// The pixels of a vector; `middle`: where the linear part of the form vanishes on the first ray.
 template <class Real>
-void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, double middle) {
-    constexpr ClipTag d;
+void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, Real middle) {
+    constexpr hn::Rebind<Real, ClipTag> d;
     const Cells<Real>& cells = tree_.cells();
     const CellTile tile = cells.tile[marched.cell];
     const int col = tile.col() + first_col;
@@ -275,36 +279,46 @@ void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, 
     const bool inside = tile.inside != 0;
     const auto radius = hn::Set(d, marched.radius);
     const auto middles =
-        hn::NegMulAdd(hn::Iota(d, 0.0), hn::Set(d, marched.by_col), hn::Set(d, middle));
+        hn::NegMulAdd(hn::Iota(d, Real{0}), hn::Set(d, marched.by_col), hn::Set(d, middle));
     // The cell's ends where NaN.
     const auto lo = hn::Sub(middles, radius);
     const auto hi = hn::Add(middles, radius);
-    const auto cell_from = hn::Set(d, static_cast<double>(cells.from[marched.cell]));
-    const auto cell_to = hn::Set(d, static_cast<double>(cells.to[marched.cell]));
-    auto from = hn::IfThenElse(hn::Gt(lo, cell_from), lo, cell_from);
-    auto to = hn::IfThenElse(hn::Lt(hi, cell_to), hi, cell_to);
-    if (!inside) {
-        alignas(64) float cols[clip_lanes], rows[clip_lanes];
-        for (int lane = 0; lane < clip_lanes; ++lane) {
-            cols[lane] = from_middle(col + lane);
-            rows[lane] = from_middle(tile.row() + row);
-        }
-        ClipDepths(view_, cols, rows).narrow(from, to);
-    }
-    const auto depth = load_doubles(d, &found_.depth[pixel]);
-    const auto wanted = hn::And(hn::Le(from, to), hn::Le(from, depth));
+    const auto cell_from = hn::Set(d, cells.from[marched.cell]);
+    const auto cell_to = hn::Set(d, cells.to[marched.cell]);
+    alignas(64) Real froms[clip_lanes], tos[clip_lanes];
+    hn::Store(hn::IfThenElse(hn::Gt(lo, cell_from), lo, cell_from), d, froms);
+    hn::Store(hn::IfThenElse(hn::Lt(hi, cell_to), hi, cell_to), d, tos);
+    if (!inside) clip(col, tile.row() + row, froms, tos);
+    const auto from = hn::Load(d, froms);
+    const auto depth = hn::LoadU(d, &found_.depth[pixel]);
+    const auto wanted = hn::And(hn::Le(from, hn::Load(d, tos)), hn::Le(from, depth));
     LaneBits bits =
         bits_of(d, hn::And(wanted, hn::FirstN(d, static_cast<std::size_t>(tile_.cols - col))));
-    if (bits == 0) return;
-    alignas(64) double froms[clip_lanes], tos[clip_lanes];
-    hn::Store(from, d, froms);
-    hn::Store(to, d, tos);
     for (; bits != 0; bits &= bits - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        const Real begin = -upper_end(Real{}, -froms[lane]);
-        const Real end = upper_end(Real{}, tos[lane]);
-        marcher_.push({static_cast<std::uint32_t>(pixel + lane), inside, begin, end, end - begin,
-                       marched.kernel});
+        marcher_.push({static_cast<std::uint32_t>(pixel + lane), inside, froms[lane], tos[lane],
+                       tos[lane] - froms[lane], marched.kernel});
+    }
+}
+
+/// Takes away what is outside the clip box and region, of stretches of the rays from a pixel on.
+template <class Real>
+void BeamTile<Real>::clip(int col, int row, Real* froms, Real* tos) const {
+    constexpr ClipTag d;
+    alignas(64) float cols[clip_lanes], rows[clip_lanes];
+    for (int lane = 0; lane < clip_lanes; ++lane) {
+        cols[lane] = from_middle(col + lane);
+        rows[lane] = from_middle(row);
+    }
+    auto from = load_doubles(d, froms);
+    auto to = load_doubles(d, tos);
+    ClipDepths(view_, cols, rows).narrow(from, to);
+    alignas(64) double narrow_from[clip_lanes], narrow_to[clip_lanes];
+    hn::Store(from, d, narrow_from);
+    hn::Store(to, d, narrow_to);
+    for (int lane = 0; lane < clip_lanes; ++lane) {
+        froms[lane] = -upper_end(Real{}, -narrow_from[lane]);
+        tos[lane] = upper_end(Real{}, narrow_to[lane]);
     }
 }
 
