@@ -244,6 +244,7 @@ template <class Real>
 SlopeBeam<Real> hull(const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
     SlopeBeam<Real> result = scale(a + b, 0.5);
     result.f.e = result.f.e + like(a.size, 0.5) * largest(a.f - b.f);
+    result.size = larger_bound(a.size, b.size);
     return result;
 }
 

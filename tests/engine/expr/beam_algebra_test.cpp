@@ -136,6 +136,24 @@ TEST(BeamForm, OfTheLargerKeepsUnknownRoundings) {
     }
 }
 
+/// Between the slopes 1 and 0.
+TEST(BeamForm, OfTheLargerHasASlopeOfEitherSize) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    const Form sloped = variable(0.1, 0.25);
+    const Form level{{{0.0, {}, 0.0}, 0.0, 0.0}};
+    for (const Op op : {Op::Min, Op::Max}) {
+        const Node node{.op = op};
+        for (const auto& [a, b] : {std::pair(sloped, level), std::pair(level, sloped)}) {
+            const Form larger = apply(algebra, node, {a, facts}, {b, facts}, {a, facts});
+            EXPECT_GE(larger.slope->range().hi, 1.0) << op_info(op).name;
+            EXPECT_GE(larger.slope->range().neg_lo, 0.0) << op_info(op).name;
+            EXPECT_GE(larger.slope->size, 1.0) << op_info(op).name;
+        }
+    }
+}
+
 TEST(BeamForm, OfTheOrientedTakesTheSignOfTheDivisor) {
     const double d = 0x1p-4;
     const Form above = form_of(Op::Oriented, {0.7, 0.5}, d);
