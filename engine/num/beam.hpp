@@ -65,7 +65,8 @@ Real largest(const Affine<Real>& a) {
     return magnitude(a.c) + deviation(a);
 }
 
-/// The middle of an interval, 0 for one without an end; and how far its ends are from it.
+/// The middle of an interval, 0 for one without an end; and how far its ends are from it, +inf
+/// where one is NaN.
 template <class Real>
 Affine<Real> centred(const Interval<Real>& a) {
     const Real far = like(a.hi, format_of(a.hi).largest_finite);
@@ -73,7 +74,7 @@ Affine<Real> centred(const Interval<Real>& a) {
     const Real half = like(a.hi, 0.5);
     const Real middle = a.hi * half - a.neg_lo * half;
     const Real c = select(finite, middle, like(a.hi, 0.0));
-    return {c, {}, maximum(a.hi - c, a.neg_lo + c)};
+    return {c, {}, larger_bound(a.hi - c, a.neg_lo + c)};
 }
 
 template <class Real>

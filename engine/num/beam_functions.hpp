@@ -185,7 +185,7 @@ Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     const Real per_high = one / high;
     const auto wide = high > number(3) * low;
     const Real beta = select(wide, per_high, per_low) * per_high;
-    const Real most = maximum(per_low + beta * low, per_high + beta * high);
+    const Real most = larger_bound(per_low + beta * low, per_high + beta * high);
     const Real least = number(2.0 - 4 * format_of(beta).relative_gap) * square_root(beta);
     const Affine<Real> rest = centred(Interval<Real>{-least, most});
     const Affine<Real> form = linear_map(y.f, -beta, select(negative, -rest.c, rest.c), rest.e);

@@ -3,6 +3,7 @@
 #include "engine/num/beam_functions.hpp"
 #include "engine/num/polar.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 // Beam forms of a point (x, y) in polar coordinates, over any carrier, in upward rounding. With c
@@ -93,14 +94,21 @@ Beam<Real> length_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam
     const auto number = [&](double value) { return like(x.r, value); };
     const Real& most_x = x.largest();
     const Real& most_y = y.largest();
-    const Real size = fused(number(0x1.aap-2), minimum(most_x, most_y), maximum(most_x, most_y));
+    const Real size =
+        fused(number(0x1.aap-2), minimum(most_x, most_y), larger_bound(most_x, most_y));
     const Real& length = p.middle.length;
     Affine<Real> form = scaled(p.along, length);
     const Real half_bend = number(0.25) * p.most_across * p.most_turn * length;
     form.c = length + half_bend;
     form.e = form.e + half_bend;
     const Interval<Real> range{number(0), size};
-    return {form_or_interval(p.beside, form, range), y.r + x.r + number(4) * size, size};
+    // Elsewhere the square may be lost at the point of an evaluation, or overflow.
+    const Format& format = format_of(size);
+    const Real lost = number(std::sqrt(format.smallest_normal) / format.relative_gap);
+    const Real r = y.r + x.r + number(4) * size;
+    const auto finite = size * size <= number(format.largest_finite);
+    const Real anywhere = select(finite, r + lost, number(infinity));
+    return {form_or_interval(p.beside, form, range), select(p.beside, r, anywhere), size};
 }
 
 /// The derivatives of x + iy along the rays, seen in the middle's direction.

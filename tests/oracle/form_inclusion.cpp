@@ -199,12 +199,12 @@ private:
     InclusionTally& tally_;
 };
 
-/// Whether forms are only known to vanish where the formula does.
-bool turns(const Expr& expr) {
-    NodeId root = expr.root();
-    while (expr.node(root).op == Op::Where)
-        root = expr.node(root).a;
-    return expr.node(root).op == Op::Oriented;
+/// Whether forms are only known to vanish where the node does, as it may be one that is turned.
+bool turns(const Expr& expr, NodeId id) {
+    const Node& node = expr.node(id);
+    if (node.op == Op::Where) return turns(expr, node.a);
+    if (node.op == Op::Min || node.op == Op::Max) return turns(expr, node.a) || turns(expr, node.b);
+    return node.op == Op::Oriented;
 }
 
 std::string three(const glm::dvec3& a) {
@@ -272,9 +272,9 @@ std::string disproved(const Kernel& kernel, const Expr& expr, const FormCells<Re
     const FormAnswers<Real> answers = in_tested_mode(answers_of<Real>, kernel, cells);
     const WorkingPrecision precision(wide_bits);
     MpfiEvaluator evaluator(expr);
+    const bool may_turn = turns(expr, expr.root());
     for (std::size_t i = 0; i < cells_a_batch; ++i) {
-        const std::string reason =
-            disproved_of_cell(evaluator, cells, answers, i, turns(expr), tally);
+        const std::string reason = disproved_of_cell(evaluator, cells, answers, i, may_turn, tally);
         if (!reason.empty()) return described(cells, i, reason);
     }
     return "";

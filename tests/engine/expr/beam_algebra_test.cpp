@@ -136,6 +136,37 @@ TEST(BeamForm, OfTheLargerKeepsUnknownRoundings) {
     }
 }
 
+/// No member of a form may be a number where nothing is known.
+TEST(BeamForm, OfTheReciprocalOfAHalfLineIsUnknown) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    const double most = std::numeric_limits<double>::max();
+    const Form one{{{1.0, {}, 0.0}, 1.0, 1.0}};
+    const Form large{{{most, {}, 0.0}, most, most}};  // its range, widened, has no end
+    ASSERT_EQ(large.f.range().hi, std::numeric_limits<double>::infinity());
+    const Form quotient =
+        apply(algebra, Node{.op = Op::Divide}, {one, facts}, {large, facts}, {one, facts});
+    EXPECT_GE(quotient.f.range().hi, 1.0 / most);
+}
+
+TEST(BeamForm, OfALengthKnowsWhereItsSquareIsLost) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    const auto length = [&](double y, double x) {
+        const Form of_y{{{y, {}, 0.0}, y, y}};
+        const Form of_x{{{x, {}, 0.0}, x, x}};
+        return apply(algebra, Node{.op = Op::Length}, {of_y, facts}, {of_x, facts}, {of_x, facts});
+    };
+    EXPECT_EQ(length(1e200, 1.0).f.r, std::numeric_limits<double>::infinity());
+    const double error = std::numeric_limits<double>::epsilon() * length(1e-170, 1e-170).f.r;
+    EXPECT_GE(error, 1e-170);
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(length(1.0, unknown).f.range().hi, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(length(unknown, 1.0).f.range().hi, std::numeric_limits<double>::infinity());
+}
+
 /// Between the slopes 1 and 0.
 TEST(BeamForm, OfTheLargerHasASlopeOfEitherSize) {
     const UpwardRounding upward;
