@@ -2,6 +2,7 @@
 
 #include "engine/expr/beam_algebra.hpp"
 #include "engine/expr/kernel.hpp"
+#include "engine/expr/tape.hpp"
 #include "engine/num/block.hpp"
 
 #include <cstdint>
@@ -19,14 +20,17 @@ inline ChoiceBits choice_bits(unsigned first, unsigned second) {
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
 }
 
-/// Where one operand of min or max may stand for both, by their signs: one that is above 0 leaves
-/// those of min to the other one, one below 0 those of max.
+/// Where one operand of min or max may stand for both, as in the band of values that matter: one
+/// above it leaves min to the other one, one below it max.
 template <class Lanes>
-ChoiceBits choice_by_sign(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
-    const auto left_out = [op](const BeamValue<Lanes>& x) {
+[[gnu::flatten]] ChoiceBits choice_by_band(Op op, const BeamValue<Lanes>& a,
+                                           const BeamValue<Lanes>& b, const Band& band) {
+    const bool max = op == Op::Max;
+    const double end = max ? -band.lo : band.hi;  // rounded upward where it is made a float
+    if (end == infinity) return {};
+    const auto left_out = [&](const BeamValue<Lanes>& x) {
         const Interval<Lanes> range = x.f.range();
-        const Lanes zero = like(range.hi, 0.0);
-        const BlockMask apart = op == Op::Max ? range.hi < zero : range.neg_lo < zero;
+        const BlockMask apart = (max ? -range.hi : -range.neg_lo) > like(range.hi, end);
         return apart.bits & bits_of(x.everywhere);
     };
     return choice_bits(left_out(b), left_out(a));
@@ -67,15 +71,16 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
     return kink;
 }
 
-/// Makes min or max of a and b in `place` and tells where it is one of them. `by_sign`: only its
-/// sign matters.
+/// Makes min or max of a and b in `place` and tells where it is one of them, or taken for it as
+/// `left_out` tells.
 template <class Real>
 [[gnu::flatten]] ChoiceBits make_extreme(Op op, const Operand<BeamValue<Block<Real>>>& a,
-                                         const Operand<BeamValue<Block<Real>>>& b, bool by_sign,
+                                         const Operand<BeamValue<Block<Real>>>& b,
+                                         const ChoiceBits& left_out,
                                          BeamValue<Block<Real>>* place) {
     using Value = BeamValue<Block<Real>>;
     constexpr unsigned all = (1U << Block<Real>::lanes) - 1U;
-    ChoiceBits bits{};
+    ChoiceBits bits = left_out;
     // Copying is quicker than choosing lane by lane.
     const auto copied = [&] {
         const bool first = (bits.first & all) == all;
@@ -83,7 +88,6 @@ template <class Real>
         new (place) Value(first ? a.value : b.value);
         return true;
     };
-    if (by_sign) bits = choice_by_sign(op, a.value, b.value);
     if (copied()) return bits;
     const Interval<Block<Real>> difference = (a.value.f - b.value.f).range();
     const ChoiceBits more = choice_by_size(op, difference, a.value, b.value);

@@ -202,15 +202,21 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
                             BeamValue<Lanes>* place) {
         const Op op = tape.node(step).op;
         const bool extreme = op == Op::Min || op == Op::Max;
-        ChoiceBits bits{};
-        if (extreme) {
-            bits = make_extreme<Real>(op, of(0), of(1), record != nullptr && step.by_sign, place);
-        } else if (record != nullptr) {
-            bits = choice_by_condition(op, of(op == Op::If ? 0 : 1).value);
+        const auto tell = [&](Tape::Index choice, const ChoiceBits& bits) {
+            record->bits[i / Lanes::lanes * record->choices + choice] = bits;
+        };
+        if (!extreme) {
+            if (record != nullptr)
+                tell(step.choice, choice_by_condition(op, of(op == Op::If ? 0 : 1).value));
+            return false;
         }
-        if (record != nullptr)
-            record->bits[i / Lanes::lanes * record->choices + step.choice] = bits;
-        return extreme;
+        ChoiceBits left_out{};
+        if (record != nullptr) left_out = choice_by_band(op, of(0).value, of(1).value, step.band);
+        const ChoiceBits bits = make_extreme<Real>(op, of(0), of(1), left_out, place);
+        if (record == nullptr) return true;
+        tell(step.choice, bits);
+        if (step.tells != Tape::no_choice) tell(step.tells, left_out);
+        return true;
     };
     interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, leaf, of_part, finish,
                                                        choose);

@@ -2,7 +2,10 @@
 
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/part_kernel.hpp"
+#include "engine/expr/tape_blend.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -22,9 +25,13 @@ Index alternative(Op op, const Step& step, std::size_t which) {
     return step.operands[op == Op::If ? which + 1 : which];
 }
 
-/// Whether all that operand k does to the operator's sign comes from its own.
-bool hands_on_sign(Op op, std::size_t k) {
-    return is_choice(op) ? is_alternative(op, k) : op == Op::Negate;
+Band negative(const Band& band) { return {-band.hi, -band.lo}; }
+Band hull(const Band& a, const Band& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
+/// Of x, for that of x + c with c in the interval.
+Band moved_back(const Band& band, const Interval<double>& c) {
+    const double lo = band.lo - c.hi;
+    const double hi = band.hi + c.neg_lo;
+    return {lo - 0x1p-50 * std::abs(lo), hi + 0x1p-50 * std::abs(hi)};
 }
 
 /// Which alternative a choice is in all of the cells, if it is one.
@@ -75,7 +82,7 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
 /// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
 struct Room {
     std::vector<Index> stands_for, last_use, place, place_of_node, unused;
-    std::vector<std::uint8_t> zero, by_value;
+    std::vector<std::uint8_t> zero;
 };
 Room& room() {
     thread_local Room instance;
@@ -155,7 +162,11 @@ void Tape::Builder::append(Tape& tape, Index index) {
     }
     place_[index] = static_cast<Index>(tape.steps_.size());
     tape.steps_.push_back(step);
-    if (uniform) tape.uniform_ = tape.steps_.size();
+    if (uniform) {
+        tape.uniform_ = tape.steps_.size();
+    } else if (operands > 0 && is_sum(tape.node(step).op)) {
+        tape.mark_blend(place_[index]);
+    }
 }
 
 Tape Tape::Builder::build(std::shared_ptr<const TapeGraph> graph, Index root) {
@@ -165,27 +176,63 @@ Tape Tape::Builder::build(std::shared_ptr<const TapeGraph> graph, Index root) {
     for (Index i = 0; i <= root; ++i) {
         if (last_use_[i] != never) append(tape, i);
     }
-    tape.mark_by_sign();
+    tape.mark_bands();
     return tape;
 }
 
-/// From the root down through operators that make signs of signs.
-void Tape::mark_by_sign() {
-    std::vector<std::uint8_t>& by_value = room().by_value;
-    by_value.assign(steps_.size(), 0);
-    steps_.back().by_sign = true;
+void Tape::mark_blend(Index sum) {
+    if (choices_ < 2) return;
+    const std::optional<Blend> blend = blend_of(*this, steps_[sum]);
+    if (!blend) return;
+    Step& extreme = steps_[blend->extreme];
+    Step& hat = steps_[blend->hat];
+    for (const Step* step : {&extreme, &hat}) {
+        if (step->tells != no_choice || step->heeds != no_choice) return;
+    }
+    extreme.tells = hat.heeds = static_cast<Index>(choices_++);
+    steps_[sum].reach = blend->reach;
+}
+
+/// From the root down.
+void Tape::mark_bands() {
+    for (Step& step : steps_)
+        step.band = Band::nothing();
+    steps_.back().band = {0, 0};
     for (std::size_t i = steps_.size(); i-- > 0;) {
         Step& step = steps_[i];
-        step.by_sign = step.by_sign && by_value[i] == 0;
+        if (step.band.empty()) continue;  // the q of a smooth minimum
         const std::size_t count = operand_count(*graph_, step.node);
         for (std::size_t k = 0; k < count; ++k) {
-            if (step.by_sign && hands_on_sign(node(step).op, k)) {
-                steps_[step.operands[k]].by_sign = true;
-            } else {
-                by_value[step.operands[k]] = 1;
-            }
+            Band& band = steps_[step.operands[k]].band;
+            band = hull(band, band_of(step, k));
         }
     }
+    for (Step& step : steps_) {
+        if (!step.band.empty()) {
+            step.heeds = no_choice;  // it is asked for elsewhere
+        } else {
+            step.band = Band::everything();
+        }
+    }
+}
+
+Band Tape::band_of(const Step& step, std::size_t k) const {
+    const Op op = node(step).op;
+    if (is_choice(op)) return is_alternative(op, k) ? step.band : Band::everything();
+    if (op == Op::Negate) return negative(step.band);
+    if (!is_sum(op)) return Band::everything();
+    const Band band = op == Op::Subtract && k == 1 ? negative(step.band) : step.band;
+    const Step& operand = steps_[step.operands[k]];
+    const Step& other = steps_[step.operands[1 - k]];
+    if (step.reach > 0) {
+        if (operand.tells == no_choice) return Band::nothing();
+        return node(operand).op == Op::Min ? Band{band.lo, band.hi + step.reach}
+                                           : Band{band.lo - step.reach, band.hi};
+    }
+    if (!facts(other).constant) return Band::everything();
+    const Interval<double>& c = *facts(other).constant;
+    const bool minus = op == Op::Subtract;
+    return moved_back(band, minus ? -c : c);
 }
 
 TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code)
@@ -278,7 +325,8 @@ private:
 
     const Tape& tape_;
     std::vector<Index>& stands_for_;
-    std::vector<std::uint8_t>& zero_;  ///< whether the value is the number 0
+    std::vector<std::uint8_t>& zero_;   ///< whether the value is the number 0
+    std::optional<Index> number_zero_;  ///< a constant
     bool any_ = false;
 };
 
@@ -287,8 +335,11 @@ void Tape::Reduction::reduce(Index i, const ChoiceRecord& record,
     const Step& step = tape_.steps_[i];
     stands_for_[i] = i;
     zero_[i] = tape_.sums_ && is_zero(step) ? 1 : 0;
-    const std::optional<Index> taken = same_as(step, record, cells);
-    if (!taken) return;
+    if (zero_[i] != 0 && i < tape_.uniform_) number_zero_ = i;
+    std::optional<Index> taken;
+    if (zero_[i] != 0 && any_) taken = number_zero_;
+    if (!taken) taken = same_as(step, record, cells);
+    if (!taken || *taken == i) return;
     // What is built on it may rely on that.
     if (tape_.facts(step).nonnegative && !tape_.facts(tape_.steps_[*taken]).nonnegative) return;
     stands_for_[i] = *taken;
@@ -300,6 +351,10 @@ std::optional<Index> Tape::Reduction::same_as(const Step& step, const ChoiceReco
                                               std::span<const std::size_t> cells) const {
     if (step.choice == no_choice) return summand(step);
     const std::optional<std::size_t> which = winner(record, step.choice, cells);
+    if (!which && step.heeds != no_choice && winner(record, step.heeds, cells)) {
+        const Index a = step.operands[0];
+        return zero_[a] != 0 ? a : step.operands[1];
+    }
     if (!which) return std::nullopt;
     return stands_for_[alternative(tape_.node(step).op, step, *which)];
 }

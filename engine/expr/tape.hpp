@@ -3,6 +3,7 @@
 #include "engine/expr/facts.hpp"
 #include "engine/expr/kernel.hpp"
 #include "engine/expr/parts.hpp"
+#include "engine/num/interval.hpp"
 
 #include <array>
 #include <cstddef>
@@ -14,6 +15,12 @@
 
 // Straight-line code of a graph for an interpreter, and shorter code that does the same where
 // choices (min, max, if, where) are known to fall the same way [Keeter20].
+//
+// Which operand of a min may go depends on what is made of the result. Where only the zeros of f
+// matter, one above 0 may. A smooth minimum is m - q with m = min(a, b) and q from 0 to d, 0 where
+// |a - b| >= k. Where it is at most U, m is at most U + d, and an operand above U + d + k has no
+// part in it: that may go, and q with it. So each value has a band in which it matters, wider from
+// one smooth minimum to the next inside it.
 
 namespace zeroset {
 
@@ -36,6 +43,19 @@ struct TapeGraph {
     [[nodiscard]] std::vector<NodeId> least_of() const;
 };
 
+/// Of a value outside of it only the side matters on which it is.
+struct Band {
+    double lo, hi;
+
+    static constexpr Band everything() {
+        return {-infinity, infinity};
+    }
+    /// Of a value that nobody asks for.
+    static constexpr Band nothing() { return {everything().hi, everything().lo}; }
+    [[nodiscard]] constexpr bool empty() const { return lo > hi; }
+    friend constexpr bool operator==(const Band&, const Band&) = default;
+};
+
 /// Immutable.
 class Tape {
 public:
@@ -47,8 +67,14 @@ public:
         NodeId node;
         Index slot;
         std::array<Index, 3> operands;  ///< earlier steps, as many as the operator has
-        Index choice = ~Index{0};       ///< its place in a ChoiceRecord
-        bool by_sign = false;           ///< of its value only the sign matters, and where it is 0
+        Index choice = no_choice;       ///< its place in a ChoiceRecord
+        /// Of the min in a smooth minimum m - q, or the max in a smooth maximum: the place where it
+        /// tells which operand is left out as it is outside the band.
+        Index tells = no_choice;
+        /// Of the max(k - |a - b|, 0) in its q: that place. It is 0 where an operand is left out.
+        Index heeds = no_choice;
+        double reach = 0;  ///< of the smooth minimum or maximum: k + d, else 0
+        Band band = Band::everything();
     };
 
     explicit Tape(std::shared_ptr<const TapeGraph> graph);
@@ -80,7 +106,11 @@ private:
     class Builder;
     class Reduction;
     Tape() = default;
-    void mark_by_sign();
+    /// Marks the smooth minimum or maximum that ends with a step.
+    void mark_blend(Index sum);
+    void mark_bands();
+    /// Of operand k of the step.
+    [[nodiscard]] Band band_of(const Step& step, std::size_t k) const;
 
     std::shared_ptr<const TapeGraph> graph_;
     std::vector<Step> steps_;

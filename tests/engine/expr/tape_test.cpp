@@ -265,11 +265,11 @@ std::optional<std::size_t> choices_left(const std::string& text) {
 }
 
 TEST(Tape, LeavesOutWhatLosesEverywhere) {
-    EXPECT_EQ(choices_left("min(x, 7 + y) + 1"), 0U);
-    EXPECT_EQ(choices_left("max(x, 7 + y) + 1"), 0U);
-    EXPECT_EQ(choices_left("min(x, 7 + y, y) + 1"), 1U);
-    EXPECT_EQ(choices_left("if(z < 3, x, y) + 1"), 0U);
-    EXPECT_EQ(choices_left("min(x, y) + 1"), std::nullopt);
+    EXPECT_EQ(choices_left("min(x, 7 + y) + z"), 0U);
+    EXPECT_EQ(choices_left("max(x, 7 + y) + z"), 0U);
+    EXPECT_EQ(choices_left("min(x, 7 + y, y) + z"), 1U);
+    EXPECT_EQ(choices_left("if(z < 3, x, y) + z"), 0U);
+    EXPECT_EQ(choices_left("min(x, y) + z"), std::nullopt);
 }
 
 TEST(Tape, LeavesOutWhatHasNoPartInTheZeros) {
@@ -279,6 +279,43 @@ TEST(Tape, LeavesOutWhatHasNoPartInTheZeros) {
     EXPECT_EQ(choices_left("min(z, 0.7 + x) + y"), std::nullopt);
     // The operand has a part in the zeros elsewhere.
     EXPECT_EQ(choices_left("min(min(z, 0.7 + x) + y, min(z, 0.7 + x))"), std::nullopt);
+}
+
+/// What is added to a choice moves the values that matter.
+TEST(Tape, LeavesOutWhatIsFarFromTheValuesThatMatter) {
+    EXPECT_EQ(choices_left("min(z, 0.9 + x) - 0.6"), 0U);
+    EXPECT_EQ(choices_left("0.6 - min(z, 0.9 + x)"), 0U);
+    EXPECT_EQ(choices_left("min(z, 0.9 + x) - 0.7"), std::nullopt);
+    EXPECT_EQ(choices_left("max(z, x - 0.9) + 0.6"), 0U);
+    EXPECT_EQ(choices_left("max(z, x - 0.9) + 0.8"), std::nullopt);
+}
+
+/// A blend of width k reaches as far above 0 as k and what it takes away at most.
+TEST(Tape, LeavesOutWhatABlendDoesNotReach) {
+    EXPECT_EQ(choices_left("smooth_union(z, 0.9 + x, 0.5)"), 0U);
+    EXPECT_EQ(choices_left("smooth_union(0.9 + x, z, 0.5)"), 0U);
+    EXPECT_EQ(choices_left("smooth_union(z, 0.9 + x, 0.6)"), std::nullopt);
+    EXPECT_EQ(choices_left("smooth_intersect(z, x - 0.9, 0.5)"), 0U);
+    EXPECT_EQ(choices_left("smooth_intersect(z, x - 0.9, 0.6)"), std::nullopt);
+    EXPECT_EQ(choices_left("smooth_subtract(z, 0.9 + x, 0.5)"), 0U);
+    EXPECT_EQ(choices_left("min(z, 1.1 + x) - max(0.5 - |z - (1.1 + x)|, 0)^2"), 0U);
+    EXPECT_EQ(choices_left("min(z, 0.9 + x) - max(0.5 - |z - (0.9 + x)|, 0)^2"), std::nullopt);
+    EXPECT_EQ(choices_left("max(z, x - 0.8) + 2max(0.3 - |z - (x - 0.8)|, 0)^2"), 0U);
+    EXPECT_EQ(choices_left("max(z, x - 0.8) + 9max(0.3 - |z - (x - 0.8)|, 0)^2"), std::nullopt);
+    // Not a blend: the width of its second part is that of other operands.
+    EXPECT_EQ(choices_left("min(z, 0.9 + x) - max(0.5 - |z - (0.8 + x)|, 0)^2"), std::nullopt);
+}
+
+TEST(Tape, LeavesOutLessInsideABlend) {
+    const std::string outer = "smooth_union(y + z, smooth_union(y + 2z, ";
+    EXPECT_EQ(choices_left(outer + "0.9 + x, 0.4), 0.4)"), std::nullopt);
+    EXPECT_NE(choices_left(outer + "1.3 + x, 0.4), 0.4)"), std::nullopt);
+}
+
+/// The blend itself ends; its height is asked for elsewhere.
+TEST(Tape, KeepsWhatABlendSharesWithOthers) {
+    const std::string height = "max(0.5 - |z - (1 + x)|, 0)";
+    EXPECT_EQ(choices_left("max(smooth_union(z, 1 + x, 0.5), y + " + height + ")"), 2U);
 }
 
 TEST(Tape, KeepsWhatMayBeUndefined) {
