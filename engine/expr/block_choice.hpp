@@ -100,4 +100,12 @@ template <class Real>
     return bits;
 }
 
+/// Where the form of a function that is from 0 to `height` is wider than that, it is that.
+template <class Lanes>
+void narrow_to(double height, BeamValue<Lanes>& value) {
+    const Lanes half = like(value.f.r, 0.5 * height);  // rounded upward
+    const Affine<Lanes> whole{half, {}, half};
+    value.f = {select(no(value.f.f.e <= half), whole, value.f.f), value.f.r, value.f.size};
+}
+
 }  // namespace zeroset

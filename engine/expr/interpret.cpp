@@ -213,6 +213,7 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
         ChoiceBits left_out{};
         if (record != nullptr) left_out = choice_by_band(op, of(0).value, of(1).value, step.band);
         const ChoiceBits bits = make_extreme<Real>(op, of(0), of(1), left_out, place);
+        if (step.height > 0) narrow_to(step.height, *place);
         if (record == nullptr) return true;
         tell(step.choice, bits);
         if (step.tells != Tape::no_choice) tell(step.tells, left_out);

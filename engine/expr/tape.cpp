@@ -191,6 +191,7 @@ void Tape::mark_blend(Index sum) {
     }
     extreme.tells = hat.heeds = static_cast<Index>(choices_++);
     steps_[sum].reach = blend->reach;
+    hat.height = blend->height;
 }
 
 /// From the root down.

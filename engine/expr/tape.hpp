@@ -47,9 +47,7 @@ struct TapeGraph {
 struct Band {
     double lo, hi;
 
-    static constexpr Band everything() {
-        return {-infinity, infinity};
-    }
+    static constexpr Band everything() { return {-infinity, infinity}; }
     /// Of a value that nobody asks for.
     static constexpr Band nothing() { return {everything().hi, everything().lo}; }
     [[nodiscard]] constexpr bool empty() const { return lo > hi; }
@@ -73,7 +71,8 @@ public:
         Index tells = no_choice;
         /// Of the max(k - |a - b|, 0) in its q: that place. It is 0 where an operand is left out.
         Index heeds = no_choice;
-        double reach = 0;  ///< of the smooth minimum or maximum: k + d, else 0
+        double reach = 0;   ///< of the smooth minimum or maximum: k + d, else 0
+        double height = 0;  ///< of the max(k - |a - b|, 0): k, else 0
         Band band = Band::everything();
     };
 

@@ -11,7 +11,8 @@ namespace zeroset {
 struct Blend {
     Tape::Index extreme;  ///< the step m
     Tape::Index hat;      ///< max(k - |a - b|, 0)
-    double reach;         ///< an upper bound of k + q
+    double height;        ///< an upper bound of k
+    double reach;         ///< of k + q
 };
 
 /// What the step, a sum or difference, ends.
