@@ -53,6 +53,19 @@ private:
     unsigned control_ = _mm_getcsr();
 };
 
+/// Rounds upward while it lives, in the vector registers only: fegetround still tells the mode of
+/// the caller. For small tasks that only compute: a guard's two calls take as long as some pixels.
+class UpwardRegisters {
+public:
+    UpwardRegisters() { _mm_setcsr(detail::control_word(FE_UPWARD)); }
+    ~UpwardRegisters() { _mm_setcsr(control_); }
+    UpwardRegisters(const UpwardRegisters&) = delete;
+    UpwardRegisters& operator=(const UpwardRegisters&) = delete;
+
+private:
+    unsigned control_ = _mm_getcsr();
+};
+
 using UpwardRounding = RoundingGuard<FE_UPWARD>;
 using NearestRounding = RoundingGuard<FE_TONEAREST>;
 using DownwardRounding = RoundingGuard<FE_DOWNWARD>;

@@ -378,7 +378,7 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
                      static_cast<double>(run_->lo), static_cast<double>(run_->hi),
                      static_cast<double>(std::clamp(guess, from, to)),
                      static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
-                     static_cast<double>(run_->r), run_->kernel});
+                     static_cast<double>(run_->r), run_->kernel, true});
     }
 }
 

@@ -107,7 +107,7 @@ struct Stretch {
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
     const Kernel* kernel;       ///< of f in this part of the ray
-    bool again = true;          ///< what is not proved is left to RootFinder::take_open
+    bool again;                 ///< what is not proved is left to RootFinder::take_open
 };
 
 /// How far f is off where it was evaluated in double; `r`: see FormBatchOf.

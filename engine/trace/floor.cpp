@@ -90,7 +90,7 @@ void KnownFrame::draw(Framebuffer& frame) const {
     parallel_for(grid_.size(), threads_, [&](std::size_t index) {
         thread_local std::vector<TileHits> hits;
         hits.resize(std::max(hits.size(), surfaces_.size()));
-        const UpwardRounding upward;
+        const UpwardRegisters upward;
         const Tile tile = grid_.tile(index);
         for (std::size_t i = 0; i < surfaces_.size(); ++i) {
             hits[i].clear();

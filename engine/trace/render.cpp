@@ -224,7 +224,7 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
     frame.blank_rows.resize(grid.size());
     parallel_for(grid.size(), settings.threads, [&](std::size_t index) {
         thread_local Workspace workspace;
-        const UpwardRounding upward;
+        const UpwardRegisters upward;
         std::uint64_t blank_rows = frame.blank_rows[index];  // others write beside it
         const Counters counters = painter.paint(grid.tile(index), workspace, blank_rows);
         frame.blank_rows[index] = blank_rows;

@@ -36,6 +36,22 @@ TEST(RoundingGuard, RoundsInItsMode) {
     EXPECT_EQ(third_in_mode<FE_UPWARD>(), -0x1.555554p-2F);
 }
 
+TEST(UpwardRegisters, RoundVectorRegistersOnly) {
+    {
+        const UpwardRegisters upward;
+        EXPECT_TRUE(rounds_upward());
+        EXPECT_EQ(third(), -0x1.555554p-2F);
+        {
+            const NearestRounding nearest;
+            EXPECT_EQ(third(), -0x1.555556p-2F);
+        }
+        EXPECT_TRUE(rounds_upward());
+        EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+    }
+    EXPECT_FALSE(rounds_upward());
+    EXPECT_EQ(third(), -0x1.555556p-2F);
+}
+
 TEST(RoundingGuard, RestoresTheModeBefore) {
     ASSERT_EQ(std::fegetround(), FE_TONEAREST);
     {
