@@ -51,7 +51,6 @@ struct Band {
     /// Of a value that nobody asks for.
     static constexpr Band nothing() { return {everything().hi, everything().lo}; }
     [[nodiscard]] constexpr bool empty() const { return lo > hi; }
-    friend constexpr bool operator==(const Band&, const Band&) = default;
 };
 
 /// Immutable.

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
+#include <cstddef>
 
 namespace zeroset {
 namespace {
