@@ -12,7 +12,7 @@ from zeroset_program import environment, program, read_xwd
 
 PATIENCE_S = 20.0  # for anything that is awaited
 POLL_S = 0.03
-REST_S = 0.06      # a window at rest sleeps for so long
+REST_S = 0.15      # a window at rest sleeps for so long; it refines what moved after 0.12
 SAME = 0.002       # fraction of pixels that may differ between equal pictures
 
 
