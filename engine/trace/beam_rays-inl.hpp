@@ -33,6 +33,7 @@ public:
           counters_(counters),
           ranges_(frame, view, memory.ranges, counters),
           segments_(memory.segments),
+          next_(memory.next),
           rests_(memory.rests),
           asked_(memory.asked),
           places_(memory.places),
@@ -68,8 +69,10 @@ private:
     void judge_vector(std::size_t i, Real finest);
     /// Rejects by the natural interval extension: of those that forms say little of.
     void ask_ranges(std::span<const Segment<Real>> segments);
-    /// Goes on with one segment after its cell i was evaluated; false when it is finished.
-    bool advance(Segment<Real>& segment, std::size_t i, Real finest);
+    /// Goes on with a vector's segments, from the first on, after their cells were evaluated.
+    void advance(std::span<const Segment<Real>> segments, std::size_t first, Real finest);
+    /// Where cell i of a segment is not decided; false if it is not cut any further.
+    bool narrow(Segment<Real>& segment, std::size_t i, Real finest);
     /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
     void look_around(Real finest);
     /// Whether f surely has opposite signs around it, and is continuous between.
@@ -92,6 +95,7 @@ private:
     Counters& counters_;
     RangeList<Real> ranges_;
     std::vector<Segment<Real>>& segments_;
+    std::vector<Segment<Real>>& next_;
     std::vector<Rest<Real>>& rests_;
     std::vector<std::size_t>& asked_;
     CellPlaces<Real>& places_;
@@ -112,6 +116,7 @@ void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real
         places_.s_radius[i] = std::max(end - middle, middle - segment.from) + margin;
         verdicts_.begin[i] = segment.from;
         verdicts_.end[i] = end;
+        verdicts_.last[i] = segment.to;
     }
 }
 
@@ -174,8 +179,11 @@ void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
     hn::StoreU(from, d, verdicts_.from.data() + i);
     hn::StoreU(to, d, verdicts_.to.data() + i);
     hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts_.guess.data() + i);
+    const auto finished = hn::And(rejected, hn::Ge(end, load(verdicts_.last)));
     verdicts_.bits[i / hn::Lanes(d)] = {
-        bits_of(d, rejected), bits_of(d, hn::Or(hn::Not(continuous), short_already)),
+        bits_of(d, rejected),
+        bits_of(d, finished),
+        bits_of(d, hn::Or(hn::Not(continuous), short_already)),
         bits_of(d, hn::And(continuous, straight)),
         bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
         bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, static_cast<Real>(0.6)))))};
@@ -215,14 +223,33 @@ void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) 
 }
 
 template <class Real, class Cell>
-bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real finest) {
-    using Bits = typename Verdicts<Real>::Bits;
-    if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) return false;
-    if (verdicts_.bit(&Bits::rejected, i)) return go_behind(segment);
-    if (verdicts_.bit(&Bits::monotone, i)) {
+void RayMarcher<Real, Cell>::advance(std::span<const Segment<Real>> segments, std::size_t first,
+                                     Real finest) {
+    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+    const auto& bits = verdicts_.bits[first / lanes];
+    const LaneBits there = (LaneBits{1} << std::min(segments.size() - first, lanes)) - 1;
+    const auto for_each = [&](LaneBits which, auto&& go_on) {
+        for (; which != 0; which &= which - 1) {
+            const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(which));
+            Segment<Real> segment = segments[i];
+            if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) continue;
+            if (go_on(segment, i)) next_.push_back(segment);
+        }
+    };
+    const LaneBits open = there & ~bits.rejected;
+    for_each(there & bits.rejected & ~bits.finished,
+             [](Segment<Real>& segment, std::size_t) { return go_behind(segment); });
+    for_each(open & bits.monotone, [&](Segment<Real>& segment, std::size_t i) {
         solve(segment, i);
-        return !(verdicts_.bit(&Bits::certain, i) && segment.inside) && go_behind(segment);
-    }
+        return !(verdicts_.bit(&Verdicts<Real>::Bits::certain, i) && segment.inside) &&
+               go_behind(segment);
+    });
+    for_each(open & ~bits.monotone,
+             [&](Segment<Real>& segment, std::size_t i) { return narrow(segment, i, finest); });
+}
+
+template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real finest) {
     const Real from = verdicts_.from[i];
     const Real to = verdicts_.to[i];
     const Real width = to - from;
@@ -231,7 +258,7 @@ bool RayMarcher<Real, Cell>::advance(Segment<Real>& segment, std::size_t i, Real
         return false;
     }
     segment.from = from;
-    segment.step = verdicts_.bit(&Bits::contracts, i) ? width : Real{0.5} * width;
+    segment.step = verdicts_.bit(&Verdicts<Real>::Bits::contracts, i) ? width : Real{0.5} * width;
     return true;
 }
 
@@ -308,12 +335,13 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
         v_[static_cast<std::size_t>(i)] = static_cast<Real>(view_.v(i));
     }
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
+    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
     while (!segments_.empty()) {
         if (frame_.cancelled()) {
             segments_.clear();
             return;
         }
-        std::size_t kept = 0;
+        next_.clear();
         for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
             count = same_kernel(first);
             const auto segments = std::span(segments_).subspan(first, count);
@@ -322,17 +350,15 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             judge(count, settings.finest);
             ask_ranges(segments);
             rests_.clear();
-            for (std::size_t i = 0; i < count; ++i) {
-                Segment<Real> segment = segments[i];
-                if (advance(segment, i, settings.finest)) segments_[kept++] = segment;
-            }
+            for (std::size_t i = 0; i < count; i += lanes)
+                advance(segments, i, settings.finest);
             look_around(settings.finest);
             for (std::size_t rest = 0; rest < rests_.size(); ++rest) {
                 const auto segment = decide(rest, settings, undecided);
-                if (segment) segments_[kept++] = *segment;
+                if (segment) next_.push_back(*segment);
             }
         }
-        segments_.resize(kept);
+        segments_.swap(next_);
         roots_.solve();
     }
 }

@@ -43,11 +43,13 @@ template <class Real>
 struct Verdicts {
     /// The parts of the segments that were evaluated, and where in them f may vanish.
     std::vector<Real> begin, end, from, to;
+    std::vector<Real> last;   ///< the ends of the segments
     std::vector<Real> guess;  ///< a guess of the root
 
     /// Of the segments of a vector.
     struct Bits {
         LaneBits rejected;   ///< no root in the part
+        LaneBits finished;   ///< nor is there anything behind it
         LaneBits weak;       ///< the form says little; the natural interval extension may say more
         LaneBits monotone;   ///< f is continuous, with a slope that bends little
         LaneBits certain;    ///< then there is a root
@@ -56,7 +58,7 @@ struct Verdicts {
     std::vector<Bits> bits;
 
     explicit Verdicts(std::size_t capacity) : bits(capacity / hn::Lanes(LanesOf<Real>())) {
-        for (std::vector<Real>* column : {&begin, &end, &from, &to, &guess})
+        for (std::vector<Real>* column : {&begin, &end, &from, &to, &last, &guess})
             column->resize(capacity);
     }
     [[nodiscard]] bool bit(LaneBits Bits::* member, std::size_t i) const {
@@ -83,7 +85,8 @@ struct MarchMemory {
     static constexpr std::size_t capacity = 256;
 
     std::vector<Segment<Real>> segments;
-    std::vector<Rest<Real>> rests;  ///< of the batch at work
+    std::vector<Segment<Real>> next;  ///< what goes on from them
+    std::vector<Rest<Real>> rests;    ///< of the batch at work
     std::vector<std::size_t> asked;
     CellPlaces<Real> places;
     Forms<Real> forms;
