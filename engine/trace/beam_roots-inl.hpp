@@ -248,8 +248,9 @@ void RootFinder<Real>::step(bool last) {
         const double f = falling ? -f_[i] : f_[i];
         const double least = falling ? -stretch.slope_hi : stretch.slope_lo;
         const double most = falling ? -stretch.slope_lo : stretch.slope_hi;
-        // Rounded upward, like both ends of the bracket.
-        const auto quotient = [&](double y) { return y > 0 ? y / least : y / most; };
+        // Rounded upward, like both ends of the bracket. The sign of y is hard to predict.
+        const double slopes[] = {most, least};
+        const auto quotient = [&](double y) { return y / slopes[y > 0 ? 1 : 0]; };
         const double above = f + error;
         const double neg_below = error - f;
         const double lo = -(quotient(above) - stretch.guess);
