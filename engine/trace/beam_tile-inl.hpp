@@ -65,16 +65,16 @@ private:
     void look_closer();
     /// The pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
-    /// The pixels of a cell one by one.
+    /// The pixels of a cell one by one; `pixels` is at most least_pixels.
     void march_pixels(std::size_t cell, int pixels, const Kernel* kernel);
     /// A cell whose pixels go on one by one.
     struct Marched {
         std::size_t cell;
-        const Kernel* kernel;
         Real radius;  ///< roots are no farther from where the form's linear part vanishes
         Real by_col;  ///< how much nearer that is from column to column
     };
-    void march_some(const Marched& marched, int first_col, int row, Real middle);
+    LaneBits stretches(const Marched& marched, int first_col, int row, Real middle, Real* froms,
+                       Real* tos) const;
     void clip(int col, int row, Real* froms, Real* tos) const;
     /// Finds the roots on single rays.
     void march_rays();
@@ -259,24 +259,35 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
     const Real radius =
         steep ? error * std::abs(scale) + rounding : std::numeric_limits<Real>::infinity();
     const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
-    const Marched marched{cell, kernel, radius, ku * scale};
+    const Marched marched{cell, radius, ku * scale};
     const CellTile tile = cells.tile[cell];
+    alignas(64) Real froms[least_pixels * least_pixels], tos[least_pixels * least_pixels];
+    LaneBits bits = 0;
     for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
         const Real middle = s - (first - kv * static_cast<Real>(row)) * scale;
-        for (int col = 0; col < pixels && tile.col() + col < tile_.cols; col += clip_lanes)
-            march_some(marched, col, row, middle - static_cast<Real>(col) * marched.by_col);
+        for (int col = 0; col < pixels; col += clip_lanes) {
+            const int i = row * least_pixels + col;
+            const Real at_col = middle - static_cast<Real>(col) * marched.by_col;
+            bits |= stretches(marched, col, row, at_col, froms + i, tos + i) << i;
+        }
+    }
+    for (; bits != 0; bits &= bits - 1) {
+        const auto i = static_cast<unsigned>(std::countr_zero(bits));
+        const unsigned pixel = tile.pixel + i / least_pixels * tile_size + i % least_pixels;
+        marcher_.push({pixel, tile.inside != 0, froms[i], tos[i], tos[i] - froms[i], kernel});
     }
 }
 
-/// The pixels of a vector; `middle`: where the linear part of the form vanishes on the first ray.
+/// Where roots may be on the rays of a vector; returns on which there may be any. `middle`: where
+/// the linear part of the form vanishes on the first ray.
 template <class Real>
-void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, Real middle) {
+LaneBits BeamTile<Real>::stretches(const Marched& marched, int first_col, int row, Real middle,
+                                   Real* froms, Real* tos) const {
     constexpr hn::Rebind<Real, ClipTag> d;
     const Cells<Real>& cells = tree_.cells();
     const CellTile tile = cells.tile[marched.cell];
     const int col = tile.col() + first_col;
     const auto pixel = static_cast<std::size_t>((tile.row() + row) * tile_size + col);
-    const bool inside = tile.inside != 0;
     const auto radius = hn::Set(d, marched.radius);
     const auto middles =
         hn::NegMulAdd(hn::Iota(d, Real{0}), hn::Set(d, marched.by_col), hn::Set(d, middle));
@@ -285,20 +296,14 @@ void BeamTile<Real>::march_some(const Marched& marched, int first_col, int row, 
     const auto hi = hn::Add(middles, radius);
     const auto cell_from = hn::Set(d, cells.from[marched.cell]);
     const auto cell_to = hn::Set(d, cells.to[marched.cell]);
-    alignas(64) Real froms[clip_lanes], tos[clip_lanes];
     hn::Store(hn::IfThenElse(hn::Gt(lo, cell_from), lo, cell_from), d, froms);
     hn::Store(hn::IfThenElse(hn::Lt(hi, cell_to), hi, cell_to), d, tos);
-    if (!inside) clip(col, tile.row() + row, froms, tos);
+    if (tile.inside == 0) clip(col, tile.row() + row, froms, tos);
     const auto from = hn::Load(d, froms);
     const auto depth = hn::LoadU(d, &found_.depth[pixel]);
     const auto wanted = hn::And(hn::Le(from, hn::Load(d, tos)), hn::Le(from, depth));
-    LaneBits bits =
-        bits_of(d, hn::And(wanted, hn::FirstN(d, static_cast<std::size_t>(tile_.cols - col))));
-    for (; bits != 0; bits &= bits - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        marcher_.push({static_cast<std::uint32_t>(pixel + lane), inside, froms[lane], tos[lane],
-                       tos[lane] - froms[lane], marched.kernel});
-    }
+    const auto there = static_cast<std::size_t>(std::max(tile_.cols - col, 0));
+    return bits_of(d, hn::And(wanted, hn::FirstN(d, there)));
 }
 
 /// Takes away what is outside the clip box and region, of stretches of the rays from a pixel on.
