@@ -134,7 +134,7 @@ private:
     /// By natural interval extensions, cells on which f is not known to be continuous: they are
     /// sharper beside poles and jumps.
     void reject_by_ranges(const CellRun& run, int pixels);
-    void push_child(const Child& child, int pixels, std::size_t parent);
+    HWY_INLINE void push_child(const Child& child, int pixels, std::size_t parent);
     void hide(CellTile tile, int pixels, Real to);
 
     [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
@@ -333,7 +333,7 @@ void CellTree<Real>::push_children(const Kernel* kernel, std::span<const std::si
 }
 
 template <class Real>
-void CellTree<Real>::push_child(const Child& child, int pixels, std::size_t parent) {
+HWY_INLINE void CellTree<Real>::push_child(const Child& child, int pixels, std::size_t parent) {
     Real from = cells_->child_from[child.index][parent];
     Real to = cells_->child_to[child.index][parent];
     CellTile tile = child.tile;
@@ -349,16 +349,21 @@ void CellTree<Real>::push_child(const Child& child, int pixels, std::size_t pare
     const Real length = to - from;
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
     const Real width = child.width_by_depth * (distance_ + from);
-    if (!(length > width && length > static_cast<Real>(0.6) * parent_length))
-        return next_->push(tile, from, to);
-    const int parts = length > 3 * width && pixels >= leaf_pixels ? most_parts : 2;
+    constexpr auto much = static_cast<Real>(0.6);
+    if (!(length > width && length > much * parent_length)) return next_->push(tile, from, to);
     Real begin = from;
-    for (int i = 1; i <= parts; ++i) {
-        const Real end =
-            i == parts ? to : from + length * (static_cast<Real>(i) / static_cast<Real>(parts));
-        next_->push(tile, begin, end);
-        begin = end;
+    if (pixels >= leaf_pixels && length > 3 * width) {
+        constexpr Real part = Real{1} / most_parts;
+        for (int i = 1; i < most_parts; ++i) {
+            const Real end = from + length * (part * static_cast<Real>(i));
+            next_->push(tile, begin, end);
+            begin = end;
+        }
+    } else {
+        begin = from + Real{0.5} * length;
+        next_->push(tile, from, begin);
     }
+    next_->push(tile, begin, to);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE
