@@ -137,6 +137,7 @@ void RayMarcher<Real, Cell>::judge(std::size_t count, Real finest) {
 template <class Real, class Cell>
 void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
     constexpr LanesOf<Real> d;
+    constexpr auto three_fifths = static_cast<Real>(0.6);
     const hn::RebindToUnsigned<decltype(d)> du;
     const auto load = [&](const std::vector<Real>& column) {
         return hn::LoadU(d, column.data() + i);
@@ -186,7 +187,7 @@ void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
         bits_of(d, hn::Or(hn::Not(continuous), short_already)),
         bits_of(d, hn::And(continuous, straight)),
         bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
-        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, static_cast<Real>(0.6)))))};
+        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths))))};
 }
 
 template <class Real, class Cell>

@@ -70,7 +70,7 @@ public:
     std::span<const CellRun> judge(int pixels);
     /// The depth before which every ray of a tile, of this size, surely has a root: what begins
     /// there or behind it is hidden. Nothing smaller than its quarters has been hidden yet.
-    [[nodiscard]] Real hidden_from(CellTile tile, int pixels) const;
+    [[nodiscard]] HWY_INLINE Real hidden_from(CellTile tile, int pixels) const;
     /// Every ray of the cell's tile, of this size, surely has a root in it.
     void hide_behind(std::size_t cell, int pixels) {
         hide(cells_->tile[cell], pixels, cells_->to[cell]);
@@ -282,7 +282,7 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
 }
 
 template <class Real>
-Real CellTree<Real>::hidden_from(CellTile tile, int pixels) const {
+HWY_INLINE Real CellTree<Real>::hidden_from(CellTile tile, int pixels) const {
     const auto at = [&](int row, int col) {
         return hidden_[static_cast<std::size_t>(row / least_pixels * least_tiles +
                                                 col / least_pixels)];
