@@ -51,6 +51,15 @@ Lanes rounded(llvm::Intrinsic::ID id, const Lanes& a, llvm::ArrayRef<llvm::Value
     return {a.emitter, a.emitter->once(id, key, make)};
 }
 
+/// Whether it is this number in all lanes.
+bool is_number(const Lanes& a, double number) {
+    const auto* const constant = llvm::dyn_cast<llvm::Constant>(a.value);
+    const auto* const splat =
+        constant == nullptr ? nullptr
+                            : llvm::dyn_cast_or_null<llvm::ConstantFP>(constant->getSplatValue());
+    return splat != nullptr && splat->isExactlyValue(number);
+}
+
 LaneMask logical(Operation operation, const LaneMask& a, const LaneMask& b, auto make) {
     return {a.emitter, a.emitter->once(operation, unordered_pair(a.value, b.value), make)};
 }
@@ -97,6 +106,9 @@ Lanes operator-(const Lanes& a, const Lanes& b) {
                    {a.value, b.value});
 }
 Lanes operator*(const Lanes& a, const Lanes& b) {
+    // Exact in every mode; gradients have many such factors.
+    if (is_number(a, 1.0)) return b;
+    if (is_number(b, 1.0)) return a;
     return rounded(llvm::Intrinsic::experimental_constrained_fmul, a, {a.value, b.value},
                    unordered_pair(a.value, b.value));
 }
