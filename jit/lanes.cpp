@@ -12,9 +12,6 @@
 namespace zeroset::jit {
 namespace {
 
-/// Whether the machine rounds a product and a sum together.
-bool can_fuse() { return __builtin_cpu_supports("fma"); }
-
 // Operations that are no intrinsics.
 enum Operation : unsigned {
     Negation = 1U << 24U,
@@ -96,6 +93,8 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
 }
 
 }  // namespace
+
+bool can_fuse() { return __builtin_cpu_supports("fma"); }
 
 Lanes operator+(const Lanes& a, const Lanes& b) {
     return rounded(llvm::Intrinsic::experimental_constrained_fadd, a, {a.value, b.value},

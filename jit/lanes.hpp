@@ -87,6 +87,8 @@ Lanes minimum(const Lanes& a, const Lanes& b);
 Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false);
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear);
 Lanes square_root(const Lanes& a);
+/// Whether the machine rounds a product and a sum together.
+bool can_fuse();
 /// a b + c, with one rounding where the machine can.
 Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c);
 Lanes magnitude(const Lanes& a);

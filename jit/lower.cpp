@@ -4,6 +4,7 @@
 #include "engine/expr/frustum.hpp"
 #include "engine/expr/kernel.hpp"
 #include "jit/batch_function.hpp"
+#include "jit/contract.hpp"
 
 #include <llvm/Transforms/Utils/Local.h>
 
@@ -300,6 +301,20 @@ void remove_unused(llvm::Module& module) {
     }
 }
 
+/// The others have the bits that the interpreter gives.
+bool contracts(KernelPart part) {
+    switch (part) {
+        case KernelPart::Form:
+        case KernelPart::RayForm:
+        case KernelPart::Newton:
+        case KernelPart::RayValue: return true;
+        case KernelPart::Range:
+        case KernelPart::Value:
+        case KernelPart::Points: return false;
+    }
+    return false;
+}
+
 }  // namespace
 
 const char* symbol_of(KernelPart part) {
@@ -324,6 +339,7 @@ std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, Ke
         lower_part<double>(expr, kind, part, *module);
     }
     remove_unused(*module);
+    if (contracts(part)) contract(*module);
     return module;
 }
 

@@ -136,6 +136,17 @@ TYPED_TEST(RayKernel, TakesOneStepWhereNoOtherIsWanted) {
     }
 }
 
+TEST(RayKernel, RoundsAProductAndTheSumThatUsesItOnce) {
+    if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "no fused multiply-add here";
+    const auto kernel = jit::compile(*parse("x^2 - (1 + 2^(-29))"));
+    ASSERT_TRUE(kernel);
+    RayBatch<double> batch;
+    batch.depth.fill(1 + 0x1p-30);
+    batch.values(*kernel, 0);
+    for (const double f : batch.f)
+        EXPECT_EQ(f, 0x1p-60);
+}
+
 TYPED_TEST(RayKernel, StaysOnTheStretch) {
     using Real = TypeParam;
     for (const auto& [name, kernel] : kernels_of("sqrt(x) - 3")) {
