@@ -120,13 +120,24 @@ RowBits hits_of(const float* depths, std::size_t count) {
 /// Those of a vector.
 RowBits bits_at(RowBits bits, std::size_t col) { return bits >> col & first_bits(hn::MaxLanes(d)); }
 
+/// The directions of a tile's rays, not of length 1.
+struct RayDirections {
+    glm::dvec3 first, by_row;
+    V3 by_col;
+
+    RayDirections(const TraceFrame& frame, const Tile& tile)
+        : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)) {
+        const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.height);
+        by_row = -size * frame.view.up;
+        by_col = splat(size * frame.view.right);
+    }
+};
+
 /// Lights the hits of a row.
-void illuminate_row(const TraceFrame& frame, const Shading& shading, const Tile& tile, int row,
-                    RowBits hit, const TileHits& hits, Light& light) {
-    const double size = frame.view.pixel_size(frame.height);
-    const V3 start = splat(
-        frame.view.direction(tile.col + 0.5, tile.row + row + 0.5, frame.width, frame.height));
-    const V3 step = splat(frame.view.parallel() ? glm::dvec3(0.0) : size * frame.view.right);
+void illuminate_row(const RayDirections& rays, const Shading& shading, int row, RowBits hit,
+                    const TileHits& hits, Light& light) {
+    const V3 start = splat(rays.first + static_cast<double>(row) * rays.by_row);
+    const V3& step = rays.by_col;
     for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
         if (bits_at(hit, col) == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
@@ -183,7 +194,8 @@ public:
           tile_(tile),
           hits_(hits),
           shading_(frame.view, surface < frame.scene.colors.size() ? frame.scene.colors[surface]
-                                                                   : colors_of(surface)) {}
+                                                                   : colors_of(surface)),
+          rays_(frame, tile) {}
 
     void draw(bool fresh, const Canvas& out) {
         for (int row = 0; row < tile_.rows; ++row) {
@@ -207,6 +219,7 @@ private:
     const Tile& tile_;
     const TileHits& hits_;
     Shading shading_;
+    RayDirections rays_;
     Light light_;
     RowPixels aside_;
 };
@@ -228,7 +241,7 @@ void HitShader::draw_row(bool fresh, int row, RowBits hit, const Row& to, const 
 }
 
 void HitShader::make_row(int row, RowBits hit, std::uint32_t background, const RowTarget& to) {
-    illuminate_row(frame_, shading_, tile_, row, hit, hits_, light_);
+    illuminate_row(rays_, shading_, row, hit, hits_, light_);
     if (hits_.any_cap) tone_caps(frame_, tile_, row, hits_, light_);
     if (hits_.reflectance[0].empty()) {
         color_row(BySide{shading_}, background, row, hit, hits_, light_, to);
