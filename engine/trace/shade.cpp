@@ -122,32 +122,42 @@ RowBits bits_at(RowBits bits, std::size_t col) { return bits >> col & first_bits
 
 /// The directions of a tile's rays, not of length 1.
 struct RayDirections {
-    glm::dvec3 first, by_row;
+    glm::dvec3 first, by_row, key;
     V3 by_col;
+    V key_by_col;
 
     RayDirections(const TraceFrame& frame, const Tile& tile)
-        : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)) {
+        : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
+          key(key_light(frame.view)) {
         const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.height);
         by_row = -size * frame.view.up;
         by_col = splat(size * frame.view.right);
+        key_by_col = hn::Set(d, static_cast<float>(size * glm::dot(key, frame.view.right)));
     }
 };
 
 /// Lights the hits of a row.
 void illuminate_row(const RayDirections& rays, const Shading& shading, int row, RowBits hit,
                     const TileHits& hits, Light& light) {
-    const V3 start = splat(rays.first + static_cast<double>(row) * rays.by_row);
+    const glm::dvec3 first = rays.first + static_cast<double>(row) * rays.by_row;
+    const V3 start = splat(first);
     const V3& step = rays.by_col;
+    const V key_start = hn::Set(d, static_cast<float>(glm::dot(rays.key, first)));
     for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
-        if (bits_at(hit, col) == 0) continue;
+        const RowBits bits = bits_at(hit, col);
+        if (bits == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
         const V along = hn::Iota(d, static_cast<float>(col));
-        const V3 ray{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
-                     hn::MulAdd(along, step.z, start.z)};
-        const V3 gradient{hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
-                          hn::LoadU(d, &hits.gradient[2][at])};
-        const V lit = hits.any_dark ? hn::LoadU(d, &hits.lit[at]) : hn::Set(d, 1.0F);
-        illuminate(shading, ray, gradient, lit, col, light);
+        std::uint8_t bytes[8] = {};
+        std::memcpy(bytes, &bits, sizeof bits);
+        const Lit lit{{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
+                       hn::MulAdd(along, step.z, start.z)},
+                      hn::MulAdd(along, rays.key_by_col, key_start),
+                      {hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
+                       hn::LoadU(d, &hits.gradient[2][at])},
+                      hits.any_dark ? hn::LoadU(d, &hits.lit[at]) : hn::Set(d, 1.0F),
+                      hn::LoadMaskBits(d, bytes)};
+        illuminate(shading, lit, col, light);
     }
 }
 

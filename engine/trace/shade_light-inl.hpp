@@ -41,14 +41,13 @@ HWY_INLINE V3 scaled(const V3& a, V s) {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
 
-/// 1 / sqrt(x) to float's last digits but one.
-HWY_INLINE V per_root(V x) {
+/// 2 / sqrt(x) to float's last digits but one.
+HWY_INLINE V twice_per_root(V x) {
     const V guess = hn::ApproximateReciprocalSqrt(x);
-    const V half = hn::Mul(hn::Mul(x, guess), hn::Set(d, 0.5F));
-    return hn::Mul(guess, hn::NegMulAdd(half, guess, hn::Set(d, 1.5F)));
+    return hn::Mul(guess, hn::NegMulAdd(hn::Mul(x, guess), guess, hn::Set(d, 3.0F)));
 }
 
-/// A direction as a vector times a number: its length is 1.
+/// A direction as a vector times a number: its length is 2.
 struct Direction {
     V3 along;
     V scale;
@@ -59,10 +58,12 @@ HWY_INLINE hn::Mask<D> is_moderate(V x) {
     return hn::And(hn::Gt(x, hn::Set(d, 1e-30F)), hn::Lt(x, hn::Set(d, 1e30F)));
 }
 
-/// Of `a`, or `otherwise` where a is 0, too large or not a number.
-HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise) {
+/// Of `a`, or `otherwise` where a is 0, too large or not a number; anything where it is not wanted.
+HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, hn::Mask<D> wanted) {
     const V square = dot(a, a);
-    if (hn::AllTrue(d, is_moderate(square))) return {a, per_root(square)};
+    if (hn::AllFalse(d, hn::AndNot(is_moderate(square), wanted))) {
+        return {a, twice_per_root(square)};
+    }
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
     const V size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
     const auto usable = hn::And(hn::Gt(size, hn::Set(d, 1e-37F)), hn::Lt(size, hn::Set(d, 1e37F)));
@@ -70,30 +71,33 @@ HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise) {
     const auto pick = [&](V usual, V rare) { return hn::IfThenElse(usable, usual, rare); };
     const V3& c = otherwise.along;
     return {{pick(b.x, c.x), pick(b.y, c.y), pick(b.z, c.z)},
-            pick(per_root(dot(b, b)), otherwise.scale)};
+            pick(twice_per_root(dot(b, b)), otherwise.scale)};
 }
 
 /// A channel of the picture, 0 to 255, from linear light; gamma 2. In upward rounding.
 HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
     const hn::RebindToUnsigned<D> du;
     const V within = hn::Min(hn::Max(light, hn::Set(d, 1e-12F)), hn::Set(d, 1.0F));
-    const V value = hn::Mul(within, per_root(within));
+    const V guess = hn::ApproximateReciprocalSqrt(within);
+    const V root = hn::Mul(within, guess);
+    const V twice = hn::Mul(root, hn::NegMulAdd(root, guess, hn::Set(d, 3.0F)));
     // Whole numbers are the last bits of floats of this size.
     const V last_bits = hn::Set(d, 0x1.8p23F);
-    const V number = hn::Add(hn::MulAdd(value, hn::Set(d, 255.0F), hn::Set(d, -0.5F)), last_bits);
+    const V number = hn::Add(hn::MulAdd(twice, hn::Set(d, 127.5F), hn::Set(d, -0.5F)), last_bits);
     return hn::And(hn::BitCast(du, number), hn::Set(du, 0xFFU));
 }
 
-/// What all pixels of a surface share, in all lanes: the lights, which move with the camera, and
-/// the colours of its two sides.
+/// What all pixels of a surface share, in all lanes: half the directions of the lights, which move
+/// with the camera, and the colours of its two sides.
 struct Shading {
-    V3 key, fill, up;
+    V3 half_key, half_fill, half_up;
     V front[3], back[3];
 
     Shading(const ViewFrame& view, const SurfaceColors& colors)
-        : key(splat(key_light(view))),
-          fill(splat(glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
-          up(splat(view.up)) {
+        : half_key(splat(0.5 * key_light(view))),
+          half_fill(
+              splat(0.5 * glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
+          half_up(splat(0.5 * view.up)) {
         for (int channel = 0; channel < 3; ++channel) {
             front[channel] = hn::Set(d, colors.front[channel]);
             back[channel] = hn::Set(d, colors.back[channel]);
@@ -104,26 +108,33 @@ struct Shading {
 /// What falls on the pixels of a row of a tile, in all its vectors.
 struct Light {
     alignas(64) float diffuse[tile_size];
-    alignas(64) float gloss[tile_size];   ///< of the highlight, before it is sharpened
+    alignas(64) float gloss[tile_size];   ///< twice that of the highlight, before it is sharpened
     alignas(64) float facing[tile_size];  ///< at least 0: the front is seen
 };
 
-/// The light on hits from their rays and gradients, to the pixels from `col` on; `lit`: how much of
-/// the key light.
-HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gradient, V lit,
-                           std::size_t col, Light& light) {
+/// Hits that share a vector.
+struct Lit {
+    V3 along;        ///< of their rays, not of length 1
+    V along_to_key;  ///< the direction of the key light times that
+    V3 gradient;
+    V lit;  ///< how much of the key light falls on them
+    hn::Mask<D> is_hit;
+};
+
+/// The light on hits, to the pixels from `col` on.
+HWY_INLINE void illuminate(const Shading& shading, const Lit& at, std::size_t col, Light& light) {
     const V zero = hn::Zero(d);
     const V half = hn::Set(d, 0.5F);
     const V two = hn::Set(d, 2.0F);
-    const V towards_viewer = hn::Neg(per_root(dot(along, along)));
-    const Direction outward = direction_of(gradient, {along, towards_viewer});
-    const V facing = hn::Mul(dot(outward.along, along), towards_viewer);
-    const V to_side = hn::CopySign(outward.scale, facing);
-    const V to_key = hn::Mul(dot(outward.along, shading.key), to_side);
-    const V to_fill = hn::Mul(dot(outward.along, shading.fill), to_side);
-    const V to_sky = hn::Mul(dot(outward.along, shading.up), to_side);
-    const V to_viewer = hn::Mul(hn::Abs(facing), outward.scale);
-    const V key_light = hn::Mul(hn::Max(to_key, zero), lit);
+    const V3& along = at.along;
+    const V twice_towards_viewer = hn::Neg(twice_per_root(dot(along, along)));
+    const Direction outward = direction_of(at.gradient, {along, twice_towards_viewer}, at.is_hit);
+    const V twice_facing = hn::Mul(dot(outward.along, along), twice_towards_viewer);
+    const V to_side = hn::CopySign(outward.scale, twice_facing);
+    const V to_key = hn::Mul(dot(outward.along, shading.half_key), to_side);
+    const V to_fill = hn::Mul(dot(outward.along, shading.half_fill), to_side);
+    const V to_sky = hn::Mul(dot(outward.along, shading.half_up), to_side);
+    const V key_light = hn::Mul(hn::Max(to_key, zero), at.lit);
     const V fill_light = hn::Max(to_fill, zero);
     const V sky = hn::MulAdd(to_sky, half, half);
     const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
@@ -131,13 +142,16 @@ HWY_INLINE void illuminate(const Shading& shading, const V3& along, const V3& gr
                                             hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
     // Of the normal and the direction halfway between light and viewer, unit vectors; their sum
     // may vanish.
-    const V key_to_viewer = hn::Mul(dot(shading.key, along), towards_viewer);
-    const V square = hn::Max(hn::MulAdd(key_to_viewer, two, two), hn::Set(d, 1e-6F));
-    const V gloss =
-        hn::Mul(hn::Max(hn::Mul(hn::Add(to_key, to_viewer), per_root(square)), zero), lit);
+    const V quarter = hn::Set(d, 0.25F);
+    const V to_key_and_viewer =
+        hn::MulAdd(hn::Mul(hn::Abs(twice_facing), quarter), outward.scale, to_key);
+    const V square =
+        hn::Max(hn::MulAdd(at.along_to_key, twice_towards_viewer, two), hn::Set(d, 1e-6F));
+    const V twice_gloss =
+        hn::Mul(hn::Max(hn::Mul(to_key_and_viewer, twice_per_root(square)), zero), at.lit);
     hn::Store(diffuse, d, &light.diffuse[col]);
-    hn::Store(gloss, d, &light.gloss[col]);
-    hn::Store(facing, d, &light.facing[col]);
+    hn::Store(twice_gloss, d, &light.gloss[col]);
+    hn::Store(twice_facing, d, &light.facing[col]);
 }
 
 /// The reflectances of pixels by the side of the surface that is seen.
@@ -168,7 +182,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> colored(const Paint& paint, const Li
     V gloss = hn::Load(d, &light.gloss[col]);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
-    const V specular = hn::Mul(gloss, hn::Set(d, 0.22F));
+    const V specular = hn::Mul(gloss, hn::Set(d, 0.22F * 0x1p-32F));
     const V facing = hn::Load(d, &light.facing[col]);
     auto color = hn::Set(du, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
