@@ -231,7 +231,7 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     Kernel kernel = interpret(expr);
     kernel.interpreted = false;
     kernel.shortener = nullptr;
-    kernel.ray_multiple = static_cast<std::size_t>(vectors->in_float.lanes);
+    kernel.lane_multiple = static_cast<std::size_t>(vectors->in_float.lanes);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!codes[i]) return std::unexpected(codes[i].error());
         put_in(kernel, pieces[i], *codes[i]);

@@ -107,7 +107,7 @@ struct FrustumOf {
 /// Where nothing is known, c and k are 0 and e is +inf.
 template <class Real>
 struct FormBatchOf {
-    std::size_t size;  ///< a multiple of batch_multiple, not 0
+    std::size_t size;  ///< a multiple of Kernel::lane_multiple, not 0
     const Real* u;
     const Real* v;
     const Real* s;
@@ -140,7 +140,7 @@ struct RaysOf {
 /// Newton's method on the rays of `size` pixels.
 template <class Real>
 struct NewtonBatchOf {
-    std::size_t size;  ///< a multiple of Kernel::ray_multiple, not 0
+    std::size_t size;  ///< a multiple of Kernel::lane_multiple, not 0
     const float* col;  ///< of the pixels, from the middle of the tile
     const float* row;
     const Real* from;  ///< the stretches of the rays where roots are looked for
@@ -157,7 +157,7 @@ struct NewtonBatchOf {
 
 /// f on the rays of `size` pixels, in double, after some steps of Newton's method.
 struct RayValueBatch {
-    std::size_t size;  ///< a multiple of Kernel::ray_multiple, not 0
+    std::size_t size;  ///< a multiple of Kernel::lane_multiple, not 0
     const float* col;  ///< of the pixels, from the middle of the tile
     const float* row;
     const float* per_slope;  ///< 1 / (df/ds) near s
@@ -250,8 +250,8 @@ struct Kernel {
     KernelFunction<FormBatchOf<double>> form_double;
     KernelFunction<FormBatchOf<double>> ray_form_double;
     KernelFunction<NewtonBatchOf<double>> newton_double;
-    /// Of the sizes of NewtonBatchOf and RayValueBatch; divides batch_multiple.
-    std::size_t ray_multiple = batch_multiple;
+    /// Of the sizes of FormBatchOf, NewtonBatchOf and RayValueBatch; divides batch_multiple.
+    std::size_t lane_multiple = batch_multiple;
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;

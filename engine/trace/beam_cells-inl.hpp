@@ -74,10 +74,10 @@ struct CellPlaces {
 /// Some cells, and those behind them up to a whole batch: what is said of these is to be
 /// overwritten.
 template <class Real>
-FormBatchOf<Real> form_batch(const TraceFrame& frame, const FrustumOf<Real>& frustum,
-                             std::size_t first, std::size_t count, const CellPlaces<Real>& places,
-                             Forms<Real>& out) {
-    return {padded(count),
+FormBatchOf<Real> form_batch(const TraceFrame& frame, const Kernel& kernel,
+                             const FrustumOf<Real>& frustum, std::size_t first, std::size_t count,
+                             const CellPlaces<Real>& places, Forms<Real>& out) {
+    return {padded(count, kernel.lane_multiple),
             places.u.data() + first,
             places.v.data() + first,
             places.s.data() + first,
@@ -99,7 +99,8 @@ template <class Real>
 void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, CellRun& run,
               const CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
     counters.form += run.count;
-    const FormBatchOf<Real> batch = form_batch(frame, frustum, run.first, run.count, places, out);
+    const FormBatchOf<Real> batch =
+        form_batch(frame, *run.kernel, frustum, run.first, run.count, places, out);
     if (run.kernel->shortener != nullptr) {
         run.kernel->shortener->form(batch, run.record);
     } else {

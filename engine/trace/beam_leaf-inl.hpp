@@ -111,7 +111,7 @@ private:
             std::copy_n(column, side, column + i);
     }
     [[nodiscard]] std::size_t used() const { return static_cast<std::size_t>(slots_) * side; }
-    [[nodiscard]] std::size_t count() const { return padded(used(), run_->kernel->ray_multiple); }
+    [[nodiscard]] std::size_t count() const { return padded(used(), run_->kernel->lane_multiple); }
 
     const TraceFrame& frame_;
     const Tile& tile_;

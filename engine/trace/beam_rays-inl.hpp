@@ -125,7 +125,7 @@ void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumO
                                             std::size_t count) {
     places_.pad(count);
     counters_.form += count;
-    kernel.ray_form(form_batch(frame_, frustum, 0, count, places_, forms_));
+    kernel.ray_form(form_batch(frame_, kernel, frustum, 0, count, places_, forms_));
 }
 
 template <class Real, class Cell>

@@ -164,7 +164,7 @@ private:
 /// Closer guesses, and the slopes there: a help only, nothing rests on them.
 template <class Real>
 void RootFinder<Real>::take_first_steps() {
-    const std::size_t count = padded(size_, stretches_[0].kernel->ray_multiple);
+    const std::size_t count = padded(size_, stretches_[0].kernel->lane_multiple);
     for (std::size_t i = 0; i < count; ++i) {
         const Stretch& stretch = stretches_[i < size_ ? i : 0];
         col_[i] = from_middle(static_cast<int>(stretch.pixel % tile_size));
@@ -194,7 +194,7 @@ void RootFinder<Real>::take_first_steps() {
 
 template <class Real>
 void RootFinder<Real>::evaluate() {
-    const std::size_t count = padded(size_, stretches_[0].kernel->ray_multiple);
+    const std::size_t count = padded(size_, stretches_[0].kernel->lane_multiple);
     for (std::size_t i = 0; i < count; ++i) {
         s_[i] = stretches_[i < size_ ? i : 0].guess;
         float_per_slope_[i] = static_cast<float>(per_slope_[i]);
