@@ -247,6 +247,17 @@ private:
 
 }  // namespace
 
+double operator_time(const Expr& expr) {
+    const UpwardRounding upward;
+    const std::vector<Facts> facts = facts_of(expr);
+    double time = 0.0;
+    for (NodeId id = 0; id <= expr.root(); ++id) {
+        const Node& node = expr.node(id);
+        if (!facts[id].constant && node.op != Op::Variable) time += cost_of(node, facts);
+    }
+    return time;
+}
+
 Expr tightened(const Expr& expr, const SampleRegion& region) {
     if (expr.nodes().size() > max_nodes) return expr;
     const UpwardRounding upward;

@@ -12,4 +12,7 @@ namespace zeroset {
 /// is.
 Expr tightened(const Expr& expr, const SampleRegion& region = {});
 
+/// What the operators of the graph take in machine code, roughly, in additions.
+double operator_time(const Expr& expr);
+
 }  // namespace zeroset

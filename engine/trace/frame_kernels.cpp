@@ -2,7 +2,7 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
-#include "engine/trace/form_cells.hpp"
+#include "engine/expr/form_cells.hpp"
 
 #include <algorithm>
 #include <bit>

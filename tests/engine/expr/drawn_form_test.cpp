@@ -1,10 +1,12 @@
 #include "engine/expr/drawn_form.hpp"
 
 #include "engine/expr/clear_poles.hpp"
+#include "engine/expr/form_sample.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/expr/polar_form.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/expr/tighten.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
@@ -63,6 +65,33 @@ TEST(WithoutPoles, GivesUpOnManyPoles) {
     for (int i = 1; i <= 7; ++i)
         text += " + 1/(y - 0." + std::to_string(i) + "*x)";
     EXPECT_EQ(cleared(text.c_str()), as_typed(text.c_str()));
+}
+
+TEST(DrawnForm, IsTightOnlyWhereThatSavesBeams) {
+    const Expr tangle = *parse("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8");
+    EXPECT_EQ(drawn_form(tangle).key(), tightened(tangle).key());
+    EXPECT_NE(drawn_form(tangle).key(), tangle.key());
+    // Three times the operators for enclosures in interval arithmetic that no beam needs.
+    const Expr tori = *parse(
+        "((x^2 + (y - 0.2)^2 + z^2 + 0.13)^2 - 0.53*(x^2 + (y - 0.2)^2))"
+        "*((z^2 + (y + 0.2)^2 + x^2 + 0.13)^2 - 0.53*(z^2 + (y + 0.2)^2)) + 0.00001");
+    const SampleRegion region{{-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1}, {}};
+    EXPECT_NE(tightened(tori, region).key(), tori.key());
+    EXPECT_EQ(drawn_form(tori, region).key(), tori.key());
+}
+
+TEST(FormSample, TellsWhereFormsLeaveRoom) {
+    const SampleRegion region;
+    const Expr nowhere = *parse("x^2 + y^2 + z^2 + 1");
+    EXPECT_EQ(FormSample(nowhere, region).open(nowhere), 0.0);
+    const Expr ball = *parse("x^2 + y^2 + z^2 - 1");
+    const FormSample sample(ball, region);
+    EXPECT_GT(sample.open(ball), 0.1);
+    EXPECT_LT(sample.open(ball), 0.9);
+    EXPECT_EQ(sample.open(ball), FormSample(ball, region).open(ball));
+    EXPECT_GT(sample.open(*parse("(x^2 + y^2 + z^2)^2/(x^2 + y^2 + z^2) - 1")), sample.open(ball));
+    const Expr with_parameters = *parse("a*x^2 + w - z");
+    EXPECT_LT(FormSample(with_parameters, region).open(with_parameters), 0.9);
 }
 
 TEST(PlainAngles, TakesThemFromLengths) {

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/expr/box_sample.hpp"
+#include "engine/expr/expr.hpp"
+#include "engine/expr/kernel.hpp"
+
+#include <array>
+#include <vector>
+
+namespace zeroset {
+
+/// Cells of all sizes as the beam tracer meets them on its search for the zero set of a formula,
+/// in a view that is along no axis.
+class FormSample {
+public:
+    /// Descends into some of those cells of the region that the form of `expr` does not reject.
+    /// The same for the same input.
+    FormSample(const Expr& expr, const SampleRegion& region);
+
+    /// The mean share of the cells' depths, 0 to 1, in which the form of `expr` leaves room for
+    /// zeros: of that function or of the same, of the same parameters, written in another way.
+    [[nodiscard]] double open(const Expr& expr) const;
+
+private:
+    /// To the right, up and forward of the region's middle.
+    using Place = std::array<double, 3>;
+    /// Cells of one size, cubes about the places; a multiple of batch_multiple.
+    struct Level {
+        double half;  ///< of an edge
+        std::vector<Place> cells;
+    };
+
+    /// Of each cell the share of its depth that is left open.
+    [[nodiscard]] std::vector<double> shares(const Kernel& kernel, const Level& level) const;
+
+    std::array<double, 3> middle_{};
+    double half_ = 0;  ///< of the longest edge
+    Uniforms uniforms_;
+    std::vector<Level> levels_;
+};
+
+}  // namespace zeroset
