@@ -351,6 +351,15 @@ template <class Real, int pixels>
 HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M proved, V s) {
     const V before = hn::LoadU(d, &found_.depth[pixel]);
     const M nearest = hn::And(proved, hn::Lt(s, before));
+    if constexpr (std::is_same_v<Real, float>) {
+        if (hn::AllTrue(d, nearest)) {
+            hn::StoreU(s, d, &found_.depth[pixel]);
+            for (std::size_t k = 0; k < 3; ++k)
+                hn::StoreU(hn::Load(d, gradient_[k] + i), d, found_.gradients(k, pixel));
+            found_.template certify<lanes>(pixel);
+            return;
+        }
+    }
     hn::StoreU(hn::IfThenElse(nearest, s, before), d, &found_.depth[pixel]);
     for (std::size_t k = 0; k < 3; ++k)
         store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));

@@ -82,6 +82,11 @@ public:
         all = (all & ~bytes) | (bytes & (certified * 0x0101010101010101U));
         std::memcpy(known, &all, most);
     }
+    template <std::size_t most>
+    void certify(std::size_t pixel) {
+        any_ = true;
+        std::memset(&hits_->certificate[pixel], static_cast<int>(Certificate::Certified), most);
+    }
     float* gradients(std::size_t axis, std::size_t pixel) { return &hits_->gradient[axis][pixel]; }
     [[nodiscard]] bool any() const { return any_; }
 
