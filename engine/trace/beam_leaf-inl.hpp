@@ -81,7 +81,7 @@ private:
     [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
     HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
     void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
-    void clip(int i, Judged& judged) const;
+    [[nodiscard]] Judged clipped(int i, Judged judged) const;
     HWY_INLINE static std::pair<V, V> bounds_of(const double* x);
     /// A component of the gradients of the rays in the mask.
     static void store_gradient(const Real* component, M rays, float* to) {
@@ -253,13 +253,18 @@ void LeafSolver<Real, pixels>::certify(bool last) {
             const int i = slot * pixels + col;
             const std::size_t pixel = first_pixel(rows_[slot]) + static_cast<std::size_t>(col);
             Judged judged = judge(pixel, i);
-            if (!run_->inside) clip(i, judged);
+            if (!run_->inside) judged = clipped(i, judged);
             const M proved = hn::And(judged.proved, judged.wanted);
             if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.s);
             const M rest = hn::AndNot(proved, judged.wanted);
+            if (hn::AllFalse(d, rest)) {
+                hn::Store(nothing(), d, to_ + i);
+                continue;
+            }
             const M wide = last ? hn::FirstN(d, 0) : hn::And(rest, judged.wide);
             again = again || !hn::AllFalse(d, wide);
-            hand_over(pixel, i, judged, bits_of(d, hn::AndNot(wide, rest)));
+            const Judged open = judged;  // in memory only here
+            hand_over(pixel, i, open, bits_of(d, hn::AndNot(wide, rest)));
             hn::Store(hn::IfThenElse(wide, hn::Load(d, to_ + i), nothing()), d, to_ + i);
         }
         if (again) keep(slot);
@@ -332,7 +337,7 @@ HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const 
 
 /// Drops roots that are surely outside the clip box; those that may be are not proved.
 template <class Real, int pixels>
-void LeafSolver<Real, pixels>::clip(int i, Judged& judged) const {
+auto LeafSolver<Real, pixels>::clipped(int i, Judged judged) const -> Judged {
     alignas(64) Real lo[side], hi[side];
     hn::Store(judged.lo, d, lo);
     hn::Store(judged.hi, d, hi);
@@ -345,6 +350,7 @@ void LeafSolver<Real, pixels>::clip(int i, Judged& judged) const {
     }
     judged.proved = hn::And(judged.proved, mask_of(inside));
     judged.wanted = hn::And(judged.wanted, mask_of(~outside));
+    return judged;
 }
 
 template <class Real, int pixels>
