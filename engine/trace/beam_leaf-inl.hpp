@@ -124,6 +124,7 @@ private:
     int slots_ = 0;  ///< rows that have stretches
     int rows_[side];
     Real error_ = 0;      ///< of f in double
+    Real tolerance_ = 0;  ///< of brackets
     Real per_least_ = 0;  ///< not below 1 / |df/ds|
     Real per_most_ = 0;   ///< not above it
     alignas(64) Real from_[items], to_[items], guess_[items];
@@ -323,7 +324,7 @@ HWY_INLINE auto LeafSolver<Real, pixels>::judge(std::size_t pixel, int i) const 
     const auto [s, neg_s] = bounds_of(depth_ + i);
     const V lo = hn::Neg(hn::Add(before, neg_s));
     const V hi = hn::Add(behind, s);
-    const V tolerance = hn::Set(d, static_cast<Real>(view_.tolerance()));
+    const V tolerance = hn::Set(d, tolerance_);
     const M narrow = hn::Le(hn::Add(before, behind), tolerance);
     const M within = hn::And(hn::Ge(lo, hn::Set(d, run_->lo)), hn::Le(hi, hn::Set(d, run_->hi)));
     const V found = hn::LoadU(d, &found_.depth[pixel]);
@@ -411,6 +412,7 @@ void LeafSolver<Real, pixels>::find_roots() {
     per_least_ = 1 / least;
     per_most_ = -(-1 / most);
     error_ = upper_end(Real{}, value_error(static_cast<double>(run_->r)));
+    tolerance_ = static_cast<Real>(view_.tolerance());
     take_steps();
     evaluate(1);
     certify(false);
