@@ -82,6 +82,7 @@ public:
         all = (all & ~bytes) | (bytes & (certified * 0x0101010101010101U));
         std::memcpy(known, &all, most);
     }
+    /// The same, for all of `most` pixels.
     template <std::size_t most>
     void certify(std::size_t pixel) {
         any_ = true;
