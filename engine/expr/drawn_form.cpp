@@ -12,8 +12,6 @@ namespace {
 
 /// Larger formulas are not measured.
 constexpr std::size_t most_nodes = 500;
-/// What a form of a cell takes beside its operators, in additions.
-constexpr double time_of_cell = 10.0;
 /// What is estimated to take less than this share of the time surely does.
 constexpr double clearly = 0.9;
 
@@ -21,11 +19,11 @@ constexpr double clearly = 0.9;
 /// has other enclosures than interval arithmetic, and the operators that make these tighter may
 /// cost more than they save.
 Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
-    const double time = time_of_cell + operator_time(expr);
-    const double time_of_tight = time_of_cell + operator_time(tight);
+    const double time = time_of_cell(expr);
+    const double time_of_tight = time_of_cell(tight);
     if (time_of_tight <= time || tight.nodes().size() > most_nodes) return tight;
     const FormSample sample(expr, region);
-    const bool saves = time * sample.open(expr) < clearly * time_of_tight * sample.open(tight);
+    const bool saves = time * sample.open() < clearly * time_of_tight * sample.open(tight);
     return saves ? expr : tight;
 }
 

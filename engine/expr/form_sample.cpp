@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 
 namespace zeroset {
 namespace {
@@ -68,14 +68,16 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
         };
         level.cells.push_back({at(i), at(i / first_side), at(i / (first_side * first_side))});
     }
+    double sum = 0;
     for (int l = first_level;; ++l) {
         levels_.push_back(level);
         const std::vector<double> share = shares(kernel, level);
+        sum += std::accumulate(share.begin(), share.end(), 0.0);
         std::vector<Place> kept;
         for (std::size_t i = 0; i < cells_a_level; ++i) {
             if (share[i] > 0) kept.push_back(level.cells[i]);
         }
-        if (l == last_level || kept.empty()) return;
+        if (l == last_level || kept.empty()) break;
         level.half /= 2;
         for (std::size_t i = 0; i < cells_a_level; ++i) {
             // An eighth of each in turn, no two of them the same.
@@ -84,6 +86,7 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
                 cell[k] += (i >> k & 1U) != 0 ? level.half : -level.half;
         }
     }
+    open_ = sum / cells();
 }
 
 std::vector<double> FormSample::shares(const Kernel& kernel, const Level& level) const {
@@ -109,10 +112,12 @@ double FormSample::open(const Expr& expr) const {
     const Kernel kernel = interpret(expr);
     double sum = 0;
     for (const Level& level : levels_) {
-        for (const double share : shares(kernel, level))
-            sum += share;
+        const std::vector<double> share = shares(kernel, level);
+        sum += std::accumulate(share.begin(), share.end(), 0.0);
     }
-    return sum / static_cast<double>(levels_.size() * cells_a_level);
+    return sum / cells();
 }
+
+double FormSample::cells() const { return static_cast<double>(levels_.size() * cells_a_level); }
 
 }  // namespace zeroset

@@ -17,8 +17,9 @@ public:
     /// The same for the same input.
     FormSample(const Expr& expr, const SampleRegion& region);
 
-    /// The mean share of the cells' depths, 0 to 1, in which the form of `expr` leaves room for
-    /// zeros: of that function or of the same, of the same parameters, written in another way.
+    /// The mean share of the cells' depths, 0 to 1, in which the form leaves room for zeros.
+    [[nodiscard]] double open() const { return open_; }
+    /// The same with the function, of the same parameters, written in another way.
     [[nodiscard]] double open(const Expr& expr) const;
 
 private:
@@ -33,10 +34,13 @@ private:
     /// Of each cell the share of its depth that is left open.
     [[nodiscard]] std::vector<double> shares(const Kernel& kernel, const Level& level) const;
 
+    [[nodiscard]] double cells() const;
+
     std::array<double, 3> middle_{};
     double half_ = 0;  ///< of the longest edge
     Uniforms uniforms_;
     std::vector<Level> levels_;
+    double open_ = 0;
 };
 
 }  // namespace zeroset

@@ -41,6 +41,22 @@ double cost_of(const Node& node, std::span<const Facts> facts) {
     return a.nonnegative || b.nonnegative ? 3.5 : 6.0;
 }
 
+/// What a cell of a search for the zeros of a node takes, in additions.
+double time_of_cell(const Expr& expr, NodeId root, std::span<const Facts> facts) {
+    double time = 10.0;  // of the tracer
+    std::vector<bool> used(root + 1);
+    used[root] = true;
+    for (NodeId id = root + 1; id-- > 0;) {
+        const Node& node = expr.node(id);
+        if (!used[id] || facts[id].constant || node.op == Op::Variable) continue;
+        time += cost_of(node, facts);
+        used[node.a] = true;
+        used[node.b] = true;
+        used[node.c] = true;
+    }
+    return time;
+}
+
 /// Several graphs with their common nodes only once, and what a search would cost with each.
 class Comparison {
 public:
@@ -85,7 +101,6 @@ public:
 
 private:
     static constexpr double clearly = 0.97;
-    static constexpr double tracer_cost = 10.0;  ///< of a box, in additions
     static constexpr double width_weight = 0.1;  ///< widths decide where the boxes are the same
     static constexpr std::size_t screening_stride = 6;
     static constexpr std::size_t max_finalists = 4;
@@ -100,26 +115,11 @@ private:
         const auto works = sample.work(joint_, facts, roots_, stride);
         std::vector<Rating> ratings;
         for (std::size_t i = 0; i < roots_.size(); ++i) {
-            const double cost = tracer_cost + operations(roots_[i], facts);
+            const double cost = time_of_cell(joint_, roots_[i], facts);
             const auto [boxes, width] = works[i];
             ratings.push_back({boxes, cost * (1.0 + boxes + width_weight * width)});
         }
         return ratings;
-    }
-
-    [[nodiscard]] double operations(NodeId root, std::span<const Facts> facts) const {
-        std::vector<bool> used(root + 1);
-        used[root] = true;
-        double cost = 0.0;
-        for (NodeId id = root + 1; id-- > 0;) {
-            const Node& node = joint_.node(id);
-            if (!used[id] || facts[id].constant || node.op == Op::Variable) continue;
-            cost += cost_of(node, facts);
-            used[node.a] = true;
-            used[node.b] = true;
-            used[node.c] = true;
-        }
-        return cost;
     }
 
     Expr joint_;
@@ -247,15 +247,9 @@ private:
 
 }  // namespace
 
-double operator_time(const Expr& expr) {
+double time_of_cell(const Expr& expr) {
     const UpwardRounding upward;
-    const std::vector<Facts> facts = facts_of(expr);
-    double time = 0.0;
-    for (NodeId id = 0; id <= expr.root(); ++id) {
-        const Node& node = expr.node(id);
-        if (!facts[id].constant && node.op != Op::Variable) time += cost_of(node, facts);
-    }
-    return time;
+    return time_of_cell(expr, expr.root(), facts_of(expr));
 }
 
 Expr tightened(const Expr& expr, const SampleRegion& region) {

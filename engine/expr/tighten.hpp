@@ -12,7 +12,7 @@ namespace zeroset {
 /// is.
 Expr tightened(const Expr& expr, const SampleRegion& region = {});
 
-/// What the operators of the graph take in machine code, roughly, in additions.
-double operator_time(const Expr& expr);
+/// What a cell of a search for the zero set takes, roughly, in additions.
+double time_of_cell(const Expr& expr);
 
 }  // namespace zeroset

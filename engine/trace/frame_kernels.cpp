@@ -1,8 +1,8 @@
 #include "engine/trace/frame_kernels.hpp"
 
+#include "engine/expr/form_cells.hpp"
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
-#include "engine/expr/form_cells.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -126,9 +126,9 @@ struct RayDirections {
     V3 by_col;
     V key_by_col;
 
-    RayDirections(const TraceFrame& frame, const Tile& tile)
+    RayDirections(const TraceFrame& frame, const Tile& tile, const glm::dvec3& key_light)
         : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
-          key(key_light(frame.view)) {
+          key(key_light) {
         const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.height);
         by_row = -size * frame.view.up;
         by_col = splat(size * frame.view.right);
@@ -205,7 +205,7 @@ public:
           hits_(hits),
           shading_(frame.view, surface < frame.scene.colors.size() ? frame.scene.colors[surface]
                                                                    : colors_of(surface)),
-          rays_(frame, tile) {}
+          rays_(frame, tile, shading_.key) {}
 
     void draw(bool fresh, const Canvas& out) {
         for (int row = 0; row < tile_.rows; ++row) {

@@ -90,11 +90,13 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
 /// What all pixels of a surface share, in all lanes: half the directions of the lights, which move
 /// with the camera, and the colours of its two sides.
 struct Shading {
+    glm::dvec3 key;
     V3 half_key, half_fill, half_up;
     V front[3], back[3];
 
     Shading(const ViewFrame& view, const SurfaceColors& colors)
-        : half_key(splat(0.5 * key_light(view))),
+        : key(key_light(view)),
+          half_key(splat(0.5 * key)),
           half_fill(
               splat(0.5 * glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
           half_up(splat(0.5 * view.up)) {

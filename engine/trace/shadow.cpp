@@ -1,8 +1,8 @@
 #include "engine/trace/shadow.hpp"
 
+#include "engine/expr/form_cells.hpp"
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
-#include "engine/expr/form_cells.hpp"
 #include "engine/trace/shade.hpp"
 
 #include <algorithm>

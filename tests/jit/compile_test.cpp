@@ -92,6 +92,9 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
     EXPECT_NE(meanwhile.ray_form_float, quick.ray_form_float);
     EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), centres_and_errors(quick.form_float));
     const auto of_rays = centres_and_errors(quick.ray_form_float);
+    const auto interpreted = centres_and_errors(interpret(expr).ray_form_float);
+    for (std::size_t i = 0; i < of_rays.size(); ++i)  // but for fused roundings
+        EXPECT_NEAR(of_rays[i], interpreted[i], 1e-6F);
     EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
 }

@@ -89,6 +89,7 @@ TEST(FormSample, TellsWhereFormsLeaveRoom) {
     EXPECT_GT(sample.open(ball), 0.1);
     EXPECT_LT(sample.open(ball), 0.9);
     EXPECT_EQ(sample.open(ball), FormSample(ball, region).open(ball));
+    EXPECT_EQ(sample.open(ball), sample.open());
     EXPECT_GT(sample.open(*parse("(x^2 + y^2 + z^2)^2/(x^2 + y^2 + z^2) - 1")), sample.open(ball));
     const Expr with_parameters = *parse("a*x^2 + w - z");
     EXPECT_LT(FormSample(with_parameters, region).open(with_parameters), 0.9);

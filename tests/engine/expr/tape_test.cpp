@@ -265,6 +265,9 @@ std::optional<std::size_t> choices_left(const std::string& text) {
 }
 
 TEST(Tape, LeavesOutWhatLosesEverywhere) {
+    EXPECT_EQ(choices_left("min(x, 7 + y) + 1"), 0U);
+    EXPECT_EQ(choices_left("max(x, 7 + y) + 1"), 0U);
+    EXPECT_EQ(choices_left("if(z < 3, x, y) + 1"), 0U);
     EXPECT_EQ(choices_left("min(x, 7 + y) + z"), 0U);
     EXPECT_EQ(choices_left("max(x, 7 + y) + z"), 0U);
     EXPECT_EQ(choices_left("min(x, 7 + y, y) + z"), 1U);
