@@ -21,6 +21,12 @@ struct StepLoop {
     llvm::PHINode* steps_left;
 };
 
+/// An array pointer of the batch that may be null: then one vector's room stands for all of it.
+struct OptionalArray {
+    llvm::Value* start;
+    llvm::Value* step;  ///< 1, or 0 where it is null
+};
+
 /// A function `void name(const void* code, const Batch* batch)` with the loop over the batch's
 /// items: `entry` runs once, `body` for each vector of items.
 class BatchFunction {
@@ -78,6 +84,37 @@ public:
     /// An array pointer of the batch; call before go_to_body.
     llvm::Value* array(std::size_t offset) {
         return builder_.CreateLoad(builder_.getPtrTy(), member(offset));
+    }
+    /// The same where it may be null, of numbers as wide as `integer()`; call before go_to_body.
+    OptionalArray optional_array(std::size_t offset) {
+        llvm::Value* const given = array(offset);
+        llvm::Value* const room = builder_.CreateAlloca(emitter_.vector_of(emitter_.integer()));
+        builder_.CreateAlignedStore(
+            llvm::Constant::getNullValue(emitter_.vector_of(emitter_.integer())), room,
+            alignment());
+        llvm::Value* const there = builder_.CreateIsNotNull(given);
+        return {builder_.CreateSelect(there, given, room),
+                builder_.CreateZExt(there, builder_.getInt64Ty())};
+    }
+    /// A std::size_t of the batch; call before go_to_body.
+    llvm::Value* size_member(std::size_t offset) {
+        return builder_.CreateLoad(builder_.getInt64Ty(), member(offset));
+    }
+    llvm::IRBuilder<>& builder() { return builder_; }
+    [[nodiscard]] bool is_float() const { return emitter_.is_float(); }
+    LaneMask mask(llvm::Value* value) { return {&emitter_, value}; }
+    /// The same integer, as wide as the vectors' numbers, in all lanes.
+    llvm::Value* splat_integer(std::uint64_t value) {
+        return llvm::ConstantInt::get(emitter_.vector_of(emitter_.integer()), value);
+    }
+    /// The body's items of an array, `further` items behind them.
+    llvm::Value* load_integers(const OptionalArray& array, llvm::Value* further) {
+        return builder_.CreateAlignedLoad(emitter_.vector_of(emitter_.integer()),
+                                          place_in(array, builder_.CreateAdd(item_, further)),
+                                          alignment());
+    }
+    void store_integers(const OptionalArray& array, llvm::Value* vector) {
+        builder_.CreateAlignedStore(vector, place_in(array, item_), alignment());
     }
     Lanes load(llvm::Value* array) {
         llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
@@ -150,6 +187,10 @@ public:
     }
 
 private:
+    llvm::Value* place_in(const OptionalArray& array, llvm::Value* item) {
+        return builder_.CreateGEP(emitter_.integer(), array.start,
+                                  builder_.CreateMul(item, array.step));
+    }
     llvm::Value* member(std::size_t offset) {
         return builder_.CreateConstGEP1_64(builder_.getInt8Ty(), function_->getArg(1), offset);
     }

@@ -5,6 +5,7 @@
 #include "engine/expr/kernel.hpp"
 #include "jit/batch_function.hpp"
 #include "jit/contract.hpp"
+#include "jit/switch_lanes.hpp"
 
 #include <llvm/Transforms/Utils/Local.h>
 
@@ -12,6 +13,15 @@
 
 namespace zeroset::jit {
 namespace {
+
+/// What the algebra of a range or form kernel asks and tells about switches.
+template <class Batch>
+SwitchLanes switch_lanes(BatchFunction& function, const Expr& expr, std::span<const Facts> facts) {
+    using Held = decltype(Batch::held);
+    return SwitchLanes(function, offsetof(Batch, held) + offsetof(Held, words),
+                       offsetof(Batch, held) + offsetof(Held, stride), offsetof(Batch, branches),
+                       count_switches(switches_of(expr, facts)));
+}
 
 template <class Real>
 void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
@@ -40,7 +50,8 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
         return {{function.load_uniform(uniforms, 2 * (v - 3)),
                  function.load_uniform(uniforms, 2 * (v - 3) + 1)}};
     };
-    IntervalAlgebra<Lanes> algebra;
+    auto switches = switch_lanes<Batch>(function, expr, facts);
+    IntervalAlgebra<Lanes> algebra(&switches);
     const Enclosure<Lanes> f = evaluate(
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
     const Interval<Lanes> range = answer(f);
@@ -48,6 +59,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
     function.store(f_hi, range.hi);
     function.store(continuous,
                    conjunction(f.everywhere, f.continuous).value_or(function.everywhere()));
+    switches.store();
     function.finish();
 }
 
@@ -84,7 +96,8 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
         return part == KernelPart::RayForm ? coordinate_on_rays(view, *cell, v)
                                            : coordinate(view, *cell, v);
     };
-    BeamAlgebra<Lanes> algebra;
+    auto switches = switch_lanes<Batch>(function, expr, facts);
+    BeamAlgebra<Lanes> algebra(&switches);
     const auto varying = [&] {
         function.go_to_body();
         cell = {function.load(in[0]), function.load(in[1]), function.load(in[2]),
@@ -102,6 +115,7 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
     function.store(out[4], result.slope.hi);
     function.store(out[5], result.continuous.value_or(function.everywhere()));
     function.store(out[6], no(result.somewhere.value_or(function.everywhere())));
+    switches.store();
     function.finish();
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/expr/dual_algebra.hpp"
 #include "engine/expr/interval_algebra.hpp"
+#include "engine/expr/switches.hpp"
 
 #include <optional>
 #include <span>
@@ -73,12 +74,19 @@ typename Algebra::Value apply_to(Algebra& algebra, const Node& node, auto operan
                  operand(operands < 3 ? node.a : node.c));
 }
 
+/// Tells an algebra that knows switches which one comes next.
+template <class Algebra>
+void enter_switch(Algebra& algebra, SwitchIndex index) {
+    if constexpr (requires { algebra.enter(index); }) algebra.enter(index);
+}
+
 /// The root's value. `leaf(node, facts)` makes the value of a variable or a constant subexpression.
 /// Nodes that are the same for a whole batch are computed first; `varying()` is called between.
 /// `computed()` is called after each of the others.
 template <class Algebra, class Leaf, class Varying, class Computed = decltype([] {})>
 typename Algebra::Value evaluate(const Expr& expr, std::span<const Facts> facts, Algebra& algebra,
                                  Leaf leaf, Varying varying, Computed computed = {}) {
+    const std::vector<SwitchIndex> switches = switches_of(expr, facts);
     std::vector<std::optional<typename Algebra::Value>> values(expr.nodes().size());
     const auto operand = [&](NodeId id) {
         return Operand<typename Algebra::Value>{*values[id], facts[id]};
@@ -86,6 +94,7 @@ typename Algebra::Value evaluate(const Expr& expr, std::span<const Facts> facts,
     const auto compute = [&](NodeId id) -> typename Algebra::Value {
         const Node& node = expr.node(id);
         if (is_leaf(node, facts[id])) return leaf(node, facts[id]);
+        enter_switch(algebra, switches[id]);
         return apply_to(algebra, node, operand);
     };
     for (NodeId id = 0; id <= expr.root(); ++id) {

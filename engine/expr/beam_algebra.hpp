@@ -34,6 +34,12 @@ public:
     using Box = Interval<Real>;
     using Slope = std::optional<SlopeBeam<Real>>;
 
+    BeamAlgebra() = default;
+    explicit BeamAlgebra(SwitchBoard<Real>* board) : switches_(board) {}
+
+    /// The next operator is this switch, or none.
+    void enter(SwitchIndex index) { switches_.enter(index); }
+
     Value negate(In a) { return of(-a.value.f, negated(a.value.slope), a); }
     Value add(In a, In b) {
         return of(a.value.f + b.value.f, sum(a.value.slope, b.value.slope), a, b);
@@ -82,6 +88,7 @@ public:
     }
     Value abs(In a) {
         const Kink<Real> kink = kink_of(box(a));
+        report(kink);
         Value result = of(zeroset::abs(a.value.f, kink), std::nullopt, a);
         if (a.value.slope) {
             const SlopeBeam<Real>& slope = *a.value.slope;
@@ -90,10 +97,10 @@ public:
         }
         return result;
     }
-    Value sign(In a) { return stepped_form(zeroset::sign(box(a)), a); }
-    Value floor(In a) { return stepped_form(zeroset::floor(box(a)), a); }
-    Value ceil(In a) { return stepped_form(zeroset::ceil(box(a)), a); }
-    Value round(In a) { return stepped_form(zeroset::round(box(a)), a); }
+    Value sign(In a) { return jump(zeroset::sign_steps(box(a)), a); }
+    Value floor(In a) { return jump(zeroset::floor_steps(box(a)), a); }
+    Value ceil(In a) { return jump(zeroset::ceil_steps(box(a)), a); }
+    Value round(In a) { return jump(zeroset::round_steps(box(a)), a); }
     Value mod(In a, In b);
     Value min(In a, In b) { return larger(a, b, -1.0); }
     Value max(In a, In b) { return larger(a, b, 1.0); }
@@ -156,13 +163,7 @@ public:
         };
         return smooth(a, {zeroset::atan(box(a))}, zeroset::atan(middle(a)), 4.0, slope, bend);
     }
-    Value atan2(In y, In x) {
-        const Enclosure<Real> g = zeroset::atan2(box(y), box(x));
-        Turn<Real> turn = this->turn(y, x);
-        // No line goes across the cut.
-        turn.curvature = select(*g.continuous, turn.curvature, number(infinity));
-        return turning(g, zeroset::atan2(middle(y), middle(x)).range, turn, y, x);
-    }
+    Value atan2(In y, In x);
     Value angle(In y, In x) {
         const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
         const Box at = widened(Elementary::Atan2, angle, angle);
@@ -226,16 +227,24 @@ public:
         return smooth(a, zeroset::atanh(box(a)), at, 2.0, slope, bend);
     }
 
-    Value less(In a, In b) { return decided(zeroset::less(box(a), box(b)), a, b); }
-    Value less_equal(In a, In b) { return decided(zeroset::less_equal(box(a), box(b)), a, b); }
-    Value logic_and(In a, In b) { return decided(stepped(minimum(box(a), box(b))), a, b); }
-    Value logic_or(In a, In b) { return decided(stepped(maximum(box(a), box(b))), a, b); }
-    Value logic_not(In a) { return decided(stepped(one() - box(a)), a); }
+    Value less(In a, In b) {
+        return decided(switches_.outcomes(zeroset::less(box(a), box(b))), a, b);
+    }
+    Value less_equal(In a, In b) {
+        return decided(switches_.outcomes(zeroset::less_equal(box(a), box(b))), a, b);
+    }
+    Value logic_and(In a, In b) { return decided(minimum(box(a), box(b)), a, b); }
+    Value logic_or(In a, In b) { return decided(maximum(box(a), box(b)), a, b); }
+    Value logic_not(In a) {
+        const Box condition = box(a);
+        return decided(one() - condition, a);
+    }
     Value choose(In c, In a, In b);
     Value where(In a, In c);
 
     /// The larger one, or the smaller for `sign` -1; `kink` is that of a - b.
     Value larger(In a, In b, const Kink<Real>& kink, double sign) {
+        report(kink);
         Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
         if (!a.value.slope && !b.value.slope) return result;
         kind_ = &a.value.f.r;
@@ -325,12 +334,20 @@ private:
         const Real nothing = like(g.range.hi, 0.0);
         return with_domain(of(interval_form(g.range, nothing), std::nullopt, operands...), g);
     }
+    /// A number of these outcomes.
+    Value jump(const Box& outcomes, In a) {
+        return stepped_form(stepped(switches_.outcomes(outcomes)), a);
+    }
     /// A condition: decided, it is continuous even where its operands jump.
     template <class... Operands>
-    static Value decided(const Enclosure<Real>& g, const Operands&... operands) {
+    static Value decided(const Box& outcomes, const Operands&... operands) {
+        const Enclosure<Real> g = stepped(outcomes);
         Value result = stepped_form(g, operands...);
         result.continuous = g.continuous;
         return result;
+    }
+    void report(const Kink<Real>& kink) {
+        switches_.report_kink(no(either(kink.above, kink.below)));
     }
 
     /// A constant factor that is a number of the format.
@@ -372,6 +389,7 @@ private:
         return larger(a, b, kink_of((a.value.f - b.value.f).range()), sign);
     }
 
+    SwitchPort<Real> switches_;
     const Real* kind_ = nullptr;  ///< any number of the carrier, of the operator at work
 };
 

@@ -10,10 +10,10 @@ namespace zeroset {
 /// whole number, and so leave the range.
 template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
-    const Enclosure<Real> range = zeroset::mod(box(a), box(b));
     const Box quotient = box(a) / box(b);
-    const Real k = round_down(quotient.hi);
-    const Form steps = interval_form(point(k), number(0));
+    const Box floors = switches_.outcomes(zeroset::floor_steps(quotient));
+    const Enclosure<Real> range = zeroset::mod(box(a), box(b), floors);
+    const Form steps = interval_form(point(floors.hi), number(0));
     const Form line = a.value.f - b.value.f * steps;
     const Real turns = largest(quotient) + number(1);
     const Real r =
@@ -21,6 +21,27 @@ BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
     const Form f = select(*range.continuous, line, interval_form(range.range, r));
     const Slope slope = sum(a.value.slope, negated(times(steps, b.value.slope)));
     return with_domain(of(f, slope, a, b), range);
+}
+
+/// The angle on the sides of the cut that the cell has. On one side of it the angle is the one that
+/// goes on across the cut, or that less a turn.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::atan2(In y, In x) {
+    const Box box_y = box(y);
+    const Box box_x = box(x);
+    const Box sides = switches_.outcomes(angle_sides(box_y, box_x));
+    const Enclosure<Real> g = zeroset::atan2(box_y, box_x, sides);
+    const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
+    const double most = format().pi_hi;
+    const Box at = clamped(widened(Elementary::Atan2, angle, angle), -most, most);
+    const auto cut = angle_cases(box_y, box_x).across_cut;
+    const auto above = both(cut, sides.neg_lo < number(0));
+    const auto below = both(cut, sides.hi <= number(0));
+    const Box none{number(0), number(0)};
+    const Box turn{number(-2 * format().pi_lo), number(2 * most)};
+    const Box up = select(both(above, angle < number(0)), turn, none);
+    const Box down = select(both(below, angle >= number(0)), -turn, none);
+    return turning(g, at + up + down, this->turn(y, x), y, x);
 }
 
 /// a where the condition c holds, b elsewhere; between both where c is undecided.

@@ -74,7 +74,8 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
 /// Makes min or max of a and b in `place` and tells where it is one of them, or taken for it as
 /// `left_out` tells.
 template <class Real>
-[[gnu::flatten]] ChoiceBits make_extreme(Op op, const Operand<BeamValue<Block<Real>>>& a,
+[[gnu::flatten]] ChoiceBits make_extreme(BeamAlgebra<Block<Real>>& algebra, Op op,
+                                         const Operand<BeamValue<Block<Real>>>& a,
                                          const Operand<BeamValue<Block<Real>>>& b,
                                          const ChoiceBits& left_out,
                                          BeamValue<Block<Real>>* place) {
@@ -96,7 +97,7 @@ template <class Real>
     const bool max = op == Op::Max;
     const auto kink =
         decided_kink(difference, max ? bits.first : bits.second, max ? bits.second : bits.first);
-    new (place) Value(BeamAlgebra<Block<Real>>().larger(a, b, kink, max ? 1.0 : -1.0));
+    new (place) Value(algebra.larger(a, b, kink, max ? 1.0 : -1.0));
     return bits;
 }
 

@@ -11,6 +11,7 @@
 #include "engine/expr/unowned.hpp"
 #include "engine/num/block.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <deque>
 #include <memory>
@@ -73,11 +74,89 @@ void store(ContinuityMask<Real>* items, const std::optional<BlockMask>& mask, bo
         items[lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
 }
 
+/// What the algebra of a block asks and tells about switches, from and to the batch's arrays.
+template <class Real>
+class BlockBoard final : public SwitchBoard<Block<Real>> {
+public:
+    using Word = ContinuityMask<Real>;
+
+    BlockBoard(const HeldSwitches<Real>& held, Word* branches) : held_(held), branches_(branches) {}
+
+    /// The block that begins with this item.
+    void begin(std::size_t item) {
+        item_ = item;
+        bits_.fill(0);
+    }
+    void end() const {
+        if (branches_ != nullptr) std::ranges::copy(bits_, branches_ + item_);
+    }
+    std::optional<HeldAt<Block<Real>>> held(SwitchIndex index) override;
+    void report(SwitchIndex index, const BlockMask& two, const BlockMask& three) override;
+    void report_kink(const BlockMask& may_be) override {
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            bits_[lane] |= may_be.bits >> lane & BranchBits::kink;
+    }
+
+private:
+    static constexpr std::size_t lanes = Block<Real>::lanes;
+
+    HeldSwitches<Real> held_;
+    Word* branches_;
+    std::size_t item_ = 0;
+    std::array<Word, lanes> bits_{};
+};
+
+template <class Real>
+std::optional<HeldAt<Block<Real>>> BlockBoard<Real>::held(SwitchIndex index) {
+    if (held_.words == nullptr) return std::nullopt;
+    const Word* const words = held_.words + index / switches_a_word<Real> * held_.stride + item_;
+    const std::size_t shift = held_bits * (index % switches_a_word<Real>);
+    std::array<unsigned, 1U << held_bits> at{};
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        at[words[lane] >> shift & (at.size() - 1)] |= 1U << lane;
+    const auto mask = [&](unsigned lanes_of_code) {
+        return BlockMask{static_cast<std::uint16_t>(lanes_of_code)};
+    };
+    const auto number = [](double value) { return like(Block<Real>(), value); };
+    const unsigned second = at[held_code(1, 2)] | at[held_code(1, 3)];
+    const unsigned third = at[held_code(2, 3)];
+    return HeldAt<Block<Real>>{
+        mask(at[held_code(0, 2)] | at[held_code(1, 2)]),
+        mask(at[held_code(0, 3)] | at[held_code(1, 3)] | third),
+        select(mask(third), number(2), select(mask(second), number(1), number(0)))};
+}
+
+template <class Real>
+void BlockBoard<Real>::report(SwitchIndex index, const BlockMask& two, const BlockMask& three) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const unsigned more = (two.bits >> lane & 1U) + 2 * (three.bits >> lane & 1U);
+        const bool first = BranchBits{static_cast<std::uint32_t>(bits_[lane])}.outcomes() == 0;
+        if (more == 0 || !first) continue;
+        bits_[lane] |= static_cast<Word>(more) << BranchBits::more_outcomes_shift |
+                       static_cast<Word>(index) << BranchBits::switch_shift;
+    }
+}
+
+/// Takes the place of a board where an algebra knows no switches.
+struct NoBoard {
+    void begin(std::size_t /*item*/) {}
+    void end() const {}
+};
+
+template <class Algebra, class Board>
+Algebra algebra_with(Board& board) {
+    if constexpr (std::is_constructible_v<Algebra, Board*>) {
+        return Algebra(&board);
+    } else {
+        return Algebra();
+    }
+}
+
 /// Makes choices as other operators are made.
 struct NoChoices {
-    template <class Values, class Value>
-    bool operator()(const Tape::Step& /*step*/, std::size_t /*item*/, const Values& /*of*/,
-                    Value* /*place*/) const {
+    template <class Algebra, class Values, class Value>
+    bool operator()(Algebra& /*algebra*/, const Tape::Step& /*step*/, std::size_t /*item*/,
+                    const Values& /*of*/, Value* /*place*/) const {
         return false;
     }
 };
@@ -85,15 +164,16 @@ struct NoChoices {
 /// Evaluates the tape over `size` items by blocks of some lanes. `leaf(node, facts, item)` makes
 /// the value of a variable or a constant subexpression, for a uniform one whatever the item;
 /// `part(shape, part, item)` that of a part; `finish(root, item)` takes the results.
-/// `choose(step, item, operand, place)`, with a function that gives operands, is asked for choices
-/// that are not uniform; it answers whether it made them in their place.
-template <class Algebra, std::size_t lanes, class Leaf, class OfPart, class Finish,
+/// `board` is told of switches. `choose(algebra, step, item, operand, place)`, with a function that
+/// gives operands, is asked for choices that are not uniform; it answers whether it made them in
+/// their place.
+template <class Algebra, std::size_t lanes, class Board, class Leaf, class OfPart, class Finish,
           class Choose = NoChoices>
-void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, OfPart part, Finish finish,
-                      Choose choose = {}) {
+void interpret_blocks(const Tape& tape, std::size_t size, Board&& board, Leaf leaf, OfPart part,
+                      Finish finish, Choose choose = {}) {
     using Value = typename Algebra::Value;
     static_assert(std::is_trivially_destructible_v<Value>);
-    Algebra algebra;
+    auto algebra = algebra_with<Algebra>(board);
     Scratch<Value> scratch(tape.slots());
     Value* const values = scratch.data();
     const std::span<const Tape::Step> steps = tape.steps();
@@ -116,7 +196,8 @@ void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, OfPart part
             new (value) Value(leaf(node, facts, item));
             return;
         }
-        if (step.choice != Tape::no_choice && choose(step, item, operand, value)) return;
+        if (step.choice != Tape::no_choice && choose(algebra, step, item, operand, value)) return;
+        enter_switch(algebra, tape.own_switch(step));
         const int operands = arity(node.op);
         new (value) Value(apply(algebra, node, operand(0), operand(operands < 2 ? 0 : 1),
                                 operand(operands < 3 ? 0 : 2)));
@@ -125,8 +206,10 @@ void interpret_blocks(const Tape& tape, std::size_t size, Leaf leaf, OfPart part
         compute(step, 0);
     const auto varying = steps.subspan(tape.uniform_steps());
     for (std::size_t item = 0; item < size; item += lanes) {
+        board.begin(item);
         for (const Tape::Step& step : varying)
             compute(step, item);
+        board.end();
         finish(values[tape.root().slot], item);
     }
 }
@@ -153,8 +236,9 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
         store(batch->f_hi + i, range.hi);
         store<Real>(batch->continuous + i, conjunction(f.everywhere, f.continuous), true);
     };
-    interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Tape*>(code),
-                                                           batch->size, leaf, of_part, finish);
+    interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(
+        *static_cast<const Tape*>(code), batch->size,
+        BlockBoard<Real>(batch->held, batch->branches), leaf, of_part, finish);
 }
 
 /// `record`: of how choices fall; then the form may be that of a function with the same signs and
@@ -179,9 +263,10 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
             {load(batch->u + i), load(batch->v + i), load(batch->s + i), load(batch->s_radius + i)},
             v);
     };
+    BlockBoard<Real> board(batch->held, batch->branches);
     const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
         BeamValue<Lanes> value;
-        part_form(shape, part, *batch, i, on_rays, value);
+        board.report_kink(part_form(shape, part, *batch, i, on_rays, value));
         return value;
     };
     const auto finish = [&](const BeamValue<Lanes>& f, std::size_t i) {
@@ -198,8 +283,8 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
         if (nowhere) nowhere = no(*nowhere);
         store<Real>(batch->nowhere + i, nowhere, false);
     };
-    const auto choose = [&](const Tape::Step& step, std::size_t i, const auto& of,
-                            BeamValue<Lanes>* place) {
+    const auto choose = [&](BeamAlgebra<Lanes>& algebra, const Tape::Step& step, std::size_t i,
+                            const auto& of, BeamValue<Lanes>* place) {
         const Op op = tape.node(step).op;
         const bool extreme = op == Op::Min || op == Op::Max;
         const auto tell = [&](Tape::Index choice, const ChoiceBits& bits) {
@@ -212,15 +297,15 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
         }
         ChoiceBits left_out{};
         if (record != nullptr) left_out = choice_by_band(op, of(0).value, of(1).value, step.band);
-        const ChoiceBits bits = make_extreme<Real>(op, of(0), of(1), left_out, place);
+        const ChoiceBits bits = make_extreme<Real>(algebra, op, of(0), of(1), left_out, place);
         if (step.height > 0) narrow_to(step.height, *place);
         if (record == nullptr) return true;
         tell(step.choice, bits);
         if (step.tells != Tape::no_choice) tell(step.tells, left_out);
         return true;
     };
-    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, leaf, of_part, finish,
-                                                       choose);
+    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, board, leaf, of_part,
+                                                       finish, choose);
 }
 
 template <class Real>
@@ -263,7 +348,7 @@ void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
             store(batch->gradient[k] + i, f.slope[k].value_or(Lanes::splat(0)));
     };
     interpret_blocks<DualAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Tape*>(code), batch->size,
-                                                       leaf, of_part, finish);
+                                                       NoBoard(), leaf, of_part, finish);
 }
 
 class TapeShortener : public Shortener {
@@ -295,6 +380,7 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.ray_form_double = {interpret_ray_form<double>, tape};
     kernel.has_double = true;
     kernel.interpreted = true;
+    kernel.switches = count_switches(tape->graph()->switches);
 }
 
 /// A tape and its kernel in one piece: thousands are made for a frame.

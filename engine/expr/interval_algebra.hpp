@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/expr/operand.hpp"
+#include "engine/expr/switches.hpp"
 #include "engine/num/odd_root.hpp"
 #include "engine/num/periodic.hpp"
 #include "engine/num/steps.hpp"
@@ -15,6 +16,12 @@ class IntervalAlgebra {
 public:
     using Value = Enclosure<Real>;
     using In = const Operand<Value>&;
+
+    IntervalAlgebra() = default;
+    explicit IntervalAlgebra(SwitchBoard<Real>* board) : switches_(board) {}
+
+    /// The next operator is this switch, or none.
+    void enter(SwitchIndex index) { switches_.enter(index); }
 
     Value negate(In a) {
         Value g{-range(a)};
@@ -56,11 +63,14 @@ public:
         return composed(zeroset::sqrt(range(a)), a.value);
     }
     Value abs(In a) { return total(a.facts.nonnegative ? range(a) : absolute(range(a)), a); }
-    Value sign(In a) { return composed(zeroset::sign(range(a)), a.value); }
-    Value floor(In a) { return composed(zeroset::floor(range(a)), a.value); }
-    Value ceil(In a) { return composed(zeroset::ceil(range(a)), a.value); }
-    Value round(In a) { return composed(zeroset::round(range(a)), a.value); }
-    Value mod(In a, In b) { return with_divisor(zeroset::mod(range(a), range(b)), a, b); }
+    Value sign(In a) { return jump(zeroset::sign_steps(range(a)), a); }
+    Value floor(In a) { return jump(zeroset::floor_steps(range(a)), a); }
+    Value ceil(In a) { return jump(zeroset::ceil_steps(range(a)), a); }
+    Value round(In a) { return jump(zeroset::round_steps(range(a)), a); }
+    Value mod(In a, In b) {
+        const Interval<Real> steps = switches_.outcomes(zeroset::floor_steps(range(a) / range(b)));
+        return with_divisor(zeroset::mod(range(a), range(b), steps), a, b);
+    }
     Value min(In a, In b) { return total(minimum(range(a), range(b)), a, b); }
     Value max(In a, In b) { return total(maximum(range(a), range(b)), a, b); }
 
@@ -76,7 +86,8 @@ public:
     Value acos(In a) { return composed(zeroset::acos(range(a)), a.value); }
     Value atan(In a) { return odd({zeroset::atan(range(a))}, a); }
     Value atan2(In y, In x) {
-        return composed(zeroset::atan2(range(y), range(x)), y.value, x.value);
+        const Interval<Real> sides = switches_.outcomes(angle_sides(range(y), range(x)));
+        return composed(zeroset::atan2(range(y), range(x), sides), y.value, x.value);
     }
     Value angle(In y, In x) {
         return composed(zeroset::angle(range(y), range(x)), y.value, x.value);
@@ -100,11 +111,15 @@ public:
     Value acosh(In a) { return composed(zeroset::acosh(range(a)), a.value); }
     Value atanh(In a) { return odd(zeroset::atanh(range(a)), a); }
 
-    Value less(In a, In b) { return decided(zeroset::less(range(a), range(b)), a, b); }
-    Value less_equal(In a, In b) { return decided(zeroset::less_equal(range(a), range(b)), a, b); }
-    Value logic_and(In a, In b) { return decided(stepped(minimum(range(a), range(b))), a, b); }
-    Value logic_or(In a, In b) { return decided(stepped(maximum(range(a), range(b))), a, b); }
-    Value logic_not(In a) { return decided(stepped(point(like(range(a).hi, 1.0)) - range(a)), a); }
+    Value less(In a, In b) {
+        return decided(switches_.outcomes(zeroset::less(range(a), range(b))), a, b);
+    }
+    Value less_equal(In a, In b) {
+        return decided(switches_.outcomes(zeroset::less_equal(range(a), range(b))), a, b);
+    }
+    Value logic_and(In a, In b) { return decided(minimum(range(a), range(b)), a, b); }
+    Value logic_or(In a, In b) { return decided(maximum(range(a), range(b)), a, b); }
+    Value logic_not(In a) { return decided(point(like(range(a).hi, 1.0)) - range(a), a); }
     Value choose(In c, In a, In b) { return zeroset::choose(c.value, a.value, b.value); }
     Value where(In a, In c) { return zeroset::where(a.value, c.value); }
 
@@ -124,9 +139,14 @@ private:
     static Value total(const Interval<Real>& g, const Operands&... operands) {
         return composed(Value{g}, operands.value...);
     }
+    /// A number of these outcomes.
+    Value jump(const Interval<Real>& outcomes, In a) {
+        return composed(jumping(switches_.outcomes(outcomes)), a.value);
+    }
     /// A condition: decided, it is continuous even where its operands jump.
     template <class... Operands>
-    static Value decided(Value g, const Operands&... operands) {
+    static Value decided(const Interval<Real>& outcomes, const Operands&... operands) {
+        Value g = stepped(outcomes);
         const auto continuous = g.continuous;
         g = composed(g, operands.value...);
         g.continuous = continuous;
@@ -174,6 +194,8 @@ private:
         }
         return std::nullopt;
     }
+
+    SwitchPort<Real> switches_;
 };
 
 }  // namespace zeroset

@@ -61,6 +61,41 @@ struct Uniforms {
 template <class Real>
 using ContinuityMask = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
 
+/// Pieces of a function with switches (engine/expr/switches.hpp): for each item, which switches are
+/// held at one of the outcomes that they have in its box. Three bits a switch, `switches_a_word` in
+/// a word, see `held_code`. Where a switch has another number of outcomes it is not held.
+template <class Real>
+struct HeldSwitches {
+    const ContinuityMask<Real>* words = nullptr;  ///< word w of item i at w * stride + i; nullptr:
+    std::size_t stride = 0;                       ///< no switch of any item is held
+};
+inline constexpr std::size_t held_bits = 3;
+template <class Real>
+inline constexpr std::size_t switches_a_word = 8 * sizeof(ContinuityMask<Real>) / held_bits;
+
+/// Outcome 0, 1 or 2, from the lowest on, of two or three: 1 and 2, or 3, 4 and 5. 0: not held.
+constexpr unsigned held_code(unsigned outcome, unsigned outcomes) {
+    return (outcomes == 2 ? 1 : 3) + outcome;
+}
+
+/// What a kernel says of branches in a box: whether it may hold a kink (of abs, min, max), and the
+/// first switch that has more than one outcome there, at most three.
+struct BranchBits {
+    static constexpr unsigned kink = 1;
+    static constexpr unsigned more_outcomes_shift = 1;  ///< two bits: the outcomes but one
+    static constexpr unsigned switch_shift = 3;
+
+    std::uint32_t bits;
+
+    [[nodiscard]] bool may_hold_kink() const { return (bits & kink) != 0; }
+    /// 0: all switches are decided, or the first that is not has more than three outcomes.
+    [[nodiscard]] unsigned outcomes() const {
+        const unsigned more = bits >> more_outcomes_shift & 3U;
+        return more == 0 ? 0 : more + 1;
+    }
+    [[nodiscard]] std::size_t open_switch() const { return bits >> switch_shift; }
+};
+
 /// `size` boxes in x, y, z; arrays of `size` numbers, in structure-of-arrays form.
 template <class Real>
 struct RangeBatchOf {
@@ -75,6 +110,8 @@ struct RangeBatchOf {
     Real* f_hi;
     /// out: all ones where f is proved defined and continuous, else 0
     ContinuityMask<Real>* continuous;
+    HeldSwitches<Real> held = {};              ///< in: then all this is said of a piece
+    ContinuityMask<Real>* branches = nullptr;  ///< out: BranchBits; nullptr: not asked for
 };
 
 /// `size` points.
@@ -125,6 +162,8 @@ struct FormBatchOf {
     Real* slope_hi;
     ContinuityMask<Real>* continuous;  ///< out: as in RangeBatchOf
     ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
+    HeldSwitches<Real> held = {};      ///< as in RangeBatchOf
+    ContinuityMask<Real>* branches = nullptr;
 };
 
 /// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row), counted
@@ -255,6 +294,7 @@ struct Kernel {
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
+    std::size_t switches = 0;                    ///< of HeldSwitches
     std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
     bool interpreted = false;                    ///< else machine code
 

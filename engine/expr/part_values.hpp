@@ -51,14 +51,16 @@ std::optional<BlockMask> known_mask(BlockMask mask) {
     return mask;
 }
 
-/// The form, with a slope that is an interval. `on_rays`: the frustum's radii are 0.
+/// Makes the form, with a slope that is an interval; returns where it may have a kink. `on_rays`:
+/// the frustum's radii are 0.
 template <class Real>
-[[gnu::flatten]] void part_form(const PartShape& shape, const Part& part,
-                                const FormBatchOf<Real>& batch, std::size_t item, bool on_rays,
-                                BeamValue<Block<Real>>& value) {
+[[gnu::flatten]] BlockMask part_form(const PartShape& shape, const Part& part,
+                                     const FormBatchOf<Real>& batch, std::size_t item, bool on_rays,
+                                     BeamValue<Block<Real>>& value) {
     using Lanes = Block<Real>;
     MaskBlock<Real> continuous;
     MaskBlock<Real> nowhere;
+    std::array<ContinuityMask<Real>, Lanes::lanes> branches;
     Lanes across;
     Interval<Lanes> slope;
     Affine<Lanes>& f = value.f.f;
@@ -67,22 +69,23 @@ template <class Real>
         f.k[0].emplace();
         f.k[1].emplace();
     }
-    const FormBatchOf<Real> own{Lanes::lanes,
-                                batch.u + item,
-                                batch.v + item,
-                                batch.s + item,
-                                batch.s_radius + item,
-                                batch.frustum,
-                                box_uniforms(shape, part, batch.uniforms),
-                                numbers(f.c),
-                                {numbers(on_rays ? across : *f.k[0]),
-                                 numbers(on_rays ? across : *f.k[1]), numbers(*f.k[2])},
-                                numbers(f.e),
-                                numbers(value.f.r),
-                                numbers(slope.neg_lo),
-                                numbers(slope.hi),
-                                continuous.items.data(),
-                                nowhere.items.data()};
+    const FormBatchOf<Real> own{.size = Lanes::lanes,
+                                .u = batch.u + item,
+                                .v = batch.v + item,
+                                .s = batch.s + item,
+                                .s_radius = batch.s_radius + item,
+                                .frustum = batch.frustum,
+                                .uniforms = box_uniforms(shape, part, batch.uniforms),
+                                .c = numbers(f.c),
+                                .k = {numbers(on_rays ? across : *f.k[0]),
+                                      numbers(on_rays ? across : *f.k[1]), numbers(*f.k[2])},
+                                .e = numbers(f.e),
+                                .r = numbers(value.f.r),
+                                .slope_neg_lo = numbers(slope.neg_lo),
+                                .slope_hi = numbers(slope.hi),
+                                .continuous = continuous.items.data(),
+                                .nowhere = nowhere.items.data(),
+                                .branches = branches.data()};
     if (on_rays) {
         shape.kernel.ray_form(own);
     } else {
@@ -94,6 +97,10 @@ template <class Real>
     value.everywhere = known_mask<Real>(continuous.mask());
     value.continuous = value.everywhere;
     value.somewhere = known_mask<Real>(no(nowhere.mask()));
+    unsigned kinks = 0;
+    for (std::size_t lane = 0; lane < Lanes::lanes; ++lane)
+        kinks |= static_cast<unsigned>(branches[lane] & BranchBits::kink) << lane;
+    return {static_cast<std::uint16_t>(kinks)};
 }
 
 template <class Real>

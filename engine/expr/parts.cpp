@@ -1,6 +1,7 @@
 #include "engine/expr/parts.hpp"
 
 #include "engine/expr/algebra.hpp"
+#include "engine/expr/switches.hpp"
 #include "engine/num/rounding.hpp"
 
 #include <algorithm>
@@ -126,8 +127,8 @@ std::optional<Skeleton> PartReader::read(NodeId root, std::size_t most_nodes) {
     return std::move(part_);
 }
 
-/// The uppermost nodes that depend on no choice, but for those that need no code. Oriented forms
-/// say more than a part's code hands on, and stay with the choices.
+/// The uppermost nodes that depend on no choice and no switch, but for those that need no code.
+/// Oriented forms say more than a part's code hands on, and stay with the choices.
 std::vector<NodeId> roots_of(const Expr& expr, std::span<const Facts> facts) {
     const std::size_t count = expr.nodes().size();
     std::vector<bool> plain(count, true);
@@ -140,7 +141,7 @@ std::vector<NodeId> roots_of(const Expr& expr, std::span<const Facts> facts) {
     };
     for (NodeId id = 0; id < count; ++id) {
         if (facts[id].uniform) continue;
-        plain[id] = !is_choice(expr.node(id).op);
+        plain[id] = !is_choice(expr.node(id).op) && !is_switch(expr.node(id).op);
         for_operands(id, [&](NodeId operand) { plain[id] = plain[id] && plain[operand]; });
     }
     std::vector<NodeId> roots;

@@ -10,9 +10,10 @@
 #include <span>
 #include <vector>
 
-// Parts of a formula: the largest subgraphs without choices (min, max, if, where) below its
-// choices, as the spheres of a union. Parts that differ only in their constants have one shape,
-// whose code takes these constants as uniforms: a thousand spheres need one piece of machine code.
+// Parts of a formula: the largest subgraphs without choices (min, max, if, where) and switches
+// (engine/expr/switches.hpp) below its choices, as the spheres of a union. Parts that differ only
+// in their constants have one shape, whose code takes these constants as uniforms: a thousand
+// spheres need one piece of machine code.
 
 namespace zeroset {
 

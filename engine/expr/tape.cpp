@@ -143,7 +143,7 @@ void Tape::Builder::release(const Tape& tape, Index operand, Index index) {
 
 void Tape::Builder::append(Tape& tape, Index index) {
     const bool uniform = index < uniform_;
-    Step step{steps_[index].node, tape.slots_, {}, no_choice};
+    Step step{.node = steps_[index].node, .slot = tape.slots_, .operands = {}};
     if (uniform || unused_.empty()) {
         ++tape.slots_;
     } else {
@@ -249,6 +249,7 @@ TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_cod
             facts.push_back(parts.parts.empty() ? whole[id] : facts_of_node(expr.node(id), facts));
         }
     }
+    switches = switches_of(expr, facts);
     for (std::uint32_t part = 0; part < parts.parts.size(); ++part)
         part_kernels.push_back(kernel_of_part(parts, part));
 }
@@ -289,7 +290,7 @@ Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
         for (const NodeId id : order) {
             if (graph->facts[id].uniform != want_uniform) continue;
             place[id] = static_cast<Index>(steps.size());
-            Step& step = steps.emplace_back(Step{id, 0, {}});
+            Step& step = steps.emplace_back(Step{.node = id, .slot = 0, .operands = {}});
             for (std::size_t k = 0; k < operand_count(*graph, id); ++k)
                 step.operands[k] = place[operands_of(graph->expr.node(id))[k]];
         }

@@ -3,6 +3,7 @@
 #include "engine/expr/facts.hpp"
 #include "engine/expr/kernel.hpp"
 #include "engine/expr/parts.hpp"
+#include "engine/expr/switches.hpp"
 #include "engine/num/interval.hpp"
 
 #include <array>
@@ -33,7 +34,8 @@ struct TapeGraph {
     ~TapeGraph() = default;
 
     Expr expr;
-    std::vector<Facts> facts;  ///< of parts: what their code keeps to
+    std::vector<Facts> facts;           ///< of parts: what their code keeps to
+    std::vector<SwitchIndex> switches;  ///< of each node
     Parts parts;
     std::vector<Kernel> part_kernels;  ///< of each part; they live as long as this
 
@@ -90,6 +92,10 @@ public:
     [[nodiscard]] std::size_t uniform_steps() const { return uniform_; }
     [[nodiscard]] Index slots() const { return slots_; }
     [[nodiscard]] std::size_t choices() const { return choices_; }
+    /// The step's place among the switches of the graph, or no_switch.
+    [[nodiscard]] SwitchIndex own_switch(const Step& step) const {
+        return graph_->switches[step.node];
+    }
     /// The last step is the root.
     [[nodiscard]] const Step& root() const { return steps_.back(); }
     [[nodiscard]] const Node& node(const Step& step) const { return graph_->expr.node(step.node); }

@@ -149,16 +149,31 @@ auto angle_cases(const Interval<Real>& y, const Interval<Real>& x) {
     return AngleCases<decltype(contains_zero(y))>{origin, cut};
 }
 
-/// atan2(y, x): the whole circle, and not continuous, where the box meets its cut.
+/// The sides of the cut of atan2 that a box has: 0 below the negative x axis, 1 on it and above. A
+/// box that does not meet the cut, or that meets the origin, has the outcome 0.
 template <class Real>
-Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x) {
+Interval<Real> angle_sides(const Interval<Real>& y, const Interval<Real>& x) {
+    const Real zero = like(x.hi, 0.0);
+    return {zero, select(angle_cases(y, x).across_cut, like(zero, 1.0), zero)};
+}
+
+/// atan2(y, x) on these sides of the cut: the whole circle, and not continuous, where the box has
+/// both sides.
+template <class Real>
+Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
+                      const Interval<Real>& sides) {
     const auto cases = angle_cases(y, x);
-    const auto cut = either(cases.around_origin, cases.across_cut);
+    const Real zero = like(x.hi, 0.0);
+    const auto above = both(cases.across_cut, sides.neg_lo < zero);
+    const auto below = both(cases.across_cut, sides.hi <= zero);
+    const auto cut = either(cases.around_origin, both(cases.across_cut, no(either(above, below))));
     const double pi_hi = format_of(x.hi).pi_hi;
     const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
     const Interval<Real> corners = angle_from_corners(y, x);
-    const Interval<Real> value = select(cut, circle, corners);
-    const Interval<Real> apart = select(cases.across_cut, corners, whole_line(x.hi));
+    const Interval<Real> value{select(either(cut, below), circle.neg_lo, corners.neg_lo),
+                               select(either(cut, above), circle.hi, corners.hi)};
+    const auto jumps = both(cut, cases.across_cut);
+    const Interval<Real> apart = select(jumps, corners, whole_line(x.hi));
     return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut), apart};
 }
 

@@ -2,25 +2,25 @@
 
 #include "engine/num/enclosure.hpp"
 
-// Functions that jump, and conditions, over any carrier, in upward rounding. A condition's range
-// is [1, 1] where it surely holds, [0, 0] where it surely fails and [0, 1] elsewhere; its
-// continuity mask says whether it is decided.
+// Functions that jump, and conditions, over any carrier, in upward rounding. Each has one of its
+// outcomes between its jumps, a whole number; what is known of it is the interval of the outcomes.
+// Those of a condition are 1 where it surely holds, 0 where it surely fails, 0 to 1 elsewhere.
 
 namespace zeroset {
 
-/// A function of whole numbers: continuous where its range is one of them.
+/// A condition with these outcomes: continuous where there is one.
 template <class Real>
-Enclosure<Real> stepped(const Interval<Real>& range) {
-    return {range, {}, {}, range.neg_lo == -range.hi};
+Enclosure<Real> stepped(const Interval<Real>& outcomes) {
+    return {outcomes, {}, {}, outcomes.neg_lo == -outcomes.hi};
 }
 
-/// The same, as a number: it takes no value between two neighbours.
+/// A number with these outcomes: it takes no value between two neighbours.
 template <class Real>
-Enclosure<Real> jumping(const Interval<Real>& range) {
-    Enclosure<Real> result = stepped(range);
-    const auto neighbours = range.neg_lo + range.hi <= like(range.hi, 1.0);
-    result.apart =
-        select(neighbours, Interval<Real>{-range.hi, -range.neg_lo}, whole_line(range.hi));
+Enclosure<Real> jumping(const Interval<Real>& outcomes) {
+    Enclosure<Real> result = stepped(outcomes);
+    const Interval<Real> between{-outcomes.hi, -outcomes.neg_lo};
+    const auto neighbours = outcomes.neg_lo + outcomes.hi <= like(outcomes.hi, 1.0);
+    result.apart = select(neighbours, between, whole_line(outcomes.hi));
     return result;
 }
 
@@ -46,31 +46,31 @@ Real nearest_integer(const Real& a) {
     return select(up, below + like(a, 1.0), below);
 }
 
+/// The outcomes of sign, floor, ceil and round.
 template <class Real>
-Enclosure<Real> sign(const Interval<Real>& a) {
-    return jumping<Real>({sign_up(a.neg_lo), sign_up(a.hi)});
+Interval<Real> sign_steps(const Interval<Real>& a) {
+    return {sign_up(a.neg_lo), sign_up(a.hi)};
 }
 template <class Real>
-Enclosure<Real> floor(const Interval<Real>& a) {
-    return jumping<Real>({-round_down(-a.neg_lo), round_down(a.hi)});
+Interval<Real> floor_steps(const Interval<Real>& a) {
+    return {-round_down(-a.neg_lo), round_down(a.hi)};
 }
 template <class Real>
-Enclosure<Real> ceil(const Interval<Real>& a) {
-    return jumping<Real>({round_down(a.neg_lo), -round_down(-a.hi)});
+Interval<Real> ceil_steps(const Interval<Real>& a) {
+    return {round_down(a.neg_lo), -round_down(-a.hi)};
 }
 template <class Real>
-Enclosure<Real> round(const Interval<Real>& a) {
-    return jumping<Real>({-nearest_integer(-a.neg_lo), nearest_integer(a.hi)});
+Interval<Real> round_steps(const Interval<Real>& a) {
+    return {-nearest_integer(-a.neg_lo), nearest_integer(a.hi)};
 }
 
-/// a - b floor(a/b): from 0 to b, and a - b k where floor(a/b) is the same k on the whole box. If
-/// it is k or k - 1, the values are those of a - b k or of a - b (k - 1).
+/// a - b floor(a/b) for the floors in `steps`: from 0 to b, and a - b k where the floor is the same
+/// k on the whole box. If it is k or k - 1, the values are those of a - b k or of a - b (k - 1).
 template <class Real>
-Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b) {
+Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Interval<Real>& steps) {
     const Real zero = like(a.hi, 0.0);
-    const Interval<Real> quotient = a / b;
-    const Real k = round_down(quotient.hi);
-    const Real first_k = round_down(-quotient.neg_lo);
+    const Real& k = steps.hi;
+    const Real first_k = -steps.neg_lo;
     const auto one_step = k == first_k;
     const Interval<Real> from_zero{maximum(zero, b.neg_lo), maximum(zero, b.hi)};
     const Interval<Real> shifted = a - b * point(k);
@@ -85,20 +85,17 @@ Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b) {
 
 /// A condition that holds for sure, or fails for sure.
 template <class Real>
-Enclosure<Real> condition(const auto& holds, const auto& fails, const Real& kind) {
+Interval<Real> condition(const auto& holds, const auto& fails, const Real& kind) {
     const Real zero = like(kind, 0.0);
-    return {{select(holds, like(kind, -1.0), zero), select(fails, zero, like(kind, 1.0))},
-            {},
-            {},
-            either(holds, fails)};
+    return {select(holds, like(kind, -1.0), zero), select(fails, zero, like(kind, 1.0))};
 }
 
 template <class Real>
-Enclosure<Real> less(const Interval<Real>& a, const Interval<Real>& b) {
+Interval<Real> less(const Interval<Real>& a, const Interval<Real>& b) {
     return condition(a.hi < -b.neg_lo, -a.neg_lo >= b.hi, a.hi);
 }
 template <class Real>
-Enclosure<Real> less_equal(const Interval<Real>& a, const Interval<Real>& b) {
+Interval<Real> less_equal(const Interval<Real>& a, const Interval<Real>& b) {
     return condition(a.hi <= -b.neg_lo, -a.neg_lo > b.hi, a.hi);
 }
 

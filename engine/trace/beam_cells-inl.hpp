@@ -43,14 +43,22 @@ template <class Real>
 struct Forms {
     std::vector<Real> c, e, r, slope_neg_lo, slope_hi;
     std::array<std::vector<Real>, 3> k;
-    std::vector<ContinuityMask<Real>> continuous, nowhere;
+    std::vector<ContinuityMask<Real>> continuous, nowhere, branches;
 
+    /// Whether the form says something of cell i.
+    [[nodiscard]] bool known(std::size_t i) const {
+        return e[i] <= std::numeric_limits<Real>::max();
+    }
+    [[nodiscard]] BranchBits branches_of(std::size_t i) const {
+        return {static_cast<std::uint32_t>(branches[i])};
+    }
     void resize(std::size_t capacity) {
         for (std::vector<Real>* column :
              {&c, &e, &r, &slope_neg_lo, &slope_hi, &k[0], &k[1], &k[2]})
             column->resize(capacity);
         continuous.resize(capacity);
         nowhere.resize(capacity);
+        branches.resize(capacity);
     }
 };
 
@@ -72,26 +80,29 @@ struct CellPlaces {
 };
 
 /// Some cells, and those behind them up to a whole batch: what is said of these is to be
-/// overwritten.
+/// overwritten. `held`: of these cells.
 template <class Real>
 FormBatchOf<Real> form_batch(const TraceFrame& frame, const Kernel& kernel,
                              const FrustumOf<Real>& frustum, std::size_t first, std::size_t count,
-                             const CellPlaces<Real>& places, Forms<Real>& out) {
-    return {padded(count, kernel.lane_multiple),
-            places.u.data() + first,
-            places.v.data() + first,
-            places.s.data() + first,
-            places.s_radius.data() + first,
-            frustum.base,
-            frame.scene.uniforms.template boxes<Real>(),
-            out.c.data() + first,
-            {out.k[0].data() + first, out.k[1].data() + first, out.k[2].data() + first},
-            out.e.data() + first,
-            out.r.data() + first,
-            out.slope_neg_lo.data() + first,
-            out.slope_hi.data() + first,
-            out.continuous.data() + first,
-            out.nowhere.data() + first};
+                             const CellPlaces<Real>& places, Forms<Real>& out,
+                             const HeldSwitches<Real>& held = {}) {
+    return {.size = padded(count, kernel.lane_multiple),
+            .u = places.u.data() + first,
+            .v = places.v.data() + first,
+            .s = places.s.data() + first,
+            .s_radius = places.s_radius.data() + first,
+            .frustum = frustum.base,
+            .uniforms = frame.scene.uniforms.template boxes<Real>(),
+            .c = out.c.data() + first,
+            .k = {out.k[0].data() + first, out.k[1].data() + first, out.k[2].data() + first},
+            .e = out.e.data() + first,
+            .r = out.r.data() + first,
+            .slope_neg_lo = out.slope_neg_lo.data() + first,
+            .slope_hi = out.slope_hi.data() + first,
+            .continuous = out.continuous.data() + first,
+            .nowhere = out.nowhere.data() + first,
+            .held = held,
+            .branches = out.branches.data() + first};
 }
 
 /// The run's cells, by its kernel.
@@ -173,6 +184,17 @@ struct Cells {
         to[size] = slab_to;
         tile[size] = at;
         size += slab_from <= slab_to ? 1U : 0U;
+    }
+    /// A cell of another list, in its place. There must be room.
+    void push_copy(const Cells& other, std::size_t i) {
+        from[size] = other.from[i];
+        to[size] = other.to[i];
+        tile[size] = other.tile[i];
+        places.u[size] = other.places.u[i];
+        places.v[size] = other.places.v[i];
+        places.s[size] = other.places.s[i];
+        places.s_radius[size] = other.places.s_radius[i];
+        ++size;
     }
     /// Makes `places` of cells whose tiles have this side; `margin`: how much longer than their
     /// slabs they are.

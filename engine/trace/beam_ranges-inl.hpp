@@ -9,17 +9,17 @@
 #define ZEROSET_BEAM_RANGES_INL
 #endif
 
-#include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/beam_pieces-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// What a RangeList keeps: RangeBatchOf's arrays.
+/// Boxes, and what the range kernel says of them: RangeBatchOf's arrays.
 template <class Real>
-struct RangeMemory {
+struct RangeBoxes {
     std::array<std::vector<Real>, 6> ends;  ///< -lo of x, y, z, then hi
     std::vector<Real> neg_lo, hi;           ///< of f
-    std::vector<ContinuityMask<Real>> continuous;
+    std::vector<ContinuityMask<Real>> continuous, branches;
 
     [[nodiscard]] std::size_t capacity() const { return hi.size(); }
     void resize(std::size_t capacity) {
@@ -28,7 +28,41 @@ struct RangeMemory {
         neg_lo.resize(capacity);
         hi.resize(capacity);
         continuous.resize(capacity);
+        branches.resize(capacity);
     }
+    /// There is room for so many boxes and a whole batch more.
+    void make_room(std::size_t size) {
+        if (size + 2 * batch_multiple > capacity()) resize(2 * size + 4 * batch_multiple);
+    }
+    /// Of the first `size` boxes, or of the pieces in them where switches are held.
+    void evaluate(const TraceFrame& frame, const Kernel& kernel, std::size_t size,
+                  const HeldSwitches<Real>& held = {}) {
+        for (std::vector<Real>& column : ends)
+            std::fill(column.data() + size, column.data() + padded(size), column[0]);
+        kernel.range(RangeBatchOf<Real>{.size = padded(size),
+                                        .neg_lo = {ends[0].data(), ends[1].data(), ends[2].data()},
+                                        .hi = {ends[3].data(), ends[4].data(), ends[5].data()},
+                                        .uniforms = frame.scene.uniforms.template boxes<Real>(),
+                                        .f_neg_lo = neg_lo.data(),
+                                        .f_hi = hi.data(),
+                                        .continuous = continuous.data(),
+                                        .held = held,
+                                        .branches = branches.data()});
+    }
+    /// Whether f is surely nowhere 0 in the box.
+    [[nodiscard]] bool excludes_zero(std::size_t i) const { return neg_lo[i] < 0 || hi[i] < 0; }
+    [[nodiscard]] BranchBits branches_of(std::size_t i) const {
+        return {static_cast<std::uint32_t>(branches[i])};
+    }
+};
+
+/// What a RangeList keeps.
+template <class Real>
+struct RangeMemory {
+    RangeBoxes<Real> boxes;
+    Pieces<Real> pieces;
+    RangeBoxes<Real> piece_boxes;
+    std::vector<bool> left;  ///< whether a piece of a box may hold a root
 };
 
 /// Boxes around parts of the view, and what the range kernel says of them.
@@ -37,7 +71,7 @@ class RangeList {
 public:
     RangeList(const TraceFrame& frame, const BeamView& view, RangeMemory<Real>& memory,
               Counters& counters)
-        : frame_(frame), view_(view), memory_(memory), counters_(counters) {}
+        : frame_(frame), view_(view), memory_(memory), boxes_(memory.boxes), counters_(counters) {}
 
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -48,21 +82,22 @@ public:
         push(view_.u(pixel % tile_size), view_.v(pixel / tile_size), 0.0, 0.0, s, t);
     }
     void evaluate(const Kernel& kernel);
+    /// Looks at those boxes of the evaluated list piece by piece in which switches are open.
+    void evaluate_pieces(const Kernel& kernel);
 
     /// Whether f is surely nowhere 0 in the box.
-    [[nodiscard]] bool excludes_zero(std::size_t i) const {
-        return memory_.neg_lo[i] < 0 || memory_.hi[i] < 0;
-    }
+    [[nodiscard]] bool excludes_zero(std::size_t i) const { return boxes_.excludes_zero(i); }
     /// +1 or -1 where f surely has that sign, else 0.
     [[nodiscard]] int sign(std::size_t i) const {
-        return static_cast<int>(memory_.neg_lo[i] < 0) - static_cast<int>(memory_.hi[i] < 0);
+        return static_cast<int>(boxes_.neg_lo[i] < 0) - static_cast<int>(boxes_.hi[i] < 0);
     }
-    [[nodiscard]] bool continuous(std::size_t i) const { return memory_.continuous[i] != 0; }
+    [[nodiscard]] bool continuous(std::size_t i) const { return boxes_.continuous[i] != 0; }
 
 private:
     const TraceFrame& frame_;
     const BeamView& view_;
     RangeMemory<Real>& memory_;
+    RangeBoxes<Real>& boxes_;
     Counters& counters_;
     std::size_t size_ = 0;
 };
@@ -70,8 +105,7 @@ private:
 template <class Real>
 void RangeList<Real>::push(double u, double v, double u_radius, double v_radius, double s,
                            double t) {
-    if (size_ + batch_multiple >= memory_.capacity())
-        memory_.resize(2 * memory_.capacity() + 4 * batch_multiple);
+    boxes_.make_room(size_ + 1);
     const ViewFrame& axes = view_.axes();
     for (int k = 0; k < 3; ++k) {
         // Linear in u and v, and in the depth: extremes are at the corners.
@@ -84,8 +118,8 @@ void RangeList<Real>::push(double u, double v, double u_radius, double v_radius,
         const double near_aside = aside * std::abs(view_.distance() + s) + view_.depth_error();
         const double far_aside = aside * std::abs(view_.distance() + t) + view_.depth_error();
         const auto axis = static_cast<std::size_t>(k);
-        memory_.ends[axis][size_] = upper_end(Real{}, std::max(near_aside - near, far_aside - far));
-        memory_.ends[axis + 3][size_] =
+        boxes_.ends[axis][size_] = upper_end(Real{}, std::max(near_aside - near, far_aside - far));
+        boxes_.ends[axis + 3][size_] =
             upper_end(Real{}, std::max(near + near_aside, far + far_aside));
     }
     ++size_;
@@ -94,19 +128,40 @@ void RangeList<Real>::push(double u, double v, double u_radius, double v_radius,
 template <class Real>
 void RangeList<Real>::evaluate(const Kernel& kernel) {
     if (size_ == 0) return;
-    for (std::vector<Real>& column : memory_.ends) {
-        for (std::size_t i = size_; i < padded(size_); ++i)
-            column[i] = column[0];
-    }
     counters_.range += size_;
-    kernel.range(
-        RangeBatchOf<Real>{padded(size_),
-                           {memory_.ends[0].data(), memory_.ends[1].data(), memory_.ends[2].data()},
-                           {memory_.ends[3].data(), memory_.ends[4].data(), memory_.ends[5].data()},
-                           frame_.scene.uniforms.template boxes<Real>(),
-                           memory_.neg_lo.data(),
-                           memory_.hi.data(),
-                           memory_.continuous.data()});
+    boxes_.evaluate(frame_, kernel, size_);
+}
+
+template <class Real>
+void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
+    constexpr int most_switches = 5;
+    if (kernel.switches == 0) return;
+    const auto is_open = [&](std::size_t i) {
+        return boxes_.branches_of(i).outcomes() > 0 && !boxes_.excludes_zero(i);
+    };
+    memory_.pieces.begin(kernel.switches);
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (is_open(i)) memory_.pieces.push(i, boxes_.branches_of(i));
+    }
+    memory_.left.assign(size_, false);
+    RangeBoxes<Real>& of = memory_.piece_boxes;
+    const auto evaluate = [&](PieceList<Real>& list) {
+        of.make_room(list.size());
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            for (std::size_t axis = 0; axis < 6; ++axis)
+                of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];
+        }
+        counters_.range += list.size();
+        of.evaluate(frame_, kernel, list.size(), list.held());
+    };
+    memory_.pieces.visit(
+        most_switches, evaluate, [&](std::size_t k) { return of.excludes_zero(k); },
+        [&](std::size_t k) { return of.branches_of(k); },
+        [&](std::size_t box, std::size_t /*piece*/) { memory_.left[box] = true; });
+    for (std::size_t i = 0; i < size_; ++i) {
+        // Of either sign, but not 0.
+        if (is_open(i) && !memory_.left[i]) boxes_.neg_lo[i] = boxes_.hi[i] = -1;
+    }
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -36,9 +36,10 @@ public:
           next_(memory.next),
           rests_(memory.rests),
           asked_(memory.asked),
-          places_(memory.places),
-          forms_(memory.forms),
-          verdicts_(memory.verdicts) {}
+          memory_(memory),
+          places_(memory.cells.places),
+          forms_(memory.cells.forms),
+          verdicts_(memory.cells.verdicts) {}
 
     void push(const Segment<Real>& segment) { segments_.push_back(segment); }
 
@@ -64,9 +65,15 @@ private:
     }
     void place(std::span<const Segment<Real>> segments, Real margin);
     void evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count);
-    /// What the forms say of the segments.
-    void judge(std::size_t count, Real finest);
-    void judge_vector(std::size_t i, Real finest);
+    /// What the forms say of segments.
+    static void judge(SegmentCells<Real>& cells, std::size_t count, Real finest) {
+        for (std::size_t i = 0; i < count; i += hn::Lanes(LanesOf<Real>()))
+            judge_vector(cells, i, finest);
+    }
+    static void judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest);
+    /// Segments in which switches are open, by what each piece of f leaves.
+    void narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count,
+                          Real finest);
     /// Rejects by the natural interval extension: of those that forms say little of.
     void ask_ranges(std::span<const Segment<Real>> segments);
     /// Goes on with a vector's segments, from the first on, after their cells were evaluated.
@@ -98,6 +105,7 @@ private:
     std::vector<Segment<Real>>& next_;
     std::vector<Rest<Real>>& rests_;
     std::vector<std::size_t>& asked_;
+    MarchMemory<Real>& memory_;
     CellPlaces<Real>& places_;
     Forms<Real>& forms_;
     Verdicts<Real>& verdicts_;
@@ -129,13 +137,9 @@ void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumO
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::judge(std::size_t count, Real finest) {
-    for (std::size_t i = 0; i < count; i += hn::Lanes(LanesOf<Real>()))
-        judge_vector(i, finest);
-}
-
-template <class Real, class Cell>
-void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
+void RayMarcher<Real, Cell>::judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest) {
+    const Forms<Real>& forms = cells.forms;
+    Verdicts<Real>& verdicts = cells.verdicts;
     constexpr LanesOf<Real> d;
     constexpr auto three_fifths = static_cast<Real>(0.6);
     const hn::RebindToUnsigned<decltype(d)> du;
@@ -146,13 +150,13 @@ void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
         return hn::MaskFromVec(hn::BitCast(d, hn::LoadU(du, masks.data() + i)));
     };
     const auto zero = hn::Zero(d);
-    const auto c = load(forms_.c);
-    const auto k = load(forms_.k[2]);
-    const auto e = load(forms_.e);
-    const auto s = load(places_.s);
-    const auto reach = load(places_.s_radius);
-    const auto begin = load(verdicts_.begin);
-    const auto end = load(verdicts_.end);
+    const auto c = load(forms.c);
+    const auto k = load(forms.k[2]);
+    const auto e = load(forms.e);
+    const auto s = load(cells.places.s);
+    const auto reach = load(cells.places.s_radius);
+    const auto begin = load(verdicts.begin);
+    const auto end = load(verdicts.end);
     // Where the linear part, widened by its error and the roundings here, may vanish.
     const auto sloped = hn::Gt(hn::Abs(k), zero);
     const auto inverse = hn::IfThenElseZero(sloped, hn::Div(reach, k));
@@ -166,28 +170,66 @@ void RayMarcher<Real, Cell>::judge_vector(std::size_t i, Real finest) {
     const auto from = hn::IfThenElse(bounded, hn::Max(begin, lo), begin);
     const auto to = hn::IfThenElse(bounded, hn::Min(end, hi), end);
     const auto far = hn::Gt(hn::Abs(c), hn::Add(hn::Abs(k), e));
-    const auto rejected = hn::Or(hn::Or(far, mask(forms_.nowhere)), hn::Gt(from, to));
-    const auto continuous = mask(forms_.continuous);
+    const auto rejected = hn::Or(hn::Or(far, mask(forms.nowhere)), hn::Gt(from, to));
+    const auto continuous = mask(forms.continuous);
+    const auto known = hn::Le(e, hn::Set(d, std::numeric_limits<Real>::max()));
     // The derivative's least and greatest size, if it keeps its sign.
-    const auto rising = hn::Neg(load(forms_.slope_neg_lo));
-    const auto falling = hn::Neg(load(forms_.slope_hi));
+    const auto rising = hn::Neg(load(forms.slope_neg_lo));
+    const auto falling = hn::Neg(load(forms.slope_hi));
     const auto least = hn::Max(rising, falling);
     const auto most = hn::Neg(hn::Min(rising, falling));
     const auto straight =
         hn::And(hn::Gt(least, zero), hn::Le(most, hn::Mul(least, hn::Set(d, most_bend))));
     const auto length = hn::Sub(end, begin);
     const auto short_already = hn::Le(length, hn::Set(d, finest));
-    hn::StoreU(from, d, verdicts_.from.data() + i);
-    hn::StoreU(to, d, verdicts_.to.data() + i);
-    hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts_.guess.data() + i);
-    const auto finished = hn::And(rejected, hn::Ge(end, load(verdicts_.last)));
-    verdicts_.bits[i / hn::Lanes(d)] = {
+    hn::StoreU(from, d, verdicts.from.data() + i);
+    hn::StoreU(to, d, verdicts.to.data() + i);
+    hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts.guess.data() + i);
+    const auto finished = hn::And(rejected, hn::Ge(end, load(verdicts.last)));
+    verdicts.bits[i / hn::Lanes(d)] = {
         bits_of(d, rejected),
         bits_of(d, finished),
-        bits_of(d, hn::Or(hn::Not(continuous), short_already)),
+        bits_of(d, hn::Or(hn::Not(hn::And(continuous, known)), short_already)),
         bits_of(d, hn::And(continuous, straight)),
         bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
         bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths))))};
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum,
+                                              std::size_t count, Real finest) {
+    const auto is_open = [&](std::size_t i) {
+        return forms_.branches_of(i).outcomes() > 0 &&
+               !verdicts_.bit(&Verdicts<Real>::Bits::rejected, i);
+    };
+    memory_.pieces.begin(kernel.switches);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (is_open(i)) memory_.pieces.push(i, forms_.branches_of(i));
+    }
+    SegmentCells<Real>& of = memory_.piece_cells;
+    constexpr Real nothing = std::numeric_limits<Real>::infinity();
+    memory_.left_from.assign(count, nothing);
+    memory_.left_to.assign(count, -nothing);
+    const auto evaluate = [&](PieceList<Real>& list) {
+        for (std::size_t k = 0; k < list.size(); ++k)
+            of.copy_cell(memory_.cells, list.cell(k), k);
+        of.places.pad(list.size());
+        counters_.form += list.size();
+        kernel.ray_form(
+            form_batch(frame_, kernel, frustum, 0, list.size(), of.places, of.forms, list.held()));
+        judge(of, list.size(), finest);
+    };
+    const auto keep = [&](std::size_t cell, std::size_t k) {
+        memory_.left_from[cell] = std::min(memory_.left_from[cell], of.verdicts.from[k]);
+        memory_.left_to[cell] = std::max(memory_.left_to[cell], of.verdicts.to[k]);
+    };
+    memory_.pieces.visit(
+        MarchMemory<Real>::most_switches, evaluate,
+        [&](std::size_t k) { return of.verdicts.bit(&Verdicts<Real>::Bits::rejected, k); },
+        [&](std::size_t k) { return of.forms.branches_of(k); }, keep);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (is_open(i)) verdicts_.narrow(i, memory_.left_from[i], memory_.left_to[i]);
+    }
 }
 
 template <class Real, class Cell>
@@ -280,6 +322,7 @@ void RayMarcher<Real, Cell>::look_around(Real finest) {
             push(s, s);
     }
     ranges_.evaluate(*rests_.front().segment.kernel);
+    ranges_.evaluate_pieces(*rests_.front().segment.kernel);
 }
 
 template <class Real, class Cell>
@@ -350,7 +393,9 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             const auto segments = std::span(segments_).subspan(first, count);
             place(segments, settings.margin);
             evaluate_forms(*segments.front().kernel, frustum, count);
-            judge(count, settings.finest);
+            judge(memory_.cells, count, settings.finest);
+            const Kernel& kernel = *segments.front().kernel;
+            if (kernel.switches > 0) narrow_by_pieces(kernel, frustum, count, settings.finest);
             ask_ranges(segments);
             rests_.clear();
             for (std::size_t i = 0; i < count; i += lanes)

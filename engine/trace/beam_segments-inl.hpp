@@ -8,6 +8,7 @@
 #define ZEROSET_BEAM_SEGMENTS_INL
 #endif
 
+#include "engine/trace/beam_pieces-inl.hpp"
 #include "engine/trace/beam_ranges-inl.hpp"
 
 #include <algorithm>
@@ -69,6 +70,40 @@ struct Verdicts {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         bits[i / lanes].rejected |= LaneBits{1} << (i % lanes);
     }
+    /// A root is nowhere else in the part than from `lo` to `hi`.
+    void narrow(std::size_t i, Real lo, Real hi) {
+        from[i] = std::max(from[i], lo);
+        to[i] = std::min(to[i], hi);
+        if (!(from[i] <= to[i])) return reject(i);
+        guess[i] = std::clamp(guess[i], from[i], to[i]);
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        constexpr auto much = static_cast<Real>(0.6);
+        const bool contracts = to[i] - from[i] < much * (end[i] - begin[i]);
+        if (contracts) bits[i / lanes].contracts |= LaneBits{1} << (i % lanes);
+    }
+};
+
+/// Parts of segments as cells, and what their forms say.
+template <class Real>
+struct SegmentCells {
+    CellPlaces<Real> places;
+    Forms<Real> forms;
+    Verdicts<Real> verdicts;
+
+    explicit SegmentCells(std::size_t capacity) : verdicts(capacity) {
+        places.resize(capacity);
+        forms.resize(capacity);
+    }
+    /// Cell `at` becomes cell i of another list.
+    void copy_cell(const SegmentCells& other, std::size_t i, std::size_t at) {
+        places.u[at] = other.places.u[i];
+        places.v[at] = other.places.v[i];
+        places.s[at] = other.places.s[i];
+        places.s_radius[at] = other.places.s_radius[i];
+        verdicts.begin[at] = other.verdicts.begin[i];
+        verdicts.end[at] = other.verdicts.end[i];
+        verdicts.last[at] = other.verdicts.last[i];
+    }
 };
 
 /// What is left of a segment that is not cut any further.
@@ -83,20 +118,20 @@ struct Rest {
 template <class Real>
 struct MarchMemory {
     static constexpr std::size_t capacity = 256;
+    /// Switches that are held at a time, and pieces of a cell at most.
+    static constexpr int most_switches = 3;
+    static constexpr std::size_t most_pieces = 27;
 
     std::vector<Segment<Real>> segments;
     std::vector<Segment<Real>> next;  ///< what goes on from them
     std::vector<Rest<Real>> rests;    ///< of the batch at work
     std::vector<std::size_t> asked;
-    CellPlaces<Real> places;
-    Forms<Real> forms;
     RangeMemory<Real> ranges;
-    Verdicts<Real> verdicts{capacity};
-
-    MarchMemory() {
-        places.resize(capacity);
-        forms.resize(capacity);
-    }
+    SegmentCells<Real> cells{capacity};
+    Pieces<Real> pieces;
+    SegmentCells<Real> piece_cells{most_pieces * capacity};
+    /// Where a root may be in some piece of each cell; empty where from > to.
+    std::vector<Real> left_from, left_to;
 };
 
 }  // namespace zeroset::HWY_NAMESPACE

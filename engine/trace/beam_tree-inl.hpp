@@ -8,6 +8,7 @@
 #define ZEROSET_BEAM_TREE_INL
 #endif
 
+#include "engine/trace/beam_pieces-inl.hpp"
 #include "engine/trace/beam_ranges-inl.hpp"
 
 #include <algorithm>
@@ -30,11 +31,25 @@ constexpr int most_parts = 4;  ///< into which a slab is cut at once
 /// Cells of so many neighbouring slabs of a tile share a shortened kernel.
 constexpr std::size_t slabs_a_kernel = 4;
 
+/// Room for cells piece by piece.
+template <class Real>
+struct PieceMemory {
+    Pieces<Real> pieces;
+    Cells<Real> cells;  ///< as many as there are pieces
+    /// Of each cell of a list where a root may be in some piece, for each quarter of its tile.
+    struct Left {
+        bool any = false;
+        std::array<Real, 4> from, to;
+    };
+    std::vector<Left> left;
+};
+
 /// What a CellTree keeps from tile to tile.
 template <class Real>
 struct TreeMemory {
     Cells<Real> cells[2];
     CellKernels kernels;
+    PieceMemory<Real> pieces;
     RangeMemory<Real> ranges;
     std::vector<std::size_t> asked;
     /// Beyond these depths nothing is looked for: for each of the smallest tiles, in rows.
@@ -54,6 +69,7 @@ public:
           cells_(&memory.cells[0]),
           next_(&memory.cells[1]),
           kernels_(memory.kernels),
+          pieces_(memory.pieces),
           asked_(memory.asked),
           hidden_(memory.hidden),
           ranges_(frame, view, memory.ranges, counters),
@@ -131,8 +147,10 @@ private:
     /// The smallest tiles of which few cover the part: with these it begins.
     [[nodiscard]] int first_pixels(const PartInView& part) const;
     void push_part(const PartInView& part, int pixels);
-    /// By natural interval extensions, cells on which f is not known to be continuous: they are
-    /// sharper beside poles and jumps.
+    /// Cells in which switches are open, by what each piece of f leaves.
+    void narrow_by_pieces(const CellRun& run, const FrustumOf<Real>& frustum, int pixels);
+    /// By natural interval extensions, cells on which f is not known to be continuous or its form
+    /// says nothing: they are sharper beside poles and jumps, and where numbers overflow.
     void reject_by_ranges(const CellRun& run, int pixels);
     HWY_INLINE void push_child(const Child& child, int pixels, std::size_t parent);
     void hide(CellTile tile, int pixels, Real to);
@@ -156,6 +174,7 @@ private:
     Cells<Real>* cells_;
     Cells<Real>* next_;
     CellKernels& kernels_;
+    PieceMemory<Real>& pieces_;
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
     std::array<Real, least_tiles * least_tiles>& hidden_;
     RangeList<Real> ranges_;
@@ -258,9 +277,65 @@ std::span<const CellRun> CellTree<Real>::judge(int pixels) {
     for (CellRun& run : cells_->runs.all())
         evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
     CellJudge<Real>(pixels).judge(*cells_);
-    for (const CellRun& run : cells_->runs.all())
+    for (const CellRun& run : cells_->runs.all()) {
+        if (run.kernel->switches > 0) narrow_by_pieces(run, frustum, pixels);
         reject_by_ranges(run, pixels);
+    }
     return cells_->runs.all();
+}
+
+template <class Real>
+void CellTree<Real>::narrow_by_pieces(const CellRun& run, const FrustumOf<Real>& frustum,
+                                      int pixels) {
+    constexpr int most_switches = 3;
+    Cells<Real>& of = pieces_.cells;
+    pieces_.pieces.begin(run.kernel->switches);
+    pieces_.left.assign(run.count, {});
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+        const BranchBits branches = cells_->forms.branches_of(i);
+        if (branches.outcomes() == 0 || cells_->bit(&CellBits::rejected, i)) continue;
+        pieces_.pieces.push(i, branches);
+    }
+    const CellJudge<Real> judge(pixels);
+    const auto evaluate = [&](PieceList<Real>& list) {
+        of.clear();
+        of.make_room(list.size());
+        for (std::size_t k = 0; k < list.size(); ++k)
+            of.push_copy(*cells_, list.cell(k));
+        of.places.pad(of.size);
+        counters_.form += of.size;
+        run.kernel->form(
+            form_batch(frame_, *run.kernel, frustum, 0, of.size, of.places, of.forms, list.held()));
+        judge.judge(of);
+    };
+    const auto keep = [&](std::size_t cell, std::size_t k) {
+        auto& left = pieces_.left[cell - run.first];
+        for (std::size_t q = 0; q < 4; ++q) {
+            const Real from = of.child_from[q][k];
+            const Real to = of.child_to[q][k];
+            const bool empty = !(from <= to);
+            left.from[q] = left.any ? std::min(left.from[q], from) : from;
+            if (!left.any) left.to[q] = -std::numeric_limits<Real>::infinity();
+            if (!empty) left.to[q] = std::max(left.to[q], to);
+        }
+        left.any = true;
+    };
+    pieces_.pieces.visit(
+        most_switches, evaluate, [&](std::size_t k) { return of.bit(&CellBits::rejected, k); },
+        [&](std::size_t k) { return of.forms.branches_of(k); }, keep);
+    for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+        if (cells_->forms.branches_of(i).outcomes() == 0 || cells_->bit(&CellBits::rejected, i))
+            continue;
+        const auto& left = pieces_.left[i - run.first];
+        if (!left.any) {
+            cells_->set_bit(&CellBits::rejected, i);
+            continue;
+        }
+        for (std::size_t q = 0; q < 4; ++q) {
+            cells_->child_from[q][i] = std::max(cells_->child_from[q][i], left.from[q]);
+            cells_->child_to[q][i] = std::min(cells_->child_to[q][i], left.to[q]);
+        }
+    }
 }
 
 template <class Real>
@@ -269,7 +344,8 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     asked_.clear();
     const double half = 0.5 * (pixels - 1);
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-        if (cells_->forms.continuous[i] != 0 || cells_->bit(&CellBits::rejected, i)) continue;
+        const bool told = cells_->forms.continuous[i] != 0 && cells_->forms.known(i);
+        if (told || cells_->bit(&CellBits::rejected, i)) continue;
         asked_.push_back(i);
         ranges_.push(view_.u(cells_->tile[i].col() + half), view_.v(cells_->tile[i].row() + half),
                      half * view_.pixel(), half * view_.pixel(),

@@ -2,6 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "tests/support/by_pieces.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/real_types.hpp"
@@ -35,7 +36,15 @@ protected:
 
     static void check_one(const char* text, int batches, std::uint64_t seed) {
         const Expr expr = parse(text).value();
-        const Kernel kernel = interpret(expr);
+        check_kernel(interpret(expr), expr, batches, seed);
+    }
+    static void check_pieces(const char* text, int batches, std::uint64_t seed) {
+        const Expr expr = parse(text).value();
+        check_kernel(by_pieces(interpret(expr)), expr, batches, seed);
+        check_kernel(by_pieces(machine_code(expr)), expr, batches, seed + 1);
+    }
+    static void check_kernel(const Kernel& kernel, const Expr& expr, int batches,
+                             std::uint64_t seed) {
         RandomNumbers random(seed);
         InclusionTally tally;
         for (int i = 0; i < batches; ++i)
@@ -48,11 +57,27 @@ TYPED_TEST_SUITE(FormInclusion, RealTypes, RealTypeNames);
 TYPED_TEST(FormInclusion, OfTheInterpreterHolds) { this->check(interpret, 400, 2, 21); }
 TYPED_TEST(FormInclusion, OfPartsHolds) { this->check(interpret_with_parts, 200, 2, 23); }
 TYPED_TEST(FormInclusion, OfMachineCodeHolds) { this->check(machine_code, 20, 10, 22); }
+TYPED_TEST(FormInclusion, OfPiecesHolds) {
+    this->check([](const Expr& expr) { return by_pieces(interpret(expr)); }, 200, 2, 26);
+}
+TYPED_TEST(FormInclusion, OfPiecesInMachineCodeHolds) {
+    this->check([](const Expr& expr) { return by_pieces(machine_code(expr)); }, 15, 10, 27);
+}
 
 /// Bounds of their own cover the roundings of most forms; these rely on upward rounding.
 TYPED_TEST(FormInclusion, OfStepsHolds) {
     this->check_one("mod(x, w)", 500, 24);
     this->check_one("abs(w)", 500, 25);
+}
+
+/// Cells across jumps, where pieces say most.
+TYPED_TEST(FormInclusion, OfPiecesBesideJumpsHolds) {
+    for (const char* const text :
+         {"floor(x) + y", "ceil(3*x)*y", "round(x + y)", "sign(x)*y + sign(y)", "mod(x, 2)*z",
+          "mod(mod(3*x, 2) + y, 0.7)", "if(x < y, z, x*y)", "atan2(y, x)", "atan2(x*y, z)*w",
+          "if(floor(x) < mod(y, 1), atan2(y, x), z)", "where(x, floor(y) <= 0)"}) {
+        this->check_pieces(text, 60, 28);
+    }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "tests/support/by_pieces.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_expression.hpp"
@@ -42,6 +43,14 @@ TYPED_TEST(KernelInclusion, OfPartsHolds) {
 }
 TYPED_TEST(KernelInclusion, OfMachineCodeHolds) {
     this->check(machine_code, formulas_to_try(30), 12);
+}
+TYPED_TEST(KernelInclusion, OfPiecesHolds) {
+    this->check([](const Expr& expr) { return by_pieces(interpret(expr)); }, formulas_to_try(300),
+                14);
+}
+TYPED_TEST(KernelInclusion, OfPiecesInMachineCodeHolds) {
+    this->check([](const Expr& expr) { return by_pieces(machine_code(expr)); }, formulas_to_try(20),
+                15);
 }
 
 Expr parsed(const char* text) { return parse(text).value(); }

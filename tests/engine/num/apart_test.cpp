@@ -34,24 +34,31 @@ protected:
         EXPECT_EQ(apart->neg_lo, static_cast<float>(infinity));
     }
 
+    static Enclosure<float> remainder(const Range& a, const Range& b) {
+        return mod(a, b, floor_steps(a / b));
+    }
+    static Enclosure<float> angle_of(const Range& y, const Range& x) {
+        return atan2(y, x, angle_sides(y, x));
+    }
+
 private:
     UpwardRounding upward_;
 };
 
 TEST_F(ApartCases, StepsHaveNoValueBetweenNeighbours) {
-    expect_sides(floor(range(0.5F, 1.5F)).apart, 0, 1);
-    expect_sides(ceil(range(0.5F, 1.5F)).apart, 1, 2);
-    expect_sides(round(range(-0.7F, 0.2F)).apart, -1, 0);
-    expect_sides(sign(range(0, 2)).apart, 0, 1);
-    expect_nothing(floor(range(0.5F, 2.5F)).apart);
-    expect_nothing(sign(range(-1, 1)).apart);
+    expect_sides(jumping(floor_steps(range(0.5F, 1.5F))).apart, 0, 1);
+    expect_sides(jumping(ceil_steps(range(0.5F, 1.5F))).apart, 1, 2);
+    expect_sides(jumping(round_steps(range(-0.7F, 0.2F))).apart, -1, 0);
+    expect_sides(jumping(sign_steps(range(0, 2))).apart, 0, 1);
+    expect_nothing(jumping(floor_steps(range(0.5F, 2.5F))).apart);
+    expect_nothing(jumping(sign_steps(range(-1, 1))).apart);
 }
 
 TEST_F(ApartCases, RemaindersJumpByTheDivisor) {
-    expect_sides(mod(range(0.75F, 1.25F), range(1, 1)).apart, 0.25, 0.75);
-    expect_sides(mod(range(3.5F, 4.5F), range(2, 2)).apart, 0.5, 1.5);
-    expect_nothing(mod(range(0.75F, 2.25F), range(1, 1)).apart);
-    expect_nothing(mod(range(1, 2), range(-1, 1)).apart);
+    expect_sides(remainder(range(0.75F, 1.25F), range(1, 1)).apart, 0.25, 0.75);
+    expect_sides(remainder(range(3.5F, 4.5F), range(2, 2)).apart, 0.5, 1.5);
+    expect_nothing(remainder(range(0.75F, 2.25F), range(1, 1)).apart);
+    expect_nothing(remainder(range(1, 2), range(-1, 1)).apart);
 }
 
 TEST_F(ApartCases, QuotientsAreLargeBesideAPole) {
@@ -75,14 +82,14 @@ TEST_F(ApartCases, TangentsAreLargeBesideAPole) {
 
 TEST_F(ApartCases, AnglesAreAWholeTurnApartAtTheCut) {
     const double least = std::atan2(0.5, -1.0);
-    expect_sides(atan2(range(-0.5F, 0.5F), range(-2, -1)).apart, -least, least, 1e-5);
+    expect_sides(angle_of(range(-0.5F, 0.5F), range(-2, -1)).apart, -least, least, 1e-5);
     for (const float zero : {0.0F, -0.0F}) {
-        const Range above = *atan2(range(zero, 0.5F), range(-2, -1)).apart;
+        const Range above = *angle_of(range(zero, 0.5F), range(-2, -1)).apart;
         expect_sides(above, -std::numbers::pi, least, 1e-5);
-        const Range below = *atan2(Range{0.5F, zero}, range(-2, -1)).apart;
+        const Range below = *angle_of(Range{0.5F, zero}, range(-2, -1)).apart;
         expect_sides(below, -least, std::numbers::pi, 1e-5);
     }
-    expect_nothing(atan2(range(-0.5F, 0.5F), range(-2, 1)).apart);
+    expect_nothing(angle_of(range(-0.5F, 0.5F), range(-2, 1)).apart);
 }
 
 TEST_F(ApartCases, ChoicesTakeOneSideOrTheOther) {

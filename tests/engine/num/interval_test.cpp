@@ -30,6 +30,14 @@ void expect_range(const Range& found, float lo, float hi) {
 }
 
 class IntervalCases : public ::testing::Test {
+protected:
+    static Enclosure<float> remainder(const Range& a, const Range& b) {
+        return mod(a, b, floor_steps(a / b));
+    }
+    static Enclosure<float> angle_of(const Range& y, const Range& x) {
+        return atan2(y, x, angle_sides(y, x));
+    }
+
 private:
     UpwardRounding upward_;
 };
@@ -171,12 +179,12 @@ TEST_F(IntervalCases, PartialFunctionsKnowTheirDomains) {
 }
 
 TEST_F(IntervalCases, AnglesKnowTheCut) {
-    EXPECT_FALSE(*atan2(range(-1, 1), range(-2, -1)).continuous);
-    EXPECT_TRUE(*atan2(range(-1, 1), range(-2, -1)).everywhere);
-    EXPECT_FALSE(*atan2(range(-1, 1), range(-2, 1)).everywhere);
-    EXPECT_TRUE(*atan2(range(-1, 1), range(1, 2)).continuous);
-    EXPECT_TRUE(*atan2(range(1, 2), range(-1, 1)).continuous);
-    EXPECT_FALSE(*atan2(range(0, 0), range(0, 0)).continuous);
+    EXPECT_FALSE(*angle_of(range(-1, 1), range(-2, -1)).continuous);
+    EXPECT_TRUE(*angle_of(range(-1, 1), range(-2, -1)).everywhere);
+    EXPECT_FALSE(*angle_of(range(-1, 1), range(-2, 1)).everywhere);
+    EXPECT_TRUE(*angle_of(range(-1, 1), range(1, 2)).continuous);
+    EXPECT_TRUE(*angle_of(range(1, 2), range(-1, 1)).continuous);
+    EXPECT_FALSE(*angle_of(range(0, 0), range(0, 0)).continuous);
     EXPECT_TRUE(*angle(range(-1, 1), range(-2, -1)).continuous);
     EXPECT_FALSE(*angle(range(-1, 1), range(-2, 0)).continuous);
     const Range turned = angle(range(-1, 1), range(-2, -1)).range;
@@ -221,40 +229,40 @@ TEST_F(IntervalCases, HyperbolicsKnowTheirMinimaAndLimits) {
 }
 
 TEST_F(IntervalCases, StepsAreExact) {
-    expect_range(floor(range(-1.5F, 2.5F)).range, -2, 2);
-    expect_range(ceil(range(-1.5F, 2.5F)).range, -1, 3);
-    expect_range(round(range(-1.5F, 2.5F)).range, -1, 3);
-    expect_range(round(range(0x1.fffffep-2F, 0x1.fffffep-2F)).range, 0, 0);
-    expect_range(round(range(-0.5F, -1e-30F)).range, 0, 0);
-    expect_range(round(range(-0x1.000002p-1F, 0)).range, -1, 0);
-    expect_range(round(range(8388609, 8388609)).range, 8388609, 8388609);
-    expect_range(sign(range(-2, 0)).range, -1, 0);
-    expect_range(sign(range(1e-45F, unbounded)).range, 1, 1);
-    expect_range(floor(whole_line(0.0F)).range, -unbounded, unbounded);
+    expect_range(floor_steps(range(-1.5F, 2.5F)), -2, 2);
+    expect_range(ceil_steps(range(-1.5F, 2.5F)), -1, 3);
+    expect_range(round_steps(range(-1.5F, 2.5F)), -1, 3);
+    expect_range(round_steps(range(0x1.fffffep-2F, 0x1.fffffep-2F)), 0, 0);
+    expect_range(round_steps(range(-0.5F, -1e-30F)), 0, 0);
+    expect_range(round_steps(range(-0x1.000002p-1F, 0)), -1, 0);
+    expect_range(round_steps(range(8388609, 8388609)), 8388609, 8388609);
+    expect_range(sign_steps(range(-2, 0)), -1, 0);
+    expect_range(sign_steps(range(1e-45F, unbounded)), 1, 1);
+    expect_range(floor_steps(whole_line(0.0F)), -unbounded, unbounded);
 }
 
 TEST_F(IntervalCases, StepsAreContinuousBetweenRisers) {
-    EXPECT_TRUE(*floor(range(2, 2.9F)).continuous);
-    EXPECT_FALSE(*floor(range(2.9F, 3)).continuous);
-    EXPECT_TRUE(*ceil(range(2.1F, 3)).continuous);
-    EXPECT_FALSE(*ceil(range(3, 3.1F)).continuous);
-    EXPECT_FALSE(*round(range(2.4F, 2.5F)).continuous);
-    EXPECT_TRUE(*round(range(2.5F, 3.4F)).continuous);
-    EXPECT_FALSE(*sign(range(0, 1)).continuous);
-    EXPECT_FALSE(*floor(whole_line(0.0F)).continuous);
+    EXPECT_TRUE(*jumping(floor_steps(range(2, 2.9F))).continuous);
+    EXPECT_FALSE(*jumping(floor_steps(range(2.9F, 3))).continuous);
+    EXPECT_TRUE(*jumping(ceil_steps(range(2.1F, 3))).continuous);
+    EXPECT_FALSE(*jumping(ceil_steps(range(3, 3.1F))).continuous);
+    EXPECT_FALSE(*jumping(round_steps(range(2.4F, 2.5F))).continuous);
+    EXPECT_TRUE(*jumping(round_steps(range(2.5F, 3.4F))).continuous);
+    EXPECT_FALSE(*jumping(sign_steps(range(0, 1))).continuous);
+    EXPECT_FALSE(*jumping(floor_steps(whole_line(0.0F))).continuous);
 }
 
 TEST_F(IntervalCases, RemaindersKnowTheirStep) {
-    expect_range(mod(range(3, 3.5F), range(2, 2)).range, 1, 1.5F);
-    expect_range(mod(range(-3, -2.5F), range(2, 2)).range, 1, 1.5F);
-    expect_range(mod(range(2.5F, 3), range(-2, -2)).range, -1.5F, -1);
-    EXPECT_TRUE(*mod(range(3, 3.5F), range(2, 2)).continuous);
-    expect_range(mod(range(3, 4), range(2, 2)).range, 0, 2);
-    EXPECT_FALSE(*mod(range(3, 4), range(2, 2)).continuous);
-    expect_range(mod(range(-100, 100), range(-2, 3)).range, -2, 3);
-    EXPECT_FALSE(*mod(range(1, 2), range(0, 3)).everywhere);
-    EXPECT_TRUE(*mod(range(1, 9), range(2, 3)).everywhere);
-    expect_range(mod(whole_line(0.0F), range(0.5F, 0.5F)).range, 0, 0.5F);
+    expect_range(remainder(range(3, 3.5F), range(2, 2)).range, 1, 1.5F);
+    expect_range(remainder(range(-3, -2.5F), range(2, 2)).range, 1, 1.5F);
+    expect_range(remainder(range(2.5F, 3), range(-2, -2)).range, -1.5F, -1);
+    EXPECT_TRUE(*remainder(range(3, 3.5F), range(2, 2)).continuous);
+    expect_range(remainder(range(3, 4), range(2, 2)).range, 0, 2);
+    EXPECT_FALSE(*remainder(range(3, 4), range(2, 2)).continuous);
+    expect_range(remainder(range(-100, 100), range(-2, 3)).range, -2, 3);
+    EXPECT_FALSE(*remainder(range(1, 2), range(0, 3)).everywhere);
+    EXPECT_TRUE(*remainder(range(1, 9), range(2, 3)).everywhere);
+    expect_range(remainder(whole_line(0.0F), range(0.5F, 0.5F)).range, 0, 0.5F);
 }
 
 /// In ulps of the ends.
@@ -275,13 +283,13 @@ TEST_F(IntervalCases, OddRootsAreNarrow) {
 }
 
 TEST_F(IntervalCases, ConditionsAreDecidedByTheirEnds) {
-    expect_range(less(range(1, 2), range(3, 4)).range, 1, 1);
-    expect_range(less(range(1, 3), range(3, 4)).range, 0, 1);
-    expect_range(less(range(4, 5), range(3, 4)).range, 0, 0);
-    expect_range(less_equal(range(1, 3), range(3, 4)).range, 1, 1);
-    expect_range(less_equal(range(4, 5), range(3, 4)).range, 0, 1);
-    EXPECT_TRUE(*less(range(1, 2), range(3, 4)).continuous);
-    EXPECT_FALSE(*less(range(1, 3), range(3, 4)).continuous);
+    expect_range(less(range(1, 2), range(3, 4)), 1, 1);
+    expect_range(less(range(1, 3), range(3, 4)), 0, 1);
+    expect_range(less(range(4, 5), range(3, 4)), 0, 0);
+    expect_range(less_equal(range(1, 3), range(3, 4)), 1, 1);
+    expect_range(less_equal(range(4, 5), range(3, 4)), 0, 1);
+    EXPECT_TRUE(*stepped(less(range(1, 2), range(3, 4))).continuous);
+    EXPECT_FALSE(*stepped(less(range(1, 3), range(3, 4))).continuous);
 }
 
 TEST_F(IntervalCases, ChoicesHaveTheMasksOfWhatTheyTake) {

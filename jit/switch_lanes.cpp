@@ -1,0 +1,60 @@
+#include "jit/switch_lanes.hpp"
+
+namespace zeroset::jit {
+
+std::optional<HeldAt<Lanes>> SwitchLanes::held(SwitchIndex index) {
+    llvm::IRBuilder<>& builder = function_.builder();
+    llvm::Value*& word = loaded_[index / per_word()];
+    if (word == nullptr) {
+        llvm::Value* const column =
+            builder.CreateMul(stride_, builder.getInt64(index / per_word()));
+        word = function_.load_integers(words_, column);
+    }
+    llvm::Value* const shifted = builder.CreateLShr(word, number(held_bits * (index % per_word())));
+    llvm::Value* const code = builder.CreateAnd(shifted, number((1U << held_bits) - 1));
+    const auto is = [&](unsigned outcome, unsigned outcomes) {
+        return builder.CreateICmpEQ(code, number(held_code(outcome, outcomes)));
+    };
+    llvm::Value* const second_of_two = is(1, 2);
+    llvm::Value* const second_of_three = is(1, 3);
+    llvm::Value* const third = is(2, 3);
+    const auto mask = [&](llvm::Value* value) { return function_.mask(value); };
+    const auto either_of = [&](llvm::Value* a, llvm::Value* b) { return builder.CreateOr(a, b); };
+    const Lanes above = select(mask(either_of(second_of_two, second_of_three)),
+                               function_.splat(1.0), function_.splat(0.0));
+    return HeldAt<Lanes>{mask(either_of(is(0, 2), second_of_two)),
+                         mask(either_of(either_of(is(0, 3), second_of_three), third)),
+                         select(mask(third), function_.splat(2.0), above)};
+}
+
+void SwitchLanes::add(llvm::Value* bits) {
+    bits_ = bits_ == nullptr ? bits : function_.builder().CreateOr(bits_, bits);
+}
+
+void SwitchLanes::report(SwitchIndex index, const LaneMask& two, const LaneMask& three) {
+    llvm::IRBuilder<>& builder = function_.builder();
+    const auto code = [&](unsigned more) {
+        return number(std::uint64_t{more} << BranchBits::more_outcomes_shift |
+                      std::uint64_t{index} << BranchBits::switch_shift);
+    };
+    llvm::Value* open = builder.CreateSelect(two.value, code(1),
+                                             builder.CreateSelect(three.value, code(2), number(0)));
+    if (any_open_) {
+        constexpr std::uint64_t outcomes = 3U << BranchBits::more_outcomes_shift;
+        llvm::Value* const first =
+            builder.CreateICmpEQ(builder.CreateAnd(bits_, number(outcomes)), number(0));
+        open = builder.CreateSelect(first, open, number(0));
+    }
+    any_open_ = true;
+    add(open);
+}
+
+void SwitchLanes::report_kink(const LaneMask& may_be) {
+    add(function_.builder().CreateSelect(may_be.value, number(BranchBits::kink), number(0)));
+}
+
+void SwitchLanes::store() {
+    function_.store_integers(branches_, bits_ == nullptr ? number(0) : bits_);
+}
+
+}  // namespace zeroset::jit

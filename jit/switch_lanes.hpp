@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/expr/kernel.hpp"
+#include "engine/expr/switches.hpp"
+#include "jit/batch_function.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+// Switches in machine code. Private to jit/.
+
+namespace zeroset::jit {
+
+/// Emits what an algebra asks and tells about switches: reads HeldSwitches of the batch, and makes
+/// the BranchBits that it wants.
+class SwitchLanes final : public SwitchBoard<Lanes> {
+public:
+    /// Offsets of the batch's members `held.words`, `held.stride` and `branches`. Before
+    /// go_to_body.
+    SwitchLanes(BatchFunction& function, std::size_t words_offset, std::size_t stride_offset,
+                std::size_t branches_offset, std::size_t switches)
+        : function_(function),
+          words_(function.optional_array(words_offset)),
+          stride_(switches > 0 ? function.size_member(stride_offset) : nullptr),
+          branches_(function.optional_array(branches_offset)),
+          loaded_((switches + per_word() - 1) / per_word(), nullptr) {}
+
+    std::optional<HeldAt<Lanes>> held(SwitchIndex index) override;
+    void report(SwitchIndex index, const LaneMask& two, const LaneMask& three) override;
+    void report_kink(const LaneMask& may_be) override;
+    /// Writes the bits; in the body.
+    void store();
+
+private:
+    [[nodiscard]] std::size_t per_word() const {
+        return function_.is_float() ? switches_a_word<float> : switches_a_word<double>;
+    }
+    llvm::Value* number(std::uint64_t value) { return function_.splat_integer(value); }
+    void add(llvm::Value* bits);
+
+    BatchFunction& function_;
+    OptionalArray words_;
+    llvm::Value* stride_;
+    OptionalArray branches_;
+    std::vector<llvm::Value*> loaded_;  ///< words of the body's items
+    llvm::Value* bits_ = nullptr;       ///< nullptr: none yet
+    bool any_open_ = false;             ///< whether a switch has been reported
+};
+
+}  // namespace zeroset::jit
