@@ -14,6 +14,7 @@ const char* name_of(Certificate certificate) {
         case Certificate::Miss: return "miss";
         case Certificate::Certified: return "certified";
         case Certificate::Undecided: return "undecided";
+        case Certificate::Coarse: return "certified, coarse";
     }
     return "";
 }

@@ -136,6 +136,8 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
             {"undecided", counts.undecided},
             {"miss", counts.miss},
             {"undecided_not_drawn", counts.not_drawn},
+            {"certified_coarse", counts.coarse},
+            {"coarse_width", counts.coarse > 0 ? Json(timing.counters.coarse_width) : Json()},
             {"certified_width", width ? Json(*width) : Json()},
             {"surfaces", surfaces},
             {"evaluations",

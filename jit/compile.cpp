@@ -1,6 +1,7 @@
 #include "jit/compile.hpp"
 
 #include "engine/expr/interpret.hpp"
+#include "engine/expr/switches.hpp"
 #include "engine/num/rounding.hpp"
 #include "engine/num/sleef.hpp"
 #include "jit/kernel_cache.hpp"
@@ -230,6 +231,7 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     const std::vector<Code> codes = codes_of(expr, pieces);
     Kernel kernel = interpret(expr);
     kernel.interpreted = false;
+    kernel.branches = has_branches(expr);
     kernel.shortener = nullptr;
     kernel.lane_multiple = static_cast<std::size_t>(vectors->in_float.lanes);
     for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -59,7 +59,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
     function.store(f_hi, range.hi);
     function.store(continuous,
                    conjunction(f.everywhere, f.continuous).value_or(function.everywhere()));
-    switches.store();
+    if (has_branches(expr)) switches.store();
     function.finish();
 }
 
@@ -115,7 +115,7 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
     function.store(out[4], result.slope.hi);
     function.store(out[5], result.continuous.value_or(function.everywhere()));
     function.store(out[6], no(result.somewhere.value_or(function.everywhere())));
-    switches.store();
+    if (has_branches(expr)) switches.store();
     function.finish();
 }
 

@@ -75,7 +75,11 @@ void draw_figures(const UiState& state, const Palette& colors) {
     add_text(colors.quiet, milliseconds(picture.frame_ms));
     add_text(colors.quiet,
              std::to_string(picture.width_px) + " \xC3\x97 " + std::to_string(picture.height_px));
-    add_text(colors.quiet, grouped(picture.counts.certified) + " certified");
+    std::string certified_text = grouped(picture.counts.certified) + " certified";
+    if (picture.counts.coarse > 0) {
+        certified_text += ", " + grouped(picture.counts.coarse) + " of them coarse";
+    }
+    add_text(colors.quiet, certified_text);
     std::string undecided_text = grouped(undecided) + " undecided";
     if (picture.counts.not_drawn > 0) {
         undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
@@ -117,9 +121,11 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
     const PointFacts& facts = pointed.facts;
     const double resolution = std::max(0.1 * pointed.pixel_size, facts.within);
     add_surface(state, pointed, colors);
-    const bool certified = facts.certificate == Certificate::Certified;
+    const bool certified = is_proved(facts.certificate);
+    const bool coarse = facts.certificate == Certificate::Coarse;
     add_text(colors.text, coordinates_text(facts.point, resolution), "");
-    add_text(certified ? colors.quiet : colors.warning, certified ? "certified" : "undecided");
+    add_text(certified ? colors.quiet : colors.warning,
+             coarse ? "certified, coarse" : certified ? "certified" : "undecided");
     add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
     add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
     add_text(colors.quiet, small_number("f = %.2g", facts.f));

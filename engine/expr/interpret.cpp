@@ -381,6 +381,7 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.has_double = true;
     kernel.interpreted = true;
     kernel.switches = count_switches(tape->graph()->switches);
+    kernel.branches = true;
 }
 
 /// A tape and its kernel in one piece: thousands are made for a frame.

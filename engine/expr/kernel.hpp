@@ -111,7 +111,8 @@ struct RangeBatchOf {
     /// out: all ones where f is proved defined and continuous, else 0
     ContinuityMask<Real>* continuous;
     HeldSwitches<Real> held = {};              ///< in: then all this is said of a piece
-    ContinuityMask<Real>* branches = nullptr;  ///< out: BranchBits; nullptr: not asked for
+    /// out, if Kernel::branches: BranchBits; nullptr: not asked for
+    ContinuityMask<Real>* branches = nullptr;
 };
 
 /// `size` points.
@@ -295,6 +296,7 @@ struct Kernel {
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
     std::size_t switches = 0;                    ///< of HeldSwitches
+    bool branches = false;       ///< whether BranchBits are ever but 0; else they are not written
     std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
     bool interpreted = false;                    ///< else machine code
 

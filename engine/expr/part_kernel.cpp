@@ -48,6 +48,7 @@ Kernel kernel_of_part(const Parts& parts, std::uint32_t part) {
                             &Kernel::range_double, &Kernel::value_double, &Kernel::form_double,
                             &Kernel::ray_form_double, &Kernel::newton_double>();
     kernel.has_double = shape.kernel.has_double;
+    kernel.branches = shape.kernel.branches;
     return kernel;
 }
 

@@ -60,7 +60,7 @@ template <class Real>
     using Lanes = Block<Real>;
     MaskBlock<Real> continuous;
     MaskBlock<Real> nowhere;
-    std::array<ContinuityMask<Real>, Lanes::lanes> branches;
+    std::array<ContinuityMask<Real>, Lanes::lanes> branches{};
     Lanes across;
     Interval<Lanes> slope;
     Affine<Lanes>& f = value.f.f;

@@ -9,6 +9,13 @@ bool is_switch(Op op) {
            op == Op::Mod || op == Op::Atan2 || op == Op::Less || op == Op::LessEqual;
 }
 
+bool has_kink(Op op) { return op == Op::Abs || op == Op::Min || op == Op::Max; }
+
+bool has_branches(const Expr& expr) {
+    return std::ranges::any_of(
+        expr.nodes(), [](const Node& node) { return is_switch(node.op) || has_kink(node.op); });
+}
+
 std::vector<SwitchIndex> switches_of(const Expr& expr, std::span<const Facts> facts) {
     std::vector<SwitchIndex> switches;
     switches.reserve(expr.nodes().size());

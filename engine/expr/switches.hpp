@@ -22,6 +22,10 @@ using SwitchIndex = std::uint32_t;
 inline constexpr SwitchIndex no_switch = std::numeric_limits<SwitchIndex>::max();
 
 bool is_switch(Op op);
+/// Whether the operator has a kink: abs, min, max.
+bool has_kink(Op op);
+/// Whether any node of the graph is a switch or has a kink.
+bool has_branches(const Expr& expr);
 
 /// For each node its place among the graph's switches, operands first, or no_switch. A switch that
 /// is the same in a whole batch has none.

@@ -15,6 +15,7 @@ Framebuffer::Framebuffer(int width_px, int height_px) : width(width_px), height(
 
 Framebuffer certificate_picture(const Framebuffer& frame) {
     constexpr std::uint32_t green = 0xFF52A83C;
+    constexpr std::uint32_t teal = 0xFFA09A1E;
     constexpr std::uint32_t amber = 0xFF1FA9F2;
     constexpr std::uint32_t red = 0xFF3B3BE0;
     constexpr std::uint32_t black = 0xFF000000;
@@ -25,6 +26,7 @@ Framebuffer certificate_picture(const Framebuffer& frame) {
         switch (frame.certificate[i]) {
             case Certificate::Miss: picture.color[i] = black; break;
             case Certificate::Certified: picture.color[i] = green; break;
+            case Certificate::Coarse: picture.color[i] = teal; break;
             case Certificate::Undecided: picture.color[i] = drawn ? amber : red; break;
         }
     }
@@ -37,6 +39,10 @@ CertificateCounts count_certificates(const Framebuffer& frame) {
         switch (frame.certificate[i]) {
             case Certificate::Miss: ++counts.miss; break;
             case Certificate::Certified: ++counts.certified; break;
+            case Certificate::Coarse:
+                ++counts.certified;
+                ++counts.coarse;
+                break;
             case Certificate::Undecided:
                 ++counts.undecided;
                 if (!std::isfinite(frame.depth[i])) ++counts.not_drawn;

@@ -11,7 +11,13 @@ enum class Certificate : std::uint8_t {
     Miss,       ///< proved empty
     Certified,  ///< one first root: opposite signs proved, everything before it rejected
     Undecided,  ///< may hold a root where the search stopped; drawn if depth is finite
+    Coarse,     ///< as Certified, but in a bracket wider than asked for: numbers are no finer
 };
+
+/// Whether a root is proved.
+constexpr bool is_proved(Certificate certificate) {
+    return certificate == Certificate::Certified || certificate == Certificate::Coarse;
+}
 
 /// Some pixels of a picture: columns and rows from (col, row) on.
 struct PixelRect {
@@ -44,12 +50,13 @@ struct Framebuffer {
     }
 };
 
-/// The certificates in colours: certified pixels green; undecided ones amber, or red where nothing
-/// is drawn; proved empty ones black.
+/// The certificates in colours: certified pixels green, teal where their bracket is coarse; undecided
+/// ones amber, or red where nothing is drawn; proved empty ones black.
 Framebuffer certificate_picture(const Framebuffer& frame);
 
 struct CertificateCounts {
     std::size_t certified = 0, undecided = 0, miss = 0;
+    std::size_t coarse = 0;     ///< of the certified ones
     std::size_t not_drawn = 0;  ///< of the undecided ones, those that show nothing
 };
 

@@ -8,7 +8,9 @@
 #include <limits>
 #include <optional>
 
-// Value and gradient by forward differentiation, over any carrier. Not rounded outward.
+// Value and gradient by forward differentiation, over any carrier. Not rounded outward. At a kink
+// the gradient is one of those beside it; where a derivative has no end it is very large, so that a
+// constant operand still has the slope 0.
 
 namespace zeroset {
 
@@ -35,6 +37,12 @@ std::optional<Real> product(const Real& a, const std::optional<Real>& b) {
 }
 
 }  // namespace detail
+
+/// A derivative >= 0 that may be infinite, as a number.
+template <class Real>
+Real at_most_steep(const Real& derivative) {
+    return minimum(derivative, like(derivative, 0x1p60));
+}
 
 /// g(a) from its value and g'(a).
 template <class Real>
@@ -110,7 +118,7 @@ Dual<Real> power(const Dual<Real>& a, int n) {
 template <class Real>
 Dual<Real> sqrt(const Dual<Real>& a) {
     const Real root = square_root(a.value);
-    return chain(root, like(root, 0.5) / root, a);
+    return chain(root, at_most_steep(like(root, 0.5) / root), a);
 }
 
 template <class Real>
@@ -132,8 +140,8 @@ Dual<Real> cos(const Dual<Real>& a) {
 template <class Real>
 Dual<Real> acos(const Dual<Real>& a) {
     const Real one = like(a.value, 1.0);
-    const Real slope = -(one / square_root((one - a.value) * (one + a.value)));
-    return chain(elementary(Elementary::Acos, a.value), slope, a);
+    const Real steepness = at_most_steep(one / square_root((one - a.value) * (one + a.value)));
+    return chain(elementary(Elementary::Acos, a.value), -steepness, a);
 }
 
 template <class Real>
@@ -186,7 +194,8 @@ Dual<Real> angle_cos(const Dual<Real>& y, const Dual<Real>& x, int n) {
 template <class Real>
 Dual<Real> length(const Dual<Real>& y, const Dual<Real>& x) {
     const PolarPoint<Real> p = polar_point(y.value, x.value);
-    return chain(p.length, p.direction.im, y, p.direction.re, x);
+    const Real per_length = at_most_steep(p.per_length);  // 0 times it is 0
+    return chain(p.length, y.value * per_length, y, x.value * per_length, x);
 }
 
 template <class Real>
@@ -206,7 +215,7 @@ template <class Real>
 Dual<Real> asin(const Dual<Real>& a) {
     const Real one = like(a.value, 1.0);
     return chain(elementary(Elementary::Asin, a.value),
-                 one / square_root((one - a.value) * (one + a.value)), a);
+                 at_most_steep(one / square_root((one - a.value) * (one + a.value))), a);
 }
 
 template <class Real>
@@ -243,7 +252,7 @@ template <class Real>
 Dual<Real> acosh(const Dual<Real>& a) {
     const Real one = like(a.value, 1.0);
     return chain(elementary(Elementary::Acosh, a.value),
-                 one / square_root((a.value - one) * (a.value + one)), a);
+                 at_most_steep(one / square_root((a.value - one) * (a.value + one))), a);
 }
 
 template <class Real>
@@ -271,7 +280,8 @@ template <class Real>
 Dual<Real> odd_root(const Dual<Real>& a, int n) {
     const Real size = point_odd_root(magnitude(a.value), n);
     const Real value = select_negative(a.value, -size, size);
-    return chain(value, like(size, 1.0) / (like(size, n) * point_power(size, n - 1)), a);
+    const Real steepness = like(size, 1.0) / (like(size, n) * point_power(size, n - 1));
+    return chain(value, at_most_steep(steepness), a);
 }
 
 /// a - b k with k = floor(a/b), which does not change nearby.

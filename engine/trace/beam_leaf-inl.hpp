@@ -80,18 +80,27 @@ private:
     void keep(int slot);
     [[nodiscard]] HWY_INLINE Judged judge(std::size_t pixel, int i) const;
     HWY_INLINE void record(std::size_t pixel, int i, M proved, V s);
+    /// Leaves the gradients of these rays to be found: Newton's method may have seen another branch.
+    void add_pending(std::size_t pixel, int i, LaneBits rays);
     void hand_over(std::size_t pixel, int i, const Judged& judged, LaneBits rays);
     [[nodiscard]] Judged clipped(int i, Judged judged) const;
     HWY_INLINE static std::pair<V, V> bounds_of(const double* x);
-    /// A component of the gradients of the rays in the mask.
-    static void store_gradient(const Real* component, M rays, float* to) {
+    /// The gradients of the rays in the mask.
+    void store_gradients(std::size_t pixel, int i, M rays) {
         if constexpr (std::is_same_v<Real, float>) {
             // A masked store costs more than these on many processors.
-            hn::StoreU(hn::IfThenElse(rays, hn::Load(d, component), hn::LoadU(d, to)), d, to);
+            for (std::size_t k = 0; k < 3; ++k) {
+                float* const to = found_.gradients(k, pixel);
+                const V before = hn::LoadU(d, to);
+                hn::StoreU(hn::IfThenElse(rays, hn::Load(d, gradient_[k] + i), before), d, to);
+            }
         } else {
             for (LaneBits bits = bits_of(d, rays); bits != 0; bits &= bits - 1) {
-                const int lane = std::countr_zero(bits);
-                to[lane] = static_cast<float>(component[lane]);
+                const int at = i + std::countr_zero(bits);
+                const auto gradient =
+                    float_gradient({gradient_[0][at], gradient_[1][at], gradient_[2][at]});
+                for (std::size_t k = 0; k < 3; ++k)
+                    found_.gradients(k, pixel)[at - i] = gradient[k];
             }
         }
     }
@@ -256,7 +265,10 @@ void LeafSolver<Real, pixels>::certify(bool last) {
             Judged judged = judge(pixel, i);
             if (!run_->inside) judged = clipped(i, judged);
             const M proved = hn::And(judged.proved, judged.wanted);
-            if (!hn::AllFalse(d, proved)) record(pixel, i, proved, judged.s);
+            if (!hn::AllFalse(d, proved)) {
+                record(pixel, i, proved, judged.s);
+                if (run_->kinked) add_pending(pixel, i, bits_of(d, proved));
+            }
             const M rest = hn::AndNot(proved, judged.wanted);
             if (hn::AllFalse(d, rest)) {
                 hn::Store(nothing(), d, to_ + i);
@@ -368,9 +380,19 @@ HWY_INLINE void LeafSolver<Real, pixels>::record(std::size_t pixel, int i, M pro
         }
     }
     hn::StoreU(hn::IfThenElse(nearest, s, before), d, &found_.depth[pixel]);
-    for (std::size_t k = 0; k < 3; ++k)
-        store_gradient(gradient_[k] + i, nearest, found_.gradients(k, pixel));
+    store_gradients(pixel, i, nearest);
     found_.template certify<lanes>(pixel, bits_of(d, nearest));
+}
+
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::add_pending(std::size_t pixel, int i, LaneBits rays) {
+    for (; rays != 0; rays &= rays - 1) {
+        const int lane = std::countr_zero(rays);
+        found_.pending.push_back({static_cast<std::uint32_t>(pixel) +
+                                      static_cast<std::uint32_t>(lane),
+                                  depth_[i + lane],
+                                  run_->falls() ? Trend::Falling : Trend::Rising});
+    }
 }
 
 /// What is not proved goes to the root finder.
@@ -389,12 +411,20 @@ void LeafSolver<Real, pixels>::hand_over(std::size_t pixel, int i, const Judged&
         const Real from = known ? std::max(from_[at], lo[lane]) : from_[at];
         const Real to = known ? std::min(to_[at], hi[lane]) : to_[at];
         const Real guess = known ? s[lane] : guess_[at];
-        roots_.push({static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(lane),
-                     run_->inside, static_cast<double>(from), static_cast<double>(to),
-                     static_cast<double>(run_->lo), static_cast<double>(run_->hi),
-                     static_cast<double>(std::clamp(guess, from, to)),
-                     static_cast<double>(run_->slope_lo), static_cast<double>(run_->slope_hi),
-                     static_cast<double>(run_->r), run_->kernel, true});
+        roots_.push(
+            {.pixel = static_cast<std::uint32_t>(pixel) + static_cast<std::uint32_t>(lane),
+             .inside = run_->inside,
+             .from = static_cast<double>(from),
+             .to = static_cast<double>(to),
+             .lo = static_cast<double>(run_->lo),
+             .hi = static_cast<double>(run_->hi),
+             .guess = static_cast<double>(std::clamp(guess, from, to)),
+             .slope_lo = static_cast<double>(run_->slope_lo),
+             .slope_hi = static_cast<double>(run_->slope_hi),
+             .r = static_cast<double>(run_->r),
+             .kernel = run_->kernel,
+             .kinked = run_->kinked,
+             .again = true});
     }
 }
 

@@ -48,10 +48,24 @@ public:
     /// behind.
     template <class Undecided>
     void march(const MarchSettings<Real>& settings, Undecided undecided);
+    /// Decides about roots that may be there by the signs of f around them.
+    template <class Undecided>
+    void settle(std::span<const Doubt> doubts, const MarchSettings<Real>& settings,
+                Undecided undecided);
 
 private:
     static constexpr std::size_t capacity = MarchMemory<Real>::capacity;
-    static constexpr std::size_t boxes_a_rest = 6;
+    /// How far around what is not cut any further signs are looked for: where the finest segments
+    /// are near what numbers tell apart, farther than those, too.
+    struct Margins {
+        std::array<double, 3> sizes;
+        std::size_t count;
+    };
+    [[nodiscard]] Margins margins_around(Real finest) const {
+        const auto width = static_cast<double>(finest);
+        const double far = 16 * view_.depth_error();
+        return {{0.0, width, far}, far > width ? 3U : 2U};
+    }
     /// Newton's method wants slopes that differ by no more than this factor.
     static constexpr Real most_bend = 16;
 
@@ -82,8 +96,12 @@ private:
     bool narrow(Segment<Real>& segment, std::size_t i, Real finest);
     /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
     void look_around(Real finest);
-    /// Whether f surely has opposite signs around it, and is continuous between.
-    [[nodiscard]] bool crosses(std::size_t rest, Real finest) const;
+    struct Crossing {
+        Trend trend;
+        double width;  ///< of the bracket
+    };
+    /// Where f surely has opposite signs around it, and is continuous between.
+    [[nodiscard]] std::optional<Crossing> crossing(std::size_t rest, Real finest) const;
     /// The rest's segment where the ray goes on behind.
     template <class Undecided>
     std::optional<Segment<Real>> decide(std::size_t rest, const MarchSettings<Real>& settings,
@@ -257,12 +275,20 @@ template <class Real, class Cell>
 void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) {
     const double s = static_cast<double>(places_.s[i]);
     const double reach = static_cast<double>(places_.s_radius[i]);
-    roots_.push({segment.pixel, segment.inside, static_cast<double>(verdicts_.from[i]),
-                 static_cast<double>(verdicts_.to[i]), s - reach, s + reach,
-                 static_cast<double>(verdicts_.guess[i]),
-                 -static_cast<double>(forms_.slope_neg_lo[i]),
-                 static_cast<double>(forms_.slope_hi[i]), static_cast<double>(forms_.r[i]),
-                 segment.kernel, false});
+    roots_.push({.pixel = segment.pixel,
+                 .inside = segment.inside,
+                 .from = static_cast<double>(verdicts_.from[i]),
+                 .to = static_cast<double>(verdicts_.to[i]),
+                 .lo = s - reach,
+                 .hi = s + reach,
+                 .guess = static_cast<double>(verdicts_.guess[i]),
+                 .slope_lo = -static_cast<double>(forms_.slope_neg_lo[i]),
+                 .slope_hi = static_cast<double>(forms_.slope_hi[i]),
+                 .r = static_cast<double>(forms_.r[i]),
+                 .kernel = segment.kernel,
+                 .kinked =
+                     segment.kernel->branches && forms_.branches_of(i).may_hold_kink(),
+                 .again = false});
 }
 
 template <class Real, class Cell>
@@ -311,41 +337,44 @@ template <class Real, class Cell>
 void RayMarcher<Real, Cell>::look_around(Real finest) {
     if (rests_.empty()) return;
     ranges_.clear();
-    const auto width = static_cast<double>(finest);
+    const Margins margins = margins_around(finest);
     for (const Rest<Real>& rest : rests_) {
         const auto from = static_cast<double>(rest.from);
         const auto to = static_cast<double>(rest.to);
         const auto push = [&](double s, double t) { ranges_.push(rest.segment.pixel, s, t); };
-        push(from, to);
-        push(from - width, to + width);
-        for (const double s : {from, to, from - width, to + width})
-            push(s, s);
+        for (std::size_t k = 0; k < margins.count; ++k) {
+            const double margin = margins.sizes[k];
+            push(from - margin, to + margin);
+            push(from - margin, from - margin);
+            push(to + margin, to + margin);
+        }
     }
     ranges_.evaluate(*rests_.front().segment.kernel);
     ranges_.evaluate_pieces(*rests_.front().segment.kernel);
 }
 
 template <class Real, class Cell>
-bool RayMarcher<Real, Cell>::crosses(std::size_t rest, Real finest) const {
-    const auto sign = [&](std::size_t place) {
-        return ranges_.sign(boxes_a_rest * rest + 2 + place);
-    };
-    const auto continuous = [&](std::size_t box) {
-        return ranges_.continuous(boxes_a_rest * rest + box);
-    };
+auto RayMarcher<Real, Cell>::crossing(std::size_t rest, Real finest) const
+    -> std::optional<Crossing> {
     const Rest<Real>& what = rests_[rest];
     const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
                                          view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
-    const auto inside = [&](double margin) {
-        return static_cast<double>(what.from) - margin >= clip.enter_hi &&
-               static_cast<double>(what.to) + margin <= clip.exit_lo;
-    };
-    const int before = sign(0);
-    const int behind = sign(1);
-    const bool close = inside(0.0) && (what.continuous || continuous(0));
-    if (close && before * behind < 0) return true;
-    const bool around = inside(static_cast<double>(finest)) && continuous(1);
-    return around && (before != 0 ? before : sign(2)) * (behind != 0 ? behind : sign(3)) < 0;
+    const Margins margins = margins_around(finest);
+    int before = 0;
+    int behind = 0;
+    for (std::size_t k = 0; k < margins.count; ++k) {
+        const std::size_t box = 3 * (margins.count * rest + k);
+        const double from = static_cast<double>(what.from) - margins.sizes[k];
+        const double to = static_cast<double>(what.to) + margins.sizes[k];
+        if (from < clip.enter_hi || to > clip.exit_lo) break;
+        if (!ranges_.continuous(box) && !(k == 0 && what.continuous)) break;
+        // A sign holds for all of the bracket before, or behind, which has no root.
+        if (before == 0) before = ranges_.sign(box + 1);
+        if (behind == 0) behind = ranges_.sign(box + 2);
+        if (before * behind < 0)
+            return Crossing{before > 0 ? Trend::Falling : Trend::Rising, to - from};
+    }
+    return std::nullopt;
 }
 
 template <class Real, class Cell>
@@ -354,22 +383,48 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
                                                             const MarchSettings<Real>& settings,
                                                             Undecided undecided) {
     const Rest<Real>& what = rests_[rest];
+    const std::size_t box = 3 * margins_around(settings.finest).count * rest;
     Segment<Real> segment = what.segment;
     bool goes_on = true;
-    if (!ranges_.excludes_zero(boxes_a_rest * rest)) {
-        if (settings.certifies && crosses(rest, settings.finest)) {
+    if (!ranges_.excludes_zero(box)) {
+        const auto found = settings.certifies ? crossing(rest, settings.finest) : std::nullopt;
+        if (found) {
             const auto from = static_cast<double>(what.from);
             const auto to = static_cast<double>(what.to);
-            found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to, Certificate::Certified);
+            // Four of the finest cells, as certified_width promises.
+            const bool narrow = found->width <= 4 * static_cast<double>(settings.finest);
+            if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
+            found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
+                               narrow ? Certificate::Certified : Certificate::Coarse,
+                               found->trend);
             return std::nullopt;
         }
-        const bool continuous = what.continuous || ranges_.continuous(boxes_a_rest * rest);
+        const bool continuous = what.continuous || ranges_.continuous(box);
         goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
                                           what.to - what.from, segment.kernel},
                             continuous);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;
+}
+
+template <class Real, class Cell>
+template <class Undecided>
+void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
+                                    const MarchSettings<Real>& settings, Undecided undecided) {
+    for (std::size_t first = 0, end = 0; first < doubts.size(); first = end) {
+        rests_.clear();
+        for (; end < doubts.size() && doubts[end].kernel == doubts[first].kernel; ++end) {
+            const Doubt& doubt = doubts[end];
+            const auto from = static_cast<Real>(doubt.from);
+            const auto to = static_cast<Real>(doubt.to);
+            rests_.push_back({{doubt.pixel, false, from, to, to - from, doubt.kernel},
+                              from, to, true});
+        }
+        look_around(settings.finest);
+        for (std::size_t rest = 0; rest < rests_.size(); ++rest)
+            decide(rest, settings, undecided);
+    }
 }
 
 template <class Real, class Cell>

@@ -41,7 +41,7 @@ public:
         }
         any_ = false;
         hits_ = &hits;
-        without_gradient.clear();
+        pending.clear();
         limits_.clear();
         if (tile.limits == nullptr) return;
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel)
@@ -53,20 +53,19 @@ public:
             if (depth[pixel] == limits_[pixel]) depth[pixel] = none;
         }
     }
-    /// A root at s, if it is the nearest so far.
-    void add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
-        if (!(s < static_cast<double>(depth[pixel]))) return;
+    /// A root at s, if it is the nearest so far; whether it is.
+    bool add(std::size_t pixel, double s, Certificate known, const std::array<float, 3>& slope) {
+        if (!(s < static_cast<double>(depth[pixel]))) return false;
         any_ = true;
         depth[pixel] = static_cast<Real>(s);
         hits_->certificate[pixel] = known;
         for (std::size_t k = 0; k < 3; ++k)
             hits_->gradient[k][pixel] = slope[k];
+        return true;
     }
     /// The same, with no gradient yet.
-    void add_pending(std::uint32_t pixel, double s, Certificate known) {
-        if (!(s < static_cast<double>(depth[pixel]))) return;
-        add(pixel, s, known, {});
-        without_gradient.push_back(pixel);
+    void add_pending(std::uint32_t pixel, double s, Certificate known, Trend trend) {
+        if (add(pixel, s, known, {})) pending.push_back({pixel, s, trend});
     }
     /// Certified roots of those of `most` pixels from `pixel` on whose bits are set, whose depths
     /// and gradients are written to `depth` and `gradients`.
@@ -94,7 +93,13 @@ public:
     /// s of the nearest root of each pixel, in rows of tile_size; +inf: none. In float it stands
     /// where the distances from the eye are wanted.
     Real* depth = nullptr;
-    std::vector<std::uint32_t> without_gradient;  ///< pixels with a root but no gradient
+    /// Roots whose gradients are not known, or not for sure.
+    struct Pending {
+        std::uint32_t pixel;
+        double s;
+        Trend trend;
+    };
+    std::vector<Pending> pending;
 
 private:
     bool any_ = false;
@@ -113,7 +118,17 @@ struct Stretch {
     double slope_lo, slope_hi;  ///< of df/ds, of one sign
     double r;                   ///< see FormBatchOf
     const Kernel* kernel;       ///< of f in this part of the ray
+    bool kinked;                ///< f may have a kink on it
     bool again;                 ///< what is not proved is left to RootFinder::take_open
+
+    [[nodiscard]] Trend trend() const { return slope_hi < 0 ? Trend::Falling : Trend::Rising; }
+};
+
+/// A root that may be there: neither proved nor disproved by Newton's method.
+struct Doubt {
+    std::uint32_t pixel;
+    double from, to;
+    const Kernel* kernel;
 };
 
 /// How far f is off where it was evaluated in double; `r`: see FormBatchOf.
@@ -139,6 +154,8 @@ public:
     void solve();
     /// Stretches on which Newton's method proved nothing.
     std::vector<Stretch> take_open() { return std::exchange(open_, {}); }
+    /// Roots that may be there, where nothing more can be done along the ray.
+    std::vector<Doubt> take_doubts() { return std::exchange(doubts_, {}); }
 
 private:
     static constexpr std::size_t capacity = 256;
@@ -152,6 +169,7 @@ private:
     /// One step of each stretch; keeps those that are not finished.
     void step(bool last);
     void finish(std::size_t i, double lo, double hi, double s, bool proved);
+    void add(std::size_t i, double s, Certificate known);
 
     const TraceFrame& frame_;
     const BeamView& view_;
@@ -160,6 +178,7 @@ private:
     std::size_t size_ = 0;
     std::array<Stretch, capacity> stretches_;
     std::vector<Stretch> open_;
+    std::vector<Doubt> doubts_;
     alignas(64) float col_[capacity], row_[capacity];
     alignas(64) Real from_[capacity], to_[capacity], guess_[capacity];
     alignas(64) Real gradient_[3][capacity], per_slope_[capacity];
@@ -231,15 +250,33 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
         if (hi < box.enter_lo || lo > box.exit_hi) return;
         proved = proved && lo >= box.enter_hi && hi <= box.exit_lo;
     }
-    if (!proved && stretch.again && hi - lo > view_.tolerance()) {
+    const bool narrow = hi - lo <= view_.tolerance();
+    if (stretch.again && !narrow) {
         open_.push_back(stretch);
         open_.back().from = lo;
         open_.back().to = hi;
-        return;
+    } else if (!proved) {
+        doubts_.push_back({stretch.pixel, lo, hi, stretch.kernel});
+    } else {
+        if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, hi - lo);
+        add(i, s, narrow ? Certificate::Certified : Certificate::Coarse);
     }
-    found_.add(stretch.pixel, s, proved ? Certificate::Certified : Certificate::Undecided,
-               {static_cast<float>(gradient_[0][i]), static_cast<float>(gradient_[1][i]),
-                static_cast<float>(gradient_[2][i])});
+}
+
+template <class Real>
+void RootFinder<Real>::add(std::size_t i, double s, Certificate known) {
+    const Stretch& stretch = stretches_[i];
+    const Real per_slope =
+        stretch.trend() == Trend::Falling ? -per_slope_[i] : per_slope_[i];
+    const bool fits = per_slope > 0 && per_slope <= std::numeric_limits<Real>::max();
+    if (stretch.kinked || !fits)
+        return found_.add_pending(stretch.pixel, s, known, stretch.trend());
+    if constexpr (std::is_same_v<Real, float>) {
+        found_.add(stretch.pixel, s, known, {gradient_[0][i], gradient_[1][i], gradient_[2][i]});
+    } else {
+        found_.add(stretch.pixel, s, known,
+                   float_gradient({gradient_[0][i], gradient_[1][i], gradient_[2][i]}));
+    }
 }
 
 /// The interval Newton operator: f is within `error` of the value computed, and the root, if any,
@@ -268,9 +305,9 @@ void RootFinder<Real>::step(bool last) {
         double next = stretch.guess - f_[i] * static_cast<double>(per_slope_[i]);
         if (!(next >= from && next <= to)) next = 0.5 * from + 0.5 * to;
         const bool narrow = known && hi - lo <= view_.tolerance();
-        const bool proved = narrow && lo >= stretch.lo && hi <= stretch.hi;
+        const bool proved = known && lo >= stretch.lo && hi <= stretch.hi;
         const bool stuck = known && above >= 0 && neg_below >= 0 && !narrow;
-        if (proved || stuck || last || !(from < 0.5 * from + 0.5 * to)) {
+        if ((proved && narrow) || stuck || last || !(from < 0.5 * from + 0.5 * to)) {
             finish(i, from, to, next, proved);
             continue;
         }

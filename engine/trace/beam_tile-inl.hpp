@@ -211,22 +211,23 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kern
     const Real kv = f.k[1][cell] / half;
     const Real first = f.c[cell] - f.k[0][cell] + f.k[1][cell];
     const CellTile tile = cells.tile[cell];
-    Leaf<Real> leaf{tile.col(),
-                    tile.row(),
-                    tile.inside != 0,
-                    first,
-                    ku,
-                    kv,
-                    f.k[2][cell],
-                    f.e[cell],
-                    cells.places.s[cell],
-                    cells.places.s_radius[cell],
-                    cells.from[cell],
-                    cells.to[cell],
-                    -f.slope_neg_lo[cell],
-                    f.slope_hi[cell],
-                    f.r[cell],
-                    kernel};
+    Leaf<Real> leaf{.col = tile.col(),
+                    .row = tile.row(),
+                    .inside = tile.inside != 0,
+                    .c = first,
+                    .ku = ku,
+                    .kv = kv,
+                    .kt = f.k[2][cell],
+                    .e = f.e[cell],
+                    .s = cells.places.s[cell],
+                    .reach = cells.places.s_radius[cell],
+                    .from = cells.from[cell],
+                    .to = cells.to[cell],
+                    .slope_lo = -f.slope_neg_lo[cell],
+                    .slope_hi = f.slope_hi[cell],
+                    .r = f.r[cell],
+                    .kernel = kernel,
+                    .kinked = kernel->branches && f.branches_of(cell).may_hold_kink()};
     if (pixels < leaf_pixels) {
         small_leaves_.add(leaf);
         return;
@@ -335,43 +336,42 @@ void BeamTile<Real>::march_rays() {
         const Real to = upper_end(Real{}, stretch.to);
         marcher_.push({stretch.pixel, stretch.inside, from, to, to - from, stretch.kernel});
     }
-    // Cells in this type are decided down to some hundred of its units.
+    // Cells in this type are decided down to some hundred of its units, then in double.
     const double rough = std::max(view_.tolerance(), 256 * tree_.s_most() * unit);
-    const bool final = rough <= view_.tolerance();
-    const auto stop = [&](std::uint32_t pixel, double from, double to, bool continuous) {
+    const auto finest = static_cast<Real>(rough);
+    marcher_.march({finest, tree_.margin(), false}, [&](const Segment<Real>& segment, bool) {
+        const auto from = static_cast<double>(segment.from);
+        const auto to = static_cast<double>(segment.to);
+        fine_marcher_.push({segment.pixel, segment.inside, from, to, to - from, segment.kernel});
+        return true;
+    });
+    const MarchSettings<double> fine{view_.tolerance(), 0.25 * view_.tolerance(), true};
+    const auto stop = [&](const Segment<double>& segment, bool continuous) {
         if (!continuous) {
-            pass(pixel, from);
+            pass(segment.pixel, segment.from);
             return true;
         }
-        found_.add_pending(pixel, 0.5 * from + 0.5 * to, Certificate::Undecided);
+        found_.add_pending(segment.pixel, 0.5 * segment.from + 0.5 * segment.to,
+                           Certificate::Undecided, Trend::Unknown);
         return false;
     };
-    const auto finest = static_cast<Real>(rough);
-    marcher_.march({finest, final ? finest / 4 : tree_.margin(), final},
-                   [&](const Segment<Real>& segment, bool continuous) {
-                       const auto from = static_cast<double>(segment.from);
-                       const auto to = static_cast<double>(segment.to);
-                       if (final) return stop(segment.pixel, from, to, continuous);
-                       fine_marcher_.push(
-                           {segment.pixel, segment.inside, from, to, to - from, segment.kernel});
-                       return true;
-                   });
-    fine_marcher_.march({view_.tolerance(), 0.25 * view_.tolerance(), true},
-                        [&](const Segment<double>& segment, bool continuous) {
-                            return stop(segment.pixel, segment.from, segment.to, continuous);
-                        });
+    fine_marcher_.march(fine, stop);
+    fine_marcher_.settle(roots_.take_doubts(), fine, stop);
 }
 
 template <class Real>
 void BeamTile<Real>::hand_on() {
     hits_.any = found_.any();
+    for (const auto& root : found_.pending) {
+        const auto depth = static_cast<double>(found_.depth[root.pixel]);
+        const double rounding = 4 * unit * std::abs(depth) + view_.tolerance();
+        if (!(std::abs(depth - root.s) <= rounding)) continue;  // there is a nearer one
+        const glm::dvec3 x =
+            view_.point(root.pixel % tile_size, root.pixel / tile_size, root.s);
+        hits_.points.push_back({root.pixel, {x.x, x.y, x.z}, root.trend});
+    }
     for (int row = 0; row < tile_.rows && hits_.any; ++row)
         hand_on_row(row);
-    for (const std::uint32_t pixel : found_.without_gradient) {
-        const glm::dvec3 x = view_.point(pixel % tile_size, pixel / tile_size,
-                                         static_cast<double>(found_.depth[pixel]));
-        hits_.points.push_back({pixel, {x.x, x.y, x.z}});
-    }
     if (!hits_.any_unsettled) return;
     for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel) {
         if (hits_.unsettled[pixel] <= hits_.depth[pixel])

@@ -19,6 +19,7 @@ struct Leaf {
     Real slope_lo, slope_hi;  ///< of df/ds, of one sign
     Real r;                   ///< see FormBatchOf
     const Kernel* kernel;     ///< of f in the cell
+    bool kinked;              ///< f may have a kink in it
 };
 
 /// Smooth cells of one small tile that touch and slope the same way: together they hold at most
@@ -32,6 +33,7 @@ struct LeafRun {
     Real slope_lo, slope_hi;  ///< of df/ds, of one sign
     Real r;
     const Kernel* kernel;  ///< of f in all of them
+    bool kinked;           ///< f may have a kink in one
 
     explicit LeafRun(const Leaf<Real>& leaf)
         : col(leaf.col),
@@ -43,7 +45,8 @@ struct LeafRun {
           slope_lo(leaf.slope_lo),
           slope_hi(leaf.slope_hi),
           r(leaf.r),
-          kernel(leaf.kernel) {}
+          kernel(leaf.kernel),
+          kinked(leaf.kinked) {}
 
     /// Rounded downward, so that it is in the cell.
     static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.reach); }
@@ -58,6 +61,7 @@ struct LeafRun {
         slope_lo = std::min(slope_lo, next.slope_lo);
         slope_hi = std::max(slope_hi, next.slope_hi);
         r = std::max(r, next.r);
+        kinked = kinked || next.kinked;
     }
 };
 

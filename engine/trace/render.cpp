@@ -102,7 +102,7 @@ bool TilePainter::trace_parts(std::size_t i, const Tile& tile, Workspace& worksp
     TraceFrame frame = surfaces_[i];
     frame.parts = workspace.parts;
     tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
-    find_gradients(frame, workspace.hits[i], counters);
+    find_gradients(frame, tile, workspace.hits[i], counters);
     return true;
 }
 
@@ -144,7 +144,7 @@ bool TilePainter::paint(Tile tile, Workspace& workspace, const Canvas& out,
     if (!trace(tile, workspace, counters)) return false;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (!workspace.hits[i].points.empty())
-            find_gradients(frame_of(i, tile), workspace.hits[i], counters);
+            find_gradients(frame_of(i, tile), tile, workspace.hits[i], counters);
     }
     if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
     for (std::size_t i = 0; i < surfaces_.size(); ++i)

@@ -6,6 +6,7 @@
 #include "engine/trace/palette.hpp"
 #include "engine/trace/region.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -52,16 +53,19 @@ struct TraceSettings {
     bool antialias = false;
 };
 
-/// Evaluations of each kernel, in points or boxes (not batches).
+/// Evaluations of each kernel, in points or boxes (not batches), and how wide the widest bracket of
+/// a Coarse hit is, world units along its ray.
 struct Counters {
     std::uint64_t range = 0;
     std::uint64_t value = 0;
     std::uint64_t form = 0;
+    double coarse_width = 0.0;
 
     Counters& operator+=(const Counters& other) {
         range += other.range;
         value += other.value;
         form += other.form;
+        coarse_width = std::max(coarse_width, other.coarse_width);
         return *this;
     }
 };

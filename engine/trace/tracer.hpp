@@ -66,6 +66,12 @@ struct Tile {
     const float* limits = nullptr;
 };
 
+/// How f goes along a ray at its root.
+enum class Trend : std::int8_t { Falling = -1, Unknown = 0, Rising = 1 };
+
+/// A gradient of whatever size in floats: its direction counts.
+std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
+
 /// What a tracer found of one surface in a tile. Arrays hold one item a pixel, in rows of
 /// tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre, up to shifts
 /// by 2^-48 of the distances of eye and box from the origin and from each other. With the
@@ -85,6 +91,7 @@ struct TileHits {
     struct Point {
         std::size_t pixel;
         std::array<double, 3> position;  ///< on the surface, world units
+        Trend trend = Trend::Unknown;
     };
 
     bool any = false;                      ///< whether there is a hit
@@ -118,9 +125,10 @@ struct TileHits {
     void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal);
 };
 
-/// Fills in the gradients of those of `points` that are still hits, by the code in the frame's
-/// type.
-void find_gradients(const TraceFrame& frame, TileHits& hits, Counters& counters);
+/// Fills in the gradients of those of `points` that are still hits: in double, of the branch of f
+/// that vanishes there, against the ray where f falls along it. Where the gradient vanishes or is
+/// none, it is that of a point nearby, or of differences. `col`, `row`: of the tile.
+void find_gradients(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters);
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
 /// kernels, shading and framebuffer are shared.
