@@ -120,10 +120,12 @@ struct BenchCell {
 OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
                                 const TraceSettings& settings) {
     const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
-    const Precision precision =
-        wanted_precision(item.surface.clip, ViewFrame(camera), settings.stop);
-    const auto formula = compile_formula(item.surface.equation, item.surface.clip, precision);
+    auto formula = compile_formula(item.surface.equation, item.surface.clip);
     if (!formula) return std::unexpected(formula.error());
+    const Precision precision =
+        wanted_precision(make_scene(*formula, item.surface.clip, item.surface.w, {}),
+                         ViewFrame(camera), settings.stop);
+    if (!formula->has_code(precision)) formula = with_double(*formula);
     const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;

@@ -350,15 +350,15 @@ void Desktop::submit_picture() {
     std::optional<Wanted> next = wanted_picture();
     if (!next || (submitted_ && same_picture(*submitted_, *next))) return;
     const Wanted& wanted = *next;
+    RenderRequest request;
+    request.scene = document_scene(*shown_, state_.document, state_.surface_rows);
     const ViewFrame view(wanted.camera);
-    if (!shown_->has_code(wanted_precision(wanted.clip, view, wanted.stop))) {
+    if (!shown_->has_code(wanted_precision(request.scene, view, wanted.stop))) {
         // The last picture stays until the code is there.
         if (deepening_ != shown_) formulas_.submit_double(shown_);
         deepening_ = shown_;
         return;
     }
-    RenderRequest request;
-    request.scene = document_scene(*shown_, state_.document, state_.surface_rows);
     request.scene.coloring =
         coloring_of(wanted.coloring, *wanted.colors,
                     visible_surfaces(state_.document, state_.surface_rows), wanted.camera.up);

@@ -242,8 +242,8 @@ int run_render(const RenderCommand& command) {
     const auto colors = color_formulas(formula->program, formula->text, plan->document.coloring);
     if (!colors) return report(color_by_error(colors.error()));
     fit(*plan, command, plain_scene(*formula, *plan));
-    const Precision precision =
-        wanted_precision(surface.clip, ViewFrame(plan->camera), plan->settings.stop);
+    const Precision precision = wanted_precision(
+        plain_scene(*formula, *plan), ViewFrame(plan->camera), plan->settings.stop);
     if (!formula->has_code(precision)) formula = with_double(*formula);
     const Scene scene = scene_of(*formula, *plan, *colors);
     Framebuffer frame(plan->size.width, plan->size.height);

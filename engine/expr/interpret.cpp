@@ -3,6 +3,7 @@
 #include "engine/expr/algebra.hpp"
 #include "engine/expr/block_choice.hpp"
 #include "engine/expr/facts.hpp"
+#include "engine/expr/float_check.hpp"
 #include "engine/expr/frustum.hpp"
 #include "engine/expr/least_of.hpp"
 #include "engine/expr/part_values.hpp"
@@ -455,6 +456,7 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
         std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
     set_code(kernel, tape);
     add_ray_functions(kernel);
+    kernel.float_check = std::make_shared<const FloatCheck>(expr, kernel);
     if (tape->choices() > 0) kernel.shortener = std::make_shared<WholeShortener>(tape);
     return kernel;
 }

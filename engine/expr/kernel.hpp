@@ -254,6 +254,7 @@ struct ChoiceRecord {
 };
 
 struct Kernel;
+class FloatCheck;
 class LeastOf;
 
 /// Makes kernels that leave out what does not matter in a part of space, as other parts of a union
@@ -299,6 +300,7 @@ struct Kernel {
     bool branches = false;       ///< whether BranchBits are ever but 0; else they are not written
     std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
     bool interpreted = false;                    ///< else machine code
+    std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
     void range(const RangeBatchOf<double>& batch) const { range_double(batch); }

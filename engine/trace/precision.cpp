@@ -1,5 +1,7 @@
 #include "engine/trace/precision.hpp"
 
+#include "engine/expr/float_check.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,6 +36,16 @@ Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCri
     const SearchDepth depth = search_depth(clip, view, stop);
     const bool whole = depth.deeper < deep_view && possible >= max_d_stop - most_missed_halvings;
     return !whole && depth.wanted + lost_bits > possible ? Precision::Double : Precision::Float;
+}
+
+Precision wanted_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
+    const Box& clip = scene.clip;
+    const bool floats_suffice = std::ranges::all_of(scene.surfaces, [&](const Kernel& kernel) {
+        return kernel.float_check == nullptr ||
+               kernel.float_check->suffices({clip.lo.x, clip.lo.y, clip.lo.z},
+                                            {clip.hi.x, clip.hi.y, clip.hi.z}, scene.uniforms);
+    });
+    return floats_suffice ? wanted_precision(clip, view, stop) : Precision::Double;
 }
 
 }  // namespace zeroset

@@ -10,7 +10,7 @@ namespace zeroset {
 
 Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop) {
     const bool has_double = std::ranges::all_of(scene.surfaces, &Kernel::has_double);
-    return has_double ? wanted_precision(scene.clip, view, stop) : Precision::Float;
+    return has_double ? wanted_precision(scene, view, stop) : Precision::Float;
 }
 
 TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
