@@ -181,6 +181,9 @@ public:
     Value angle_sin(In y, In x, int n);
     Value angle_cos(In y, In x, int n);
     Value length(In y, In x);
+    Value sinc(In a) { return cardinal_form(a, Cardinal::Sin); }
+    Value sinhc(In a) { return cardinal_form(a, Cardinal::Sinh); }
+    Value atanc(In a) { return cardinal_form(a, Cardinal::Atan); }
     Value oriented(In a, In b);
     Value sinh(In a) {
         const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };
@@ -369,6 +372,16 @@ private:
             return -(slope_of_x / x);
         };
         return smooth(a, range, zeroset::logarithm(function, middle(a)).range, 4.0, slope, bend);
+    }
+    static Value cardinal_form(In a, Cardinal function) {
+        const auto slope = [&](const Box& x, const Box& /*g*/) {
+            return cardinal_bends(function, x).by_x * x;
+        };
+        const auto bend = [&](const Box& x, const Box& /*g*/, const Box& /*slope*/) {
+            return cardinal_bends(function, x).second;
+        };
+        const Box g = cardinal(function, a.value.f.range());
+        return smooth(a, {g}, cardinal(function, middle(a)), cardinal_error_ulp, slope, bend);
     }
     /// 1 / sqrt(1 - x^2)
     Box arc_slope(const Box& x) { return one() / square_root((one() - x) * (one() + x)); }

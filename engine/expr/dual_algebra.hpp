@@ -46,6 +46,9 @@ public:
     Value angle_sin(In y, In x, int n) { return zeroset::angle_sin(y.value, x.value, n); }
     Value angle_cos(In y, In x, int n) { return zeroset::angle_cos(y.value, x.value, n); }
     Value length(In y, In x) { return zeroset::length(y.value, x.value); }
+    Value sinc(In a) { return cardinal(Cardinal::Sin, a.value); }
+    Value sinhc(In a) { return cardinal(Cardinal::Sinh, a.value); }
+    Value atanc(In a) { return cardinal(Cardinal::Atan, a.value); }
     Value oriented(In a, In b) { return zeroset::oriented(a.value, b.value.value); }
     Value sinh(In a) { return zeroset::sinh(a.value); }
     Value cosh(In a) { return zeroset::cosh(a.value); }

@@ -3,6 +3,7 @@
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
@@ -51,13 +52,19 @@ std::optional<Fraction> literal(const Node& node) {
         return Fraction{static_cast<long long>(node.lo), 1};
     }
     const std::string text = number_text({node.lo, node.hi});
-    const std::size_t point = text.find('.');
-    if (point == std::string::npos || text.size() > 16 || text.contains('e')) return std::nullopt;
-    const std::string digits = text.substr(0, point) + text.substr(point + 1);
-    long long ten = 1;
-    for (std::size_t i = point + 1; i < text.size(); ++i)
-        ten *= 10;
-    return fraction(std::strtoll(digits.c_str(), nullptr, 10), ten);
+    const std::size_t end = std::min(text.find('e'), text.size());
+    const std::size_t point = std::min(text.find('.'), end);
+    const std::string decimals = text.substr(point, end - point);
+    const std::string digits = text.substr(0, point) + decimals.substr(decimals.empty() ? 0 : 1);
+    constexpr std::size_t sign_and_digits = 16;
+    if (digits.size() > sign_and_digits) return std::nullopt;
+    const int exponent = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
+    const int places = static_cast<int>(digits.size() - point) - exponent;
+    const auto scale = power({10, 1}, std::abs(places));
+    if (!scale) return std::nullopt;
+    const Fraction number{std::strtoll(digits.c_str(), nullptr, 10), 1};
+    if (places < 0) return fraction(product(number.p, scale->p), 1);
+    return fraction(number.p, scale->p);
 }
 
 /// The fraction of a node; `visits` is how many more operators it may look at.

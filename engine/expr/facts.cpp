@@ -18,6 +18,8 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Cosh:
         case Op::Acosh:
         case Op::Length:
+        case Op::Sinhc:
+        case Op::Atanc:
         case Op::Less:
         case Op::LessEqual:
         case Op::And:
@@ -55,6 +57,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::AngleSin:
         case Op::AngleCos:
         case Op::Oriented:
+        case Op::Sinc:
         case Op::Log:
         case Op::Log10:
         case Op::Log2: return false;

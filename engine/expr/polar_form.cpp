@@ -1,5 +1,6 @@
 #include "engine/expr/polar_form.hpp"
 
+#include "engine/expr/rebuilt.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>
@@ -122,29 +123,51 @@ NodeId wave_of(ExprBuilder& builder, Op op, NodeId a) {
     return op == Op::Sin && multiple->factor < 0 ? builder.apply(Op::Negate, result) : result;
 }
 
+/// What a chain of lengths measures.
+std::vector<NodeId> legs(const ExprBuilder& builder, NodeId length) {
+    std::vector<NodeId> result;
+    NodeId id = length;
+    for (; builder.node(id).op == Op::Length; id = builder.node(id).a)
+        result.push_back(builder.node(id).b);
+    result.push_back(id);
+    return result;
+}
+
+/// k a / sqrt(a^2 + ...) as k times the cosine of an angle, which has a bound.
+std::optional<NodeId> share_of_length(ExprBuilder& builder, NodeId product, NodeId length) {
+    if (builder.node(length).op != Op::Length) return std::nullopt;
+    std::vector<NodeId> others = legs(builder, length);
+    const Node factors = builder.node(product);
+    const auto is_leg = [&](NodeId id) { return std::ranges::find(others, id) != others.end(); };
+    if (!is_leg(product)) {
+        if (factors.op == Op::Negate) {
+            const auto share = share_of_length(builder, factors.a, length);
+            return share ? std::optional(make_negate(builder, *share)) : share;
+        }
+        if (factors.op != Op::Multiply) return std::nullopt;
+        for (const auto& [part, rest] : {std::pair(factors.a, factors.b), {factors.b, factors.a}}) {
+            if (const auto share = share_of_length(builder, part, length)) {
+                return make_multiply(builder, rest, *share);
+            }
+        }
+        return std::nullopt;
+    }
+    others.erase(std::ranges::find(others, product));
+    NodeId across = others.back();
+    for (std::size_t i = others.size() - 1; i-- > 0;)
+        across = builder.apply(Op::Length, across, others[i]);
+    return builder.apply(Op::AngleCos, across, product, 0, 1);
+}
+
 NodeId polar(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
+    if (node.op == Op::Divide) {
+        if (const auto share = share_of_length(builder, a, b)) return *share;
+    }
     if (node.op == Op::Sin || node.op == Op::Cos) return wave_of(builder, node.op, a);
     if (node.op == Op::Sqrt) {
         if (const auto length = length_of(builder, a)) return *length;
     }
     return builder.apply(node.op, a, b, c, node.number);
-}
-
-/// The graph with each operator made again by `make(builder, node, a, b, c)` from its new operands.
-Expr rebuilt(const Expr& expr, auto make) {
-    ExprBuilder builder;
-    std::vector<NodeId> now;
-    for (const Node& node : expr.nodes()) {
-        if (node.op == Op::Constant) {
-            now.push_back(builder.constant(node.lo, node.hi));
-        } else if (node.op == Op::Variable) {
-            now.push_back(builder.variable(node.number));
-        } else {
-            now.push_back(make(builder, node, now[node.a], now[node.b], now[node.c]));
-        }
-    }
-    const auto names = expr.parameters();
-    return builder.finish(now.back(), {names.begin(), names.end()});
 }
 
 bool has_any(const Expr& expr, std::initializer_list<Op> ops) {

@@ -88,6 +88,7 @@ private:
             case Notation::Internal:
                 if (node.op == Op::Oriented) return infix(node, pieces);
                 if (node.op == Op::Length) return length(node, pieces);
+                if (node.op != Op::Angle) return cardinal(node, info, pieces);
                 break;
             case Notation::Wave: return wave(node, info, pieces);
             case Notation::Call: break;
@@ -131,6 +132,15 @@ private:
         }
         pieces.push_back({"^2)"});
         return Atom;
+    }
+
+    /// sin(a)/a
+    static int cardinal(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
+        pieces = {{std::string(info.spelling) + "("},
+                  {{}, node.a, Or, true},
+                  {")/"},
+                  {{}, node.a, Sign, true}};
+        return Product;
     }
 
     static int wave(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {

@@ -11,7 +11,7 @@ namespace zeroset {
 namespace {
 
 constexpr long long largest_exponent = 1LL << 24U;  // a float, as derivatives need it
-constexpr int max_cut_depth = 64;
+constexpr int max_cut_visits = 256;
 
 bool is_constant(const ExprBuilder& builder, NodeId id, double value) {
     const Node& node = builder.node(id);
@@ -42,22 +42,34 @@ std::optional<NodeId> merged_power(ExprBuilder& builder, NodeId a, NodeId b) {
 
 bool is_integer(const std::optional<Fraction>& value) { return value && value->q == 1; }
 
-/// The node with atan2 replaced by Angle where it is an integer multiple of atan2.
-NodeId without_cut(ExprBuilder& builder, NodeId id, int depth = 0) {
+/// The node with atan2 replaced by Angle where integer multiples of atan2 are summands of it;
+/// `visits` is how many more operators may be looked at: those that are shared are each time.
+NodeId without_cut(ExprBuilder& builder, NodeId id, int& visits) {
     const Node node = builder.node(id);
-    if (depth > max_cut_depth) return id;
+    if (--visits < 0) return id;
     if (node.op == Op::Atan2) return builder.apply(Op::Angle, node.a, node.b);
     if (node.op == Op::Negate) {
-        return make_negate(builder, without_cut(builder, node.a, depth + 1));
+        return make_negate(builder, without_cut(builder, node.a, visits));
+    }
+    if (node.op == Op::Add || node.op == Op::Subtract) {
+        const NodeId left = without_cut(builder, node.a, visits);
+        const NodeId right = without_cut(builder, node.b, visits);
+        if (left == node.a && right == node.b) return id;
+        return node.op == Op::Add ? make_add(builder, left, right)
+                                  : make_subtract(builder, left, right);
     }
     if (node.op != Op::Multiply) return id;
     if (is_integer(exact_fraction(builder, node.a))) {
-        return make_multiply(builder, node.a, without_cut(builder, node.b, depth + 1));
+        return make_multiply(builder, node.a, without_cut(builder, node.b, visits));
     }
     if (is_integer(exact_fraction(builder, node.b))) {
-        return make_multiply(builder, without_cut(builder, node.a, depth + 1), node.b);
+        return make_multiply(builder, without_cut(builder, node.a, visits), node.b);
     }
     return id;
+}
+NodeId without_cut(ExprBuilder& builder, NodeId id) {
+    int visits = max_cut_visits;
+    return without_cut(builder, id, visits);
 }
 
 /// a^(p/q) for p > 0, q > 1 as a power of roots, where that takes few operations.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/num/cardinal.hpp"
 #include "engine/num/polar.hpp"
 #include "engine/num/sleef.hpp"
 #include "engine/num/steps.hpp"
@@ -196,6 +197,17 @@ Dual<Real> length(const Dual<Real>& y, const Dual<Real>& x) {
     const PolarPoint<Real> p = polar_point(y.value, x.value);
     const Real per_length = at_most_steep(p.per_length);  // 0 times it is 0
     return chain(p.length, y.value * per_length, y, x.value * per_length, x);
+}
+
+template <class Real>
+Dual<Real> cardinal(Cardinal function, const Dual<Real>& a) {
+    const Real& x = a.value;
+    const Real one = like(x, 1.0);
+    const Real value = cardinal_at(function, x, elementary(dividend(function), x));
+    const Real slope = function == Cardinal::Sin    ? elementary(Elementary::Cos, x)
+                       : function == Cardinal::Sinh ? elementary(Elementary::Cosh, x)
+                                                    : one / (one + x * x);
+    return chain(value, cardinal_slope_at(function, x, value, slope), a);
 }
 
 template <class Real>

@@ -73,7 +73,7 @@ void range_by_pieces(const void* code, const RangeBatchOf<Real>* batch) {
         Column<Real> f_neg_lo;
         Column<Real> f_hi;
         Column<ContinuityMask<Real>> continuous;
-        Column<ContinuityMask<Real>> branches;
+        Column<ContinuityMask<Real>> branches{};  // not written by a kernel without branches
         RangeBatchOf<Real> one{.size = lanes,
                                .neg_lo = {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
                                .hi = {hi[0].data(), hi[1].data(), hi[2].data()},
@@ -108,7 +108,8 @@ template <class Real>
 struct OneForm {
     Column<Real> c, e, r, slope_neg_lo, slope_hi;
     std::array<Column<Real>, 3> k;
-    Column<ContinuityMask<Real>> continuous, nowhere, branches;
+    Column<ContinuityMask<Real>> continuous, nowhere;
+    Column<ContinuityMask<Real>> branches{};  ///< not written by a kernel without branches
 
     /// Writes it as cell i of a batch.
     void store(const FormBatchOf<Real>& batch, std::size_t i) const {

@@ -97,6 +97,14 @@ Reference wave(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), int n, const 
     return periodic(function, MpfrNumber(n) * turn.value);
 }
 
+/// A function of a divided by a, which is 1 at 0.
+Reference by_itself(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const MpfrNumber& a) {
+    if (a.sign() == 0) return defined(MpfrNumber(1.0));
+    if (out_of_reach(a)) return unknown();
+    const MpfrNumber dividend = computed(function, a);
+    return dividend.is_finite() ? defined(dividend / a) : unknown();
+}
+
 Reference integer_power(const MpfrNumber& a, int n) {
     MpfrNumber result;
     mpfr_pow_si(result.get(), a.get(), n, MPFR_RNDN);
@@ -167,6 +175,9 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::AngleSin: return wave(mpfr_sin, n, a, b);
         case Op::AngleCos: return wave(mpfr_cos, n, a, b);
         case Op::Length: return defined(computed(mpfr_hypot, a, b));
+        case Op::Sinc: return by_itself(mpfr_sin, a);
+        case Op::Sinhc: return by_itself(mpfr_sinh, a);
+        case Op::Atanc: return by_itself(mpfr_atan, a);
         case Op::Oriented:
             if (b.sign() == 0) return undefined();
             return defined(b.sign() < 0 ? -a : a);

@@ -62,6 +62,17 @@ INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
                                            Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh, Op::Atanh),
                          [](const auto& op) { return std::string(op_info(op.param).name); });
 
+/// As they are used: for operands near 0.
+TEST(BeamForm, OfSineOverItsOperandIsOfSecondOrderNearZero) {
+    for (const Op op : {Op::Sinc, Op::Sinhc, Op::Atanc}) {
+        const Form coarse = form_of(op, {0x1p-8, 0}, 0x1p-8, 3);
+        const Form fine = form_of(op, {0x1p-10, 0}, 0x1p-10, 3);
+        EXPECT_LT(coarse.f.f.e, 0x1p-16);
+        EXPECT_LT(fine.f.f.e, coarse.f.f.e / 14);
+        EXPECT_LT(fine.slope->f.e, coarse.slope->f.e / 3);
+    }
+}
+
 /// A tangent whose error lies on one side has half of it in the middle.
 TEST(BeamForm, OfACurveBentOneWayHasAQuarterOfTheSquare) {
     const double d = 0x1p-10;

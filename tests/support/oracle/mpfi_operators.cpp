@@ -147,6 +147,35 @@ MpfiEnclosure angle_wave(MpfiFunction1 function, int n, In y, In x) {
     return wave(function, turn);
 }
 
+/// A function of a number divided by the number.
+Box by_itself(MpfiFunction1 function, const Box& a) {
+    return a.is_zero() ? Box(1.0) : computed(function, a) / a;
+}
+
+Box point_of(mpfr_srcptr end) {
+    Box result;
+    mpfi_set_fr(result.get(), end);
+    return result;
+}
+
+/// sinh(a)/a and atan(a)/a, which are monotone in |a|.
+MpfiEnclosure cardinal(MpfiFunction1 function, In a) {
+    const Box size = computed(mpfi_abs, a.range);
+    if (!size.is_bounded() || out_of_reach(size)) {
+        return total(Box(0, std::numeric_limits<double>::infinity()), a);
+    }
+    const Box near = by_itself(function, point_of(size.lo()));
+    return total(hull(near, by_itself(function, point_of(size.hi()))), a);
+}
+
+/// sin(a)/a: falls up to 3, and stays within 0.22 from there on.
+MpfiEnclosure cardinal_sine(In a) {
+    const Box size = computed(mpfi_abs, a.range);
+    if (size.is_below(3)) return cardinal(mpfi_sin, a);
+    const Box beyond(-0.22, 0.22);
+    return total(size.is_above(3) ? beyond : hull(Box(1.0), beyond), a);
+}
+
 /// A condition from what it surely is: decided, it is continuous whatever its operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
@@ -232,6 +261,9 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::AngleSin: return angle_wave(mpfi_sin, node.number, a, b);
         case Op::AngleCos: return angle_wave(mpfi_cos, node.number, a, b);
         case Op::Length: return total(computed(mpfi_hypot, a.range, b.range), a, b);
+        case Op::Sinc: return cardinal_sine(a);
+        case Op::Sinhc: return cardinal(mpfi_sinh, a);
+        case Op::Atanc: return cardinal(mpfi_atan, a);
         case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
         case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);

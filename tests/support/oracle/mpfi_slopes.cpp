@@ -36,6 +36,12 @@ Box wave_of(Op op, const Node& node, const MpfiDual& a, const MpfiDual& b) {
     return enclosed({.op = op, .number = node.number}, a.value, b.value, b.value).range;
 }
 
+/// Of f(x)/x, whose slope is at most `bend` times |x|; `df`: f's.
+Box slope_by_itself(const Box& x, const Box& value, const Box& df, double bend) {
+    if (x.contains_zero()) return x * Box(-bend, bend);
+    return (df - value) / x;
+}
+
 }  // namespace
 
 MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
@@ -95,6 +101,13 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
         case Op::AngleCos:
             return -wave_of(Op::AngleSin, node, a, b) * slope_of_angle(a, b) * Box(node.number);
         case Op::Length: return (x * a.slope + y * b.slope) / f;
+        case Op::Sinc: return slope_by_itself(x, f, range_of(Op::Cos, x), 0.34) * a.slope;
+        case Op::Sinhc: {
+            const Box df = range_of(Op::Cosh, x);
+            return slope_by_itself(x, f, df, 0.34 * mpfr_get_d(df.hi(), MPFR_RNDU)) * a.slope;
+        }
+        case Op::Atanc:
+            return slope_by_itself(x, f, one_over(one + square(x)), 0.67) * a.slope;
         case Op::Oriented: return slope_of_choice(y.is_above(0), y.is_below(0), a.slope, -a.slope);
         case Op::Sinh: return range_of(Op::Cosh, x) * a.slope;
         case Op::Cosh: return range_of(Op::Sinh, x) * a.slope;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+
+#include <vector>
+
+namespace zeroset {
+
+/// The graph with each operator made again by `make(builder, node, a, b, c)` from its new operands.
+Expr rebuilt(const Expr& expr, auto make) {
+    ExprBuilder builder;
+    std::vector<NodeId> now;
+    now.reserve(expr.nodes().size());
+    for (const Node& node : expr.nodes()) {
+        if (node.op == Op::Constant) {
+            now.push_back(builder.constant(node.lo, node.hi));
+        } else if (node.op == Op::Variable) {
+            now.push_back(builder.variable(node.number));
+        } else {
+            now.push_back(make(builder, node, now[node.a], now[node.b], now[node.c]));
+        }
+    }
+    const auto names = expr.parameters();
+    return builder.finish(now.back(), {names.begin(), names.end()});
+}
+
+}  // namespace zeroset
