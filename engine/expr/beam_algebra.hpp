@@ -2,6 +2,7 @@
 
 #include "engine/expr/interval_algebra.hpp"
 #include "engine/num/beam_angle.hpp"
+#include "engine/num/beam_log_sum.hpp"
 #include "engine/num/beam_polar.hpp"
 
 #include <optional>
@@ -184,6 +185,21 @@ public:
     Value sinc(In a) { return cardinal_form(a, Cardinal::Sin); }
     Value sinhc(In a) { return cardinal_form(a, Cardinal::Sinh); }
     Value atanc(In a) { return cardinal_form(a, Cardinal::Atan); }
+    Value log_sum(In a, In b) {
+        const Kink<Real> kink = kink_of((a.value.f - b.value.f).range());
+        const auto first = a.value.f.f.c >= b.value.f.f.c;
+        const LogSumBeam<Real> form = zeroset::log_sum(a.value.f, b.value.f, first, kink);
+        Value result = of(form.sum, std::nullopt, a, b);
+        if (!a.value.slope && !b.value.slope) return result;
+        kind_ = &a.value.f.r;
+        const SlopeBeam<Real> zero = no_slope();
+        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
+        const SlopeBeam<Real> larger_one = select(first, slope_a, slope_b);
+        const SlopeBeam<Real> smaller_one = select(first, slope_b, slope_a);
+        result.slope = larger_one + form.share * (smaller_one + -larger_one);
+        return result;
+    }
     Value oriented(In a, In b);
     Value sinh(In a) {
         const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };

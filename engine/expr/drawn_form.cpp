@@ -3,6 +3,7 @@
 #include "engine/expr/clear_poles.hpp"
 #include "engine/expr/differences.hpp"
 #include "engine/expr/form_sample.hpp"
+#include "engine/expr/log_sums.hpp"
 #include "engine/expr/polar_form.hpp"
 #include "engine/expr/tighten.hpp"
 
@@ -31,7 +32,8 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 }  // namespace
 
 Expr drawn_form(const Expr& expr, const SampleRegion& region) {
-    const Expr plain = without_poles(without_small_differences(plain_angles(expr)), region);
+    const Expr plain =
+        without_poles(without_small_differences(with_log_sums(plain_angles(expr))), region);
     return polar_form(quicker(plain, tightened(plain, region), region));
 }
 

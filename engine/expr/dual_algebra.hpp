@@ -2,6 +2,7 @@
 
 #include "engine/expr/operand.hpp"
 #include "engine/num/dual.hpp"
+#include "engine/num/log_sum.hpp"
 
 namespace zeroset {
 
@@ -49,6 +50,7 @@ public:
     Value sinc(In a) { return cardinal(Cardinal::Sin, a.value); }
     Value sinhc(In a) { return cardinal(Cardinal::Sinh, a.value); }
     Value atanc(In a) { return cardinal(Cardinal::Atan, a.value); }
+    Value log_sum(In a, In b) { return zeroset::log_sum(a.value, b.value); }
     Value oriented(In a, In b) { return zeroset::oriented(a.value, b.value.value); }
     Value sinh(In a) { return zeroset::sinh(a.value); }
     Value cosh(In a) { return zeroset::cosh(a.value); }

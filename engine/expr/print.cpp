@@ -88,6 +88,7 @@ private:
             case Notation::Internal:
                 if (node.op == Op::Oriented) return infix(node, pieces);
                 if (node.op == Op::Length) return length(node, pieces);
+                if (node.op == Op::LogSum) return log_sum(node, pieces);
                 if (node.op != Op::Angle) return cardinal(node, info, pieces);
                 break;
             case Notation::Wave: return wave(node, info, pieces);
@@ -141,6 +142,12 @@ private:
                   {")/"},
                   {{}, node.a, Sign, true}};
         return Product;
+    }
+
+    static int log_sum(const Node& node, std::vector<Piece>& pieces) {
+        pieces = {
+            {"ln(exp("}, {{}, node.a, Or, true}, {") + exp("}, {{}, node.b, Or, true}, {"))"}};
+        return Atom;
     }
 
     static int wave(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {

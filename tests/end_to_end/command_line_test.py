@@ -13,8 +13,8 @@ __all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
-              "frame_ms", "certified", "undecided", "miss", "undecided_not_drawn",
-              "certified_width", "surfaces", "evaluations"}
+              "frame_ms", "certified", "certified_coarse", "coarse_width", "undecided", "miss",
+              "undecided_not_drawn", "certified_width", "surfaces", "evaluations"}
 
 
 class RenderTest(ProgramTest):
@@ -91,7 +91,7 @@ class RenderTest(ProgramTest):
 
     def test_certificates_in_colours(self):
         """Green, amber, red and black pixels are as many as the statistics say."""
-        stats = self.stats("z = sign(x)", "--size", "60x60", "--dstop", 12, "--certificate",
+        stats = self.stats("1/(1/x) = 0; z = sign(x)", "--size", "60x60", "--dstop", 12, "--certificate",
                            "c.png")
         image = read_png(self.folder / "c.png")
         counts = Counter(image.at(col, row) for row in range(60) for col in range(60))
@@ -99,7 +99,7 @@ class RenderTest(ProgramTest):
         undecided = counts[(242, 169, 31)] + counts[(224, 59, 59)]
         self.assertEqual(undecided, stats["undecided"])
         self.assertEqual(counts[(224, 59, 59)], stats["undecided_not_drawn"])
-        self.assertGreater(counts[(224, 59, 59)], 0, "the jump of sign is undecided, not drawn")
+        self.assertGreater(counts[(224, 59, 59)], 0, "the hole at x = 0 is undecided, not drawn")
         self.assertEqual(counts[(0, 0, 0)], stats["miss"])
 
     def test_repeat(self):

@@ -63,10 +63,10 @@ class WindowTest(RealWindowTest):
                    for r, g, b in zip(image.rgb[0::3], image.rgb[1::3], image.rgb[2::3]))
 
     def test_u_marks_undecided_pixels(self):
-        first = self.start(f"{TORUS}; sign(x) = y")
+        first = self.start(f"{TORUS}; 1/(1/x) = 0")
         self.assertEqual(self.marked_pixels(first), 0)
         self.display.xdotool("key", "Escape", "u")
-        self.rest(lambda image: self.marked_pixels(image) > 2000, "the jump marked")
+        self.rest(lambda image: self.marked_pixels(image) > 2000, "the hole marked")
         self.display.xdotool("key", "u")
         self.rest(lambda image: self.marked_pixels(image) == 0, "no marks any more")
         self.quit_by_key()

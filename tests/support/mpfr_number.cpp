@@ -105,6 +105,14 @@ Reference by_itself(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const Mp
     return dividend.is_finite() ? defined(dividend / a) : unknown();
 }
 
+/// ln(e^a + e^b)
+Reference log_sum(const MpfrNumber& a, const MpfrNumber& b) {
+    const MpfrNumber distance = computed(mpfr_abs, a - b);
+    const MpfrNumber rest = computed(mpfr_log1p, computed(mpfr_exp, -distance));
+    if (rest.sign() == 0) return unknown();  // it is above 0 in truth
+    return defined(computed(mpfr_max, a, b) + rest);
+}
+
 Reference integer_power(const MpfrNumber& a, int n) {
     MpfrNumber result;
     mpfr_pow_si(result.get(), a.get(), n, MPFR_RNDN);
@@ -178,6 +186,7 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::Sinc: return by_itself(mpfr_sin, a);
         case Op::Sinhc: return by_itself(mpfr_sinh, a);
         case Op::Atanc: return by_itself(mpfr_atan, a);
+        case Op::LogSum: return log_sum(a, b);
         case Op::Oriented:
             if (b.sign() == 0) return undefined();
             return defined(b.sign() < 0 ? -a : a);

@@ -21,7 +21,7 @@ using Form = BeamValue<double>;
 
 /// The variable c + d t with the slope 1, as if t were the third variable of a cell.
 Form variable(double c, double d) {
-    const double size = std::abs(c) + d;
+    const double size = std::abs(c) + std::abs(d);
     return {{{c, {std::nullopt, std::nullopt, d}, 0.0}, size, size},
             SlopeBeam<double>{{1.0, {}, 0.0}, 1.0}};
 }
@@ -61,6 +61,25 @@ INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
                                            Op::AngleSin, Op::AngleCos, Op::Length, Op::Sinh,
                                            Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh, Op::Atanh),
                          [](const auto& op) { return std::string(op_info(op.param).name); });
+
+/// Of operands that change differently: where they change alike, ln(e^x + e^y) does, too.
+TEST(LogSum, FormAndSlopeAreOfSecondOrder) {
+    const auto form = [](double d) {
+        const UpwardRounding upward;
+        BeamAlgebra<double> algebra;
+        const Facts facts{};
+        const Form x = variable(0.3, d);
+        Form y = variable(0.6, -0.5 * d);
+        y.slope->f.c = -0.5;
+        return apply(algebra, Node{.op = Op::LogSum}, {x, facts}, {y, facts}, {x, facts});
+    };
+    const Form coarse = form(0x1p-6);
+    const Form fine = form(0x1p-8);
+    EXPECT_GT(std::abs(*fine.f.f.k[2]), 0.0);
+    EXPECT_GT(coarse.f.f.e, 1e-6);
+    EXPECT_LT(fine.f.f.e, coarse.f.f.e / 14);
+    EXPECT_LT(fine.slope->f.e, coarse.slope->f.e / 14 + 1e-15);
+}
 
 /// As they are used: for operands near 0.
 TEST(BeamForm, OfSineOverItsOperandIsOfSecondOrderNearZero) {

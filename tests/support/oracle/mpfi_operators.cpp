@@ -176,6 +176,18 @@ MpfiEnclosure cardinal_sine(In a) {
     return total(size.is_above(3) ? beyond : hull(Box(1.0), beyond), a);
 }
 
+/// ln(e^a + e^b), which grows with each.
+MpfiEnclosure log_sum(In a, In b) {
+    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
+    const auto at = [](const Box& p, const Box& q) {
+        const Box distance = computed(mpfi_abs, p - q);
+        return maximum(p, q) + computed(mpfi_log1p, computed(mpfi_exp, -distance));
+    };
+    return total(hull(at(point_of(a.range.lo()), point_of(b.range.lo())),
+                      at(point_of(a.range.hi()), point_of(b.range.hi()))),
+                 a, b);
+}
+
 /// A condition from what it surely is: decided, it is continuous whatever its operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
@@ -264,6 +276,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Sinc: return cardinal_sine(a);
         case Op::Sinhc: return cardinal(mpfi_sinh, a);
         case Op::Atanc: return cardinal(mpfi_atan, a);
+        case Op::LogSum: return log_sum(a, b);
         case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
         case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);
