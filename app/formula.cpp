@@ -38,7 +38,8 @@ SampleRegion sample_region(const Box& box) {
 
 std::size_t choices_in(const Expr& expr) {
     const auto is_choice = [](const Node& node) {
-        return node.op == Op::Min || node.op == Op::Max || node.op == Op::If;
+        return node.op == Op::Min || node.op == Op::Max || node.op == Op::If ||
+               node.op == Op::And || node.op == Op::Or;
     };
     return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
 }

@@ -252,11 +252,15 @@ public:
     Value less_equal(In a, In b) {
         return decided(switches_.outcomes(zeroset::less_equal(box(a), box(b))), a, b);
     }
-    Value logic_and(In a, In b) { return decided(minimum(box(a), box(b)), a, b); }
-    Value logic_or(In a, In b) { return decided(maximum(box(a), box(b)), a, b); }
+    Value logic_and(In a, In b) {
+        return decided(switches_.outcomes(minimum(box(a), box(b))), a, b);
+    }
+    Value logic_or(In a, In b) {
+        return decided(switches_.outcomes(maximum(box(a), box(b))), a, b);
+    }
     Value logic_not(In a) {
         const Box condition = box(a);
-        return decided(one() - condition, a);
+        return decided(switches_.outcomes(one() - condition), a);
     }
     Value choose(In c, In a, In b);
     Value where(In a, In c);

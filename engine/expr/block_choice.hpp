@@ -45,6 +45,21 @@ ChoiceBits choice_by_condition(Op op, const BeamValue<Lanes>& condition) {
     return choice_bits(holds, op == Op::If ? no(may_hold(range)).bits & defined : 0U);
 }
 
+/// Where `and` or `or` is one of its operands, as the other one is known to be true or false: that
+/// must be defined, too.
+template <class Lanes>
+ChoiceBits choice_by_logic(Op op, const BeamValue<Lanes>& a, const BeamValue<Lanes>& b) {
+    const Interval<Lanes> first = a.f.range();
+    const Interval<Lanes> second = b.f.range();
+    const unsigned a_holds = no(may_fail(first)).bits;
+    const unsigned a_fails = no(may_hold(first)).bits;
+    const unsigned b_holds = no(may_fail(second)).bits;
+    const unsigned b_fails = no(may_hold(second)).bits;
+    const bool all = op == Op::And;
+    return choice_bits((all ? a_fails | b_holds : a_holds | b_fails) & bits_of(b.everywhere),
+                       (all ? b_fails | a_holds : b_holds | a_fails) & bits_of(a.everywhere));
+}
+
 /// Where min or max is one of its operands, from the range of a - b: the other one must be defined,
 /// too.
 template <class Lanes>

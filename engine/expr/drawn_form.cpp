@@ -4,6 +4,7 @@
 #include "engine/expr/differences.hpp"
 #include "engine/expr/form_sample.hpp"
 #include "engine/expr/log_sums.hpp"
+#include "engine/expr/plain_conditions.hpp"
 #include "engine/expr/polar_form.hpp"
 #include "engine/expr/tighten.hpp"
 
@@ -32,8 +33,8 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 }  // namespace
 
 Expr drawn_form(const Expr& expr, const SampleRegion& region) {
-    const Expr plain =
-        without_poles(without_small_differences(with_log_sums(plain_angles(expr))), region);
+    const Expr smooth = with_log_sums(plain_angles(with_plain_conditions(expr)));
+    const Expr plain = without_poles(without_small_differences(smooth), region);
     return polar_form(quicker(plain, tightened(plain, region), region));
 }
 

@@ -198,7 +198,7 @@ void interpret_blocks(const Tape& tape, std::size_t size, Board&& board, Leaf le
             return;
         }
         if (step.choice != Tape::no_choice && choose(algebra, step, item, operand, value)) return;
-        enter_switch(algebra, tape.own_switch(step));
+        enter_switch(algebra, step.own_switch);
         const int operands = arity(node.op);
         new (value) Value(apply(algebra, node, operand(0), operand(operands < 2 ? 0 : 1),
                                 operand(operands < 3 ? 0 : 2)));
@@ -292,8 +292,12 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
             record->bits[i / Lanes::lanes * record->choices + choice] = bits;
         };
         if (!extreme) {
-            if (record != nullptr)
+            if (record == nullptr) return false;
+            if (op == Op::And || op == Op::Or) {
+                tell(step.choice, choice_by_logic(op, of(0).value, of(1).value));
+            } else {
                 tell(step.choice, choice_by_condition(op, of(op == Op::If ? 0 : 1).value));
+            }
             return false;
         }
         ChoiceBits left_out{};
@@ -381,7 +385,7 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.ray_form_double = {interpret_ray_form<double>, tape};
     kernel.has_double = true;
     kernel.interpreted = true;
-    kernel.switches = count_switches(tape->graph()->switches);
+    kernel.switches = tape->graph()->switch_count;
     kernel.branches = true;
 }
 

@@ -123,9 +123,15 @@ public:
     Value less_equal(In a, In b) {
         return decided(switches_.outcomes(zeroset::less_equal(range(a), range(b))), a, b);
     }
-    Value logic_and(In a, In b) { return decided(minimum(range(a), range(b)), a, b); }
-    Value logic_or(In a, In b) { return decided(maximum(range(a), range(b)), a, b); }
-    Value logic_not(In a) { return decided(point(like(range(a).hi, 1.0)) - range(a), a); }
+    Value logic_and(In a, In b) {
+        return decided(switches_.outcomes(minimum(range(a), range(b))), a, b);
+    }
+    Value logic_or(In a, In b) {
+        return decided(switches_.outcomes(maximum(range(a), range(b))), a, b);
+    }
+    Value logic_not(In a) {
+        return decided(switches_.outcomes(point(like(range(a).hi, 1.0)) - range(a)), a);
+    }
     Value choose(In c, In a, In b) { return zeroset::choose(c.value, a.value, b.value); }
     Value where(In a, In c) { return zeroset::where(a.value, c.value); }
 

@@ -7,8 +7,7 @@
 namespace zeroset {
 
 /// The graph with each operator made again by `make(builder, node, a, b, c)` from its new operands.
-Expr rebuilt(const Expr& expr, auto make) {
-    ExprBuilder builder;
+Expr rebuilt(ExprBuilder& builder, const Expr& expr, auto make) {
     std::vector<NodeId> now;
     now.reserve(expr.nodes().size());
     for (const Node& node : expr.nodes()) {
@@ -22,6 +21,11 @@ Expr rebuilt(const Expr& expr, auto make) {
     }
     const auto names = expr.parameters();
     return builder.finish(now.back(), {names.begin(), names.end()});
+}
+
+Expr rebuilt(const Expr& expr, auto make) {
+    ExprBuilder builder;
+    return rebuilt(builder, expr, make);
 }
 
 }  // namespace zeroset

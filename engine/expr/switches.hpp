@@ -11,10 +11,11 @@
 #include <span>
 #include <vector>
 
-// Switches: operators with jumps at known places (floor, ceil, round, sign, mod, comparisons, atan2
-// at its cut). Between the jumps each has one outcome, a whole number, and f is one smooth piece.
-// In a box where a switch has two or three outcomes, a piece is f with the switch held at one of
-// them: wherever a point of the box has that outcome, the piece is f.
+// Switches: operators with jumps at known places (floor, ceil, round, sign, mod, conditions, atan2
+// at its cut; of conditions made of others the outermost one). Between the jumps each has one
+// outcome, a whole number, and f is one smooth piece. In a box where a switch has two or three
+// outcomes, a piece is f with the switch held at one of them: wherever a point of the box has that
+// outcome, the piece is f.
 
 namespace zeroset {
 
@@ -22,6 +23,8 @@ using SwitchIndex = std::uint32_t;
 inline constexpr SwitchIndex no_switch = std::numeric_limits<SwitchIndex>::max();
 
 bool is_switch(Op op);
+/// Comparisons and what makes conditions of conditions.
+bool is_condition(Op op);
 /// Whether the operator has a kink: abs, min, max.
 bool has_kink(Op op);
 /// Whether any node of the graph is a switch or has a kink.

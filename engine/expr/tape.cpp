@@ -18,6 +18,9 @@ using Step = Tape::Step;
 constexpr Index never = 0;           ///< no step needs it: the first step has no operands
 constexpr Index always = ~Index{0};  ///< needed to the end
 
+/// Where it may be one of its operands: conditions, too.
+bool may_be_operand(Op op) { return is_choice(op) || op == Op::And || op == Op::Or; }
+
 bool is_sum(Op op) { return op == Op::Add || op == Op::Subtract; }
 
 /// The step's operand that its value is, where the choice falls so; 0 is the first.
@@ -82,6 +85,7 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
 /// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
 struct Room {
     std::vector<Index> stands_for, last_use, place, place_of_node, unused;
+    std::vector<SwitchIndex> switches;
     std::vector<std::uint8_t> zero;
 };
 Room& room() {
@@ -94,11 +98,14 @@ Room& room() {
 /// Makes a tape of those steps of another that are needed.
 class Tape::Builder {
 public:
-    /// `stands_for`: for each step, the one whose value is taken instead.
-    Builder(std::span<const Step> steps, std::size_t uniform, std::span<const Index> stands_for)
+    /// `stands_for`: for each step, the one whose value is taken instead; `switches`: its place
+    /// among the graph's, with those whose place it takes.
+    Builder(std::span<const Step> steps, std::size_t uniform, std::span<const Index> stands_for,
+            std::span<const SwitchIndex> switches)
         : steps_(steps),
           uniform_(uniform),
           stands_for_(stands_for),
+          switches_(switches),
           last_use_(room().last_use),
           place_(room().place),
           unused_(room().unused) {
@@ -118,6 +125,7 @@ private:
     std::span<const Step> steps_;
     std::size_t uniform_;
     std::span<const Index> stands_for_;
+    std::span<const SwitchIndex> switches_;
     std::vector<Index>& last_use_;
     std::vector<Index>& place_;   ///< in the new tape
     std::vector<Index>& unused_;  ///< slots
@@ -157,7 +165,8 @@ void Tape::Builder::append(Tape& tape, Index index) {
         step.operands[k] = place_[operand];
         if (!uniform) release(tape, operand, index);
     }
-    if (!uniform && is_choice(tape.node(step).op)) {
+    step.own_switch = switches_[index];
+    if (!uniform && may_be_operand(tape.node(step).op)) {
         step.choice = static_cast<Index>(tape.choices_++);
     }
     place_[index] = static_cast<Index>(tape.steps_.size());
@@ -250,6 +259,7 @@ TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_cod
         }
     }
     switches = switches_of(expr, facts);
+    switch_count = count_switches(switches);
     for (std::uint32_t part = 0; part < parts.parts.size(); ++part)
         part_kernels.push_back(kernel_of_part(parts, part));
 }
@@ -298,15 +308,23 @@ Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
     }
     std::vector<Index> itself(steps.size());
     std::iota(itself.begin(), itself.end(), Index{0});
-    *this = Builder(steps, uniform, itself).build(std::move(graph), place[root]);
+    std::vector<SwitchIndex> switches;
+    switches.reserve(steps.size());
+    for (const Step& step : steps)
+        switches.push_back(graph->switches[step.node]);
+    *this = Builder(steps, uniform, itself, switches).build(std::move(graph), place[root]);
 }
 
 /// What the steps of a tape come to where its choices fall in a known way.
 class Tape::Reduction {
 public:
     Reduction(const Tape& tape, const ChoiceRecord& record, std::span<const std::size_t> cells)
-        : tape_(tape), stands_for_(room().stands_for), zero_(room().zero) {
+        : tape_(tape),
+          stands_for_(room().stands_for),
+          switches_(room().switches),
+          zero_(room().zero) {
         stands_for_.resize(tape.steps_.size());
+        switches_.resize(tape.steps_.size());
         zero_.resize(tape.steps_.size());
         for (Index i = 0; i < tape.steps_.size(); ++i)
             reduce(i, record, cells);
@@ -314,6 +332,7 @@ public:
 
     /// For each step, the one whose value may be taken instead.
     [[nodiscard]] std::span<const Index> stands_for() const { return stands_for_; }
+    [[nodiscard]] std::span<const SwitchIndex> switches() const { return switches_; }
     [[nodiscard]] bool any() const { return any_; }
 
 private:
@@ -327,6 +346,7 @@ private:
 
     const Tape& tape_;
     std::vector<Index>& stands_for_;
+    std::vector<SwitchIndex>& switches_;
     std::vector<std::uint8_t>& zero_;   ///< whether the value is the number 0
     std::optional<Index> number_zero_;  ///< a constant
     bool any_ = false;
@@ -336,6 +356,7 @@ void Tape::Reduction::reduce(Index i, const ChoiceRecord& record,
                              std::span<const std::size_t> cells) {
     const Step& step = tape_.steps_[i];
     stands_for_[i] = i;
+    switches_[i] = step.own_switch;
     zero_[i] = tape_.sums_ && is_zero(step) ? 1 : 0;
     if (zero_[i] != 0 && i < tape_.uniform_) number_zero_ = i;
     std::optional<Index> taken;
@@ -345,6 +366,10 @@ void Tape::Reduction::reduce(Index i, const ChoiceRecord& record,
     // What is built on it may rely on that.
     if (tape_.facts(step).nonnegative && !tape_.facts(tape_.steps_[*taken]).nonnegative) return;
     stands_for_[i] = *taken;
+    // Where the conditions are the same, so are the outcomes.
+    const bool varies = *taken >= tape_.uniform_;
+    if (varies && is_condition(tape_.node(step).op) && switches_[*taken] == no_switch)
+        switches_[*taken] = step.own_switch;
     zero_[i] = zero_[*taken];
     any_ = true;
 }
@@ -398,7 +423,8 @@ std::optional<Tape> Tape::shortened(const ChoiceRecord& record,
     const Reduction reduction(*this, record, cells);
     if (!reduction.any()) return std::nullopt;
     const std::span<const Index> stands_for = reduction.stands_for();
-    return Builder(steps_, uniform_, stands_for).build(graph_, stands_for[steps_.size() - 1]);
+    return Builder(steps_, uniform_, stands_for, reduction.switches())
+        .build(graph_, stands_for[steps_.size() - 1]);
 }
 
 }  // namespace zeroset

@@ -36,6 +36,7 @@ struct TapeGraph {
     Expr expr;
     std::vector<Facts> facts;           ///< of parts: what their code keeps to
     std::vector<SwitchIndex> switches;  ///< of each node
+    std::size_t switch_count = 0;
     Parts parts;
     std::vector<Kernel> part_kernels;  ///< of each part; they live as long as this
 
@@ -72,6 +73,8 @@ public:
         Index tells = no_choice;
         /// Of the max(k - |a - b|, 0) in its q: that place. It is 0 where an operand is left out.
         Index heeds = no_choice;
+        /// Its place among the switches of the graph; that of a condition whose place it took.
+        SwitchIndex own_switch = no_switch;
         double reach = 0;   ///< of the smooth minimum or maximum: k + d, else 0
         double height = 0;  ///< of the max(k - |a - b|, 0): k, else 0
         Band band = Band::everything();
@@ -92,10 +95,6 @@ public:
     [[nodiscard]] std::size_t uniform_steps() const { return uniform_; }
     [[nodiscard]] Index slots() const { return slots_; }
     [[nodiscard]] std::size_t choices() const { return choices_; }
-    /// The step's place among the switches of the graph, or no_switch.
-    [[nodiscard]] SwitchIndex own_switch(const Step& step) const {
-        return graph_->switches[step.node];
-    }
     /// The last step is the root.
     [[nodiscard]] const Step& root() const { return steps_.back(); }
     [[nodiscard]] const Node& node(const Step& step) const { return graph_->expr.node(step.node); }

@@ -126,6 +126,7 @@ using LaneBits = std::uint32_t;
 struct CellBits {
     LaneBits rejected;  ///< hold no root
     LaneBits smooth;    ///< f is continuous, df/ds not 0: at most one root a ray
+    LaneBits flat;      ///< f is continuous, its form 0 but for the error
     LaneBits finished;  ///< every ray surely has a root in the slab
     std::array<LaneBits, 4> child_finished;  ///< the same for a quarter of the tile
 };
@@ -206,6 +207,13 @@ struct Cells {
     void set_bit(LaneBits CellBits::* member, std::size_t cell) {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         bits[cell / lanes].*member |= LaneBits{1} << (cell % lanes);
+    }
+    /// Every ray of an inside cell surely has a root in the slab.
+    void finish(std::size_t cell) {
+        set_bit(&CellBits::finished, cell);
+        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+        for (LaneBits& child : bits[cell / lanes].child_finished)
+            child |= LaneBits{1} << (cell % lanes);
     }
     [[nodiscard]] bool child_finished(std::size_t child, std::size_t cell) const {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
@@ -302,11 +310,12 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     const M sloped = hn::Or(hn::Lt(load(f.slope_neg_lo), zero), hn::Lt(load(f.slope_hi), zero));
     bits.smooth = bits_of(d, hn::And(continuous, sloped));
     const LaneBits inside = inside_of(cells, i);
-    const V steepness = hn::Max(size_t_, hn::Set(d, std::numeric_limits<Real>::min()));
-    const V inverse = hn::Div(hn::Set(d, Real{1}), hn::CopySign(steepness, form.kt));
+    const V inverse = hn::Div(hn::Set(d, Real{1}), form.kt);  // infinite where nothing is steep
     const V radius = hn::Set(d, radius_);
     const V width = hn::MulAdd(radius, hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
     const LaneBits may_finish = inside & bits_of(d, continuous);
+    const V linear = hn::Add(hn::Add(size_c, size_t_), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
+    bits.flat = bits_of(d, hn::And(continuous, hn::Eq(linear, zero)));
     for (std::size_t child = 0; child < 4; ++child) {
         bits.child_finished[child] =
             may_finish & contract(cells, i, child, form, inverse, hn::Not(rejected), width);

@@ -92,6 +92,10 @@ public:
         return static_cast<int>(boxes_.neg_lo[i] < 0) - static_cast<int>(boxes_.hi[i] < 0);
     }
     [[nodiscard]] bool continuous(std::size_t i) const { return boxes_.continuous[i] != 0; }
+    /// Whether f is surely 0 in all of the box.
+    [[nodiscard]] bool vanishes(std::size_t i) const {
+        return boxes_.neg_lo[i] == 0 && boxes_.hi[i] == 0 && continuous(i);
+    }
 
 private:
     const TraceFrame& frame_;

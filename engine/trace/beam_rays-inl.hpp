@@ -94,13 +94,17 @@ private:
     void advance(std::span<const Segment<Real>> segments, std::size_t first, Real finest);
     /// Where cell i of a segment is not decided; false if it is not cut any further.
     bool narrow(Segment<Real>& segment, std::size_t i, Real finest);
+    /// Where f is 0 from one depth to the other: the first point of that surely inside the clip
+    /// region, if there is one.
+    bool take_first(const Segment<Real>& segment, Real from, Real to);
     /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
     void look_around(Real finest);
     struct Crossing {
         Trend trend;
         double width;  ///< of the bracket
     };
-    /// Where f surely has opposite signs around it, and is continuous between.
+    /// Where f surely is 0 at one of its ends, or has opposite signs around it and is continuous
+    /// between.
     [[nodiscard]] std::optional<Crossing> crossing(std::size_t rest, Real finest) const;
     /// The rest's segment where the ray goes on behind.
     template <class Undecided>
@@ -203,14 +207,16 @@ void RayMarcher<Real, Cell>::judge_vector(SegmentCells<Real>& cells, std::size_t
     hn::StoreU(from, d, verdicts.from.data() + i);
     hn::StoreU(to, d, verdicts.to.data() + i);
     hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts.guess.data() + i);
+    const auto flat = hn::Eq(hn::Add(hn::Abs(c), hn::Abs(k)), zero);
     const auto finished = hn::And(rejected, hn::Ge(end, load(verdicts.last)));
     verdicts.bits[i / hn::Lanes(d)] = {
         bits_of(d, rejected),
         bits_of(d, finished),
-        bits_of(d, hn::Or(hn::Not(hn::And(continuous, known)), short_already)),
+        bits_of(d, hn::Or(flat, hn::Or(hn::Not(hn::And(continuous, known)), short_already))),
         bits_of(d, hn::And(continuous, straight)),
         bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
-        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths))))};
+        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths)))),
+        0};
 }
 
 template <class Real, class Cell>
@@ -268,6 +274,7 @@ void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments)
     ranges_.evaluate(*segments.front().kernel);
     for (std::size_t k = 0; k < asked_.size(); ++k) {
         if (ranges_.excludes_zero(k)) verdicts_.reject(asked_[k]);
+        if (ranges_.vanishes(k)) verdicts_.set_bit(&Verdicts<Real>::Bits::vanishes, asked_[k]);
     }
 }
 
@@ -286,8 +293,7 @@ void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) 
                  .slope_hi = static_cast<double>(forms_.slope_hi[i]),
                  .r = static_cast<double>(forms_.r[i]),
                  .kernel = segment.kernel,
-                 .kinked =
-                     segment.kernel->branches && forms_.branches_of(i).may_hold_kink(),
+                 .kinked = segment.kernel->branches && forms_.branches_of(i).may_hold_kink(),
                  .again = false});
 }
 
@@ -322,6 +328,8 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
     const Real from = verdicts_.from[i];
     const Real to = verdicts_.to[i];
     const Real width = to - from;
+    if (verdicts_.bit(&Verdicts<Real>::Bits::vanishes, i) && take_first(segment, from, to))
+        return false;
     if (width <= finest || !(from < from + Real{0.5} * width)) {
         rests_.push_back({segment, from, to, forms_.continuous[i] != 0});
         return false;
@@ -330,6 +338,21 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
     // Whether it contracts is hard to predict.
     constexpr Real parts[] = {Real{0.5}, Real{1}};
     segment.step = width * parts[verdicts_.bit(&Verdicts<Real>::Bits::contracts, i) ? 1 : 0];
+    return true;
+}
+
+template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::take_first(const Segment<Real>& segment, Real from, Real to) {
+    auto first = static_cast<double>(from);
+    auto last = static_cast<double>(to);
+    if (!segment.inside) {
+        const DepthRange clip = view_.depths(view_.u(segment.pixel % tile_size),
+                                             view_.v(segment.pixel / tile_size), 0.0, 0.0);
+        first = std::max(first, clip.enter_hi);
+        last = std::min(last, clip.exit_lo);
+    }
+    if (!(first <= last)) return false;
+    found_.add_pending(segment.pixel, first, Certificate::Certified, Trend::Unknown);
     return true;
 }
 
@@ -367,6 +390,8 @@ auto RayMarcher<Real, Cell>::crossing(std::size_t rest, Real finest) const
         const double from = static_cast<double>(what.from) - margins.sizes[k];
         const double to = static_cast<double>(what.to) + margins.sizes[k];
         if (from < clip.enter_hi || to > clip.exit_lo) break;
+        if (ranges_.vanishes(box + 1) || ranges_.vanishes(box + 2))
+            return Crossing{Trend::Unknown, to - from};
         if (!ranges_.continuous(box) && !(k == 0 && what.continuous)) break;
         // A sign holds for all of the bracket before, or behind, which has no root.
         if (before == 0) before = ranges_.sign(box + 1);
@@ -395,8 +420,7 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
             const bool narrow = found->width <= 4 * static_cast<double>(settings.finest);
             if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
             found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
-                               narrow ? Certificate::Certified : Certificate::Coarse,
-                               found->trend);
+                               narrow ? Certificate::Certified : Certificate::Coarse, found->trend);
             return std::nullopt;
         }
         const bool continuous = what.continuous || ranges_.continuous(box);
@@ -418,8 +442,8 @@ void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
             const Doubt& doubt = doubts[end];
             const auto from = static_cast<Real>(doubt.from);
             const auto to = static_cast<Real>(doubt.to);
-            rests_.push_back({{doubt.pixel, false, from, to, to - from, doubt.kernel},
-                              from, to, true});
+            rests_.push_back(
+                {{doubt.pixel, false, from, to, to - from, doubt.kernel}, from, to, true});
         }
         look_around(settings.finest);
         for (std::size_t rest = 0; rest < rests_.size(); ++rest)

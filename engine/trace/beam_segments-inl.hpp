@@ -55,6 +55,7 @@ struct Verdicts {
         LaneBits monotone;   ///< f is continuous, with a slope that bends little
         LaneBits certain;    ///< then there is a root
         LaneBits contracts;  ///< the form leaves less than three fifths of the part
+        LaneBits vanishes;   ///< f is surely 0 in all of the part
     };
     std::vector<Bits> bits;
 
@@ -66,20 +67,20 @@ struct Verdicts {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         return (bits[i / lanes].*member >> (i % lanes) & 1U) != 0;
     }
-    void reject(std::size_t i) {
+    void set_bit(LaneBits Bits::* member, std::size_t i) {
         const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-        bits[i / lanes].rejected |= LaneBits{1} << (i % lanes);
+        bits[i / lanes].*member |= LaneBits{1} << (i % lanes);
     }
+    void reject(std::size_t i) { set_bit(&Bits::rejected, i); }
     /// A root is nowhere else in the part than from `lo` to `hi`.
     void narrow(std::size_t i, Real lo, Real hi) {
         from[i] = std::max(from[i], lo);
         to[i] = std::min(to[i], hi);
         if (!(from[i] <= to[i])) return reject(i);
         guess[i] = std::clamp(guess[i], from[i], to[i]);
-        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
         constexpr auto much = static_cast<Real>(0.6);
         const bool contracts = to[i] - from[i] < much * (end[i] - begin[i]);
-        if (contracts) bits[i / lanes].contracts |= LaneBits{1} << (i % lanes);
+        if (contracts) set_bit(&Bits::contracts, i);
     }
 };
 

@@ -150,7 +150,8 @@ private:
     /// Cells in which switches are open, by what each piece of f leaves.
     void narrow_by_pieces(const CellRun& run, const FrustumOf<Real>& frustum, int pixels);
     /// By natural interval extensions, cells on which f is not known to be continuous or its form
-    /// says nothing: they are sharper beside poles and jumps, and where numbers overflow.
+    /// says nothing: they are sharper beside poles and jumps, and where numbers overflow. They tell
+    /// where f is 0 in the whole cell, too.
     void reject_by_ranges(const CellRun& run, int pixels);
     HWY_INLINE void push_child(const Child& child, int pixels, std::size_t parent);
     void hide(CellTile tile, int pixels, Real to);
@@ -344,7 +345,8 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     asked_.clear();
     const double half = 0.5 * (pixels - 1);
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-        const bool told = cells_->forms.continuous[i] != 0 && cells_->forms.known(i);
+        const bool told = cells_->forms.continuous[i] != 0 && cells_->forms.known(i) &&
+                          !cells_->bit(&CellBits::flat, i);
         if (told || cells_->bit(&CellBits::rejected, i)) continue;
         asked_.push_back(i);
         ranges_.push(view_.u(cells_->tile[i].col() + half), view_.v(cells_->tile[i].row() + half),
@@ -354,6 +356,7 @@ void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     ranges_.evaluate(*run.kernel);
     for (std::size_t k = 0; k < asked_.size(); ++k) {
         if (ranges_.excludes_zero(k)) cells_->set_bit(&CellBits::rejected, asked_[k]);
+        if (ranges_.vanishes(k) && cells_->tile[asked_[k]].inside != 0) cells_->finish(asked_[k]);
     }
 }
 
