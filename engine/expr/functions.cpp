@@ -24,7 +24,17 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"arsinh", "asinh"},
     {"arcosh", "acosh"},
     {"artanh", "atanh"},
+    {"ArcTan", "atan"},
+    {"arctan2", "atan2"},
     {"sgn", "sign"},
+    {"fabs", "abs"},
+    {"fmin", "min"},
+    {"fmax", "max"},
+    {"lg", "log10"},
+    {"sen", "sin"},
+    {"frac", "fract"},
+    {"rint", "round"},
+    {"lerp", "mix"},
     {"tg", "tan"},
     {"ctg", "cot"},
     {"cosec", "csc"},
@@ -117,6 +127,34 @@ NodeId make_logarithm(ExprBuilder& builder, std::span<const NodeId> a) {
                        make_call(builder, Op::Log, a[1]));
 }
 
+/// trunc(a): floor from 0 on, ceil below.
+NodeId make_trunc(ExprBuilder& builder, NodeId a) {
+    const NodeId below = make_call(builder, Op::Less, a, builder.constant(0.0));
+    return make_call(builder, Op::If, below, make_call(builder, Op::Ceil, a),
+                     make_call(builder, Op::Floor, a));
+}
+
+NodeId make_clamp(ExprBuilder& builder, NodeId a, NodeId low, NodeId high) {
+    return make_call(builder, Op::Min, make_call(builder, Op::Max, a, low), high);
+}
+
+/// t^2 (3 - 2t) for t = (a - low)/(high - low), kept from 0 to 1.
+NodeId make_smooth_step(ExprBuilder& builder, NodeId low, NodeId high, NodeId a) {
+    const NodeId whole = make_subtract(builder, high, low);
+    const NodeId part = make_divide(builder, make_subtract(builder, a, low), whole);
+    const NodeId t = make_clamp(builder, part, builder.constant(0.0), builder.constant(1.0));
+    const NodeId twice = make_multiply(builder, builder.constant(2.0), t);
+    return make_multiply(builder, make_multiply(builder, t, t),
+                         make_subtract(builder, builder.constant(3.0), twice));
+}
+
+/// smooth_union(a, b, ..., k) and its kin: two by two, each blended with the width k.
+template <class Blend>
+NodeId blended(std::span<const NodeId> a, Blend blend) {
+    const auto solids = a.first(a.size() - 1);
+    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(), blend);
+}
+
 NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
     return std::accumulate(a.begin() + 1, a.end(), a.front(), [&](NodeId solid, NodeId hole) {
         return make_call(builder, Op::Max, solid, make_negate(builder, hole));
@@ -133,16 +171,40 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::LogBase: return make_logarithm(builder, a);
         case Composed::Sec: return reciprocal(make_call(builder, Op::Cos, a[0]));
         case Composed::Csc: return reciprocal(make_call(builder, Op::Sin, a[0]));
+        case Composed::Sech: return reciprocal(make_call(builder, Op::Cosh, a[0]));
+        case Composed::Csch: return reciprocal(make_call(builder, Op::Sinh, a[0]));
+        case Composed::Coth: return reciprocal(make_call(builder, Op::Tanh, a[0]));
+        case Composed::Exp2: return make_power(builder, builder.constant(2.0), a[0]);
+        case Composed::Trunc: return make_trunc(builder, a[0]);
+        case Composed::Fract:
+            return make_subtract(builder, a[0], make_call(builder, Op::Floor, a[0]));
+        case Composed::Fmod: {
+            const NodeId whole = make_trunc(builder, make_divide(builder, a[0], a[1]));
+            return make_subtract(builder, a[0], make_multiply(builder, a[1], whole));
+        }
+        case Composed::Step:
+            return make_call(builder, Op::If, make_call(builder, Op::Less, a[1], a[0]),
+                             builder.constant(0.0), one);
+        case Composed::SmoothStep: return make_smooth_step(builder, a[0], a[1], a[2]);
+        case Composed::Mix: {
+            const NodeId way = make_subtract(builder, a[1], a[0]);
+            return make_add(builder, a[0], make_multiply(builder, a[2], way));
+        }
         case Composed::Hypot:
         case Composed::Length: return length_of(builder, a);
-        case Composed::Clamp:
-            return make_call(builder, Op::Min, make_call(builder, Op::Max, a[0], a[1]), a[2]);
-        case Composed::SmoothMin:
-        case Composed::SmoothUnion: return smooth_min(builder, a[0], a[1], a[2]);
-        case Composed::SmoothMax:
-        case Composed::SmoothIntersect: return smooth_max(builder, a[0], a[1], a[2]);
+        case Composed::Clamp: return make_clamp(builder, a[0], a[1], a[2]);
+        case Composed::SmoothMin: return smooth_min(builder, a[0], a[1], a[2]);
+        case Composed::SmoothMax: return smooth_max(builder, a[0], a[1], a[2]);
+        case Composed::SmoothUnion:
+            return blended(
+                a, [&](NodeId of, NodeId b) { return smooth_min(builder, of, b, a.back()); });
+        case Composed::SmoothIntersect:
+            return blended(
+                a, [&](NodeId of, NodeId b) { return smooth_max(builder, of, b, a.back()); });
         case Composed::SmoothSubtract:
-            return smooth_max(builder, a[0], make_negate(builder, a[1]), a[2]);
+            return blended(a, [&](NodeId of, NodeId b) {
+                return smooth_max(builder, of, make_negate(builder, b), a.back());
+            });
         case Composed::Union: return fold(builder, Op::Min, a);
         case Composed::Intersect: return fold(builder, Op::Max, a);
         case Composed::Without: return make_without(builder, a);

@@ -33,7 +33,7 @@ public:
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            if (text_.size() > longest_ || pending_.size() > 2 * longest_) return text_ + "...";
+            if (text_.size() > longest_ || pending_.size() > most_pending()) return text_ + "...";
             if (piece.is_node) {
                 print(nodes_[piece.node], piece.least);
             } else {
@@ -44,6 +44,11 @@ public:
     }
 
 private:
+    /// How deep a text may begin: long ones, of which there are few, as deep as graphs get.
+    [[nodiscard]] std::size_t most_pending() const {
+        return (longest_ < 10'000 ? 2 : 40) * longest_;
+    }
+
     struct Piece {
         std::string text;
         NodeId node = 0;
