@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t deepest = 1100;
 
 /// What becomes of a token.
-enum class Mark : std::uint8_t { Stays, Or, And, Nothing, Point, Ends };
+enum class Mark : std::uint8_t { Stays, Or, And, Nothing, Point, Ends, Label };
 
 enum class Place : std::uint8_t { Statement, Call, Group, Braces };
 
@@ -228,8 +228,7 @@ void MarkReader::colon(std::size_t at) {
     }
     if (here.place != Place::Statement) return;
     if (is_label(at)) {
-        std::fill(marks_.begin() + static_cast<std::ptrdiff_t>(statement_),
-                  marks_.begin() + static_cast<std::ptrdiff_t>(at + 1), Mark::Nothing);
+        marks_[at] = Mark::Label;
         notes_.add(tokens_[at].offset,
                    "what stands before ':' is taken as a name for what follows");
         statement_ = at + 1;
@@ -336,6 +335,7 @@ std::vector<Token> MarkReader::result() {
                 token.kind = TokenKind::Name;
                 token.text = "and";
                 break;
+            case Mark::Label: token.text = label_mark; break;
             case Mark::Ends:
                 token.kind = TokenKind::Break;
                 token.text = ";";

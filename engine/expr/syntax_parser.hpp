@@ -52,7 +52,8 @@ private:
 
     // syntax_statement.cpp
     bool statement();
-    bool part_of_statement(bool is_certain);
+    void skip_label();
+    bool part_of_statement(bool is_certain, std::size_t offset);
     bool skip_type_words();
     [[nodiscard]] bool declares_more() const;
     Parsed relation_of_statement(bool is_certain);

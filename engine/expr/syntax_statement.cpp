@@ -27,12 +27,22 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
 
 /// Words such as `const float` say that a definition follows, or several with commas between.
 bool SyntaxParser::statement() {
+    std::size_t offset = next().offset;
+    skip_label();
     const bool is_certain = skip_type_words();
-    while (part_of_statement(is_certain)) {
+    while (part_of_statement(is_certain, offset)) {
         if (!is_certain || !declares_more()) return true;
         take();
+        offset = next().offset;
     }
     return false;
+}
+
+/// The name of an equation: e1: x + y = 1.
+void SyntaxParser::skip_label() {
+    for (std::size_t at = at_; at <= at_ + 2 && at < tokens_.size(); ++at) {
+        if (is_symbol(tokens_[at], {label_mark})) at_ = at + 1;
+    }
 }
 
 bool SyntaxParser::skip_type_words() {
@@ -51,7 +61,7 @@ bool SyntaxParser::declares_more() const {
            is_symbol(tokens_[at_ + 2], {"=", ":="});
 }
 
-bool SyntaxParser::part_of_statement(bool is_certain) {
+bool SyntaxParser::part_of_statement(bool is_certain, std::size_t offset) {
     statement_start_ = at_;
     if (tree_.statements.size() == ProgramLimits::statements) {
         const std::string most = std::to_string(ProgramLimits::statements);
@@ -59,7 +69,7 @@ bool SyntaxParser::part_of_statement(bool is_certain) {
         return false;
     }
     StatementSyntax statement{
-        .relation = 0, .restrictions = {}, .offset = next().offset, .is_certain = is_certain};
+        .relation = 0, .restrictions = {}, .offset = offset, .is_certain = is_certain};
     const Parsed relation = relation_of_statement(is_certain);
     if (!relation) return false;
     statement.relation = *relation;
