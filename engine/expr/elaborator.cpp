@@ -216,11 +216,15 @@ Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& state
         if (!done(*all, syntax.offset)) return std::nullopt;
     }
     if (!all) return f;
-    const Facts& facts = facts_[*all];
-    if (refuses_undefined_ && facts.constant && facts.constant->hi <= 0) {
+    if (refuses_undefined_ && never_holds(*all)) {
         return fail(tree_[statement.restrictions.front()].offset, "this never holds");
     }
     return make_call(builder_, Op::Where, f, *all);
+}
+
+bool Elaborator::never_holds(NodeId condition) const {
+    const auto& constant = facts_[condition].constant;
+    return constant && constant->hi <= 0;
 }
 
 bool Elaborator::uses_space(NodeId root) const { return !facts_[root].uniform; }
@@ -237,6 +241,10 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     const Node& top = builder_.node(root);
     if (!uses_space(top.op == Op::Where ? top.a : root)) {
         if (!error_) error_ = no_place_error(statement);
+        return false;
+    }
+    if (top.op == Op::Where && never_holds(top.b)) {
+        fail(tree_.statements[statement].offset, "its condition never holds");
         return false;
     }
     if (surfaces_.size() == ProgramLimits::surfaces) {

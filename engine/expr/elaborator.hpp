@@ -62,6 +62,7 @@ private:
     bool build_definition(Definition& definition);
     bool add_surface(std::size_t statement, NodeId root);
     [[nodiscard]] bool uses_space(NodeId root) const;
+    [[nodiscard]] bool never_holds(NodeId condition) const;
     [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
     std::optional<std::string> value_text(Definition& definition);
     void note_built_in(const Definition& definition);

@@ -40,10 +40,11 @@ bool has_pieces(std::string_view run) {
     std::size_t at = 0;
     while (at < run.size()) {
         if (run[at] == '_') return false;
+        const CodePoint point = code_point_at(run, at);
         const bool letters = is_letter(run[at]);
-        ++at;
-        if (!letters) continue;
-        at += run_length(run, at, is_letter);
+        at += point.length;
+        if (!letters && !is_greek(point.code)) continue;
+        if (letters) at += run_length(run, at, is_letter);
         if (at == run.size() || run[at] != '_') continue;
         if (++at == run.size() || run[at] == '_') return false;
         const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
@@ -66,8 +67,6 @@ bool Lexer::identifier() {
     if (library_prefix(run) || (may_be_defined && defined_name(run))) return true;
     if (defined_ == nullptr || (!within && !has_pieces(run))) {
         push(TokenKind::Name, run, run.size());
-    } else if (run == "M_PI") {
-        push(TokenKind::Name, "pi", run.size());
     } else {
         const std::size_t letters = run_length(run, 0, is_letter);
         if (letters == 0) return false;

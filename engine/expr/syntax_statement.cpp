@@ -224,7 +224,12 @@ SyntaxParser::Parsed SyntaxParser::block() {
     if (!result) return result;
     while (next().kind == TokenKind::Break)
         take();
-    if (!close(opener)) return std::nullopt;
+    if (!next_is("}")) {
+        const bool unfinished = next().kind == TokenKind::End;
+        return refuse(
+            {opener.offset, "this '{' is not closed behind 'return'", "add a '}'", unfinished});
+    }
+    take();
     if (!may_nest(static_cast<int>(locals.size()))) return std::nullopt;
     for (auto local = locals.rbegin(); local != locals.rend(); ++local) {
         result = add(SyntaxKind::Let, local->offset, {local->value, *result}, {}, local->name);

@@ -12,6 +12,8 @@
 namespace zeroset {
 namespace {
 
+constexpr std::string_view pi_of_c = "M_PI";
+
 /// Whether the token is one ASCII letter, or a Greek one.
 bool is_single(const Token& token) {
     return token.kind == TokenKind::Name && (token.text.size() == 1 || !is_letter(token.text[0]));
@@ -64,8 +66,10 @@ std::string subscript_text(const Token& token) {
 }
 
 bool is_parameter_name(std::string_view name) {
-    const std::string_view letter = name.substr(0, name.find('_'));
-    if (letter.empty()) return false;
+    const std::size_t bar = std::min(name.find('_'), name.size());
+    const std::string_view letter = name.substr(0, bar);
+    const bool has_more = name.substr(bar).find('_', 1) != std::string_view::npos;
+    if (letter.empty() || has_more || name == pi_of_c) return false;
     return letter.size() == 1 || code_point_at(letter, 0).length == letter.size();
 }
 
@@ -96,6 +100,11 @@ void Words::push_name(const Token& token, std::vector<Token>& out) const {
         out.back().subscript = {};
     } else {
         push_pieces(token, out);
+    }
+    Token& last = out.back();
+    if (last.text == "M" && full_name(last) == pi_of_c) {
+        last.text = "pi";
+        last.subscript = {};
     }
 }
 
