@@ -3,6 +3,7 @@
 #include "engine/expr/functions.hpp"
 #include "engine/expr/signs.hpp"
 #include "engine/expr/spelling.hpp"
+#include "engine/expr/syntax_bars.hpp"
 #include "engine/expr/words_defined.hpp"
 
 #include <algorithm>
@@ -28,6 +29,23 @@ std::size_t type_words_before(Tokens statement) {
            is_type_word(statement[count].text) && is_plain_name(statement[count + 1]))
         ++count;
     return count;
+}
+
+/// Whether conditions stand behind the value: a comma, if it is no decimal one, or braces.
+bool is_restricted(Tokens value) {
+    int open = 0;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const bool braces = i > 0 && is_symbol(value[i], {"{"}) && ends_operand(value[i - 1]);
+        if (open == 0 && braces) return true;
+        open += is_opener(value[i]) ? 1 : is_closer(value[i]) ? -1 : 0;
+        if (open > 0 || !is_symbol(value[i], {","})) continue;
+        const bool point = i > 0 && i + 1 < value.size() &&
+                           value[i - 1].kind == TokenKind::Number &&
+                           value[i + 1].kind == TokenKind::Number &&
+                           adjacent(value[i - 1], value[i]) && adjacent(value[i], value[i + 1]);
+        if (!point) return true;
+    }
+    return false;
 }
 
 /// Where the first of `float a = 1, b = 2` ends: at a comma behind which a definition begins.
@@ -249,7 +267,7 @@ void Candidates::read_definition(Tokens statement, std::size_t begin, bool is_ce
         candidate.name = plain_name(statement[0].text);
         candidate.name_offset = statement[0].offset;
         candidate.is_certain = is_certain;
-        if (defines(statement[1])) {
+        if (defines(statement[1]) && (is_certain || !is_restricted(statement.subspan(2)))) {
             is_definition = true;
             candidate.is_certain = is_certain || is_symbol(statement[1], {":="});
             candidate.value = statement.subspan(2);
@@ -271,6 +289,7 @@ void Candidates::read_definition(Tokens statement, std::size_t begin, bool is_ce
     if (is_definition || !candidate.indices.empty()) candidates_.push_back(std::move(candidate));
 }
 
+/// Counts the uses of names outside of the statements that define them.
 void Candidates::count_uses(Tokens tokens, std::size_t counted_end) {
     auto candidate = candidates_.begin();
     for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -278,13 +297,11 @@ void Candidates::count_uses(Tokens tokens, std::size_t counted_end) {
         if (token.kind != TokenKind::Name) continue;
         const auto uses = find_plain(uses_, token.text);
         if (uses == uses_.end() || token.text.size() == 1) read_letters(token.text);
-        while (candidate != candidates_.end() &&
-               (candidate->name.empty() || candidate->name_offset < token.offset))
+        while (candidate != candidates_.end() && candidate->end <= token.offset)
             ++candidate;
-        const bool is_defined_here =
-            candidate != candidates_.end() && candidate->name_offset == token.offset;
-        if (is_defined_here || token.offset >= counted_end) continue;
-        if (uses == uses_.end()) continue;
+        if (uses == uses_.end() || token.offset >= counted_end) continue;
+        const bool is_inside = candidate != candidates_.end() && candidate->begin <= token.offset;
+        if (is_inside && candidate->name == uses->first) continue;
         ++uses->second.all;
         if (is_symbol(tokens[i + 1], {"(", "["})) ++uses->second.calls;
     }

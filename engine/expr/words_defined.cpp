@@ -140,25 +140,26 @@ bool DefinitionSearch::defines_value(const Candidate& candidate) const {
     return factors.size() < 2 || defines_product(candidate, factors);
 }
 
-/// Whether cx = 0.1 defines cx, though it could be a product: where something else uses cx, or the
-/// product would be none.
+/// Whether cx = 0.1 defines cx, though it could be a product: where another statement uses cx, or
+/// the product would be no surface, or nothing else has the letter c.
 bool DefinitionSearch::defines_product(const Candidate& candidate,
                                        const std::vector<std::string>& factors) const {
     const auto is_xyz = [](const std::string& factor) {
         return factor == "x" || factor == "y" || factor == "z" || is_digit(factor[0]) ||
                find_function(factor) != nullptr;
     };
-    const bool only_places = std::ranges::all_of(factors, is_xyz);
-    const bool constant = candidates_.is_constant(candidate);
     const bool is_letter_known = std::ranges::any_of(factors, [&](const std::string& factor) {
         return !is_built_in(factor) && candidates_.is_known_factor(factor);
     });
     const std::string& name = candidate.name;
     const bool used = candidates_.uses(name).all > 0;
-    if (used ? only_places && constant : only_places || !constant) return false;
+    const bool of_places_only = std::ranges::all_of(factors, is_xyz);  // xy = 1
+    if (!used && (of_places_only || !candidates_.is_constant(candidate))) return false;
     const bool is_no_surface = std::ranges::none_of(factors, is_place);
     const bool defines = used || is_no_surface || (!is_letter_known && candidates_.has_equations());
-    if (defines ? !is_letter_known && (used || is_no_surface) : is_letter_known) return defines;
+    const bool is_plain =
+        defines ? (used || is_no_surface) && !is_letter_known && !of_places_only : is_letter_known;
+    if (is_plain) return defines;
     const std::string product = product_of(factors);
     notes_.add(candidate.begin,
                defines ? name + " is a name of its own here; for the product type " + product
