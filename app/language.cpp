@@ -24,7 +24,7 @@ constexpr Line statements[] = {
     {"a = 2; a = a + 1", "defined again: for what follows and for all surfaces"},
     {"; or a new line",
      "between statements; a line goes on in brackets, behind an operator and before one"},
-    {"-x + y", "at the start of a line another statement; within a row of the window it goes on"},
+    {"-x + y", "at the start of a line another statement, but + goes on where no = was before"},
     {"# a remark  // a remark",
      "up to the end of the line, as % at its start; also /* a remark */"},
 };

@@ -236,7 +236,7 @@ std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes) {
     auto tokens = Lexer(text, defined, notes).tokens();
     if (!tokens) return tokens;
-    return without_inner_line_ends(std::move(*tokens));
+    return without_inner_line_ends(std::move(*tokens), notes);
 }
 
 }  // namespace zeroset

@@ -49,7 +49,8 @@ std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes);
 
 /// Leaves out the line ends that separate nothing: in brackets, behind and before an operator that
-/// wants more. Only behind a "\v" a line that starts with a sign goes on with a finished one.
-std::vector<Token> without_inner_line_ends(std::vector<Token> tokens);
+/// wants more, before a "+" that goes on with what has no "=" yet. Behind a "\v" a line that starts
+/// with a sign goes on with a finished one, too.
+std::vector<Token> without_inner_line_ends(std::vector<Token> tokens, Notes& notes);
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 // Where the lines of a text go on with each other.
 
 #include "engine/expr/lexer.hpp"
+#include "engine/expr/parse_notes.hpp"
 
 #include <utility>
 
@@ -23,11 +24,12 @@ bool wants_more(const Token& token) {
 
 class LineJoiner {
 public:
-    explicit LineJoiner(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
+    LineJoiner(std::vector<Token> tokens, Notes& notes)
+        : tokens_(std::move(tokens)), notes_(notes) {}
 
     std::vector<Token> joined() {
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (!is_line_end(tokens_[i]) || !joins(i)) take(tokens_[i]);
+            if (!is_line_end(tokens_[i]) || (!joins(i) && !joins_sign(i))) take(tokens_[i]);
         }
         tokens_.resize(kept_);
         return std::move(tokens_);
@@ -56,10 +58,20 @@ private:
         const Token& last = tokens_[kept_ - 1];
         if (last.kind == TokenKind::Break || wants_more(last) || goes_on(next)) return true;
         const bool between_values = is_symbol(last, {":"}) || is_symbol(next, {":"});
-        if (between_values && choices_ > 0) return true;
+        return between_values && choices_ > 0;
+    }
+    /// Whether the line behind `at` starts with a sign and goes on.
+    bool joins_sign(std::size_t at) {
+        const Token& next = tokens_[at + 1];
+        if (!is_symbol(next, {"+", "-"})) return false;
         const bool within_row = tokens_[at].text == "\v";
-        return within_row && is_symbol(next, {"+", "-"}) &&
-               !(has_equals_ && equation_starts(at + 1));
+        const bool joins = within_row ? !has_equals_ || !equation_starts(at + 1)
+                                      : !has_equals_ && is_symbol(next, {"+"});
+        if (joins && (has_equals_ || !within_row)) {
+            notes_.add(next.offset,
+                       "this line goes on with the one above; to part them put ; between");
+        }
+        return joins;
     }
     /// Whether an "=" stands between `at` and the next break.
     [[nodiscard]] bool equation_starts(std::size_t at) const {
@@ -70,6 +82,7 @@ private:
     }
 
     std::vector<Token> tokens_;
+    Notes& notes_;
     std::size_t kept_ = 0;     ///< of the tokens, at their start
     int open_ = 0;             ///< brackets
     int choices_ = 0;          ///< "?" in the statement so far
@@ -78,8 +91,8 @@ private:
 
 }  // namespace
 
-std::vector<Token> without_inner_line_ends(std::vector<Token> tokens) {
-    return LineJoiner(std::move(tokens)).joined();
+std::vector<Token> without_inner_line_ends(std::vector<Token> tokens, Notes& notes) {
+    return LineJoiner(std::move(tokens), notes).joined();
 }
 
 }  // namespace zeroset

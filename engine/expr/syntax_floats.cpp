@@ -22,11 +22,12 @@ bool ends_number(std::span<const Token> tokens, std::size_t at) {
            number.text.find_first_of(".eE") != std::string_view::npos;
 }
 
-/// Whether an f stands somewhere else.
+/// Whether an f that is a value stands somewhere else.
 bool has_f(std::span<const Token> tokens, const DefinedNames& defined) {
-    if (defined.defines_value("f") || defined.defines_function("f")) return true;
+    if (defined.defines_value("f")) return true;
     for (std::size_t at = 0; at < tokens.size(); ++at) {
-        if (is_f(tokens[at]) && !ends_number(tokens, at)) return true;
+        const bool called = at + 1 < tokens.size() && is_symbol(tokens[at + 1], {"(", "["});
+        if (is_f(tokens[at]) && !called && !ends_number(tokens, at)) return true;
     }
     return false;
 }

@@ -24,8 +24,9 @@ enum class Place : std::uint8_t { Statement, Call, Group, Braces };
 /// A comma and whether digits stand right before and behind it.
 struct Comma {
     std::size_t at;
-    std::size_t comparisons;  ///< before it
     bool may_be_point;
+    bool behind_connective = false;  ///< "and" or a bar stands since the comma
+    bool before_comparison = false;  ///< a comparison starts behind it
 };
 
 struct Frame {
@@ -72,6 +73,8 @@ private:
     void colon(std::size_t at);
     [[nodiscard]] bool is_label(std::size_t at) const;
     void ampersand(std::size_t at);
+    void end_operand_behind_comma();
+    void compare_behind_comma();
     /// Decides on the bars since the last separator.
     void end_part();
     void decide_commas(const Frame& frame);
@@ -100,12 +103,15 @@ void MarkReader::read_token(std::size_t at) {
     if (is_symbol(token, {","})) return comma(at);
     if (is_symbol(token, {":"})) return colon(at);
     if (is_symbol(token, {"&"})) return ampersand(at);
+    const bool parts = is_symbol(token, {"|"}) || is_connective(token);
+    if (parts) end_operand_behind_comma();
     if (is_symbol(token, {"|"})) {
         frame().bars.push_back({at, frame().comparisons + frame().equals});
     } else if (is_symbol(token, {"?"})) {
         end_part();
         ++frame().choices;
     } else if (is_symbol(token, {"<", ">", "<=", ">=", "!="}) || is_connective(token)) {
+        compare_behind_comma();
         ++frame().comparisons;
     } else if (is_symbol(token, {"=", "==", ":="})) {
         ++frame().equals;
@@ -204,7 +210,7 @@ void MarkReader::comma(std::size_t at) {
     auto& commas = frame().commas;
     const bool behind_other =
         !commas.empty() && commas.back().may_be_point && commas.back().at + 2 == at;
-    commas.push_back({at, frame().comparisons, digits && !behind_other});
+    commas.push_back({.at = at, .may_be_point = digits && !behind_other});
 }
 
 /// Whether a name such as eq or e1 stands between the statement's start and the ":".
@@ -247,6 +253,7 @@ void MarkReader::ampersand(std::size_t at) {
     marks_[at] = joins || behind_bar ? Mark::And : Mark::Nothing;
     if (marks_[at] == Mark::And) {
         end_part();
+        end_operand_behind_comma();
         ++frame().comparisons;
         return;
     }
@@ -255,14 +262,22 @@ void MarkReader::ampersand(std::size_t at) {
         notes_.add(tokens_[at].offset, "this & means nothing; for a condition type and");
 }
 
+/// What stands between the last comma and the next connective is no comparison any more.
+void MarkReader::end_operand_behind_comma() {
+    if (!frame().commas.empty()) frame().commas.back().behind_connective = true;
+}
+
+void MarkReader::compare_behind_comma() {
+    if (frame().commas.empty()) return;
+    Comma& last = frame().commas.back();
+    last.before_comparison = last.before_comparison || !last.behind_connective;
+}
+
 /// A condition stands behind each comma but those that are decimal points.
 void MarkReader::decide_conditions(const Frame& frame) {
     std::vector<Comma> points;
-    for (std::size_t i = 0; i < frame.commas.size(); ++i) {
-        const Comma& comma = frame.commas[i];
-        const std::size_t end =
-            i + 1 < frame.commas.size() ? frame.commas[i + 1].comparisons : frame.comparisons;
-        if (comma.may_be_point && comma.comparisons == end) points.push_back(comma);
+    for (const Comma& comma : frame.commas) {
+        if (comma.may_be_point && !comma.before_comparison) points.push_back(comma);
     }
     make_points(points);
 }

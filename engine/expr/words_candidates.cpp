@@ -108,13 +108,14 @@ std::size_t instructions_length(Tokens tokens) {
     return static_cast<std::size_t>(end - tokens.begin());
 }
 
-/// The names at the starts of lines.
+/// The names at the starts of lines and the words behind them.
 std::vector<std::string> names_of_lines(Tokens tokens) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        const bool starts = i == 0 || tokens[i - 1].kind == TokenKind::Break;
-        if (starts && tokens[i].kind == TokenKind::Name)
-            names.push_back(plain_name(tokens[i].text));
+    std::size_t place = 0;  // in the line
+    for (const Token& token : tokens) {
+        const bool counts = token.kind == TokenKind::Name && place < 2;
+        if (counts) names.push_back(plain_name(token.text));
+        place = token.kind == TokenKind::Break ? 0 : place + 1;
     }
     return names;
 }

@@ -184,7 +184,8 @@ TEST(Rows, AreAStatementEach) {
 }
 
 TEST(Rows, AreAStatementEachHoweverWritten) {
-    EXPECT_EQ(rows_of("a = 2\n-x + y\n+z"), (std::vector<std::string>{"a = 2", "-x + y", "+z"}));
+    EXPECT_EQ(rows_of("a = 2\n-x + y\n+z\n-w x"),
+              (std::vector<std::string>{"a = 2", "-x + y\n+z", "-w x"}));
     EXPECT_EQ(rows_of("const float a = 1., b = 2.;\nfloat c = 3.;\na x + b y + c z"),
               (std::vector<std::string>{"const float a = 1.", "b = 2.", "float c = 3.",
                                         "a x + b y + c z"}));

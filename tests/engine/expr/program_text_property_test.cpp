@@ -139,7 +139,7 @@ TEST(ProgramText, KeepsRestrictionsApart) {
 /// Statements one after the other are as many surfaces, however their lines start and end.
 TEST(ProgramText, HasAStatementALine) {
     constexpr std::array<std::string_view, 8> statements{
-        "x + y = 1", "-x + z", "- (y - z) = 2", "+y",
+        "x + y = 1", "-x + z", "- (y - z) = 2", "-y",
         "|x| - 1",   "[x]^2",  "-sin(x)\n*y",   "max(x\n-y, z)"};
     constexpr std::array<std::string_view, 6> ends{"\n", ";", "\n\n", " // =\n", "; \n", " # -\n"};
     test::RandomNumbers random(43);
