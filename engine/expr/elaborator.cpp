@@ -17,11 +17,6 @@ constexpr std::size_t first_argument =
     ProgramLimits::parameters;  // numbers of functions' arguments, as parameters
 constexpr std::size_t longest_readings = 4'000'000;  // of all definitions, bytes
 
-bool is_condition(SyntaxKind kind) {
-    return kind == SyntaxKind::Compare || kind == SyntaxKind::And || kind == SyntaxKind::Or ||
-           kind == SyntaxKind::Not;
-}
-
 /// What to type for a built-in value whose name means something else.
 std::string_view spelled_out(std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> spellings{

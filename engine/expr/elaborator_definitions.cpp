@@ -193,11 +193,9 @@ void DefinitionTable::choose_levels() {
         const Definition& definition = definitions_[i];
         if (out_[i] || definition.is_function || definition.is_certain) continue;
         const SyntaxKind kind = tree_[definition.body].kind;
-        const bool is_condition = kind == SyntaxKind::Compare || kind == SyntaxKind::And ||
-                                  kind == SyntaxKind::Or || kind == SyntaxKind::Not;
         const Places& places = places_[definition.statement];
         out_[i] = is_parameter_name(definition.name) && !is_built_in_value(definition.name) &&
-                  !is_used(definition.name) && !is_condition && (places.axes || places.polar);
+                  !is_used(definition.name) && !is_condition(kind) && (places.axes || places.polar);
     }
 }
 

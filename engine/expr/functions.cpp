@@ -1,5 +1,6 @@
 #include "engine/expr/functions.hpp"
 
+#include "engine/expr/constants.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"arsinh", "asinh"},
     {"arcosh", "acosh"},
     {"artanh", "atanh"},
-    {"ArcTan", "atan"},
+    {"ArcTan", "atan"},  // of Mathematica, whose arguments stand the other way round
+    {"Log", "log"},
     {"arctan2", "atan2"},
     {"sgn", "sign"},
     {"fabs", "abs"},
@@ -35,6 +37,23 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"frac", "fract"},
     {"rint", "round"},
     {"lerp", "mix"},
+    {"clip", "clamp"},
+    {"power", "pow"},
+    {"maximum", "max"},
+    {"minimum", "min"},
+    {"fabsf", "abs"},
+    {"sqrtf", "sqrt"},
+    {"powf", "pow"},
+    {"expf", "exp"},
+    {"logf", "log"},
+    {"sinf", "sin"},
+    {"cosf", "cos"},
+    {"tanf", "tan"},
+    {"atan2f", "atan2"},
+    {"floorf", "floor"},
+    {"fmodf", "fmod"},
+    {"fminf", "min"},
+    {"fmaxf", "max"},
     {"tg", "tan"},
     {"ctg", "cot"},
     {"cosec", "csc"},
@@ -148,6 +167,39 @@ NodeId make_smooth_step(ExprBuilder& builder, NodeId low, NodeId high, NodeId a)
                          make_subtract(builder, builder.constant(3.0), twice));
 }
 
+NodeId make_fmod(ExprBuilder& builder, NodeId a, NodeId b) {
+    const NodeId whole = make_trunc(builder, make_divide(builder, a, b));
+    return make_subtract(builder, a, make_multiply(builder, b, whole));
+}
+
+/// a + t*(b - a)
+NodeId make_mix(ExprBuilder& builder, NodeId a, NodeId b, NodeId t) {
+    return make_add(builder, a, make_multiply(builder, t, make_subtract(builder, b, a)));
+}
+
+NodeId make_step(ExprBuilder& builder, NodeId edge, NodeId a) {
+    return make_call(builder, Op::If, make_call(builder, Op::Less, a, edge), builder.constant(0.0),
+                     builder.constant(1.0));
+}
+
+/// select(a, below, above) and select(a, below, at 0, above) of POV-Ray.
+NodeId make_select(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId zero = builder.constant(0.0);
+    NodeId otherwise = a[2];
+    if (a.size() == 4) {
+        const NodeId above = make_call(builder, Op::Less, zero, a[0]);
+        otherwise = make_call(builder, Op::If, above, a[3], a[2]);
+    }
+    return make_call(builder, Op::If, make_call(builder, Op::Less, a[0], zero), a[1], otherwise);
+}
+
+NodeId pi_of(ExprBuilder& builder) { return builder.constant(pi.value.lo, pi.value.hi); }
+
+/// a*p/q for an angle in other units.
+NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
+    return make_multiply(builder, make_divide(builder, p, q), a);
+}
+
 /// smooth_union(a, b, ..., k) and its kin: two by two, each blended with the width k.
 template <class Blend>
 NodeId blended(std::span<const NodeId> a, Blend blend) {
@@ -178,18 +230,16 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Trunc: return make_trunc(builder, a[0]);
         case Composed::Fract:
             return make_subtract(builder, a[0], make_call(builder, Op::Floor, a[0]));
-        case Composed::Fmod: {
-            const NodeId whole = make_trunc(builder, make_divide(builder, a[0], a[1]));
-            return make_subtract(builder, a[0], make_multiply(builder, a[1], whole));
-        }
-        case Composed::Step:
-            return make_call(builder, Op::If, make_call(builder, Op::Less, a[1], a[0]),
-                             builder.constant(0.0), one);
+        case Composed::Fmod: return make_fmod(builder, a[0], a[1]);
+        case Composed::Step: return make_step(builder, a[0], a[1]);
         case Composed::SmoothStep: return make_smooth_step(builder, a[0], a[1], a[2]);
-        case Composed::Mix: {
-            const NodeId way = make_subtract(builder, a[1], a[0]);
-            return make_add(builder, a[0], make_multiply(builder, a[2], way));
-        }
+        case Composed::Mix: return make_mix(builder, a[0], a[1], a[2]);
+        case Composed::Select: return make_select(builder, a);
+        case Composed::Degrees:
+            return make_angle(builder, a[0], builder.constant(180.0), pi_of(builder));
+        case Composed::Radians:
+            return make_angle(builder, a[0], pi_of(builder), builder.constant(180.0));
+        case Composed::InverseSqrt: return reciprocal(make_call(builder, Op::Sqrt, a[0]));
         case Composed::Hypot:
         case Composed::Length: return length_of(builder, a);
         case Composed::Clamp: return make_clamp(builder, a[0], a[1], a[2]);

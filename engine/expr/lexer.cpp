@@ -49,6 +49,15 @@ std::expected<std::vector<Token>, ParseError> Lexer::tokens() {
 
 Done Lexer::step() {
     const char c = peek();
+    if (at_ == macro_end_) {
+        macro_end_ = std::string_view::npos;
+        push(TokenKind::Symbol, ":=", 0);
+        return {};
+    }
+    if (may_negate()) {
+        push(TokenKind::Symbol, "~", 1);
+        return {};
+    }
     if (is_space(c)) {
         ++at_;
         return {};
@@ -99,14 +108,39 @@ Done Lexer::remark() {
     return {};
 }
 
-/// #declare and #local, as POV-Ray writes a definition.
+/// #declare and #local, as POV-Ray writes a definition, #define as C does.
 bool Lexer::declaration() {
-    for (const std::string_view word : {"#declare", "#local"}) {
+    for (const std::string_view word : {"#declare", "#local", "#define"}) {
         if (!text_.substr(at_).starts_with(word) || is_letter(peek(word.size()))) continue;
+        if (word == "#define" && !find_end_of_macro(at_ + word.size())) return false;
         push(TokenKind::Name, "declare", word.size());
         return true;
     }
     return false;
+}
+
+/// Where the name of a macro and its arguments end, which start at `at`: there stands no "=". False
+/// where nothing follows.
+bool Lexer::find_end_of_macro(std::size_t at) {
+    const std::string_view line = text_.substr(0, std::min(text_.find('\n', at), text_.size()));
+    at = std::min(line.find_first_not_of(" \t", at), line.size());
+    const std::size_t length = name_length(line, at);
+    std::size_t end = at + length;
+    if (end < line.size() && line[end] == '(')
+        end = std::min(line.find(')', end), line.size() - 1) + 1;
+    const std::string_view value = line.substr(end);
+    const std::size_t begin = value.find_first_not_of(" \t\r");
+    if (length == 0 || begin == std::string_view::npos || value.substr(begin).starts_with("//"))
+        return false;
+    macro_end_ = end;
+    return true;
+}
+
+/// The "~" of ~(x < 1) is Python's "not"; elsewhere, and beside commands, it is a space of LaTeX.
+bool Lexer::may_negate() const {
+    if (peek() != '~' || peek(1) != '(' || is_latex_ || tokens_.empty()) return false;
+    const Token& last = tokens_.back();
+    return is_connective(last) || is_symbol(last, {"(", "[", "{", "|", "&", ",", "?"});
 }
 
 /// x//2 may have been meant as a quotient without its fraction.
@@ -120,8 +154,10 @@ void Lexer::note_short_remark() {
 
 /// An ASCII operator; "**" is "^".
 void Lexer::symbol() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 8> pairs{
-        {{"**", "^"},
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> pairs{
+        {{"===", "=="},
+         {"!==", "!="},
+         {"**", "^"},
          {"==", "=="},
          {":=", ":="},
          {"<=", "<="},
@@ -130,7 +166,8 @@ void Lexer::symbol() {
          {"!=", "!="},
          {"<>", "!="}}};
     for (const auto& [typed, meaning] : pairs) {
-        if (text_.substr(at_, 2) == typed) return push(TokenKind::Symbol, meaning, 2);
+        if (text_.substr(at_).starts_with(typed))
+            return push(TokenKind::Symbol, meaning, typed.size());
     }
     push(TokenKind::Symbol, text_.substr(at_, 1), 1);
 }

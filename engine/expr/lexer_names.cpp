@@ -9,7 +9,28 @@
 namespace zeroset {
 namespace {
 
-/// Length of the run of letters, digits and subscripts at `start`: Iso_2, c_{12}, α1, x₁.
+/// Whether the run can be letters with subscripts and numbers. One that cannot, such as f_hex_y, is
+/// a single name, known or not.
+bool has_pieces(std::string_view run) {
+    std::size_t at = 0;
+    while (at < run.size()) {
+        if (run[at] == '_') return false;
+        const CodePoint point = code_point_at(run, at);
+        const bool letters = is_letter(run[at]);
+        at += point.length;
+        if (!letters && !is_greek(point.code)) continue;
+        if (letters) at += run_length(run, at, is_letter);
+        if (at == run.size() || run[at] != '_') continue;
+        if (++at == run.size() || run[at] == '_') return false;
+        const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
+        at += is_digit(run[at]) ? run_length(run, at, is_digit) : run_length(run, at, is_part);
+        if (run.substr(at).starts_with('{')) at = run.find('}', at) + 1;
+    }
+    return true;
+}
+
+}  // namespace
+
 std::size_t name_length(std::string_view text, std::size_t start) {
     const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
     std::size_t at = start;
@@ -33,28 +54,6 @@ std::size_t name_length(std::string_view text, std::size_t start) {
     }
     return at - start;
 }
-
-/// Whether the run can be letters with subscripts and numbers. One that cannot, such as f_hex_y, is
-/// a single name, known or not.
-bool has_pieces(std::string_view run) {
-    std::size_t at = 0;
-    while (at < run.size()) {
-        if (run[at] == '_') return false;
-        const CodePoint point = code_point_at(run, at);
-        const bool letters = is_letter(run[at]);
-        at += point.length;
-        if (!letters && !is_greek(point.code)) continue;
-        if (letters) at += run_length(run, at, is_letter);
-        if (at == run.size() || run[at] != '_') continue;
-        if (++at == run.size() || run[at] == '_') return false;
-        const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
-        at += is_digit(run[at]) ? run_length(run, at, is_digit) : run_length(run, at, is_part);
-        if (run.substr(at).starts_with('{')) at = run.find('}', at) + 1;
-    }
-    return true;
-}
-
-}  // namespace
 
 /// A defined name, or the letters up to the next digit or sign.
 bool Lexer::identifier() {

@@ -22,12 +22,15 @@ std::size_t run_length(std::string_view text, std::size_t start, Predicate predi
     return static_cast<std::size_t>(end - rest.begin());
 }
 
+/// Length of the run of letters, digits and subscripts at `start`: Iso_2, c_{12}, α1, x₁.
+std::size_t name_length(std::string_view text, std::size_t start);
+
 using Done = std::expected<void, ParseError>;
 
 class Lexer {
 public:
     Lexer(std::string_view text, const DefinedNames* defined, Notes& notes)
-        : text_(text), defined_(defined), notes_(notes) {}
+        : text_(text), defined_(defined), notes_(notes), is_latex_(text.contains('\\')) {}
 
     std::expected<std::vector<Token>, ParseError> tokens();
 
@@ -38,6 +41,8 @@ private:
     [[nodiscard]] bool starts_remark() const;
     Done remark();
     bool declaration();
+    bool find_end_of_macro(std::size_t at);
+    [[nodiscard]] bool may_negate() const;
     void note_short_remark();
     bool identifier();
     bool library_prefix(std::string_view run);
@@ -62,9 +67,11 @@ private:
     std::string_view text_;
     const DefinedNames* defined_;
     Notes& notes_;
+    bool is_latex_;  ///< the text has commands
     std::size_t at_ = 0;
-    std::size_t run_end_ = 0;  ///< of the last run of letters and digits
-    bool line_start_ = true;   ///< nothing but spaces and remarks since the last line end
+    std::size_t macro_end_ = std::string_view::npos;  ///< where the "=" of a #define is missing
+    std::size_t run_end_ = 0;                         ///< of the last run of letters and digits
+    bool line_start_ = true;  ///< nothing but spaces and remarks since the last line end
     std::vector<Token> tokens_;
 };
 

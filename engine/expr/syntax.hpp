@@ -37,6 +37,12 @@ enum class SyntaxKind : std::uint8_t {
     Earlier,  ///< a value that stands before in the same list
 };
 
+/// Whether it is true or false by itself.
+constexpr bool is_condition(SyntaxKind kind) {
+    return kind == SyntaxKind::Compare || kind == SyntaxKind::And || kind == SyntaxKind::Or ||
+           kind == SyntaxKind::Not;
+}
+
 struct Syntax {
     SyntaxKind kind = SyntaxKind::Number;
     std::size_t offset = 0;  ///< where an error in it is shown

@@ -120,7 +120,7 @@ bool ends_operand(const Token& token) {
 bool begins_operand(const Token& token) {
     if (token.kind == TokenKind::Number) return true;
     if (token.kind == TokenKind::Name) return !is_connective(token);
-    return is_symbol(token, {"(", "[", "{", "(|", "⌊", "⌈", "!"});
+    return is_symbol(token, {"(", "[", "{", "(|", "⌊", "⌈", "!", "~"});
 }
 
 bool has_space_before(std::span<const Token> tokens, std::size_t at) {

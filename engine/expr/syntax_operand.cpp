@@ -270,8 +270,17 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         if (!power_of) return power_of;
         exponent = *power_of;
     }
+    const bool square = next_is("[");
     List values = arguments_of(token, function);
     if (!values) return std::nullopt;
+    if (square && token.text == "Log" && values->size() == 2) {
+        std::swap((*values)[0], (*values)[1]);
+        tree_.notes.add(token.offset, "Log[b, x] is log(x, b), as in Mathematica");
+    }
+    if (function.op == Op::Where && values->size() == 3) {
+        tree_.notes.add(token.offset, "where(condition, a, b) is if(condition, a, b)");
+        return add_call(*find_function("if"), token.offset, std::move(*values));
+    }
     if (token.text == "log" && !token.subscript.empty() && values->size() == 1) {
         const std::string base = subscript_text(token);
         const bool number = base.find_first_not_of("0123456789") == std::string::npos;

@@ -153,6 +153,7 @@ SyntaxParser::Parsed SyntaxParser::product() {
     std::vector<SyntaxId> operands{*first};
     std::string marks;
     for (;;) {
+        if (next_is("~")) take();
         const bool written = next_is_one_of({"*", "/", "%"});
         if (!written && !starts_factor()) break;
         marks += written ? take().text.front() : '*';
@@ -178,19 +179,23 @@ SyntaxParser::Parsed SyntaxParser::signed_power() {
     for (; next_is_one_of({"+", "-"}); ++signs)
         negative ^= take().text == "-";
     if (!may_nest(signs + 1)) return std::nullopt;
-    const Parsed operand = next_is("!") ? negated() : power();
+    const Parsed operand = next_is_one_of({"!", "~"}) ? negated() : power();
     if (!operand || !negative) return operand;
     return add(SyntaxKind::Negate, offset, {*operand});
 }
 
-/// !x, as programs write "not".
+/// !x, as programs write "not", and ~(x < 1). "~" before what is no condition is a space.
 SyntaxParser::Parsed SyntaxParser::negated() {
     const Level level(depth_);
     if (!may_nest()) return std::nullopt;
-    const std::size_t offset = take().offset;
+    const Token& sign = take();
     const Parsed operand = signed_power();
     if (!operand) return operand;
-    return add(SyntaxKind::Not, offset, {*operand});
+    if (sign.text == "~") {
+        if (!is_condition(tree_[*operand].kind)) return operand;
+        tree_.notes.add(sign.offset, "~ is read as not; for a space of LaTeX leave it out");
+    }
+    return add(SyntaxKind::Not, sign.offset, {*operand});
 }
 
 SyntaxParser::Parsed SyntaxParser::power() {

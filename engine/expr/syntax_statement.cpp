@@ -1,6 +1,7 @@
 // The statements of a text, and definitions as programs write them.
 
 #include "engine/expr/spelling.hpp"
+#include "engine/expr/syntax_bars.hpp"
 #include "engine/expr/syntax_floats.hpp"
 #include "engine/expr/syntax_marks.hpp"
 #include "engine/expr/syntax_parser.hpp"
@@ -29,6 +30,7 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
 bool SyntaxParser::statement() {
     std::size_t offset = next().offset;
     skip_label();
+    if (next_is_word("return") && begins_operand(tokens_[at_ + 1])) take();
     const bool is_certain = skip_type_words();
     while (part_of_statement(is_certain, offset)) {
         if (!is_certain || !declares_more()) return true;

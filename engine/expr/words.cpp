@@ -39,6 +39,13 @@ std::string_view known_spelling(std::string_view name) {
     return {};
 }
 
+/// Sin[ and the like.
+bool calls_as_mathematica(const Token& name, const Token& bracket) {
+    if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
+    const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
+    return capital && find_function(in_small_letters(name.text)) != nullptr;
+}
+
 bool is_number(std::string_view subscript) {
     return !subscript.empty() && std::ranges::all_of(subscript, is_digit);
 }
@@ -80,6 +87,8 @@ Words::Words(std::span<const Token> tokens, const DefinedNames& defined) : defin
     }
     for (const std::string& word : defined.words())
         vocabulary_.add_word(word);
+    for (std::size_t i = 0; i + 1 < tokens.size() && !is_mathematica_; ++i)
+        is_mathematica_ = calls_as_mathematica(tokens[i], tokens[i + 1]);
 }
 
 /// Whether the token is one name already.
@@ -91,15 +100,20 @@ bool Words::stays_whole(const Token& token) const {
            (token.text == "log" && !token.subscript.empty());
 }
 
-void Words::push_name(const Token& token, std::vector<Token>& out) const {
-    if (stays_whole(token)) {
+void Words::push_name(const Token& token, std::vector<Token>& out, Notes& notes) const {
+    if (is_mathematica_ && token.text == "E" && token.subscript.empty() &&
+        !defined_.defines_value("E")) {
+        out.push_back(token);
+        out.back().text = "e";
+        notes.add(token.offset, "E is e = 2.718..., as in Mathematica");
+    } else if (stays_whole(token)) {
         out.push_back(token);
     } else if (const std::string_view known = known_spelling(full_name(token)); !known.empty()) {
         out.push_back(token);
         out.back().text = known;
         out.back().subscript = {};
     } else {
-        push_pieces(token, out);
+        push_pieces(token, out, notes);
     }
     Token& last = out.back();
     if (last.text == "M" && full_name(last) == pi_of_c) {
@@ -108,13 +122,17 @@ void Words::push_name(const Token& token, std::vector<Token>& out) const {
     }
 }
 
-void Words::push_pieces(const Token& token, std::vector<Token>& out) const {
+void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& notes) const {
     const std::string_view run = token.text;
     std::vector<std::size_t> lengths = vocabulary_.pieces(run, !token.subscript.empty());
     const Function* const function = lengths.empty() ? capital_function(run, lengths) : nullptr;
     if (lengths.empty()) {
         out.push_back(token);
         return;
+    }
+    if (function != nullptr) {
+        notes.add(token.offset, std::string(run) + " is read as " + std::string(function->name) +
+                                    " " + std::string(run.substr(lengths[0])));
     }
     std::size_t at = 0;
     for (const std::size_t length : lengths) {
@@ -168,7 +186,7 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
             continue;
         }
         const std::size_t size = out.size();
-        push_name(token, out);
+        push_name(token, out, notes);
         const bool behind_subscript = token.kind == TokenKind::Name && size > 0 &&
                                       is_number(out[size - 1].subscript) &&
                                       adjacent(out[size - 1], token);

@@ -36,14 +36,15 @@ public:
     [[nodiscard]] std::vector<Token> split(std::span<const Token> tokens, Notes& notes) const;
 
 private:
-    void push_name(const Token& token, std::vector<Token>& out) const;
-    void push_pieces(const Token& token, std::vector<Token>& out) const;
+    void push_name(const Token& token, std::vector<Token>& out, Notes& notes) const;
+    void push_pieces(const Token& token, std::vector<Token>& out, Notes& notes) const;
     const Function* capital_function(std::string_view run, std::vector<std::size_t>& lengths) const;
     [[nodiscard]] bool stays_whole(const Token& token) const;
     [[nodiscard]] bool joins_unknown_name(const Token& token, const std::vector<Token>& out) const;
 
     Vocabulary vocabulary_;
     const DefinedNames& defined_;
+    bool is_mathematica_ = false;  ///< the text has calls such as Sin[x]
 };
 
 /// What is wrong with a name that belongs to what is not read: vectors, noise, commands.
