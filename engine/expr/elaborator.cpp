@@ -227,9 +227,12 @@ bool Elaborator::uses_space(NodeId root) const { return !facts_[root].uniform; }
 ParseError Elaborator::no_place_error(std::size_t statement) const {
     const bool capital = parameter_index_.contains("X") || parameter_index_.contains("Y") ||
                          parameter_index_.contains("Z");
-    return {
-        tree_.statements[statement].offset, "there is no x, y or z in it, so it is no surface",
-        capital ? "write them as small letters" : "type an equation such as x^2 + y^2 + z^2 = 1"};
+    const StatementSyntax& syntax = tree_.statements[statement];
+    std::string hint = "type an equation such as x^2 + y^2 + z^2 = 1";
+    if (capital) hint = "write them as small letters";
+    if (syntax.leading_sign != '\0')
+        hint = std::string("to go on with the line above end that with ") + syntax.leading_sign;
+    return {syntax.offset, "there is no x, y or z in it, so it is no surface", hint};
 }
 
 bool Elaborator::add_surface(std::size_t statement, NodeId root) {

@@ -213,6 +213,47 @@ NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
     });
 }
 
+/// f_torus(x, y, z, R, r) around the y-axis.
+NodeId make_torus(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId across = length_of(builder, std::array{a[0], a[2]});
+    const NodeId tube = length_of(builder, std::array{make_subtract(builder, across, a[3]), a[1]});
+    return make_subtract(builder, tube, a[4]);
+}
+
+/// f_superellipsoid(x, y, z, e, n)
+NodeId make_superellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId two = builder.constant(2.0);
+    const auto powered = [&](NodeId of, NodeId over) {
+        const NodeId size = make_call(builder, Op::Abs, of);
+        return make_power(builder, size, make_divide(builder, two, over));
+    };
+    const NodeId across =
+        make_power(builder, make_add(builder, powered(a[0], a[3]), powered(a[1], a[3])),
+                   make_divide(builder, a[3], a[4]));
+    const NodeId size = make_power(builder, make_add(builder, across, powered(a[2], a[4])),
+                                   make_divide(builder, a[4], two));
+    return make_subtract(builder, builder.constant(1.0), size);
+}
+
+/// f_rounded_box(x, y, z, r, a, b, c): the distance from the box without its rounding, less r.
+NodeId make_rounded_box(ExprBuilder& builder, std::span<const NodeId> a) {
+    std::array<NodeId, 3> outside{};
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        const NodeId size = make_call(builder, Op::Abs, a[i]);
+        const NodeId over = make_subtract(builder, size, make_subtract(builder, a[4 + i], a[3]));
+        outside.at(i) = make_call(builder, Op::Max, over, builder.constant(0.0));
+    }
+    return make_subtract(builder, length_of(builder, outside), a[3]);
+}
+
+/// f_ellipsoid(x, y, z, a, b, c)
+NodeId make_ellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
+    std::array<NodeId, 3> scaled{};
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+        scaled.at(i) = make_multiply(builder, a[3 + i], a[i]);
+    return length_of(builder, scaled);
+}
+
 NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const NodeId> a) {
     const NodeId one = builder.constant(1.0);
     const auto reciprocal = [&](NodeId of) { return make_divide(builder, one, of); };
@@ -255,6 +296,11 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
             return blended(a, [&](NodeId of, NodeId b) {
                 return smooth_max(builder, of, make_negate(builder, b), a.back());
             });
+        case Composed::Sphere: return make_subtract(builder, length_of(builder, a.first(3)), a[3]);
+        case Composed::Torus: return make_torus(builder, a);
+        case Composed::Ellipsoid: return make_ellipsoid(builder, a);
+        case Composed::Superellipsoid: return make_superellipsoid(builder, a);
+        case Composed::RoundedBox: return make_rounded_box(builder, a);
         case Composed::Union: return fold(builder, Op::Min, a);
         case Composed::Intersect: return fold(builder, Op::Max, a);
         case Composed::Without: return make_without(builder, a);

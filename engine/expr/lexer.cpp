@@ -122,16 +122,15 @@ bool Lexer::declaration() {
 /// Where the name of a macro and its arguments end, which start at `at`: there stands no "=". False
 /// where nothing follows.
 bool Lexer::find_end_of_macro(std::size_t at) {
-    const std::string_view line = text_.substr(0, std::min(text_.find('\n', at), text_.size()));
-    at = std::min(line.find_first_not_of(" \t", at), line.size());
-    const std::size_t length = name_length(line, at);
+    at = std::min(text_.find_first_not_of(" \t", at), text_.size());
+    const std::size_t length = name_length(text_, at);
     std::size_t end = at + length;
-    if (end < line.size() && line[end] == '(')
-        end = std::min(line.find(')', end), line.size() - 1) + 1;
-    const std::string_view value = line.substr(end);
-    const std::size_t begin = value.find_first_not_of(" \t\r");
-    if (length == 0 || begin == std::string_view::npos || value.substr(begin).starts_with("//"))
-        return false;
+    if (text_.substr(end).starts_with('(')) end = text_.find_first_of(")(#\n", end + 1);
+    if (length == 0 || end >= text_.size()) return false;
+    if (text_[end] == ')') ++end;
+    const std::size_t value = text_.find_first_not_of(" \t\r", end);
+    if (value == std::string_view::npos || text_[value] == '\n') return false;
+    if (text_.substr(value).starts_with("//")) return false;
     macro_end_ = end;
     return true;
 }

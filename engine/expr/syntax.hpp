@@ -58,6 +58,7 @@ struct StatementSyntax {
     std::vector<SyntaxId> restrictions;
     std::size_t offset;       ///< of its first character
     bool is_certain = false;  ///< a definition, as := and words such as float say
+    char leading_sign = 0;    ///< '+' or '-' if its line starts with it, below another
 };
 
 struct SyntaxTree {

@@ -72,6 +72,8 @@ bool SyntaxParser::part_of_statement(bool is_certain, std::size_t offset) {
     }
     StatementSyntax statement{
         .relation = 0, .restrictions = {}, .offset = offset, .is_certain = is_certain};
+    const bool below = at_ > 0 && is_symbol(next(), {"+", "-"});
+    if (below && tokens_[at_ - 1].text == "\n") statement.leading_sign = next().text.front();
     const Parsed relation = relation_of_statement(is_certain);
     if (!relation) return false;
     statement.relation = *relation;
