@@ -185,11 +185,14 @@ void draw_readings(const Row& row, float width) {
 void draw_notes(const Row& row, float width) {
     ImGui::PushStyleColor(ImGuiCol_Text, row.colors.accent);
     ImGui::PushFont(font(FontRole::Small));
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::PushTextWrapPos(left + width);
     std::size_t count = 0;
     for (const Reading& reading : row.report->readings) {
         for (const std::string& note : reading.notes) {
-            if (++count <= most_notes) ImGui::TextUnformatted(note.c_str());
+            if (++count > most_notes) break;
+            ImGui::SetCursorPosX(left);
+            ImGui::TextUnformatted(note.c_str());
         }
     }
     ImGui::PopTextWrapPos();
