@@ -22,13 +22,16 @@ bool is_letter_name(std::string_view name) {
     return name.size() == 1 || code_point_at(name, 0).length == name.size();
 }
 
-/// The factors with "*" between them.
+/// The factors with "*" between them, but "sin x" where one is a function.
 std::string product_of(const std::vector<std::string>& factors) {
     constexpr std::size_t longest = 40;
     std::string product;
+    bool follows_function = false;
     for (const std::string& factor : factors) {
         if (product.size() > longest) return product + "...";
-        product += (product.empty() ? "" : "*") + factor;
+        if (!product.empty()) product += follows_function ? ' ' : '*';
+        product += factor;
+        follows_function = find_function(factor) != nullptr;
     }
     return product;
 }
@@ -161,10 +164,10 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
         defines ? (used || is_no_surface) && !is_letter_known && !of_places_only : is_letter_known;
     if (is_plain) return defines;
     const std::string product = product_of(factors);
-    notes_.add(candidate.begin,
-               defines ? name + " is a name of its own here; for the product type " + product
-                       : name + " is the product " + product + " here; to define the name type " +
-                             name + " := ...");
+    notes_.add(candidate.begin, defines
+                                    ? name + " is a name of its own here; otherwise type " + product
+                                    : name + " is read as " + product +
+                                          " here; to define the name type " + name + " := ...");
     return defines;
 }
 
