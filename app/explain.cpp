@@ -105,8 +105,12 @@ void print_json(const Explanation& explanation) {
     for (const Explained& surface : explanation.surfaces)
         json["surfaces"].push_back(json_of(surface));
     json["readings"] = Json::array();
-    for (const Reading& reading : explanation.program.readings)
+    json["notes"] = Json::array();
+    for (const Reading& reading : explanation.program.readings) {
         json["readings"].push_back(reading.text);
+        for (const std::string& note : reading.notes)
+            json["notes"].push_back(note);
+    }
     print(json);
 }
 
@@ -117,10 +121,17 @@ std::string list(const auto& values) {
     return text;
 }
 
-void print_surface(const Explained& surface, const Explanation& explanation) {
+void print_notes(const Reading& reading) {
+    for (const std::string& note : reading.notes)
+        std::cout << "note      " << note << "\n";
+}
+
+void print_surface(const Explained& surface, const Reading& reading,
+                   const Explanation& explanation) {
     const std::string read = equation_text(*surface.expr);
     const std::string drawn = equation_text(surface.drawn);
     std::cout << "read as   " << read << "\n";
+    print_notes(reading);
     if (drawn != read) std::cout << "drawn as  " << drawn << "\n";
     std::cout << "graph     " << surface.expr->nodes().size() << " nodes\n";
     if (!surface.at) return;
@@ -130,12 +141,17 @@ void print_surface(const Explained& surface, const Explanation& explanation) {
 }
 
 void print_text(const Explanation& explanation) {
+    std::vector<const Reading*> surfaces;
     for (const Reading& reading : explanation.program.readings) {
-        if (reading.kind != StatementKind::Surface)
-            std::cout << "with      " << reading.text << "\n";
+        if (reading.kind == StatementKind::Surface) {
+            surfaces.push_back(&reading);
+            continue;
+        }
+        std::cout << "with      " << reading.text << "\n";
+        print_notes(reading);
     }
-    for (const Explained& surface : explanation.surfaces)
-        print_surface(surface, explanation);
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        print_surface(explanation.surfaces[i], *surfaces[i], explanation);
     if (explanation.program.parameters.empty()) return;
     std::cout << "open      ";
     const std::vector<double> values = values_of(explanation.program, explanation.parameters);

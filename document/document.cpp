@@ -3,6 +3,7 @@
 #include "engine/expr/parse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace zeroset {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr std::string_view between_rows = "\n;\n";
 constexpr std::string_view blank = " \t\r\n;";
+constexpr std::array<std::string_view, 4> signs{"+", "-", "\u2212", "\u2013"};
 
 std::string_view stripped(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(blank);
@@ -35,6 +37,21 @@ std::vector<std::size_t> line_begins(std::string_view text) {
          at = text.find('\n', at + 1))
         begins.push_back(at + 1);
     return begins;
+}
+
+/// The row with "\v" for each line end behind which a line starts with a sign: within a row such a
+/// line goes on with the one before.
+std::string with_joined_lines(std::string row) {
+    for (std::size_t end = row.find('\n'); end != std::string::npos;
+         end = row.find('\n', end + 1)) {
+        const std::size_t next = row.find_first_not_of(" \t\r", end + 1);
+        if (next == std::string::npos) break;
+        const std::string_view rest = std::string_view(row).substr(next);
+        const bool sign = std::ranges::any_of(
+            signs, [&](std::string_view minus) { return rest.starts_with(minus); });
+        if (sign) row[end] = '\v';
+    }
+    return row;
 }
 
 }  // namespace
@@ -88,7 +105,8 @@ bool same_work(const Document& a, const Document& b) {
 
 std::vector<std::string> rows_of(std::string_view text) {
     std::vector<std::size_t> begins = statement_begins(text);
-    if (begins.empty()) begins = line_begins(text);
+    const bool readable = !begins.empty();
+    if (!readable) begins = line_begins(text);
     // What stands before the first statement, such as a remark, stays with it.
     if (begins.empty() || !stripped(text.substr(0, begins.front())).empty()) {
         begins.insert(begins.begin(), 0);
@@ -96,7 +114,10 @@ std::vector<std::string> rows_of(std::string_view text) {
     std::vector<std::string> rows;
     for (std::size_t i = 0; i < begins.size(); ++i) {
         const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size();
-        const std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
+        std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
+        // What parted it from the next statement is not needed any more.
+        if (readable && (row.ends_with(',') || row.ends_with(':')))
+            row = stripped(row.substr(0, row.size() - 1));
         if (!row.empty()) rows.emplace_back(row);
     }
     return rows;
@@ -106,7 +127,7 @@ JoinedRows::JoinedRows(const std::vector<std::string>& rows) {
     for (const std::string& row : rows) {
         if (!begins.empty()) text += between_rows;
         begins.push_back(text.size());
-        text += row;
+        text += with_joined_lines(row);
     }
 }
 

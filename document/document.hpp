@@ -93,7 +93,8 @@ bool same_work(const Document& a, const Document& b);
 /// row a line.
 std::vector<std::string> rows_of(std::string_view text);
 
-/// The rows as one text for read_program, in which no statement goes on in the next row.
+/// The rows as one text for read_program, in which no statement goes on in the next row, but a line
+/// that starts with a sign goes on with the line before it in its row.
 struct JoinedRows {
     explicit JoinedRows(const std::vector<std::string>& rows);
     /// The row of a byte of the text; one between two rows belongs to the first of them.

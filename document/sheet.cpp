@@ -40,7 +40,7 @@ RowError row_error(const ParseError& error, std::size_t begin, const std::string
     const std::size_t at = error.offset - std::min(begin, error.offset);
     if (at >= row.size()) {
         // What follows is another row. Only alone does this one stop too early.
-        const auto alone = read_program(row);
+        const auto alone = read_program(JoinedRows({row}).text);
         if (!alone && alone.error().offset >= row.size()) return of(alone.error(), row.size());
     }
     return of(error, at);

@@ -25,8 +25,9 @@ namespace {
 constexpr float grip_em = 0.9F;
 constexpr float swatch_em = 1.5F;
 constexpr float button_em = 1.5F;
-/// Readings of one row that are shown.
+/// Readings of one row that are shown, and notes on them.
 constexpr std::size_t most_readings = 4;
+constexpr std::size_t most_notes = 4;
 
 /// What a row is drawn with.
 struct Row {
@@ -180,6 +181,25 @@ void draw_readings(const Row& row, float width) {
     ImGui::PopFont();
 }
 
+/// What was read in an unusual way, each in lines of its own.
+void draw_notes(const Row& row, float width) {
+    ImGui::PushStyleColor(ImGuiCol_Text, row.colors.accent);
+    ImGui::PushFont(font(FontRole::Small));
+    const float left = ImGui::GetCursorPosX();
+    ImGui::PushTextWrapPos(left + width);
+    std::size_t count = 0;
+    for (const Reading& reading : row.report->readings) {
+        for (const std::string& note : reading.notes) {
+            if (++count > most_notes) break;
+            ImGui::SetCursorPosX(left);
+            ImGui::TextUnformatted(note.c_str());
+        }
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+}
+
 void draw_error(const Row& row, const RowError& error, float width) {
     const bool quiet = error.unfinished;
     ImGui::PushStyleColor(ImGuiCol_Text, quiet ? row.colors.quiet : row.colors.error);
@@ -207,8 +227,11 @@ bool says_more(const Row& row) {
 void draw_answer(const Row& row, float width) {
     if (const RowError* error = row.error()) {
         draw_error(row, *error, width);
-    } else if (row.report != nullptr && !row.statement.text.empty() && says_more(row)) {
-        draw_readings(row, width);
+    } else if (row.report != nullptr && !row.statement.text.empty()) {
+        const float left = ImGui::GetCursorPosX();
+        if (says_more(row)) draw_readings(row, width);
+        ImGui::SetCursorPosX(left);
+        draw_notes(row, width);
     }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/expr/elaborator_definitions.hpp"
 #include "engine/expr/facts.hpp"
 #include "engine/expr/syntax.hpp"
 
@@ -17,7 +18,11 @@ namespace zeroset {
 
 class Elaborator {
 public:
-    explicit Elaborator(const SyntaxTree& tree) : tree_(tree) {}
+    /// What stands at `counted_end` or behind makes no definition of what is before it.
+    explicit Elaborator(const SyntaxTree& tree, std::size_t counted_end = std::string_view::npos)
+        : tree_(tree), notes_(tree.notes), table_(tree, counted_end, notes_) {
+        error_ = table_.error();
+    }
 
     std::expected<Program, ParseError> program();
     /// The last statement, an expression.
@@ -26,27 +31,15 @@ public:
     std::expected<Expr, ParseError> formula();
 
 private:
-    struct Value {
-        NodeId id;
-        bool condition;  ///< a truth value, not a number
-    };
+    using Value = BuiltValue;
     using Built = std::optional<Value>;  ///< without a value: `error_` says why
     using Number = std::optional<NodeId>;
 
-    /// A name of a function's argument or of a sum's index.
+    /// A name of a function's argument, of a sum's index or of a value in a function's body.
     struct Binding {
         std::string_view name;
-        NodeId value;
+        Value value;
         const Binding* outer;
-    };
-    struct Definition {
-        std::size_t statement = 0;
-        SyntaxId body = 0;
-        std::vector<std::string> arguments;
-        bool is_function = false;
-        bool in_progress = false;
-        bool used = false;
-        Number value;  ///< of a value, once known
     };
     using Call = std::pair<const Definition*, std::vector<NodeId>>;
     struct CallHash {
@@ -58,36 +51,60 @@ private:
     };
 
     // elaborator.cpp: statements
-    bool find_definitions();
-    [[nodiscard]] std::optional<Definition> definition_in(std::size_t statement) const;
     bool build_statements();
     bool build_surface(std::size_t statement);
+    [[nodiscard]] std::optional<ParseError> error_for_parametric();
+    [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
+    bool keep_without_surface(std::size_t statement);
     Number equation(const StatementSyntax& statement);
+    Number expression(SyntaxId id);
     Number restricted(NodeId f, const StatementSyntax& statement);
-    bool build_definition(const std::string& name, Definition& definition);
+    bool build_definition(Definition& definition);
     bool add_surface(std::size_t statement, NodeId root);
     [[nodiscard]] bool uses_space(NodeId root) const;
-    std::optional<std::string> function_text(const std::string& name, Definition& definition);
+    [[nodiscard]] bool never_holds(NodeId condition) const;
+    [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
+    std::optional<std::string> value_text(Definition& definition);
+    void note_built_in(const Definition& definition);
+    std::optional<std::string> function_text(Definition& definition);
     std::expected<Program, ParseError> result();
+    [[nodiscard]] std::size_t longest_definition();
 
     // elaborator_value.cpp: expressions
     Built build(SyntaxId id, const Binding* scope);
     Number number(SyntaxId id, const Binding* scope);
-    Number condition(SyntaxId id, const Binding* scope);
     Built literal(const Syntax& syntax);
     Built name(const Syntax& syntax, const Binding* scope);
     Built built_in(std::string_view name);
     Built parameter(const std::string& name, std::size_t offset);
     Built defined_value(Definition& definition, const Syntax& syntax);
+    bool settle(Definition& definition);
+    Built unknown(const Syntax& name);
+    Built negated(const Syntax& syntax, const Binding* scope);
+    Built power(const Syntax& syntax, const Binding* scope);
     Built sum(const Syntax& syntax, const Binding* scope);
     Built product(const Syntax& syntax, const Binding* scope);
+    Built with_local_value(const Syntax& syntax, const Binding* scope);
+    Built last_of_list(const Syntax& syntax);
+
+    // elaborator_condition.cpp: what is true or false
+    /// What a number is where a condition is wanted.
+    enum class Numbers : std::uint8_t { Refused, TrueUnlessZero };
+    Number condition(SyntaxId id, const Binding* scope, Numbers numbers);
+    Number number_of(const Value& value, std::size_t offset);
+    Number condition_of(const Value& value, std::size_t offset);
     Built compare(const Syntax& syntax, const Binding* scope);
+    Number compared(char mark, const Value& left, const Value& right, std::size_t offset);
+    Number equality(const Value& left, const Value& right, std::size_t offset);
+    Number same_truth(const Value& condition, const Value& other);
     Built connected(const Syntax& syntax, Op op, const Binding* scope);
     Built cases(const Syntax& syntax, const Binding* scope);
+
+    // elaborator_call.cpp: functions
     Built call(const Syntax& syntax, const Binding* scope);
     Built repeated(const Syntax& syntax, const Binding* scope);
     Built defined_call(const Syntax& syntax, const Binding* scope);
-    Number function_value(Definition& definition, const std::vector<NodeId>& arguments);
+    Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
 
     /// The node as a value, unless the graph is too large or holds a constant that is no number.
     Built done(NodeId id, std::size_t offset, bool condition = false);
@@ -95,15 +112,19 @@ private:
     std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
 
     const SyntaxTree& tree_;
+    Notes notes_;
+    DefinitionTable table_;
     ExprBuilder builder_;
     std::vector<Facts> facts_;  ///< of the builder's nodes
-    std::unordered_map<std::string, Definition> definitions_;
     std::unordered_map<std::string, std::size_t> parameter_index_;
     std::vector<std::string> parameters_;
-    std::unordered_map<Call, NodeId, CallHash> calls_;
+    std::unordered_map<Call, Value, CallHash> calls_;
+    std::unordered_map<SyntaxId, Value> earlier_;  ///< of lists
     std::vector<Surface> surfaces_;
-    std::map<std::size_t, Reading> readings_;  ///< by statement
+    std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 that nothing uses
+    std::map<std::size_t, Reading> readings_;   ///< by statement
     std::optional<ParseError> error_;
+    std::size_t statement_ = 0;  ///< whose names are looked up
     bool refuses_undefined_ = true;
     int depth_ = 0;
     std::size_t steps_ = 0;

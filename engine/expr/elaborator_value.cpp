@@ -8,17 +8,14 @@
 #include "engine/expr/words.hpp"
 
 #include <cassert>
-#include <cmath>
-#include <functional>
 
 namespace zeroset {
 namespace {
 
 constexpr double largest_number = 1e300;
-constexpr int max_depth = 5000;               // of trees within calls within trees
-constexpr std::size_t max_steps = 3'000'000;  // takes below half a second
-constexpr double max_terms = 10'000;
-constexpr double largest_bound = 1e15;  // i + 1 is another number
+constexpr int max_depth = 5000;  // of trees within calls within trees
+constexpr int deep = 500;        // from here on values are known before they are looked up
+constexpr std::size_t max_steps = 10'000'000;  // takes below two seconds
 
 std::string why_undefined(const Node& node) {
     if (node.op == Op::Divide) return "a division by 0";
@@ -71,43 +68,30 @@ Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
     switch (syntax.kind) {
         case SyntaxKind::Number: return literal(syntax);
         case SyntaxKind::Name: return name(syntax, scope);
+        case SyntaxKind::Negate: return negated(syntax, scope);
         case SyntaxKind::Sum: return sum(syntax, scope);
         case SyntaxKind::Product: return product(syntax, scope);
+        case SyntaxKind::Power: return power(syntax, scope);
+        case SyntaxKind::Call: return call(syntax, scope);
         case SyntaxKind::Compare: return compare(syntax, scope);
         case SyntaxKind::And: return connected(syntax, Op::And, scope);
         case SyntaxKind::Or: return connected(syntax, Op::Or, scope);
-        case SyntaxKind::Cases: return cases(syntax, scope);
-        case SyntaxKind::Call: return call(syntax, scope);
-        case SyntaxKind::Negate: {
-            const Number a = number(syntax.operands[0], scope);
-            return a ? done(make_negate(builder_, *a), syntax.offset) : std::nullopt;
-        }
         case SyntaxKind::Not: {
-            const Number a = condition(syntax.operands[0], scope);
+            const Number a = condition(syntax.operands[0], scope, Numbers::TrueUnlessZero);
             return a ? done(make_call(builder_, Op::Not, *a, 0), syntax.offset, true)
                      : std::nullopt;
         }
-        case SyntaxKind::Power: {
-            const Number a = number(syntax.operands[0], scope);
-            const Number b = a ? number(syntax.operands[1], scope) : std::nullopt;
-            return b ? done(make_power(builder_, *a, *b), syntax.offset) : std::nullopt;
-        }
+        case SyntaxKind::Cases: return cases(syntax, scope);
+        case SyntaxKind::Let: return with_local_value(syntax, scope);
+        case SyntaxKind::List: return last_of_list(syntax);
+        case SyntaxKind::Earlier: return earlier_.at(syntax.operands[0]);
     }
     return std::nullopt;
 }
 
 Elaborator::Number Elaborator::number(SyntaxId id, const Binding* scope) {
     const Built value = build(id, scope);
-    if (!value) return std::nullopt;
-    if (!value->condition) return value->id;
-    return fail(tree_[id].offset, "a comparison is no number", "use if(condition, a, b)");
-}
-
-Elaborator::Number Elaborator::condition(SyntaxId id, const Binding* scope) {
-    const Built value = build(id, scope);
-    if (!value) return std::nullopt;
-    if (value->condition) return value->id;
-    return fail(tree_[id].offset, "a condition is wanted here", "compare, for example z < 1");
+    return value ? number_of(*value, tree_[id].offset) : std::nullopt;
 }
 
 Elaborator::Built Elaborator::literal(const Syntax& syntax) {
@@ -122,15 +106,29 @@ Elaborator::Built Elaborator::literal(const Syntax& syntax) {
 Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     for (const Binding* binding = scope; binding != nullptr; binding = binding->outer) {
         ++steps_;
-        if (binding->name == syntax.text) return Value{binding->value, false};
+        if (binding->name == syntax.text) return binding->value;
     }
-    if (const auto defined = definitions_.find(syntax.text); defined != definitions_.end()) {
-        return defined_value(defined->second, syntax);
+    if (Definition* const definition = table_.value(syntax.text, statement_)) {
+        return defined_value(*definition, syntax);
     }
     if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
-    if (is_parameter_name(syntax.text)) return parameter(syntax.text, syntax.offset);
-    return fail(syntax.offset, quoted(syntax.text) + " is not known",
-                hint_for_unknown(syntax.text));
+    return unknown(syntax);
+}
+
+/// A parameter, or what is wrong with the name.
+Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
+    const std::string& name = syntax.text;
+    if (const Definition* const function = table_.function(name, statement_)) {
+        std::string call = name + "(";
+        for (const std::string& argument : function->arguments)
+            call += (call.ends_with('(') ? "" : ", ") + argument;
+        return fail(syntax.offset, quoted(name) + " is a function", "type " + call + ")");
+    }
+    if (is_parameter_name(name)) return parameter(name, syntax.offset);
+    if (auto foreign = error_for_foreign(name, syntax.offset)) {
+        return fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
+    }
+    return fail(syntax.offset, quoted(name) + " is not known", hint_for_unknown(name));
 }
 
 Elaborator::Built Elaborator::built_in(std::string_view name) {
@@ -176,22 +174,57 @@ Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t off
 }
 
 Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
-    definition.used = true;
-    if (definition.is_function) {
-        std::string call = syntax.text + "(";
-        for (const std::string& argument : definition.arguments)
-            call += (call.ends_with('(') ? "" : ", ") + argument;
-        return fail(syntax.offset, quoted(syntax.text) + " is a function", "type " + call + ")");
-    }
-    if (definition.value) return Value{*definition.value, false};
+    if (definition.value) return definition.value;
     if (definition.in_progress) {
+        if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
         return fail(syntax.offset, quoted(syntax.text) + " is defined by itself");
     }
     definition.in_progress = true;
-    definition.value = number(definition.body, nullptr);
+    if (depth_ > deep && !settle(definition)) return std::nullopt;
+    const std::size_t outer = std::exchange(statement_, definition.statement);
+    definition.value = build(definition.body, nullptr);
+    statement_ = outer;
     definition.in_progress = false;
-    if (!definition.value) return std::nullopt;
-    return Value{*definition.value, false};
+    return definition.value;
+}
+
+/// Makes all values known that a definition needs, the innermost first: a long chain of definitions
+/// takes no deep stack.
+bool Elaborator::settle(Definition& definition) {
+    struct Visit {
+        Definition* of;
+        std::size_t next;
+    };
+    std::vector<Visit> stack{{&definition, 0}};
+    definition.settled = true;
+    while (!stack.empty()) {
+        const auto uses = table_.uses(stack.back().of->statement);
+        if (stack.back().next < uses.size()) {
+            const NameUse& use = uses[stack.back().next++];
+            Definition* const needed = table_.meant(use, stack.back().of->statement);
+            if (needed == nullptr || needed->settled) continue;
+            needed->settled = true;
+            stack.push_back({needed, 0});
+            continue;
+        }
+        Definition& known = *stack.back().of;
+        stack.pop_back();
+        if (known.is_function || &known == &definition || known.in_progress) continue;
+        const Syntax& relation = tree_[tree_.statements[known.statement].relation];
+        if (!defined_value(known, tree_[relation.operands[0]])) return false;
+    }
+    return true;
+}
+
+Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope) {
+    const Number a = number(syntax.operands[0], scope);
+    return a ? done(make_negate(builder_, *a), syntax.offset) : std::nullopt;
+}
+
+Elaborator::Built Elaborator::power(const Syntax& syntax, const Binding* scope) {
+    const Number a = number(syntax.operands[0], scope);
+    const Number b = a ? number(syntax.operands[1], scope) : std::nullopt;
+    return b ? done(make_power(builder_, *a, *b), syntax.offset) : std::nullopt;
 }
 
 Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
@@ -212,175 +245,39 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
     for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
         const Number factor = number(syntax.operands[i], scope);
         if (!factor) return std::nullopt;
-        total = syntax.marks[i - 1] == '*' ? make_multiply(builder_, *total, *factor)
-                                           : make_divide(builder_, *total, *factor);
-        if (!done(*total, tree_[syntax.operands[i]].offset)) return std::nullopt;
+        const std::size_t offset = tree_[syntax.operands[i]].offset;
+        switch (syntax.marks[i - 1]) {
+            case '*': total = make_multiply(builder_, *total, *factor); break;
+            case '/': total = make_divide(builder_, *total, *factor); break;
+            default:
+                total = make_call(builder_, Op::Mod, *total, *factor);
+                notes_.add(offset,
+                           "a % b is mod(a, b), from 0 up to b; for the remainder of C, with "
+                           "the sign of a, type fmod(a, b)");
+        }
+        if (!done(*total, offset)) return std::nullopt;
     }
     if (!total) return std::nullopt;
     return Value{*total, false};
 }
 
-/// a < b < c is a < b and b < c.
-Elaborator::Built Elaborator::compare(const Syntax& syntax, const Binding* scope) {
-    if (syntax.marks.contains('=')) {
-        return fail(syntax.offset, "an equation stands alone, not inside a formula",
-                    "compare with < <= > >=");
-    }
-    Number left = number(syntax.operands[0], scope);
-    Number all;
-    for (std::size_t i = 1; left && i < syntax.operands.size(); ++i) {
-        const Number right = number(syntax.operands[i], scope);
-        if (!right) return std::nullopt;
-        const char mark = syntax.marks[i - 1];
-        const Op op = mark == '<' || mark == '>' ? Op::Less : Op::LessEqual;
-        const bool ascending = mark == '<' || mark == 'l';
-        const NodeId one = ascending ? make_call(builder_, op, *left, *right)
-                                     : make_call(builder_, op, *right, *left);
-        all = all ? make_call(builder_, Op::And, *all, one) : one;
-        if (!done(*all, syntax.offset)) return std::nullopt;
-        left = right;
-    }
-    if (!left) return std::nullopt;
-    return Value{*all, true};
+/// A name with a value in what follows it, in a function's body.
+Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
+    const Built value = build(syntax.operands[0], scope);
+    if (!value) return value;
+    const Binding binding{syntax.text, *value, scope};
+    return build(syntax.operands[1], &binding);
 }
 
-Elaborator::Built Elaborator::connected(const Syntax& syntax, Op op, const Binding* scope) {
-    Number all = condition(syntax.operands[0], scope);
-    for (std::size_t i = 1; all && i < syntax.operands.size(); ++i) {
-        const Number further = condition(syntax.operands[i], scope);
-        if (!further) return std::nullopt;
-        all = make_call(builder_, op, *all, *further);
-        if (!done(*all, syntax.offset)) return std::nullopt;
-    }
-    if (!all) return std::nullopt;
-    return Value{*all, true};
-}
-
-Elaborator::Built Elaborator::cases(const Syntax& syntax, const Binding* scope) {
-    Number value;
-    std::size_t i = syntax.operands.size();
-    if (i % 2 == 1) {
-        value = number(syntax.operands[--i], scope);
-        if (!value) return std::nullopt;
-    }
-    for (; i >= 2; i -= 2) {
-        const Number where = condition(syntax.operands[i - 2], scope);
-        const Number there = where ? number(syntax.operands[i - 1], scope) : std::nullopt;
-        if (!there) return std::nullopt;
-        value = value ? make_call(builder_, Op::If, *where, *there, *value)
-                      : make_call(builder_, Op::Where, *there, *where);
-        if (!done(*value, syntax.offset)) return std::nullopt;
-    }
-    if (!value) return std::nullopt;
-    return Value{*value, false};
-}
-
-Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
-    if (syntax.function == nullptr) return defined_call(syntax, scope);
-    if (syntax.function->repeats()) return repeated(syntax, scope);
-    const std::optional<Op> op = syntax.function->op;
-    std::vector<NodeId> arguments;
+/// The values of a list, each known once and for all, so that a long list takes no deep stack.
+Elaborator::Built Elaborator::last_of_list(const Syntax& syntax) {
+    Built last;
     for (const SyntaxId id : syntax.operands) {
-        const std::size_t place = arguments.size();
-        const bool is_condition = (op == Op::If && place == 0) || (op == Op::Where && place == 1);
-        const Number argument = is_condition ? condition(id, scope) : number(id, scope);
-        if (!argument) return std::nullopt;
-        arguments.push_back(*argument);
+        last = build(id, nullptr);
+        if (!last) return last;
+        earlier_.insert_or_assign(id, *last);
     }
-    return done(make_function(builder_, *syntax.function, arguments), syntax.offset);
-}
-
-/// sum(f, i, m, n) and prod(f, i, m, n), written out.
-Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scope) {
-    const std::string name(syntax.function->name);
-    const Syntax& index = tree_[syntax.operands[1]];
-    if (index.kind != SyntaxKind::Name) {
-        return fail(index.offset, "the second argument of " + name + " is a name",
-                    "for example " + name + "(x^i, i, 1, 5)");
-    }
-    std::optional<double> bounds[2];
-    for (std::size_t i = 0; i < 2; ++i) {
-        const Number bound = number(syntax.operands[2 + i], scope);
-        if (!bound) return std::nullopt;
-        bounds[i] = exact_value(builder_, *bound);
-        if (!bounds[i] || *bounds[i] != std::floor(*bounds[i]) ||
-            std::abs(*bounds[i]) > largest_bound) {
-            return fail(tree_[syntax.operands[2 + i]].offset,
-                        "the bounds of " + name + " are whole numbers",
-                        "for example " + name + "(x^i, i, 1, 5)");
-        }
-    }
-    if (*bounds[1] - *bounds[0] >= max_terms) {
-        return fail(syntax.offset, name + " has more than 10 000 terms", "use fewer");
-    }
-    const bool adds = syntax.function->composed == Composed::Sum;
-    NodeId total = builder_.constant(adds ? 0.0 : 1.0);
-    for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
-        const Binding binding{index.text, builder_.constant(i), scope};
-        if (!done(binding.value, index.offset)) return std::nullopt;
-        const Number term = number(syntax.operands[0], &binding);
-        if (!term) return std::nullopt;
-        const bool first = i == *bounds[0];
-        total = first  ? *term
-                : adds ? make_add(builder_, total, *term)
-                       : make_multiply(builder_, total, *term);
-        if (!done(total, syntax.offset)) return std::nullopt;
-    }
-    return done(total, syntax.offset);
-}
-
-Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {
-    const auto defined = definitions_.find(syntax.text);
-    if (defined == definitions_.end() || !defined->second.is_function) {
-        return fail(syntax.offset, quoted(syntax.text) + " is not a function",
-                    "define it, as in " + syntax.text + "(u, v) = u^2 + v^2");
-    }
-    Definition& definition = defined->second;
-    definition.used = true;
-    const std::size_t wanted = definition.arguments.size();
-    if (syntax.operands.size() != wanted) {
-        return fail(syntax.offset, syntax.text + " takes " + std::to_string(wanted) +
-                                       (wanted == 1 ? " argument, not " : " arguments, not ") +
-                                       std::to_string(syntax.operands.size()));
-    }
-    std::vector<NodeId> arguments;
-    for (const SyntaxId id : syntax.operands) {
-        const Number argument = number(id, scope);
-        if (!argument) return std::nullopt;
-        arguments.push_back(*argument);
-    }
-    if (definition.in_progress) {
-        return fail(syntax.offset, quoted(syntax.text) + " is defined by itself",
-                    "write the terms out, or use sum or prod");
-    }
-    const Number value = function_value(definition, arguments);
-    if (!value) return std::nullopt;
-    return Value{*value, false};
-}
-
-std::size_t Elaborator::CallHash::operator()(const Call& call) const {
-    std::size_t hash = std::hash<const Definition*>()(call.first);
-    for (const NodeId argument : call.second) {
-        hash = (hash ^ argument) * 0x9e3779b97f4a7c15ULL;
-        hash ^= hash >> 29U;
-    }
-    return hash;
-}
-
-Elaborator::Number Elaborator::function_value(Definition& definition,
-                                              const std::vector<NodeId>& arguments) {
-    const auto [known, is_new] = calls_.try_emplace(Call{&definition, arguments}, 0);
-    if (!is_new) return known->second;
-    std::vector<Binding> scope;
-    scope.reserve(arguments.size());
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        scope.push_back({definition.arguments[i], arguments[i], i == 0 ? nullptr : &scope[i - 1]});
-    }
-    definition.in_progress = true;
-    const Number value = number(definition.body, scope.empty() ? nullptr : &scope.back());
-    definition.in_progress = false;
-    if (value) known->second = *value;
-    return value;
+    return last;
 }
 
 }  // namespace zeroset

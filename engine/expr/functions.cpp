@@ -1,5 +1,6 @@
 #include "engine/expr/functions.hpp"
 
+#include "engine/expr/constants.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>
@@ -24,7 +25,35 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"arsinh", "asinh"},
     {"arcosh", "acosh"},
     {"artanh", "atanh"},
+    {"ArcTan", "atan"},  // of Mathematica, whose arguments stand the other way round
+    {"Log", "log"},
+    {"arctan2", "atan2"},
     {"sgn", "sign"},
+    {"fabs", "abs"},
+    {"fmin", "min"},
+    {"fmax", "max"},
+    {"lg", "log10"},
+    {"sen", "sin"},
+    {"frac", "fract"},
+    {"rint", "round"},
+    {"lerp", "mix"},
+    {"clip", "clamp"},
+    {"power", "pow"},
+    {"maximum", "max"},
+    {"minimum", "min"},
+    {"fabsf", "abs"},
+    {"sqrtf", "sqrt"},
+    {"powf", "pow"},
+    {"expf", "exp"},
+    {"logf", "log"},
+    {"sinf", "sin"},
+    {"cosf", "cos"},
+    {"tanf", "tan"},
+    {"atan2f", "atan2"},
+    {"floorf", "floor"},
+    {"fmodf", "fmod"},
+    {"fminf", "min"},
+    {"fmaxf", "max"},
     {"tg", "tan"},
     {"ctg", "cot"},
     {"cosec", "csc"},
@@ -117,10 +146,112 @@ NodeId make_logarithm(ExprBuilder& builder, std::span<const NodeId> a) {
                        make_call(builder, Op::Log, a[1]));
 }
 
+/// trunc(a): floor from 0 on, ceil below.
+NodeId make_trunc(ExprBuilder& builder, NodeId a) {
+    const NodeId below = make_call(builder, Op::Less, a, builder.constant(0.0));
+    return make_call(builder, Op::If, below, make_call(builder, Op::Ceil, a),
+                     make_call(builder, Op::Floor, a));
+}
+
+NodeId make_clamp(ExprBuilder& builder, NodeId a, NodeId low, NodeId high) {
+    return make_call(builder, Op::Min, make_call(builder, Op::Max, a, low), high);
+}
+
+/// t^2 (3 - 2t) for t = (a - low)/(high - low), kept from 0 to 1.
+NodeId make_smooth_step(ExprBuilder& builder, NodeId low, NodeId high, NodeId a) {
+    const NodeId whole = make_subtract(builder, high, low);
+    const NodeId part = make_divide(builder, make_subtract(builder, a, low), whole);
+    const NodeId t = make_clamp(builder, part, builder.constant(0.0), builder.constant(1.0));
+    const NodeId twice = make_multiply(builder, builder.constant(2.0), t);
+    return make_multiply(builder, make_multiply(builder, t, t),
+                         make_subtract(builder, builder.constant(3.0), twice));
+}
+
+NodeId make_fmod(ExprBuilder& builder, NodeId a, NodeId b) {
+    const NodeId whole = make_trunc(builder, make_divide(builder, a, b));
+    return make_subtract(builder, a, make_multiply(builder, b, whole));
+}
+
+/// a + t*(b - a)
+NodeId make_mix(ExprBuilder& builder, NodeId a, NodeId b, NodeId t) {
+    return make_add(builder, a, make_multiply(builder, t, make_subtract(builder, b, a)));
+}
+
+NodeId make_step(ExprBuilder& builder, NodeId edge, NodeId a) {
+    return make_call(builder, Op::If, make_call(builder, Op::Less, a, edge), builder.constant(0.0),
+                     builder.constant(1.0));
+}
+
+/// select(a, below, above) and select(a, below, at 0, above) of POV-Ray.
+NodeId make_select(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId zero = builder.constant(0.0);
+    NodeId otherwise = a[2];
+    if (a.size() == 4) {
+        const NodeId above = make_call(builder, Op::Less, zero, a[0]);
+        otherwise = make_call(builder, Op::If, above, a[3], a[2]);
+    }
+    return make_call(builder, Op::If, make_call(builder, Op::Less, a[0], zero), a[1], otherwise);
+}
+
+NodeId pi_of(ExprBuilder& builder) { return builder.constant(pi.value.lo, pi.value.hi); }
+
+/// a*p/q for an angle in other units.
+NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
+    return make_multiply(builder, make_divide(builder, p, q), a);
+}
+
+/// smooth_union(a, b, ..., k) and its kin: two by two, each blended with the width k.
+template <class Blend>
+NodeId blended(std::span<const NodeId> a, Blend blend) {
+    const auto solids = a.first(a.size() - 1);
+    return std::accumulate(solids.begin() + 1, solids.end(), solids.front(), blend);
+}
+
 NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
     return std::accumulate(a.begin() + 1, a.end(), a.front(), [&](NodeId solid, NodeId hole) {
         return make_call(builder, Op::Max, solid, make_negate(builder, hole));
     });
+}
+
+/// f_torus(x, y, z, R, r) around the y-axis.
+NodeId make_torus(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId across = length_of(builder, std::array{a[0], a[2]});
+    const NodeId tube = length_of(builder, std::array{make_subtract(builder, across, a[3]), a[1]});
+    return make_subtract(builder, tube, a[4]);
+}
+
+/// f_superellipsoid(x, y, z, e, n)
+NodeId make_superellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
+    const NodeId two = builder.constant(2.0);
+    const auto powered = [&](NodeId of, NodeId over) {
+        const NodeId size = make_call(builder, Op::Abs, of);
+        return make_power(builder, size, make_divide(builder, two, over));
+    };
+    const NodeId across =
+        make_power(builder, make_add(builder, powered(a[0], a[3]), powered(a[1], a[3])),
+                   make_divide(builder, a[3], a[4]));
+    const NodeId size = make_power(builder, make_add(builder, across, powered(a[2], a[4])),
+                                   make_divide(builder, a[4], two));
+    return make_subtract(builder, builder.constant(1.0), size);
+}
+
+/// f_rounded_box(x, y, z, r, a, b, c): the distance from the box without its rounding, less r.
+NodeId make_rounded_box(ExprBuilder& builder, std::span<const NodeId> a) {
+    std::array<NodeId, 3> outside{};
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        const NodeId size = make_call(builder, Op::Abs, a[i]);
+        const NodeId over = make_subtract(builder, size, make_subtract(builder, a[4 + i], a[3]));
+        outside.at(i) = make_call(builder, Op::Max, over, builder.constant(0.0));
+    }
+    return make_subtract(builder, length_of(builder, outside), a[3]);
+}
+
+/// f_ellipsoid(x, y, z, a, b, c)
+NodeId make_ellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
+    std::array<NodeId, 3> scaled{};
+    for (std::size_t i = 0; i < scaled.size(); ++i)
+        scaled.at(i) = make_multiply(builder, a[3 + i], a[i]);
+    return length_of(builder, scaled);
 }
 
 NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const NodeId> a) {
@@ -133,16 +264,43 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::LogBase: return make_logarithm(builder, a);
         case Composed::Sec: return reciprocal(make_call(builder, Op::Cos, a[0]));
         case Composed::Csc: return reciprocal(make_call(builder, Op::Sin, a[0]));
+        case Composed::Sech: return reciprocal(make_call(builder, Op::Cosh, a[0]));
+        case Composed::Csch: return reciprocal(make_call(builder, Op::Sinh, a[0]));
+        case Composed::Coth: return reciprocal(make_call(builder, Op::Tanh, a[0]));
+        case Composed::Exp2: return make_power(builder, builder.constant(2.0), a[0]);
+        case Composed::Trunc: return make_trunc(builder, a[0]);
+        case Composed::Fract:
+            return make_subtract(builder, a[0], make_call(builder, Op::Floor, a[0]));
+        case Composed::Fmod: return make_fmod(builder, a[0], a[1]);
+        case Composed::Step: return make_step(builder, a[0], a[1]);
+        case Composed::SmoothStep: return make_smooth_step(builder, a[0], a[1], a[2]);
+        case Composed::Mix: return make_mix(builder, a[0], a[1], a[2]);
+        case Composed::Select: return make_select(builder, a);
+        case Composed::Degrees:
+            return make_angle(builder, a[0], builder.constant(180.0), pi_of(builder));
+        case Composed::Radians:
+            return make_angle(builder, a[0], pi_of(builder), builder.constant(180.0));
+        case Composed::InverseSqrt: return reciprocal(make_call(builder, Op::Sqrt, a[0]));
         case Composed::Hypot:
         case Composed::Length: return length_of(builder, a);
-        case Composed::Clamp:
-            return make_call(builder, Op::Min, make_call(builder, Op::Max, a[0], a[1]), a[2]);
-        case Composed::SmoothMin:
-        case Composed::SmoothUnion: return smooth_min(builder, a[0], a[1], a[2]);
-        case Composed::SmoothMax:
-        case Composed::SmoothIntersect: return smooth_max(builder, a[0], a[1], a[2]);
+        case Composed::Clamp: return make_clamp(builder, a[0], a[1], a[2]);
+        case Composed::SmoothMin: return smooth_min(builder, a[0], a[1], a[2]);
+        case Composed::SmoothMax: return smooth_max(builder, a[0], a[1], a[2]);
+        case Composed::SmoothUnion:
+            return blended(
+                a, [&](NodeId of, NodeId b) { return smooth_min(builder, of, b, a.back()); });
+        case Composed::SmoothIntersect:
+            return blended(
+                a, [&](NodeId of, NodeId b) { return smooth_max(builder, of, b, a.back()); });
         case Composed::SmoothSubtract:
-            return smooth_max(builder, a[0], make_negate(builder, a[1]), a[2]);
+            return blended(a, [&](NodeId of, NodeId b) {
+                return smooth_max(builder, of, make_negate(builder, b), a.back());
+            });
+        case Composed::Sphere: return make_subtract(builder, length_of(builder, a.first(3)), a[3]);
+        case Composed::Torus: return make_torus(builder, a);
+        case Composed::Ellipsoid: return make_ellipsoid(builder, a);
+        case Composed::Superellipsoid: return make_superellipsoid(builder, a);
+        case Composed::RoundedBox: return make_rounded_box(builder, a);
         case Composed::Union: return fold(builder, Op::Min, a);
         case Composed::Intersect: return fold(builder, Op::Max, a);
         case Composed::Without: return make_without(builder, a);

@@ -1,6 +1,7 @@
 #include "engine/expr/lexer.hpp"
 
-#include "engine/expr/signs.hpp"
+#include "engine/expr/lexer_reader.hpp"
+#include "engine/expr/parse_notes.hpp"
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
@@ -15,20 +16,18 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '~' || c == '$'; }
 
-/// Length of the run of `text` from `start` on that satisfies the predicate.
-template <class Predicate>
-std::size_t run_length(std::string_view text, std::size_t start, Predicate predicate) {
-    if (start >= text.size()) return 0;
-    const auto rest = text.substr(start);
-    const auto* const end = std::ranges::find_if_not(rest, predicate);
-    return static_cast<std::size_t>(end - rest.begin());
-}
-
 /// Length of the decimal literal at `start`: 12, .5, 1.5e+2. An "e" without digits after it is
 /// not part of the number.
 std::size_t number_length(std::string_view text, std::size_t start) {
     std::size_t end = start + run_length(text, start, is_digit);
-    if (end < text.size() && text[end] == '.') end += 1 + run_length(text, end + 1, is_digit);
+    // LaTeX writes a decimal comma as {,}.
+    const bool comma =
+        end + 3 < text.size() && text.substr(end, 3) == "{,}" && is_digit(text[end + 3]);
+    if (comma) {
+        end += 3 + run_length(text, end + 3, is_digit);
+    } else if (end < text.size() && text[end] == '.') {
+        end += 1 + run_length(text, end + 1, is_digit);
+    }
     if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
         const bool sign = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-');
         const std::size_t digits = end + (sign ? 2 : 1);
@@ -38,39 +37,7 @@ std::size_t number_length(std::string_view text, std::size_t start) {
     return end - start;
 }
 
-using Done = std::expected<void, ParseError>;
-
-class Lexer {
-public:
-    explicit Lexer(std::string_view text) : text_(text) {}
-
-    std::expected<std::vector<Token>, ParseError> tokens();
-
-private:
-    Done step();
-    Done other_character();
-    Done command();
-    void word(std::size_t begin, std::size_t end);
-    void name(std::string_view text, std::size_t length);
-    void push_sign(const Sign& sign, std::size_t length);
-    void symbol();
-    bool word_in_braces(std::size_t at);
-    void superscript();
-    /// The subscript that starts at `at_`, which moves behind it; empty when there is none.
-    std::string subscript();
-
-    [[nodiscard]] char peek(std::size_t ahead = 0) const {
-        return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
-    }
-    void push(TokenKind kind, std::string_view text, std::size_t length) {
-        tokens_.push_back({kind, text, {}, at_, length});
-        at_ += length;
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    std::vector<Token> tokens_;
-};
+}  // namespace
 
 std::expected<std::vector<Token>, ParseError> Lexer::tokens() {
     while (at_ < text_.size()) {
@@ -82,23 +49,33 @@ std::expected<std::vector<Token>, ParseError> Lexer::tokens() {
 
 Done Lexer::step() {
     const char c = peek();
+    if (at_ == macro_end_) {
+        macro_end_ = std::string_view::npos;
+        push(TokenKind::Symbol, ":=", 0);
+        return {};
+    }
+    if (may_negate()) {
+        push(TokenKind::Symbol, "~", 1);
+        return {};
+    }
+    if (is_space(c)) {
+        ++at_;
+        return {};
+    }
+    if (starts_remark()) return remark();
+    line_start_ = c == '\n' || c == '\v';
     if (c == '&' && peek(1) == '&') {
         push(TokenKind::Name, "and", 2);
-    } else if (is_space(c) || c == '&') {
-        ++at_;
-    } else if (c == '\n' || c == ';') {
+    } else if (line_start_ || c == ';') {
         push(TokenKind::Break, text_.substr(at_, 1), 1);
-    } else if (c == '#') {
-        at_ += run_length(text_, at_, [](char d) { return d != '\n'; });
     } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
         const std::size_t length = number_length(text_, at_);
         push(TokenKind::Number, text_.substr(at_, length), length);
-    } else if (is_letter(c)) {
-        const std::size_t length = run_length(text_, at_, is_letter);
-        name(text_.substr(at_, length), length);
+    } else if (is_letter(c) || c == '_' || is_greek(code_point_at(text_, at_).code)) {
+        if (!identifier()) return other_character();
     } else if (c == '\\') {
         return command();
-    } else if (std::string_view("+-*/^()[]{}|,=<>:").contains(c)) {
+    } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c)) {
         symbol();
     } else {
         return other_character();
@@ -106,49 +83,92 @@ Done Lexer::step() {
     return {};
 }
 
-/// An ASCII operator; "**" is "^", "==" and ":=" are "=".
+bool Lexer::starts_remark() const {
+    const char c = peek();
+    return c == '#' || (c == '%' && line_start_) ||
+           (c == '/' && (peek(1) == '/' || peek(1) == '*'));
+}
+
+/// Up to the end of the line, or from /* to */.
+Done Lexer::remark() {
+    if (declaration()) return {};
+    if (peek() == '/' && peek(1) == '*') {
+        const std::size_t end = text_.find("*/", at_ + 2);
+        if (end == std::string_view::npos) {
+            return std::unexpected(
+                ParseError{at_, "this remark is not closed", "add */ where it ends", true});
+        }
+        const bool has_lines = text_.substr(at_, end - at_).contains('\n');
+        at_ = end + 2;
+        if (line_start_ && has_lines) push(TokenKind::Break, "\n", 0);
+        return {};
+    }
+    if (peek() == '/') note_short_remark();
+    at_ += run_length(text_, at_, [](char c) { return c != '\n' && c != '\v'; });
+    return {};
+}
+
+/// #declare and #local, as POV-Ray writes a definition, #define as C does.
+bool Lexer::declaration() {
+    for (const std::string_view word : {"#declare", "#local", "#define"}) {
+        if (!text_.substr(at_).starts_with(word) || is_letter(peek(word.size()))) continue;
+        if (word == "#define" && !find_end_of_macro(at_ + word.size())) return false;
+        push(TokenKind::Name, "declare", word.size());
+        return true;
+    }
+    return false;
+}
+
+/// Where the name of a macro and its arguments end, which start at `at`: there stands no "=". False
+/// where nothing follows.
+bool Lexer::find_end_of_macro(std::size_t at) {
+    at = std::min(text_.find_first_not_of(" \t", at), text_.size());
+    const std::size_t length = name_length(text_, at);
+    std::size_t end = at + length;
+    if (text_.substr(end).starts_with('(')) end = text_.find_first_of(")(#\n", end + 1);
+    if (length == 0 || end >= text_.size()) return false;
+    if (text_[end] == ')') ++end;
+    const std::size_t value = text_.find_first_not_of(" \t\r", end);
+    if (value == std::string_view::npos || text_[value] == '\n') return false;
+    if (text_.substr(value).starts_with("//")) return false;
+    macro_end_ = end;
+    return true;
+}
+
+/// The "~" of ~(x < 1) is Python's "not"; elsewhere, and beside commands, it is a space of LaTeX.
+bool Lexer::may_negate() const {
+    if (peek() != '~' || peek(1) != '(' || is_latex_ || tokens_.empty()) return false;
+    const Token& last = tokens_.back();
+    return is_connective(last) || is_symbol(last, {"(", "[", "{", "|", "&", ",", "?"});
+}
+
+/// x//2 may have been meant as a quotient without its fraction.
+void Lexer::note_short_remark() {
+    const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
+    const char before = at_ > 0 ? text_[at_ - 1] : ' ';
+    if (!is_part(before) && before != ')') return;
+    if (!is_part(peek(2)) && peek(2) != '(') return;
+    notes_.add(at_ - 1, "what stands behind // is a remark; for a whole quotient type floor(a/b)");
+}
+
+/// An ASCII operator; "**" is "^".
 void Lexer::symbol() {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 6> pairs{
-        {{"**", "^"}, {"==", "="}, {":=", "="}, {"<=", "<="}, {">=", ">="}, {"=<", "<="}}};
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> pairs{
+        {{"===", "=="},
+         {"!==", "!="},
+         {"**", "^"},
+         {"==", "=="},
+         {":=", ":="},
+         {"<=", "<="},
+         {">=", ">="},
+         {"=<", "<="},
+         {"!=", "!="},
+         {"<>", "!="}}};
     for (const auto& [typed, meaning] : pairs) {
-        if (text_.substr(at_, 2) == typed) return push(TokenKind::Symbol, meaning, 2);
+        if (text_.substr(at_).starts_with(typed))
+            return push(TokenKind::Symbol, meaning, typed.size());
     }
     push(TokenKind::Symbol, text_.substr(at_, 1), 1);
-}
-
-void Lexer::name(std::string_view text, std::size_t length) {
-    push(TokenKind::Name, text, length);
-    const std::size_t token = tokens_.size() - 1;
-    std::string lowered = subscript();
-    tokens_[token].subscript = std::move(lowered);
-    tokens_[token].length = at_ - tokens_[token].offset;
-}
-
-std::string Lexer::subscript() {
-    const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
-    std::string result;
-    if (peek() == '_') {
-        const bool braces = peek(1) == '{';
-        const std::size_t begin = at_ + (braces ? 2 : 1);
-        // c_1x is the product of c_1 and x.
-        const bool digits = !braces && begin < text_.size() && is_digit(text_[begin]);
-        const std::size_t length =
-            digits ? run_length(text_, begin, is_digit) : run_length(text_, begin, is_part);
-        const std::size_t end = begin + length;
-        const bool closed = !braces || (end < text_.size() && text_[end] == '}');
-        if (length == 0 || !closed) return result;
-        result = text_.substr(begin, length);
-        at_ = end + (braces ? 1 : 0);
-        return result;
-    }
-    while (at_ < text_.size()) {
-        const CodePoint point = code_point_at(text_, at_);
-        const char digit = subscript_digit(point.code);
-        if (digit == '\0') break;
-        result += digit;
-        at_ += point.length;
-    }
-    return result;
 }
 
 void Lexer::push_sign(const Sign& sign, std::size_t length) {
@@ -183,27 +203,18 @@ Done Lexer::other_character() {
         return {};
     }
     std::string hint = "type + - * / ^ ( ) and names such as x, y, z, sqrt";
-    if (peek() == '!') hint = "for n! type prod(i, i, 1, n)";
-    if (peek() == '!' && peek(1) == '=') hint = "compare with < <= > >=";
-    if (peek() == '%') hint = "for the remainder type mod(a, b)";
     if (peek() == '_') hint = "a subscript stands right behind a letter: c_1, c_{12}";
-    if (point.code == U'\u2260') hint = "compare with < <= > >=";
+    const bool behind_name =
+        !tokens_.empty() && tokens_.back().end() == at_ && tokens_.back().kind == TokenKind::Name;
+    if (peek() == '.' && behind_name && is_letter(peek(1))) {
+        return std::unexpected(ParseError{at_, "vectors and their parts are not read",
+                                          "write the components as numbers of their own"});
+    }
     const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
     const std::string shown =
         printable ? quoted(text_.substr(at_, point.length))
                   : "the byte " + std::to_string(static_cast<unsigned char>(peek()));
     return std::unexpected(ParseError{at_, shown + " has no meaning here", hint});
-}
-
-/// `{letters}` from `at` on as one name, as in \operatorname{sgn}.
-bool Lexer::word_in_braces(std::size_t at) {
-    if (at >= text_.size() || text_[at] != '{') return false;
-    const std::size_t length = run_length(text_, at + 1, is_letter);
-    const std::size_t end = at + 1 + length;
-    if (length == 0 || end >= text_.size() || text_[end] != '}') return false;
-    const std::size_t begin = at_;
-    name(text_.substr(at + 1, length), end + 1 - begin);
-    return true;
 }
 
 Done Lexer::command() {
@@ -246,69 +257,6 @@ Done Lexer::command() {
     return {};
 }
 
-/// Whether a statement cannot end before this token.
-bool goes_on(const Token& token) {
-    return token.kind == TokenKind::Superscript || is_connective(token) ||
-           is_symbol(token, {"*", "/", "^", ")", "]", "}", ",", "=", "<", ">", "<=", ">=", "|)"});
-}
-
-/// Whether a statement cannot end after this token.
-bool wants_more(const Token& token) {
-    return is_connective(token) ||
-           is_symbol(token, {"+", "-", "*", "/", "^", ",", "=", "<", ">", "<=", ">="});
-}
-
-/// Leaves out the line ends that separate nothing.
-class LineJoiner {
-public:
-    explicit LineJoiner(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
-
-    std::vector<Token> joined() {
-        joined_.reserve(tokens_.size());
-        for (std::size_t i = 0; i < tokens_.size(); ++i) {
-            if (!is_line_end(tokens_[i]) || !joins(i)) take(tokens_[i]);
-        }
-        return std::move(joined_);
-    }
-
-private:
-    static bool is_line_end(const Token& token) {
-        return token.kind == TokenKind::Break && token.text == "\n";
-    }
-    void take(const Token& token) {
-        if (is_symbol(token, {"(", "[", "{"})) ++open_;
-        if (is_symbol(token, {")", "]", "}"}) && open_ > 0) --open_;
-        if (is_symbol(token, {"="})) has_equals_ = true;
-        if (token.kind == TokenKind::Break) {
-            open_ = 0;
-            has_equals_ = false;
-        }
-        joined_.push_back(token);
-    }
-    /// Whether the statement goes on behind the line end `at`. A line that starts with a sign goes
-    /// on with the one before it, unless both are equations.
-    [[nodiscard]] bool joins(std::size_t at) const {
-        const Token& next = tokens_[at + 1];
-        if (open_ > 0 || joined_.empty() || joined_.back().kind == TokenKind::Break) return true;
-        if (wants_more(joined_.back()) || goes_on(next)) return true;
-        return is_symbol(next, {"+", "-"}) && !(has_equals_ && equation_starts(at + 1));
-    }
-    /// Whether an "=" stands between `at` and the next break.
-    [[nodiscard]] bool equation_starts(std::size_t at) const {
-        while (tokens_[at].kind != TokenKind::Break && tokens_[at].kind != TokenKind::End) {
-            if (is_symbol(tokens_[at++], {"="})) return true;
-        }
-        return false;
-    }
-
-    std::vector<Token> tokens_;
-    std::vector<Token> joined_;
-    int open_ = 0;             ///< brackets
-    bool has_equals_ = false;  ///< in the statement so far
-};
-
-}  // namespace
-
 bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols) {
     return token.kind == TokenKind::Symbol &&
            std::ranges::find(symbols, token.text) != symbols.end();
@@ -318,10 +266,13 @@ bool is_connective(const Token& token) {
     return token.kind == TokenKind::Name && (token.text == "and" || token.text == "or");
 }
 
-std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text) {
-    auto tokens = Lexer(text).tokens();
+bool adjacent(const Token& first, const Token& second) { return first.end() == second.offset; }
+
+std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
+                                                       const DefinedNames* defined, Notes& notes) {
+    auto tokens = Lexer(text, defined, notes).tokens();
     if (!tokens) return tokens;
-    return LineJoiner(std::move(*tokens)).joined();
+    return without_inner_line_ends(std::move(*tokens), notes);
 }
 
 }  // namespace zeroset

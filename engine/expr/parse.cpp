@@ -64,8 +64,8 @@ std::expected<Expr, ParseError> read_value(std::string_view expression, std::str
     text += "\n;\n";
     const std::size_t begin = text.size();
     text += expression;
-    const auto tree = read_syntax(text);
-    auto value = tree ? Elaborator(*tree).last_value() : std::unexpected(tree.error());
+    const auto tree = read_syntax(text, begin);
+    auto value = tree ? Elaborator(*tree, begin).last_value() : std::unexpected(tree.error());
     if (!value) {
         ParseError error = value.error();
         error.offset -= std::min(error.offset, begin);

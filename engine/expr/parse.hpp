@@ -27,6 +27,8 @@ struct Reading {
     std::size_t offset;  ///< of the statement in the text, bytes
     std::string text;    ///< with every operator written out; the text of a surface parses to it;
                          ///< long ones are cut and end with "..."
+    std::vector<std::string> notes = {};  ///< what was read in an unusual way, and what to type for
+                                          ///< the other; one line each
 };
 
 /// What a text says. Surfaces share the numbering of the parameters.
@@ -38,10 +40,11 @@ struct Program {
 
 /// A text that asks for more is refused.
 struct ProgramLimits {
-    static constexpr std::size_t statements = 1'000;
+    static constexpr std::size_t text = 2'000'000;  ///< bytes
+    static constexpr std::size_t statements = 100'000;
     static constexpr std::size_t surfaces = 100;
     static constexpr std::size_t parameters = 200;
-    static constexpr std::size_t nodes = 200'000;  ///< of all surfaces together
+    static constexpr std::size_t nodes = 1'000'000;  ///< of all surfaces together
 };
 
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded

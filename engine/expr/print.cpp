@@ -3,9 +3,12 @@
 #include "engine/expr/constants.hpp"
 #include "engine/expr/expr.hpp"
 #include "engine/expr/number.hpp"
+#include "engine/expr/spelling.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
@@ -21,6 +24,16 @@ int infix_precedence(Op op) {
     return op == Op::Add || op == Op::Subtract ? Sum : Product;
 }
 
+/// A name as it is typed: c_{1a}, because c_1a is a product.
+std::string spelled(std::string_view name) {
+    const std::size_t bar = name.find('_');
+    if (bar == std::string_view::npos) return std::string(name);
+    const std::string_view subscript = name.substr(bar + 1);
+    const bool digit = !subscript.empty() && is_digit(subscript.front());
+    if (!digit || std::ranges::all_of(subscript, is_digit)) return std::string(name);
+    return std::string(name.substr(0, bar)) + "_{" + std::string(subscript) + "}";
+}
+
 /// Writes a graph with a stack of its own: graphs may be deeper than the machine's stack.
 class Printer {
 public:
@@ -33,7 +46,7 @@ public:
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
-            if (text_.size() > longest_ || pending_.size() > 2 * longest_) return text_ + "...";
+            if (text_.size() > longest_ || pending_.size() > most_pending()) return text_ + "...";
             if (piece.is_node) {
                 print(nodes_[piece.node], piece.least);
             } else {
@@ -44,6 +57,11 @@ public:
     }
 
 private:
+    /// How deep a text may begin: long ones, of which there are few, as deep as graphs get.
+    [[nodiscard]] std::size_t most_pending() const {
+        return (longest_ < 10'000 ? 2 : 40) * longest_;
+    }
+
     struct Piece {
         std::string text;
         NodeId node = 0;
@@ -69,7 +87,7 @@ private:
             return pieces.back().text.starts_with('-') ? Sign : Atom;
         }
         if (node.op == Op::Variable) {
-            pieces.push_back({std::string(variable_name(node.number, parameters_))});
+            pieces.push_back({spelled(variable_name(node.number, parameters_))});
             return Atom;
         }
         const OpInfo& info = op_info(node.op);
@@ -187,15 +205,17 @@ private:
     std::string text_;
 };
 
-/// f, and behind a comma the condition that restricts it.
+/// f, and behind a comma the condition that restricts it. Nothing stands behind what is cut.
 std::string with_restriction(const Expr& expr, const std::string& between, std::size_t longest) {
     if (expr.nodes().empty()) return {};
     const auto text = [&](NodeId id) {
         return Printer(expr.nodes(), expr.parameters(), longest).text(id);
     };
     const Node& root = expr.node(expr.root());
-    if (root.op != Op::Where) return text(expr.root()) + between;
-    return text(root.a) + between + ", " + text(root.b);
+    const bool restricted = root.op == Op::Where;
+    const std::string f = text(restricted ? root.a : expr.root());
+    if (f.ends_with("...")) return f;
+    return restricted ? f + between + ", " + text(root.b) : f + between;
 }
 
 }  // namespace

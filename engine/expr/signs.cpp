@@ -20,13 +20,14 @@ constexpr std::array operator_signs{
     std::pair{U'⁄', symbol("/")},    std::pair{U'−', symbol("-")},
     std::pair{U'–', symbol("-")},    std::pair{U'≤', symbol("<=")},
     std::pair{U'⩽', symbol("<=")},   std::pair{U'≥', symbol(">=")},
-    std::pair{U'⩾', symbol(">=")},   std::pair{U'∣', symbol("|")},
-    std::pair{U'⌊', symbol("⌊")},    std::pair{U'⌋', symbol("⌋")},
-    std::pair{U'⌈', symbol("⌈")},    std::pair{U'⌉', symbol("⌉")},
-    std::pair{U'√', name("√")},      std::pair{U'∛', name("∛")},
-    std::pair{U'∧', name("and")},    std::pair{U'∨', name("or")},
-    std::pair{U'¬', name("not")},    std::pair{U'½', number("0.5")},
-    std::pair{U'¼', number("0.25")}, std::pair{U'¾', number("0.75")},
+    std::pair{U'⩾', symbol(">=")},   std::pair{U'≠', symbol("!=")},
+    std::pair{U'∣', symbol("|")},    std::pair{U'⌊', symbol("⌊")},
+    std::pair{U'⌋', symbol("⌋")},    std::pair{U'⌈', symbol("⌈")},
+    std::pair{U'⌉', symbol("⌉")},    std::pair{U'√', name("√")},
+    std::pair{U'∛', name("∛")},      std::pair{U'∧', name("and")},
+    std::pair{U'∨', name("or")},     std::pair{U'¬', name("not")},
+    std::pair{U'½', number("0.5")},  std::pair{U'¼', number("0.25")},
+    std::pair{U'¾', number("0.75")},
 };
 
 /// Greek letters and their LaTeX names; pi, tau, theta, phi and rho have a meaning.
@@ -62,6 +63,8 @@ constexpr std::array commands{
     std::pair{"ge", symbol(">=")},
     std::pair{"geq", symbol(">=")},
     std::pair{"geqslant", symbol(">=")},
+    std::pair{"ne", symbol("!=")},
+    std::pair{"neq", symbol("!=")},
     std::pair{"lt", symbol("<")},
     std::pair{"gt", symbol(">")},
     std::pair{"vert", symbol("|")},
@@ -153,6 +156,8 @@ std::optional<Sign> sign_of(char32_t code) {
     if (letter != greek.end()) return name(letter->text);
     return std::nullopt;
 }
+
+bool is_greek(char32_t code) { return std::ranges::find(greek, code, &Greek::code) != greek.end(); }
 
 char superscript_digit(char32_t code) {
     constexpr std::u32string_view raised = U"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";

@@ -26,6 +26,8 @@ struct Sign {
 
 /// A character beyond ASCII: an operator, a Greek letter, a space.
 std::optional<Sign> sign_of(char32_t code);
+/// Whether the character is a Greek letter.
+bool is_greek(char32_t code);
 /// "0" to "9", "+" or "-" for a raised character; 0 for any other.
 char superscript_digit(char32_t code);
 /// "0" to "9" for a lowered digit; 0 for any other.

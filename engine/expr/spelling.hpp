@@ -20,4 +20,10 @@ inline std::string quoted(std::string_view text) {
     return "'" + std::string(text.substr(0, end)) + "...'";
 }
 
+/// A number in a note, cut where it is long.
+inline std::string shown_number(std::string_view number) {
+    constexpr std::size_t longest = 20;
+    return std::string(number.substr(0, longest)) + (number.size() > longest ? "..." : "");
+}
+
 }  // namespace zeroset

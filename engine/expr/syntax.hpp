@@ -2,6 +2,7 @@
 
 #include "engine/expr/functions.hpp"
 #include "engine/expr/parse.hpp"
+#include "engine/expr/parse_notes.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,15 +22,26 @@ enum class SyntaxKind : std::uint8_t {
     Name,     ///< text: the full name
     Negate,   ///< 1 operand
     Sum,      ///< marks: '+' or '-' before each operand but the first
-    Product,  ///< marks: '*' or '/' before each operand but the first
+    Product,  ///< marks: '*', '/' or '%' before each operand but the first
     Power,    ///< base, exponent
     Call,     ///< function, or text: the name of a function of the text
-    Compare,  ///< marks between the operands: '=', '<', '>', 'l' for <=, 'g' for >=
+    Compare,  ///< marks between the operands: '=', '<', '>', 'l' for <=, 'g' for >=, 'e' for ==,
+              ///< 'n' for !=
     And,      ///< 2 operands or more
     Or,       ///< 2 operands or more
     Not,      ///< 1 operand
-    Cases,    ///< condition, value, condition, value, ..., and maybe the value otherwise
+    Cases,    ///< condition, value, condition, value, ..., and maybe the value otherwise; marks:
+              ///< "?" if written condition ? value : value
+    Let,      ///< text: a name; the name's value, and what has the name in it
+    List,     ///< values one after the other, of which the last counts
+    Earlier,  ///< a value that stands before in the same list
 };
+
+/// Whether it is true or false by itself.
+constexpr bool is_condition(SyntaxKind kind) {
+    return kind == SyntaxKind::Compare || kind == SyntaxKind::And || kind == SyntaxKind::Or ||
+           kind == SyntaxKind::Not;
+}
 
 struct Syntax {
     SyntaxKind kind = SyntaxKind::Number;
@@ -44,17 +56,22 @@ struct Syntax {
 struct StatementSyntax {
     SyntaxId relation;
     std::vector<SyntaxId> restrictions;
-    std::size_t offset;  ///< of its first character
+    std::size_t offset;       ///< of its first character
+    bool is_certain = false;  ///< a definition, as := and words such as float say
+    char leading_sign = 0;    ///< '+' or '-' if its line starts with it, below another
 };
 
 struct SyntaxTree {
     std::vector<Syntax> nodes;
     std::vector<StatementSyntax> statements;
+    Notes notes;
 
     [[nodiscard]] const Syntax& operator[](SyntaxId id) const { return nodes[id]; }
 };
 
-/// The trees of a text's statements. Functions are found by name; other names are any.
-std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text);
+/// The trees of a text's statements. Functions are found by name; other names are any. What stands
+/// at `counted_end` or behind does not tell whether a name before it is a definition.
+std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text,
+                                                  std::size_t counted_end = std::string_view::npos);
 
 }  // namespace zeroset

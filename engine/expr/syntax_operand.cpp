@@ -3,16 +3,30 @@
 #include "engine/expr/signs.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/expr/syntax_parser.hpp"
+#include "engine/expr/words.hpp"
 
 #include <algorithm>
 
 namespace zeroset {
+namespace {
+
+/// A number with its decimal point, for 0,5 and 0{,}5, too.
+std::string decimal(std::string_view typed) {
+    std::string text;
+    for (const char c : typed) {
+        if (c == ',') text += '.';
+        if (c != ',' && c != '{' && c != '}') text += c;
+    }
+    return text;
+}
+
+}  // namespace
 
 SyntaxParser::Parsed SyntaxParser::operand() {
     const Token& token = next();
     if (token.kind == TokenKind::Number) {
         take();
-        return add(SyntaxKind::Number, token.offset, {}, {}, token.text);
+        return add(SyntaxKind::Number, token.offset, {}, {}, decimal(token.text));
     }
     if (token.kind == TokenKind::Name) return name(token);
     if (next_is_one_of({"(", "[", "{"})) return group(take());
@@ -30,11 +44,20 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (token.text == "\\frac") return fraction();
     if (token.text == "\\sqrt" || token.text == "√" || token.text == "∛") return radical(token);
     const std::string full = full_name(token);
-    const bool log = token.text == "log";
-    if (const Function* const function = find_function(log ? "log" : std::string_view(full))) {
-        return call(token, *function);
+    if (defined_.is_place_with_arguments(token.offset)) {
+        while (take().text != ")") {
+        }
+        return add(SyntaxKind::Name, token.offset, {}, {}, full);
     }
-    if (words_.defines_function(full) && next_is("(")) return call_of_text(token);
+    const bool defined = defined_.find(full, token.offset).has_value();
+    if (auto foreign = error_for_foreign(full, token.offset); foreign && !defined) {
+        return refuse(std::move(*foreign));
+    }
+    const bool called = next_is_one_of({"(", "["});
+    if (called && defined_.defines_function(full)) return call_of_text(token);
+    const bool log = token.text == "log";
+    const Function* const function = find_function(log ? "log" : std::string_view(full));
+    if (function != nullptr && (called || !defined)) return call(token, *function);
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
 
@@ -42,8 +65,12 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
 SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     const std::size_t start = at_ - 1;
     const int bars = std::exchange(bars_, 0);
+    if (start == statement_start_ && opener.text != "{" && is_list()) {
+        return fail(opener, "a list in brackets is a point or a parametric surface, no equation",
+                    "type an equation in x, y and z");
+    }
     ++brackets_;
-    Parsed inside = logic();
+    Parsed inside = choice();
     if (inside && opener.text == "(" && next_is(",") && start > statement_start_ &&
         tokens_[start - 1].kind == TokenKind::Name) {
         return refuse(no_function(tokens_[start - 1]));
@@ -56,12 +83,16 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     return inside;
 }
 
-ParseError SyntaxParser::no_function(const Token& name) const {
-    const std::string full = full_name(name);
-    const std::string hint = is_built_in_value(full) || is_parameter_name(full)
-                                 ? "define it, as in f(u, v) = u^2 + v^2"
-                                 : hint_for_unknown(full);
-    return {name.offset, quoted(full) + " is not a function", hint};
+/// Whether the brackets that were just opened hold several values, as (x, y, z).
+bool SyntaxParser::is_list() const {
+    int open = 1;
+    for (std::size_t i = at_; open > 0 && tokens_[i].kind != TokenKind::End; ++i) {
+        if (tokens_[i].kind == TokenKind::Break) return false;
+        if (is_symbol(tokens_[i], {"(", "[", "{"})) ++open;
+        if (is_symbol(tokens_[i], {")", "]", "}"})) --open;
+        if (open == 1 && is_symbol(tokens_[i], {","})) return true;
+    }
+    return false;
 }
 
 /// The rest of { condition: value, condition: value, value otherwise }, which may lack the last.
@@ -70,7 +101,7 @@ SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition
     for (;;) {
         if (!next_is(":")) break;
         take();
-        const Parsed value = sum();
+        const Parsed value = choice();
         if (!value) return value;
         operands.push_back(*value);
         if (!next_is(",")) break;
@@ -85,7 +116,7 @@ SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition
 SyntaxParser::Parsed SyntaxParser::absolute(const Token& opener) {
     const bool plain = opener.text == "|";
     const int bars = plain ? bars_++ : std::exchange(bars_, 0);
-    Parsed inside = logic();
+    Parsed inside = choice();
     if (!inside) return inside;
     if (!close(opener)) return std::nullopt;
     bars_ = bars;
@@ -94,7 +125,7 @@ SyntaxParser::Parsed SyntaxParser::absolute(const Token& opener) {
 
 SyntaxParser::Parsed SyntaxParser::floor_or_ceil(const Token& opener) {
     const int bars = std::exchange(bars_, 0);
-    const Parsed inside = logic();
+    const Parsed inside = choice();
     if (!inside) return inside;
     if (!close(opener)) return std::nullopt;
     bars_ = bars;
@@ -166,7 +197,7 @@ SyntaxParser::List SyntaxParser::arguments() {
     ++brackets_;
     std::vector<SyntaxId> values;
     for (;;) {
-        const Parsed value = logic();
+        const Parsed value = choice();
         if (!value) return std::nullopt;
         values.push_back(*value);
         if (!next_is(",")) break;
@@ -205,7 +236,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
 bool SyntaxParser::starts_bare_factor() const {
     if (next().kind != TokenKind::Name || !starts_factor()) return false;
     const std::string name = full_name(next());
-    return find_function(name) == nullptr && !words_.defines_function(name) &&
+    return find_function(name) == nullptr && !defined_.defines_function(name) &&
            next().text != "\\frac" && next().text != "\\sqrt" && next().text != "log";
 }
 
@@ -230,14 +261,6 @@ SyntaxParser::Parsed SyntaxParser::bare_argument() {
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
 }
 
-ParseError SyntaxParser::wrong_count(const Token& token, const Function& function,
-                                     std::size_t count) {
-    const std::string name(function.name);
-    return {token.offset,
-            name + " takes " + function.arity_text() + ", not " + std::to_string(count),
-            "type " + name + "(" + std::string(function.arguments) + ")"};
-}
-
 SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& function) {
     std::optional<SyntaxId> exponent;
     if (next_is("^") || next().kind == TokenKind::Superscript) {
@@ -247,12 +270,25 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         if (!power_of) return power_of;
         exponent = *power_of;
     }
+    const bool square = next_is("[");
     List values = arguments_of(token, function);
     if (!values) return std::nullopt;
+    if (square && token.text == "Log" && values->size() == 2) {
+        std::swap((*values)[0], (*values)[1]);
+        tree_.notes.add(token.offset, "Log[b, x] is log(x, b), as in Mathematica");
+    }
+    if (function.op == Op::Where && values->size() == 3) {
+        tree_.notes.add(token.offset, "where(condition, a, b) is if(condition, a, b)");
+        return add_call(*find_function("if"), token.offset, std::move(*values));
+    }
     if (token.text == "log" && !token.subscript.empty() && values->size() == 1) {
-        const bool number = token.subscript.find_first_not_of("0123456789") == std::string::npos;
-        values->push_back(add(number ? SyntaxKind::Number : SyntaxKind::Name, token.offset, {}, {},
-                              token.subscript));
+        const std::string base = subscript_text(token);
+        const bool number = base.find_first_not_of("0123456789") == std::string::npos;
+        values->push_back(
+            add(number ? SyntaxKind::Number : SyntaxKind::Name, token.offset, {}, {}, base));
+    }
+    if (function.op == Op::Atan && values->size() == 2) {
+        return add_call(*find_function("atan2"), token.offset, in_order_of_atan2(token, *values));
     }
     if (!function.takes(values->size())) {
         return refuse(wrong_count(token, function, values->size()));
@@ -260,6 +296,16 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     const SyntaxId result = add_call(function, token.offset, std::move(*values));
     if (!exponent) return result;
     return with_exponent(result, token, function, *exponent);
+}
+
+/// The angle of a point: atan(y, x) of GLSL, but ArcTan[x, y] of Mathematica.
+std::vector<SyntaxId> SyntaxParser::in_order_of_atan2(const Token& token,
+                                                      std::vector<SyntaxId> values) {
+    const bool swapped = token.text == "ArcTan";
+    if (swapped) std::swap(values[0], values[1]);
+    tree_.notes.add(token.offset, swapped ? "ArcTan[x, y] is atan2(y, x), as in Mathematica"
+                                          : "atan(a, b) is atan2(a, b), the angle of (b, a)");
+    return values;
 }
 
 /// sin^2 x is (sin x)^2, but sin^-1 x is the inverse function.

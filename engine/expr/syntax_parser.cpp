@@ -1,6 +1,6 @@
 #include "engine/expr/syntax_parser.hpp"
 
-#include "engine/expr/spelling.hpp"
+#include "engine/expr/words_vocabulary.hpp"
 
 #include <array>
 
@@ -11,58 +11,29 @@ constexpr int max_depth = 1000;
 
 }  // namespace
 
-std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
-    while (next().kind == TokenKind::Break)
+/// condition ? value : condition ? value : value
+SyntaxParser::Parsed SyntaxParser::choice() {
+    const std::size_t offset = next().offset;
+    Parsed first = logic();
+    if (!first || !next_is("?")) return first;
+    std::vector<SyntaxId> operands{*first};
+    while (next_is("?")) {
+        const Level level(depth_);
+        if (!may_nest()) return std::nullopt;
         take();
-    if (next().kind == TokenKind::End) {
-        ParseError error{next().offset, "there is no formula yet",
-                         "type one, for example x^2 + y^2 + z^2 = 1", true};
-        return std::unexpected(std::move(error));
-    }
-    while (next().kind != TokenKind::End) {
-        if (!statement()) return std::unexpected(*error_);
-        while (next().kind == TokenKind::Break)
-            take();
-    }
-    return std::move(tree_);
-}
-
-bool SyntaxParser::statement() {
-    statement_start_ = at_;
-    if (tree_.statements.size() == ProgramLimits::statements) {
-        const std::string most = std::to_string(ProgramLimits::statements);
-        refuse({next().offset, "there are more than " + most + " statements", {}});
-        return false;
-    }
-    StatementSyntax statement{0, {}, next().offset};
-    const Parsed relation = logic();
-    if (!relation) return false;
-    statement.relation = *relation;
-    while (!at_break()) {
-        if (next_is("{")) {
-            if (!restrictions_in_braces(statement)) return false;
-            continue;
-        }
-        if (!next_is(",")) {
-            refuse(surplus());
-            return false;
+        const Parsed value = choice();
+        if (!value) return value;
+        operands.push_back(*value);
+        if (!next_is(":")) {
+            return fail(next(), "':' is missing after the value of a choice",
+                        "type condition ? a : b");
         }
         take();
-        const Parsed restriction = logic();
-        if (!restriction) return false;
-        statement.restrictions.push_back(*restriction);
+        const Parsed further = logic();
+        if (!further) return further;
+        operands.push_back(*further);
     }
-    tree_.statements.push_back(std::move(statement));
-    return true;
-}
-
-bool SyntaxParser::restrictions_in_braces(StatementSyntax& statement) {
-    const Token& opener = next();
-    const List conditions = arguments();
-    if (!conditions) return false;
-    statement.restrictions.insert(statement.restrictions.end(), conditions->begin(),
-                                  conditions->end());
-    return close(opener);
+    return add(SyntaxKind::Cases, offset, std::move(operands), "?");
 }
 
 SyntaxParser::Parsed SyntaxParser::joined_by(std::string_view word, SyntaxKind kind, Rule rule) {
@@ -100,8 +71,14 @@ SyntaxParser::Parsed SyntaxParser::negation() {
 }
 
 char SyntaxParser::comparison() const {
-    constexpr std::array<std::pair<std::string_view, char>, 5> signs{
-        {{"=", '='}, {"<", '<'}, {">", '>'}, {"<=", 'l'}, {">=", 'g'}}};
+    constexpr std::array<std::pair<std::string_view, char>, 8> signs{{{"=", '='},
+                                                                      {":=", ':'},
+                                                                      {"==", 'e'},
+                                                                      {"!=", 'n'},
+                                                                      {"<", '<'},
+                                                                      {">", '>'},
+                                                                      {"<=", 'l'},
+                                                                      {">=", 'g'}}};
     if (next().kind != TokenKind::Symbol) return '\0';
     for (const auto& [sign, mark] : signs) {
         if (next().text == sign) return mark;
@@ -116,7 +93,8 @@ SyntaxParser::Parsed SyntaxParser::relation() {
     std::vector<SyntaxId> operands{*first};
     std::string marks;
     while (const char mark = comparison()) {
-        if (mark == '=' && marks.contains('=')) {
+        const bool equates = mark == '=' || mark == ':';
+        if (equates && marks.find_first_of("=:") != std::string::npos) {
             return fail(next(), "there is a second '='",
                         "keep one, or put the next equation behind ';'");
         }
@@ -155,7 +133,7 @@ bool SyntaxParser::restricts() const {
         if (is_symbol(token, {")", "]", "}"}) && --open == 0) break;
         if (open > 1) continue;
         if (is_symbol(token, {":"})) return false;
-        compares = compares || is_symbol(token, {"<", ">", "<=", ">=", "="});
+        compares = compares || is_symbol(token, {"<", ">", "<=", ">=", "=", "==", "!="});
     }
     return compares;
 }
@@ -175,7 +153,8 @@ SyntaxParser::Parsed SyntaxParser::product() {
     std::vector<SyntaxId> operands{*first};
     std::string marks;
     for (;;) {
-        const bool written = next_is_one_of({"*", "/"});
+        if (next_is("~")) take();
+        const bool written = next_is_one_of({"*", "/", "%"});
         if (!written && !starts_factor()) break;
         marks += written ? take().text.front() : '*';
         const Parsed further = written ? signed_power() : power();
@@ -200,9 +179,23 @@ SyntaxParser::Parsed SyntaxParser::signed_power() {
     for (; next_is_one_of({"+", "-"}); ++signs)
         negative ^= take().text == "-";
     if (!may_nest(signs + 1)) return std::nullopt;
-    const Parsed operand = power();
+    const Parsed operand = next_is_one_of({"!", "~"}) ? negated() : power();
     if (!operand || !negative) return operand;
     return add(SyntaxKind::Negate, offset, {*operand});
+}
+
+/// !x, as programs write "not", and ~(x < 1). "~" before what is no condition is a space.
+SyntaxParser::Parsed SyntaxParser::negated() {
+    const Level level(depth_);
+    if (!may_nest()) return std::nullopt;
+    const Token& sign = take();
+    const Parsed operand = signed_power();
+    if (!operand) return operand;
+    if (sign.text == "~") {
+        if (!is_condition(tree_[*operand].kind)) return operand;
+        tree_.notes.add(sign.offset, "~ is read as not; for a space of LaTeX leave it out");
+    }
+    return add(SyntaxKind::Not, sign.offset, {*operand});
 }
 
 SyntaxParser::Parsed SyntaxParser::power() {
@@ -242,100 +235,6 @@ SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
     const SyntaxId call = add(SyntaxKind::Call, offset, std::move(operands));
     tree_.nodes[call].function = &function;
     return call;
-}
-
-std::nullopt_t SyntaxParser::refuse(ParseError error) {
-    if (!error_) error_ = std::move(error);
-    return std::nullopt;
-}
-
-std::nullopt_t SyntaxParser::fail(const Token& at, std::string reason, std::string hint) {
-    const bool unfinished = at.kind == TokenKind::End;
-    return refuse({at.offset, std::move(reason), std::move(hint), unfinished});
-}
-
-ParseError SyntaxParser::missing_operand() const {
-    const Token& here = next();
-    const bool at_start = at_ == statement_start_;
-    const std::string place =
-        at_start ? "before " + quoted(here.text) : "after " + quoted(before());
-    const bool bar = !at_start && (before() == "|" || next_is("|"));
-    return {here.offset, "a number, a variable or '(' is missing " + place,
-            bar ? "inside | | type a product with *: |x - 2*|y||" : "",
-            here.kind == TokenKind::End};
-}
-
-/// Why the next token cannot follow a finished operand.
-ParseError SyntaxParser::surplus() const {
-    const Token& here = next();
-    const std::string text(here.text);
-    if (text == ")" || text == "]" || text == "}") {
-        const std::string opener = text == ")" ? "(" : text == "]" ? "[" : "{";
-        return {here.offset, "this " + quoted(text) + " closes nothing",
-                "delete it or add a " + quoted(opener) + " before"};
-    }
-    if (text == ",") {
-        return {here.offset, "a ',' stands outside a function's arguments",
-                "write decimals with a point, 1.5"};
-    }
-    const Token& left = tokens_[at_ - 1];
-    const bool adjacent = left.end() == here.offset;
-    if (here.kind == TokenKind::Number && left.kind == TokenKind::Number) {
-        return {
-            here.offset,
-            "one number follows another: " + quoted(left.text) + " and " + quoted(text),
-            adjacent ? "a number has one point" : "write numbers without spaces, products with *"};
-    }
-    const std::string reason =
-        "an operator is missing between " + quoted(left.text) + " and " + quoted(text);
-    if (here.kind == TokenKind::Number && adjacent) {
-        const std::string l(left.text);
-        const bool is_short = left.kind == TokenKind::Name && l.size() + text.size() < 20;
-        return {here.offset, reason,
-                is_short
-                    ? "type " + l + "*" + text + ", " + l + "^" + text + " or " + l + "_" + text
-                    : "type ^ before it for a power, * for a product"};
-    }
-    return {here.offset, reason, "for a product type *"};
-}
-
-bool SyntaxParser::close(const Token& opener) {
-    const std::string_view closer = opener.text == "("    ? ")"
-                                    : opener.text == "["  ? "]"
-                                    : opener.text == "{"  ? "}"
-                                    : opener.text == "(|" ? "|)"
-                                    : opener.text == "⌊"  ? "⌋"
-                                    : opener.text == "⌈"  ? "⌉"
-                                                          : "|";
-    if (next_is(closer)) {
-        take();
-        return true;
-    }
-    const std::string shown = quoted(opener.text == "(|" ? "|" : opener.text);
-    const std::string missing = quoted(closer == "|)" ? "|" : closer);
-    if (at_break()) {
-        refuse({opener.offset, "this " + shown + " is not closed", "add a " + missing,
-                next().kind == TokenKind::End});
-    } else if (next_is_one_of({")", "]", "}", "|", "|)"})) {
-        refuse({opener.offset, "this " + shown + " is not closed before the " + quoted(next().text),
-                "add a " + missing + " there"});
-    } else {
-        refuse(surplus());
-    }
-    return false;
-}
-
-std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text) {
-    if (text.size() > longest_text) {
-        return std::unexpected(
-            ParseError{longest_text,
-                       "the text is longer than " + std::to_string(longest_text) + " bytes",
-                       {}});
-    }
-    auto tokens = tokenize(text);
-    if (!tokens) return std::unexpected(tokens.error());
-    const Words words(*tokens);
-    return SyntaxParser(words.split(*tokens), words).text();
 }
 
 }  // namespace zeroset

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/syntax.hpp"
-#include "engine/expr/words.hpp"
+#include "engine/expr/words_defined.hpp"
 
 #include <initializer_list>
 #include <optional>
@@ -21,14 +21,23 @@ public:
     /// nested formula several times as large.
     using Parsed = std::optional<SyntaxId>;
 
-    SyntaxParser(std::vector<Token> tokens, const Words& words)
-        : tokens_(std::move(tokens)), words_(words) {}
+    SyntaxParser(std::vector<Token> tokens, const DefinedNames& defined, Notes notes)
+        : tokens_(std::move(tokens)), defined_(defined) {
+        tree_.notes = std::move(notes);
+    }
 
     std::expected<SyntaxTree, ParseError> text();
 
 private:
     using Rule = Parsed (SyntaxParser::*)();
     using List = std::optional<std::vector<SyntaxId>>;
+
+    /// A name in the body of a function as programs write it.
+    struct LocalValue {
+        std::string name;
+        std::size_t offset;
+        SyntaxId value;
+    };
 
     /// One more nesting while it lives. Every recursion passes power() or part().
     struct Level {
@@ -41,9 +50,30 @@ private:
         int& depth_;
     };
 
-    // syntax_parser.cpp: statements and operators
+    // syntax_statement.cpp
     bool statement();
+    void skip_label();
+    bool part_of_statement(bool is_certain, std::size_t offset);
+    bool skip_type_words();
+    [[nodiscard]] bool declares_more() const;
+    Parsed relation_of_statement(bool is_certain);
+    SyntaxId with_equation_outside(SyntaxId root);
     bool restrictions_in_braces(StatementSyntax& statement);
+    [[nodiscard]] bool starts_program_function() const;
+    Parsed program_function();
+    [[nodiscard]] bool starts_pov_function() const;
+    Parsed pov_function();
+    Parsed block();
+    bool local_value(std::vector<LocalValue>& locals);
+
+    // syntax_instructions.cpp
+    Parsed instructions();
+    Parsed instruction(const NameMap<SyntaxId>& known);
+    Parsed instruction_value(const Token& word, const NameMap<SyntaxId>& known);
+    Parsed instruction_number();
+
+    // syntax_parser.cpp: operators
+    Parsed choice();
     Parsed logic();
     Parsed both();
     Parsed negation();
@@ -51,6 +81,7 @@ private:
     Parsed sum();
     Parsed product();
     Parsed signed_power();
+    Parsed negated();
     Parsed power();
     Parsed joined_by(std::string_view word, SyntaxKind kind, Rule rule);
     /// The mark of a comparison, or 0.
@@ -63,16 +94,14 @@ private:
     Parsed name(const Token& token);
     Parsed group(const Token& opener);
     Parsed cases(const Token& opener, SyntaxId condition);
+    [[nodiscard]] bool is_list() const;
     Parsed absolute(const Token& opener);
     Parsed floor_or_ceil(const Token& opener);
-    [[nodiscard]] static ParseError wrong_count(const Token& token, const Function& function,
-                                                std::size_t count);
-    /// Why `name(a, b)` is no call.
-    [[nodiscard]] ParseError no_function(const Token& name) const;
     Parsed fraction();
     Parsed radical(const Token& token);
     Parsed part();
     Parsed call(const Token& token, const Function& function);
+    std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);
     List arguments_of(const Token& token, const Function& function);
     List arguments();
@@ -82,7 +111,11 @@ private:
     Parsed superscript();
     [[nodiscard]] bool starts_bare_factor() const;
 
-    // Errors and tokens
+    // syntax_errors.cpp
+    [[nodiscard]] static ParseError wrong_count(const Token& token, const Function& function,
+                                                std::size_t count);
+    /// Why `name(a, b)` is no call.
+    [[nodiscard]] ParseError no_function(const Token& name) const;
     bool close(const Token& opener);
     std::nullopt_t refuse(ParseError error);
     std::nullopt_t fail(const Token& at, std::string reason, std::string hint = {});
@@ -111,7 +144,7 @@ private:
     [[nodiscard]] std::string before() const { return std::string(tokens_[at_ - 1].text); }
 
     std::vector<Token> tokens_;
-    const Words& words_;
+    const DefinedNames& defined_;
     SyntaxTree tree_;
     std::optional<ParseError> error_;
     std::size_t at_ = 0;

@@ -2,35 +2,17 @@
 
 #include "engine/expr/functions.hpp"
 #include "engine/expr/nearest_word.hpp"
+#include "engine/expr/parse_notes.hpp"
 #include "engine/expr/signs.hpp"
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <initializer_list>
 
 namespace zeroset {
 namespace {
 
-constexpr std::array<std::string_view, 13> values{"x",     "y",   "z",  "w",   "t", "r",     "rho",
-                                                  "theta", "phi", "pi", "tau", "e", "golden"};
-constexpr std::string_view coordinates = "xyzwtr";
-constexpr std::array<std::string_view, 3> connectives{"and", "or", "not"};
-constexpr std::size_t longest_word = 24;
-
-std::string small(std::string_view word) {
-    std::string result(word);
-    for (char& c : result) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + ('a' - 'A'));
-    }
-    return result;
-}
-
-/// A word that means something in every text.
-bool is_built_in(std::string_view word) {
-    return is_built_in_value(word) || find_function(word) != nullptr ||
-           std::ranges::find(connectives, word) != connectives.end();
-}
+constexpr std::string_view pi_of_c = "M_PI";
 
 /// Whether the token is one ASCII letter, or a Greek one.
 bool is_single(const Token& token) {
@@ -39,170 +21,216 @@ bool is_single(const Token& token) {
 
 /// log and 10 right behind it are one name.
 bool makes_name_with(const Token& word, const Token& number) {
-    if (number.kind != TokenKind::Number || number.offset != word.end()) return false;
+    if (number.kind != TokenKind::Number || !adjacent(word, number)) return false;
     const std::string joined = std::string(word.text) + std::string(number.text);
     return word.subscript.empty() && find_function(joined) != nullptr;
+}
+
+/// The name as it is known, if capital letters alone make it another one: Sin, PI, AND.
+std::string_view known_spelling(std::string_view name) {
+    const std::string lower = in_small_letters(name);
+    if (const Function* const function = find_function(lower)) return function->name;
+    for (const std::string_view value : built_in_values()) {
+        if (value == lower) return value;
+    }
+    for (const std::string_view word : {"and", "or", "not"}) {
+        if (word == lower) return word;
+    }
+    return {};
+}
+
+/// Sin[ and the like.
+bool calls_as_mathematica(const Token& name, const Token& bracket) {
+    if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
+    const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
+    return capital && find_function(in_small_letters(name.text)) != nullptr;
+}
+
+bool is_number(std::string_view subscript) {
+    return !subscript.empty() && std::ranges::all_of(subscript, is_digit);
+}
+
+/// c_1a is c_1*a, although it looks like one name.
+void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
+    const bool plain = letter.text.size() == 1 && letter.subscript.empty();
+    if (!plain || is_built_in_value(letter.text)) return;
+    const std::string name = full_name(subscripted);
+    const std::string typed = name + std::string(letter.text);
+    notes.add(subscripted.offset, typed + " is read as " + name + "*" + std::string(letter.text) +
+                                      "; to make it one name define it, as in " + typed + " = 2");
 }
 
 }  // namespace
 
 std::string full_name(const Token& token) {
     std::string name(token.text);
-    if (!token.subscript.empty()) name += "_" + token.subscript;
-    return name;
+    return token.subscript.empty() ? name : name + "_" + subscript_text(token);
+}
+
+std::string subscript_text(const Token& token) {
+    const std::string text = plain_name(token.subscript);
+    return text.starts_with('_') ? text.substr(1) : text;
 }
 
 bool is_parameter_name(std::string_view name) {
-    const std::string_view letter = name.substr(0, name.find('_'));
+    const std::size_t bar = std::min(name.find('_'), name.size());
+    const std::string_view letter = name.substr(0, bar);
+    const bool has_more = name.substr(bar).find('_', 1) != std::string_view::npos;
+    if (letter.empty() || has_more || name == pi_of_c) return false;
     return letter.size() == 1 || code_point_at(letter, 0).length == letter.size();
 }
 
-bool is_built_in_value(std::string_view name) {
-    return std::ranges::find(values, name) != values.end();
-}
-
-Words::Words(std::span<const Token> tokens) {
+Words::Words(std::span<const Token> tokens, const DefinedNames& defined) : defined_(defined) {
     for (const Token& token : tokens) {
-        if (token.kind == TokenKind::Name && token.text.size() == 1) letters_.insert(token.text[0]);
+        if (token.kind == TokenKind::Name && token.text.size() == 1)
+            vocabulary_.add_letter(token.text[0]);
     }
-    auto rest = tokens;
-    while (!rest.empty()) {
-        const auto end = std::ranges::find_if(rest, [](const Token& token) {
-            return token.kind == TokenKind::Break || token.kind == TokenKind::End;
-        });
-        const auto length = static_cast<std::size_t>(end - rest.begin());
-        read_definition(rest.first(length));
-        rest = rest.subspan(std::min(length + 1, rest.size()));
+    for (const std::string& word : defined.words())
+        vocabulary_.add_word(word);
+    for (std::size_t i = 0; i + 1 < tokens.size() && !is_mathematica_; ++i)
+        is_mathematica_ = calls_as_mathematica(tokens[i], tokens[i + 1]);
+}
+
+/// Whether the token is one name already.
+bool Words::stays_whole(const Token& token) const {
+    if (token.kind != TokenKind::Name || is_single(token)) return true;
+    if (!is_letter(token.text[0])) return true;
+    const std::string name = full_name(token);
+    return is_built_in(name) || vocabulary_.knows_word(name) || defined_.find(name, token.offset) ||
+           (token.text == "log" && !token.subscript.empty());
+}
+
+void Words::push_name(const Token& token, std::vector<Token>& out, Notes& notes) const {
+    if (is_mathematica_ && token.text == "E" && token.subscript.empty() &&
+        !defined_.defines_value("E")) {
+        out.push_back(token);
+        out.back().text = "e";
+        notes.add(token.offset, "E is e = 2.718..., as in Mathematica");
+    } else if (stays_whole(token)) {
+        out.push_back(token);
+    } else if (const std::string_view known = known_spelling(full_name(token)); !known.empty()) {
+        out.push_back(token);
+        out.back().text = known;
+        out.back().subscript = {};
+    } else {
+        push_pieces(token, out, notes);
+    }
+    Token& last = out.back();
+    if (last.text == "M" && full_name(last) == pi_of_c) {
+        last.text = "pi";
+        last.subscript = {};
     }
 }
 
-/// name = ..., or name(a, b) = ...
-void Words::read_definition(std::span<const Token> statement) {
-    if (statement.size() < 3 || statement[0].kind != TokenKind::Name) return;
-    const std::string name = full_name(statement[0]);
-    if (is_built_in(name) || is_built_in(small(name))) return;
-    if (!is_single(statement[0]) && !pieces(statement[0].text, false).empty()) return;
-    if (is_symbol(statement[1], {"="})) {
-        values_.insert(name);
-        return;
-    }
-    if (!is_symbol(statement[1], {"("})) return;
-    std::size_t at = 2;
-    while (at + 1 < statement.size() && is_single(statement[at]) &&
-           is_symbol(statement[at + 1], {","}))
-        at += 2;
-    if (at + 2 < statement.size() && statement[at].kind == TokenKind::Name &&
-        is_symbol(statement[at + 1], {")"}) && is_symbol(statement[at + 2], {"="})) {
-        functions_.insert(name);
-    }
-}
-
-bool Words::is_known_letter(char letter) const {
-    return is_built_in_value({&letter, 1}) || letters_.contains(letter);
-}
-
-bool Words::is_known_word(std::string_view word) const {
-    if (std::ranges::find(connectives, word) != connectives.end()) return false;
-    return is_built_in(word) || values_.contains(std::string(word)) ||
-           functions_.contains(std::string(word));
-}
-
-std::vector<std::size_t> Words::pieces(std::string_view run, bool subscript) const {
-    const auto unknown = std::ranges::count_if(run, [&](char c) { return !is_known_letter(c); });
-    const auto places = std::ranges::count_if(run, [](char c) { return coordinates.contains(c); });
-    if (unknown == 1 && places + unknown == std::ssize(run)) {
-        return std::vector<std::size_t>(run.size(), 1);  // a coefficient: axy
-    }
-    // The fewest names: best[i] for the first i letters, the last of them last[i] long.
-    constexpr std::size_t never = ~std::size_t{0};
-    std::vector<std::size_t> best(run.size() + 1, never);
-    std::vector<std::size_t> last(run.size() + 1, 0);
-    best[0] = 0;
-    for (std::size_t end = 1; end <= run.size(); ++end) {
-        const bool only_letter = subscript && end == run.size();
-        const std::size_t most = only_letter ? 1 : std::min(end, longest_word);
-        for (std::size_t length = most; length >= 1; --length) {
-            const std::size_t start = end - length;
-            if (best[start] == never || best[start] + 1 >= best[end]) continue;
-            const std::string_view piece = run.substr(start, length);
-            if (piece == "e" && find_function(run.substr(start - last[start], last[start])))
-                continue;  // "sine" is no sin(e)
-            const bool known =
-                length == 1 ? only_letter || is_known_letter(piece[0]) : is_known_word(piece);
-            if (!known) continue;
-            best[end] = best[start] + 1;
-            last[end] = length;
-        }
-    }
-    std::vector<std::size_t> lengths;
-    if (best.back() == never) return lengths;
-    for (std::size_t end = run.size(); end > 0; end -= last[end])
-        lengths.push_back(last[end]);
-    std::ranges::reverse(lengths);
-    return lengths;
-}
-
-void Words::push_pieces(const Token& token, std::vector<Token>& out) const {
+void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& notes) const {
     const std::string_view run = token.text;
-    const std::vector<std::size_t> lengths = pieces(run, !token.subscript.empty());
+    std::vector<std::size_t> lengths = vocabulary_.pieces(run, !token.subscript.empty());
+    const Function* const function = lengths.empty() ? capital_function(run, lengths) : nullptr;
     if (lengths.empty()) {
         out.push_back(token);
         return;
     }
+    if (function != nullptr) {
+        notes.add(token.offset, std::string(run) + " is read as " + std::string(function->name) +
+                                    " " + std::string(run.substr(lengths[0])));
+    }
     std::size_t at = 0;
     for (const std::size_t length : lengths) {
         out.push_back({TokenKind::Name, run.substr(at, length), {}, token.offset + at, length});
+        if (at == 0 && function != nullptr) out.back().text = function->name;
         at += length;
     }
     out.back().subscript = token.subscript;
     out.back().length = token.end() - out.back().offset;
 }
 
-std::vector<Token> Words::split(std::span<const Token> tokens) const {
+/// The function at the start of a run such as Siny, and the lengths of the run's pieces.
+const Function* Words::capital_function(std::string_view run,
+                                        std::vector<std::size_t>& lengths) const {
+    constexpr std::size_t longest = 64;
+    if (run.size() > longest || run[0] < 'A' || run[0] > 'Z') return nullptr;
+    std::string small(run);
+    small[0] = static_cast<char>(small[0] + ('a' - 'A'));
+    std::vector<std::size_t> found = vocabulary_.pieces(small, false);
+    if (found.empty() || found[0] < 2) return nullptr;
+    const Function* const function = find_function(std::string_view(small).substr(0, found[0]));
+    if (function != nullptr) lengths = std::move(found);
+    return function;
+}
+
+/// Whether letters that make no name and what stands right behind them are one unknown name: vec3.
+bool Words::joins_unknown_name(const Token& token, const std::vector<Token>& out) const {
+    if (out.empty() || !adjacent(out.back(), token)) return false;
+    const Token& last = out.back();
+    const bool unknown = last.kind == TokenKind::Name && last.subscript.empty() &&
+                         last.length == last.text.size() && !stays_whole(last);
+    return unknown && token.length == token.text.size() &&
+           ((token.kind == TokenKind::Number && is_number(token.text)) ||
+            token.kind == TokenKind::Name);
+}
+
+std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) const {
     std::vector<Token> out;
     out.reserve(tokens.size());
     for (const Token& token : tokens) {
-        if (token.kind == TokenKind::Number && !out.empty() && makes_name_with(out.back(), token)) {
+        if (!out.empty() && makes_name_with(out.back(), token)) {
             Token& word = out.back();
             word.text = find_function(std::string(word.text) + std::string(token.text))->name;
             word.length += token.length;
             continue;
         }
-        const bool run = token.kind == TokenKind::Name && is_letter(token.text[0]);
-        const std::string name = run ? full_name(token) : std::string();
-        if (!run || is_single(token) || is_built_in(name) || is_known_word(name) ||
-            (token.text == "log" && !token.subscript.empty())) {
-            out.push_back(token);
-        } else if (const std::string lower = small(name); is_built_in(lower)) {
-            out.push_back(token);
-            const Function* const function = find_function(lower);
-            const auto* const value = std::ranges::find(values, lower);
-            out.back().text = function != nullptr     ? function->name
-                              : value != values.end() ? *value
-                                                      : *std::ranges::find(connectives, lower);
-            out.back().subscript.clear();
-        } else {
-            push_pieces(token, out);
+        if (joins_unknown_name(token, out)) {
+            Token& word = out.back();
+            word.length += token.length;
+            word.text = {word.text.data(), word.length};
+            continue;
         }
+        const std::size_t size = out.size();
+        push_name(token, out, notes);
+        const bool behind_subscript = token.kind == TokenKind::Name && size > 0 &&
+                                      is_number(out[size - 1].subscript) &&
+                                      adjacent(out[size - 1], token);
+        if (behind_subscript) note_product(out[size - 1], out[size], notes);
     }
     return out;
 }
 
+std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
+    const std::string word = in_small_letters(name);
+    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+        return std::ranges::find(words, word) != words.end();
+    };
+    if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
+                   "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
+        return ParseError{offset, "vectors are not read: " + quoted(name),
+                          "write their components as numbers of their own"};
+    }
+    for (const std::string_view part : {"noise", "perlin", "turbulence", "simplex", "fbm"}) {
+        if (!word.contains(part)) continue;
+        return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
+                          "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
+    }
+    if (is_one_of(
+            {"for", "while", "return", "void", "else", "struct", "uniform", "lambda", "import"})) {
+        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
+                          "type its formulas, each on a line of its own"};
+    }
+    return std::nullopt;
+}
+
 std::string hint_for_unknown(std::string_view name) {
     std::vector<std::string_view> words = function_spellings();
-    words.insert(words.end(), values.begin(), values.end());
+    words.insert(words.end(), built_in_values().begin(), built_in_values().end());
     if (const auto meant = meant_word(name, words))
         return "did you mean " + std::string(*meant) + "?";
     // A letter before a known name: a coefficient that nothing else mentions.
-    if (name.size() > 1 && is_built_in(name.substr(1))) {
+    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
+    if (coefficient || name.size() == 2) {
         return "for a product type " + std::string(name.substr(0, 1)) + "*" +
                std::string(name.substr(1));
     }
-    if (name.size() == 2) {
-        return "for a product type " + std::string(name.substr(0, 1)) + "*" +
-               std::string(name.substr(1));
-    }
-    if (name.size() > longest_word) return "type a product with *";
+    constexpr std::size_t longest_shown = 24;
+    if (name.size() > longest_shown) return "type a product with *";
     return "define it, as in " + std::string(name) + " = 2, or type a product with *";
 }
 

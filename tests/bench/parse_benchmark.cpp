@@ -2,21 +2,24 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
 // From text to graphs: bytes a second of CPU time of read_program, which has a thread of its own,
-// for texts as long as it takes.
+// for long texts.
 
 namespace zeroset {
 namespace {
 
-/// Copies of what `part(i)` makes, up to the limit of a text.
+constexpr std::size_t size = ProgramLimits::text / 4;
+
+/// Copies of what `part(i)` makes, up to the size of a text.
 template <class Part>
 std::string text_of(std::string text, Part part) {
     for (int i = 1;; ++i) {
         const std::string next = part(i);
-        if (text.size() + next.size() > longest_text) return text;
+        if (text.size() + next.size() > size) return text;
         text += next;
     }
 }
@@ -32,7 +35,6 @@ std::string polynomial() {
 
 std::string statements() {
     return text_of("x + y + z = 1", [](int i) {
-        if (i >= 999) return std::string(longest_text, ' ');
         const std::string name = "c_" + number(i);
         return "\n" + name + " = " + (i % 10 == 1 ? "2" : "c_" + number(i - 1) + "/3") +
                " + sqrt(" + number(i) + ") # one of the many values of this text, with its reason";

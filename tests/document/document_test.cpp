@@ -183,6 +183,21 @@ TEST(Rows, AreAStatementEach) {
     EXPECT_TRUE(rows_of(" \n;; ").empty());
 }
 
+TEST(Rows, AreAStatementEachHoweverWritten) {
+    EXPECT_EQ(rows_of("a = 2\n-x + y\n+z\n-w x"),
+              (std::vector<std::string>{"a = 2", "-x + y\n+z", "-w x"}));
+    EXPECT_EQ(rows_of("const float a = 1., b = 2.;\nfloat c = 3.;\na x + b y + c z"),
+              (std::vector<std::string>{"const float a = 1.", "b = 2.", "float c = 3.",
+                                        "a x + b y + c z"}));
+    EXPECT_EQ(
+        rows_of("float f(float u) {\n  float v = u;\n  return v;\n}\nf(x)"),
+        (std::vector<std::string>{"float f(float u) {\n  float v = u;\n  return v;\n}", "f(x)"}));
+    EXPECT_EQ(rows_of("x - 1 :\ny - 1 :"), (std::vector<std::string>{"x - 1", "y - 1"}));
+    EXPECT_EQ(rows_of("e1: x = 1\ne2: y = 1"),
+              (std::vector<std::string>{"e1: x = 1", "e2: y = 1"}));
+    EXPECT_EQ(rows_of("a var-x\nb neg a"), (std::vector<std::string>{"a var-x\nb neg a"}));
+}
+
 TEST(Rows, AreLinesWhereTheTextCannotBeRead) {
     EXPECT_EQ(rows_of("x + * = 2\ny = ("), (std::vector<std::string>{"x + * = 2", "y = ("}));
     EXPECT_EQ(rows_of("x^2 +"), (std::vector<std::string>{"x^2 +"}));
@@ -195,6 +210,11 @@ TEST(Rows, FindTheRowOfAByte) {
     EXPECT_EQ(joined.row_at(2), 0U);
     EXPECT_EQ(joined.row_at(joined.begins[1]), 1U);
     EXPECT_EQ(joined.row_at(joined.text.size()), 2U);
+}
+
+TEST(Rows, KeepTheirLengthWhereLinesAreJoined) {
+    const JoinedRows joined({"x\n + y\n\n- z\nw = 1", "a\n\n"});
+    EXPECT_EQ(joined.text, "x\v + y\n\v- z\nw = 1\n;\na\n\n");
 }
 
 TEST(SameWork, IsAllButTheCamera) {

@@ -78,8 +78,65 @@ TEST_F(Sheets, LeaveOutALastGoodTextThatFitsNoMore) {
     EXPECT_TRUE(reading_.reports.at(1).error);
     EXPECT_EQ(reading_.surface_rows, std::vector{2});
     EXPECT_TRUE(reading_.parameters.empty()) << "a = 2 stands in";
-    read({"b = 5", "b = 3; x = a b"});
-    EXPECT_EQ(error(2).at, 0U) << "b is defined twice";
+    read({"b = 5 +", "x = * b"});
+    EXPECT_TRUE(reading_.reports.at(1).error);
+    EXPECT_EQ(error(2).at, 4U);
+}
+
+TEST_F(Sheets, TakeTheLastOfTwoDefinitions) {
+    read({"b = 5", "b = 3; x = b"});
+    EXPECT_FALSE(reading_.reports.at(1).error);
+    EXPECT_FALSE(reading_.reports.at(2).error);
+    EXPECT_EQ(reading_.reports.at(2).readings.back().text, "x - 3 = 0");
+    EXPECT_EQ(reading_.reports.at(2).readings.front().notes.size(), 1U);
+    EXPECT_TRUE(reading_.reports.at(1).readings.front().notes.empty());
+}
+
+TEST_F(Sheets, HaveTheNotesOfTheirRows) {
+    read({"r = 0.5", "x^2 + y^2 = r^2", "0,5 z = 1"});
+    EXPECT_EQ(reading(1), "r = 0.5");
+    EXPECT_TRUE(reading_.reports.at(1).readings.front().notes.front().contains("built-in r"));
+    EXPECT_TRUE(reading_.reports.at(2).readings.front().notes.empty());
+    EXPECT_TRUE(reading_.reports.at(3).readings.front().notes.front().contains("0.5"));
+    read({"r = 0.5", "x^2 + y^2 = 1"});
+    EXPECT_EQ(reading(1), "sqrt(x^2 + y^2 + z^2) - 0.5 = 0") << "nothing uses r any more";
+}
+
+TEST_F(Sheets, GoOnWithinARowBehindALineThatCouldEnd) {
+    for (const std::string sign : {"+", "-", "\u2212", "  +", "\t-", "\r+"}) {
+        read({"x^2 + y^2\n" + sign + " z^2 = 1", "y = 2"});
+        EXPECT_EQ(reading_.surface_rows, (std::vector{1, 2})) << sign;
+        EXPECT_EQ(reading_.reports.at(1).readings.size(), 1U) << sign;
+        EXPECT_TRUE(read_program(reading_.text)) << "the text says the same by itself";
+    }
+    read({"x^2 // one\n+ y^2 // two\n- z = 1 # three"});
+    EXPECT_EQ(reading(1), "x^2 + y^2 - z - 1 = 0");
+    read({"x = 1\n-y = 2"});
+    EXPECT_EQ(reading_.reports.at(1).readings.size(), 2U) << "two equations";
+    read({"x\n\n-y"});
+    EXPECT_EQ(reading_.reports.at(1).readings.size(), 2U) << "an empty line parts them";
+    read({"a = 2", "-x + y = a", "+ z"});
+    EXPECT_EQ(reading_.surface_rows, (std::vector{2, 3})) << "rows are apart";
+}
+
+TEST_F(Sheets, MarkTheErrorBehindAJoinedLine) {
+    read({"x^2\n+ * y", "y = 1"});
+    EXPECT_EQ(error(1).at, 6U);
+    EXPECT_EQ(reading_.surface_rows, std::vector{2});
+}
+
+TEST_F(Sheets, KeepAnOpenRemarkInItsRow) {
+    read({"x = 1 /* more", "y = 1"});
+    EXPECT_TRUE(error(1).unfinished);
+    EXPECT_EQ(error(1).at, 6U);
+    EXPECT_EQ(reading_.surface_rows, std::vector{2});
+}
+
+TEST_F(Sheets, TakeAListOfInstructionsInOneRow) {
+    read({"a var-x\nb const 2\nc mul a b", "y = a"});
+    EXPECT_EQ(reading(1), "x*2 = 0");
+    EXPECT_EQ(reading_.surface_rows, (std::vector{1, 2}));
+    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"a"})) << "its names are its own";
 }
 
 TEST_F(Sheets, DoNotGoOnInTheNextRow) {

@@ -285,7 +285,8 @@ class ExplainTest(ProgramTest):
         answer = self.explain("x^2*y = z + 3", "--at", "2,-3,0.5")
         self.assertEqual(set(answer),
                          {"ok", "canonical", "drawn_as", "value", "gradient", "parameters", "nodes",
-                          "surfaces", "readings"})
+                          "surfaces", "readings", "notes"})
+        self.assertEqual(answer["notes"], [])
         self.assertIs(answer["ok"], True)
         self.assertEqual((answer["value"], answer["gradient"]), (-15.5, [-12.0, 4.0, -1.0]))
         self.assertEqual(answer["parameters"], [])
@@ -300,6 +301,59 @@ class ExplainTest(ProgramTest):
                           "x^2 + y^2 - 2*b*z = 0, -1 < z and z < 1", "x - c = 0"])
         self.assertEqual([surface["value"] for surface in answer["surfaces"]], [2, 0])
         self.assertEqual(answer["value"], 2)
+
+    def test_notes(self):
+        text = "r = 0.5; x^2 + y^2 = r^2, z < 1,5 & x > -1"
+        answer = self.explain(text, "--at", "2,1,0")
+        self.assertEqual(answer["readings"],
+                         ["r = 0.5", "x^2 + y^2 - 0.5^2 = 0, z < 1.5 and -1 < x"])
+        self.assertEqual(answer["value"], 4.75)
+        self.assertEqual(len(answer["notes"]), 2)
+        self.assertIn("built-in r", answer["notes"][0])
+        self.assertIn("1,5 is read as 1.5", answer["notes"][1])
+        lines = self.run_ok("explain", text).out.splitlines()
+        self.assertEqual(lines[0], "with      r = 0.5")
+        self.assertEqual(lines[1], "note      " + answer["notes"][0])
+        self.assertIn("note      " + answer["notes"][1], lines[2:])
+
+    def test_texts_as_others_write_them(self):
+        texts = [
+            # A name that could be a product, a line that starts with a sign.
+            ("cx=0.25\n-(x-cx)^2 + y", -0.5625 + 2),
+            ("Iso(x,y,z,t)=x*y-z\nIso2(x,y,z,t)=Iso(x,y,z,t)%2\n-Iso2(z,x,y,t)", -1),
+            ("sq(u)=u*u; sq(u)=sq(u)+1; sq(x)+z", 5),
+            ("if((x < 0 | x > 0.5) & y > 1, 3, 4) + z", 6),
+            ("z*((x > 0) + (y > 5))", 3),
+            ("x < 2 ? y - z : z", -1),
+            ("/* remark\n of two lines */ x + y // the rest\n% more", 3),
+            ("const float a=2.f;\nfloat f(float u) { float v = u*u; return v - a; }\nf(y) + z", 5),
+            ("a var-x\nb const 2\nc add a b\nd mul c c", 9),
+            ("t = 3.0\nabs(y)^t - z", 5),
+            ("0,5x + 1,5y", 3.5),
+        ]
+        for text, value in texts:
+            with self.subTest(text):
+                answer = self.explain("-", "--at", "1,2,3", stdin=text)
+                self.assertEqual(len(answer["surfaces"]), 1)
+                self.assertAlmostEqual(answer["value"], value, delta=1e-12)
+
+    def test_what_is_not_read_is_named_in_one_line(self):
+        for text, words in [("vec3 p = vec3(x, y, z);", "vectors"), ("x + noise3d(x, y, z)", "noise"),
+                            ("x = cos(u); y = sin(v); z = u", "parametric"),
+                            ("f(u) = f(u - 1); f(x)", "defined by itself"),
+                            ("for (i = 0; i < 3; i++) x", "program"),
+                            ("f_comma(x, y, z, 1)", "f_comma")]:
+            with self.subTest(text):
+                result = run("explain", text, cwd=self.folder)
+                self.assertEqual(result.code, 2, str(result))
+                self.assertIn(words, result.err.splitlines()[0])
+
+    def test_long_texts(self):
+        statements = "".join(f"c_{i} = c_{i - 1} + x/{i}\n" for i in range(1, 20_000))
+        answer = self.explain("-", stdin="c_0 = 1\n" + statements + "c_19999")
+        self.assertEqual(len(answer["readings"]), 20_001)
+        answer = self.explain("-", "--at", "1,0,0", stdin="x" + "+x*y" * 300_000)
+        self.assertEqual(answer["value"], 1)
 
     def test_json_without_a_point_has_no_value(self):
         answer = self.explain("-", stdin="x + y\n")

@@ -72,11 +72,22 @@ Complaint about_reading(const Expr& surface, const std::string& text) {
     return std::nullopt;
 }
 
+Complaint about_notes(const Reading& reading) {
+    constexpr std::size_t longest_note = 500;  // one line for a person; names in it are any
+    for (const std::string& note : reading.notes) {
+        if (note.empty()) return "an empty note";
+        if (note.find_first_of("\r\n") != std::string::npos) return "a note of more lines: " + note;
+        if (note.size() > longest_note) return "a long note: " + note;
+    }
+    return std::nullopt;
+}
+
 Complaint about_readings(const Program& program) {
     std::size_t surface = 0;
     std::size_t length = 0;
     for (const Reading& reading : program.readings) {
         if (reading.text.find('\n') != std::string::npos) return "a reading of more than one line";
+        if (const Complaint complaint = about_notes(reading)) return complaint;
         if (reading.kind != StatementKind::Surface) continue;
         const Expr& expr = program.surfaces[surface++];
         length += reading.text.size();

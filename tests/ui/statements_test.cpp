@@ -18,6 +18,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace zeroset::ui {
@@ -80,6 +81,23 @@ protected:
         state_.reports[row] = {text, {}, RowError{"wrong", at, unfinished}};
     }
 };
+
+TEST_P(Statements, NotesStandBelowTheirRow) {
+    begin({"x = 0,5", "y = 1"}, 2);
+    const auto place_with = [&](std::vector<std::string> notes) {
+        const Reading reading{StatementKind::Surface, 0, "x = 0,5", std::move(notes)};
+        state_.reports[1] = {"x = 0,5", {reading}, std::nullopt};
+        draw();
+        draw();
+        return field(2).Pos.y;
+    };
+    const float without = place_with({});
+    const float with_one = place_with({"one"});
+    EXPECT_GT(with_one, without + static_cast<float>(px(8)));
+    EXPECT_GT(place_with({"one", "two"}), with_one);
+    const float with_many = place_with({"1", "2", "3", "4"});
+    EXPECT_EQ(place_with({"1", "2", "3", "4", "5", "6"}), with_many) << "not more than fit";
+}
 
 TEST_P(Statements, EnterMakesTheNextRow) {
     begin({"a = 2", "x = a"}, 1);

@@ -234,12 +234,12 @@ TEST(Parse, ReadsDeepTextsOnAThread) {
 }
 
 TEST(Parse, LimitsTheNodesOfAllSurfaces) {
-    std::string text = "a = sum(x^i*y, i, 1, 9000)";
+    std::string text = "a = sum(x^i*y, i, 1, 9999)";
     for (int i = 1; i < 100; ++i)
         text += "; a + z^" + std::to_string(i + 1);
     const auto program = read_program(text);
     ASSERT_FALSE(program.has_value());
-    EXPECT_TRUE(program.error().reason.contains("200000 operations")) << program.error().reason;
+    EXPECT_TRUE(program.error().reason.contains("1000000 operations")) << program.error().reason;
 }
 
 TEST(Parse, CutsTheReadingOfALongValue) {
@@ -272,24 +272,25 @@ TEST(Parse, RefusesSumsWhoseIndexIsNoExactNumber) {
 }
 
 TEST(Parse, LimitsTheText) {
-    const std::string longest = std::string(99'999, ' ') + "x";
+    const std::string longest = std::string(1'999'999, ' ') + "x";
     EXPECT_TRUE(parse(longest).has_value());
     const auto longer = parse(longest + " ");
     ASSERT_FALSE(longer.has_value());
-    EXPECT_EQ(longer.error().offset, 100'000);
+    EXPECT_EQ(longer.error().offset, 2'000'000);
     EXPECT_FALSE(parse(std::string(1'000'000, '(')).has_value());
 }
 
 TEST(Parse, TakesAWideFormula) {
     std::string sum = "x";
-    while (sum.size() < 99'000)
+    while (sum.size() < 1'500'000)
         sum += "+x*y";
     EXPECT_TRUE(parse(sum).has_value());
 }
 
 TEST(Parse, SurvivesAnyBytes) {
     test::RandomNumbers random(20);
-    constexpr std::string_view usual = "xyzw()+-*/^=,.0123456789e sqrtminmaxatan2\xc3\xa9\xf0\x9f";
+    constexpr std::string_view usual =
+        "xyzw()+-*/^=,.0123456789e sqrtminmaxatan2\xc3\xa9\xf0\x9f%&|!?:;\n_#";
     for (int i = 0; i < 20'000; ++i) {
         std::string text;
         for (std::size_t length = random.below(24); length > 0; --length) {

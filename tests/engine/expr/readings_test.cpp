@@ -3,6 +3,7 @@
 //   input, one line or more
 //   => TEXT         the reading of a statement; one such line for each, in order
 //   == TEXT         instead: the surface has the same graph as this text
+//   ~~ WORDS        behind them: a note with these words; one such line for each note, in order
 //   !! OFFSET WORDS instead: an error at this byte whose reason or hint has these words
 //   ?? OFFSET WORDS instead: an error that says the input is unfinished
 //
@@ -29,8 +30,8 @@ struct Case {
 };
 
 bool is_expectation(std::string_view line) {
-    return line.starts_with("=> ") || line.starts_with("== ") || line.starts_with("!! ") ||
-           line.starts_with("?? ");
+    return line.starts_with("=> ") || line.starts_with("== ") || line.starts_with("~~ ") ||
+           line.starts_with("!! ") || line.starts_with("?? ");
 }
 
 void add_line(std::vector<Case>& cases, const std::string& line, const std::string& place) {
@@ -59,6 +60,10 @@ std::string shown(const std::expected<Program, ParseError>& program) {
     if (program) {
         for (const Reading& reading : program->readings)
             text += "=> " + reading.text + "\n";
+        for (const Reading& reading : program->readings) {
+            for (const std::string& note : reading.notes)
+                text += "~~ " + note + "\n";
+        }
         return text;
     }
     const ParseError& error = program.error();
@@ -88,10 +93,27 @@ void expect_error(const Case& test, const std::expected<Program, ParseError>& pr
 
 void expect_readings(const Case& test, const std::expected<Program, ParseError>& program) {
     ASSERT_TRUE(program.has_value());
-    std::string expected;
-    for (const std::string& line : test.expected)
-        expected += line + "\n";
-    EXPECT_EQ(shown(program), expected);
+    std::vector<std::string> readings;
+    for (const Reading& reading : program->readings)
+        readings.push_back("=> " + reading.text);
+    std::vector<std::string> expected = test.expected;
+    std::erase_if(expected, [](const std::string& line) { return line.starts_with("~~ "); });
+    EXPECT_EQ(readings, expected);
+}
+
+/// All notes are those expected: what is read as usual has none.
+void expect_notes(const Case& test, const Program& program) {
+    std::vector<std::string> notes;
+    for (const Reading& reading : program.readings)
+        notes.insert(notes.end(), reading.notes.begin(), reading.notes.end());
+    std::vector<std::string> expected = test.expected;
+    std::erase_if(expected, [](const std::string& line) { return !line.starts_with("~~ "); });
+    ASSERT_EQ(notes.size(), expected.size());
+    for (std::size_t i = 0; i < notes.size(); ++i) {
+        EXPECT_TRUE(notes[i].contains(expected[i].substr(3))) << notes[i];
+        EXPECT_FALSE(notes[i].contains('\n'));
+        EXPECT_LE(notes[i].size(), 150) << notes[i];
+    }
 }
 
 /// The reading of a surface, typed again, is the same surface.
@@ -117,6 +139,7 @@ void check(const Case& test) {
     } else {
         expect_error(test, program);
     }
+    if (program) expect_notes(test, *program);
     if (program && program->parameters.empty()) expect_round_trip(*program);
 }
 
@@ -131,7 +154,8 @@ TEST_P(Readings, AreAsExpected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Readings,
-                         testing::Values("notation", "latex", "functions", "statements", "errors"),
+                         testing::Values("notation", "latex", "functions", "statements", "errors",
+                                         "names", "operators", "lines", "programs"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace

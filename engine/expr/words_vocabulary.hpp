@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+// What the words of a text can be made of.
+
+namespace zeroset {
+
+/// Hashes strings and views alike, so that a set of strings is asked for a view.
+struct TextHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view text) const {
+        return std::hash<std::string_view>()(text);
+    }
+};
+using NameSet = std::unordered_set<std::string, TextHash, std::equal_to<>>;
+template <class Value>
+using NameMap = std::unordered_map<std::string, Value, TextHash, std::equal_to<>>;
+
+/// x y z w, t; r rho theta phi; pi tau e golden: the names that mean something in every text.
+std::span<const std::string_view> built_in_values();
+bool is_built_in_value(std::string_view name);
+/// The built-in values whose value differs from place to place: x, y, z, r, rho, theta, phi.
+bool is_place(std::string_view name);
+/// A built-in value, a function or a connective.
+bool is_built_in(std::string_view word);
+/// Whether the word joins or negates conditions: and, or, not.
+bool is_logic_word(std::string_view word);
+/// The word with small letters only.
+std::string in_small_letters(std::string_view word);
+
+/// The letters and words that runs of letters are made of: xsiny of x, sin, y.
+class Vocabulary {
+public:
+    Vocabulary();
+
+    /// A letter that stands alone somewhere in the text.
+    void add_letter(char letter) { letters_.at(static_cast<unsigned char>(letter)) = true; }
+    void add_word(std::string_view word);
+
+    [[nodiscard]] bool has_letter(char letter) const {
+        return letters_.at(static_cast<unsigned char>(letter));
+    }
+    [[nodiscard]] bool knows_letter(char letter) const;
+    [[nodiscard]] bool knows_word(std::string_view word) const;
+    /// Lengths of the pieces of a run of letters, as few as can be; empty when it is no product of
+    /// known names. Before a subscript the last piece is a letter.
+    [[nodiscard]] std::vector<std::size_t> pieces(std::string_view run, bool subscript) const;
+
+private:
+    [[nodiscard]] bool may_know(std::string_view word) const;
+    void expect_word(std::string_view word);
+
+    std::array<bool, 256> letters_{};
+    std::array<std::uint32_t, 256> lengths_{};  ///< bits: lengths of the words that start so
+    NameSet words_;
+};
+
+}  // namespace zeroset
