@@ -173,7 +173,10 @@ Complaint about_inclusion(const BoxesAndPoints::Ranges& wide,
         const bool below = narrow.hi.at(point) < -wide.neg_lo.at(box);
         const bool above = -narrow.neg_lo.at(point) > wide.hi.at(box);
         const bool two_sides = wide.neg_lo.at(box) < 0 && wide.hi.at(box) < 0;
-        const bool outside = two_sides ? below && above : below || above;
+        const bool point_of_two = narrow.neg_lo.at(point) < 0 && narrow.hi.at(point) < 0;
+        const bool needs_both = two_sides != point_of_two;
+        const bool outside =
+            !(two_sides && point_of_two) && (needs_both ? below && above : below || above);
         if (outside) return "a point's value lies outside its box's range";
     }
     return std::nullopt;
