@@ -88,14 +88,13 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
 
 /// Makes min or max of a and b in `place` and tells where it is one of them, or taken for it as
 /// `left_out` tells.
-template <class Real>
-[[gnu::flatten]] ChoiceBits make_extreme(BeamAlgebra<Block<Real>>& algebra, Op op,
-                                         const Operand<BeamValue<Block<Real>>>& a,
-                                         const Operand<BeamValue<Block<Real>>>& b,
-                                         const ChoiceBits& left_out,
-                                         BeamValue<Block<Real>>* place) {
-    using Value = BeamValue<Block<Real>>;
-    constexpr unsigned all = (1U << Block<Real>::lanes) - 1U;
+template <class Lanes>
+[[gnu::flatten]] ChoiceBits make_extreme(BeamAlgebra<Lanes>& algebra, Op op,
+                                         const Operand<BeamValue<Lanes>>& a,
+                                         const Operand<BeamValue<Lanes>>& b,
+                                         const ChoiceBits& left_out, BeamValue<Lanes>* place) {
+    using Value = BeamValue<Lanes>;
+    constexpr unsigned all = (1U << Lanes::lanes) - 1U;
     ChoiceBits bits = left_out;
     // Copying is quicker than choosing lane by lane.
     const auto copied = [&] {
@@ -105,7 +104,7 @@ template <class Real>
         return true;
     };
     if (copied()) return bits;
-    const Interval<Block<Real>> difference = (a.value.f - b.value.f).range();
+    const Interval<Lanes> difference = (a.value.f - b.value.f).range();
     const ChoiceBits more = choice_by_size(op, difference, a.value, b.value);
     bits = choice_bits(bits.first | more.first, bits.second | more.second);
     if (copied()) return bits;

@@ -17,27 +17,27 @@
 namespace zeroset {
 
 /// A block, or where the code shall write one.
-template <class Real>
-const Real* numbers(const Block<Real>& block) {
+template <class Real, std::size_t bytes>
+const Real* numbers(const Block<Real, bytes>& block) {
     return reinterpret_cast<const Real*>(&block);
 }
-template <class Real>
-Real* numbers(Block<Real>& block) {
+template <class Real, std::size_t bytes>
+Real* numbers(Block<Real, bytes>& block) {
     return reinterpret_cast<Real*>(&block);
 }
 
 /// All ones or 0, as kernels write them.
-template <class Real>
+template <class Real, std::size_t bytes>
 struct MaskBlock {
-    std::array<ContinuityMask<Real>, Block<Real>::lanes> items;
+    std::array<ContinuityMask<Real>, Block<Real, bytes>::lanes> items;
 
     [[nodiscard]] BlockMask mask() const {
-        Block<Real> block;
+        Block<Real, bytes> block;
         std::memcpy(&block, items.data(), sizeof block);
         unsigned bits = 0;
-        for (std::size_t i = 0; i < block_registers; ++i) {
+        for (std::size_t i = 0; i < block.registers.size(); ++i) {
             bits |= static_cast<unsigned>(detail::sign_bits(block.registers[i].lanes))
-                    << (Block<Real>::register_lanes * i);
+                    << (Block<Real, bytes>::register_lanes * i);
         }
         return {static_cast<std::uint16_t>(bits)};
     }
@@ -53,13 +53,13 @@ std::optional<BlockMask> known_mask(BlockMask mask) {
 
 /// Makes the form, with a slope that is an interval; returns where it may have a kink. `on_rays`:
 /// the frustum's radii are 0.
-template <class Real>
+template <class Real, std::size_t bytes>
 [[gnu::flatten]] BlockMask part_form(const PartShape& shape, const Part& part,
                                      const FormBatchOf<Real>& batch, std::size_t item, bool on_rays,
-                                     BeamValue<Block<Real>>& value) {
-    using Lanes = Block<Real>;
-    MaskBlock<Real> continuous;
-    MaskBlock<Real> nowhere;
+                                     BeamValue<Block<Real, bytes>>& value) {
+    using Lanes = Block<Real, bytes>;
+    MaskBlock<Real, bytes> continuous;
+    MaskBlock<Real, bytes> nowhere;
     std::array<ContinuityMask<Real>, Lanes::lanes> branches{};
     Lanes across;
     Interval<Lanes> slope;
@@ -103,11 +103,11 @@ template <class Real>
     return {static_cast<std::uint16_t>(kinks)};
 }
 
-template <class Real>
-Enclosure<Block<Real>> part_range(const PartShape& shape, const Part& part,
-                                  const RangeBatchOf<Real>& batch, std::size_t item) {
-    using Lanes = Block<Real>;
-    MaskBlock<Real> continuous;
+template <class Real, std::size_t bytes>
+Enclosure<Block<Real, bytes>> part_range(const PartShape& shape, const Part& part,
+                                         const RangeBatchOf<Real>& batch, std::size_t item) {
+    using Lanes = Block<Real, bytes>;
+    MaskBlock<Real, bytes> continuous;
     Interval<Lanes> f;
     const auto from = [item](const Real* const(&columns)[3]) {
         return std::array{columns[0] + item, columns[1] + item, columns[2] + item};
@@ -132,10 +132,10 @@ Enclosure<Block<Real>> part_range(const PartShape& shape, const Part& part,
     return result;
 }
 
-template <class Real>
-Dual<Block<Real>> part_value(const PartShape& shape, const Part& part,
-                             const ValueBatchOf<Real>& batch, std::size_t item) {
-    using Lanes = Block<Real>;
+template <class Real, std::size_t bytes>
+Dual<Block<Real, bytes>> part_value(const PartShape& shape, const Part& part,
+                                    const ValueBatchOf<Real>& batch, std::size_t item) {
+    using Lanes = Block<Real, bytes>;
     Lanes f;
     std::array<Lanes, 3> gradient;
     shape.kernel.value(

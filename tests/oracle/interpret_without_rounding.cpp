@@ -1,5 +1,5 @@
 // The interpreter, but its forms leave out what the rounding of their coefficients costs. Linked in
-// place of the engine's own; the checks of forms must find it wrong.
+// place of the engine's own choice of code; the checks of forms must find it wrong.
 
 #include "engine/num/beam.hpp"
 #include "engine/num/block.hpp"
@@ -17,4 +17,13 @@ Block<double> form_rounding(const Block<double>& /*kind*/) {
 
 }  // namespace zeroset
 
-#include "engine/expr/interpret.cpp"  // NOLINT(bugprone-suspicious-include)
+#include "engine/expr/interpret-inl.hpp"
+
+namespace zeroset {
+
+const InterpreterCode& interpreter_code() {
+    static constexpr InterpreterCode code = interpreter_code_of<16>();
+    return code;
+}
+
+}  // namespace zeroset
