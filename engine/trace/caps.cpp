@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace zeroset {
 namespace {
@@ -182,6 +183,11 @@ void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& op
     static thread_local Boxes<Real> boxes;
     std::size_t kept = 0;
     for (std::size_t first = 0; first < open.size(); first += Boxes<Real>::capacity) {
+        if (surface.stopped()) {
+            for (Entry* const entry : std::span(open).subspan(first))
+                entry->state = State::Unknown;
+            break;
+        }
         const std::size_t count = std::min(Boxes<Real>::capacity, open.size() - first);
         for (std::size_t i = 0; i < count; ++i)
             boxes.set(i, open[first + i]->point, open[first + i]->radius);

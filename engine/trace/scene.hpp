@@ -60,12 +60,19 @@ struct Counters {
     std::uint64_t value = 0;
     std::uint64_t form = 0;
     double coarse_width = 0.0;
+    /// Of tiles that a time limit ended: pixels that are undecided, pixels without shadows or
+    /// smooth edges.
+    std::uint64_t cut_pixels = 0, rough_pixels = 0;
+
+    [[nodiscard]] bool is_cut() const { return cut_pixels + rough_pixels > 0; }
 
     Counters& operator+=(const Counters& other) {
         range += other.range;
         value += other.value;
         form += other.form;
         coarse_width = std::max(coarse_width, other.coarse_width);
+        cut_pixels += other.cut_pixels;
+        rough_pixels += other.rough_pixels;
         return *this;
     }
 };
