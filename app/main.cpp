@@ -3,6 +3,7 @@
 
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
+#include "app/progress.hpp"
 #include "app/text.hpp"
 #include "engine/image/file.hpp"
 
@@ -174,6 +175,8 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     render_app->add_flag("--no-legend", render.no_legend,
                          "leave out what says which colour stands for which number");
     add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
+    add_value(*render_app, "--budget", render.budget,
+              "seconds after which what is not decided stays undecided (default 30)");
     return render_app;
 }
 
@@ -204,6 +207,8 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
     add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
     add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    add_value(*bench_app, "--budget", bench.budget,
+              "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
     return bench_app;
 }
@@ -244,6 +249,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
+    if (!app.get_subcommands().empty()) end_on_signals();
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);
     if (*gallery_app) return run_gallery(gallery);

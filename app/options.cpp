@@ -4,6 +4,7 @@
 #include "app/gallery.hpp"
 #include "app/region_options.hpp"
 #include "app/text.hpp"
+#include "app/timing.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <charconv>
@@ -195,6 +196,14 @@ OrInputError<int> read_integer(const std::string& option, const std::string& tex
                            std::to_string(lowest) + " to " + std::to_string(highest));
     }
     return *value;
+}
+
+OrInputError<double> read_budget(const std::optional<std::string>& text) {
+    if (!text) return default_budget_s;
+    const auto seconds = read_number("--budget", *text);
+    if (seconds && !(*seconds >= 1e-3 && *seconds <= 1e6))
+        return wrong_input("--budget " + *text + ": type a number of seconds from 0.001 to 1e6");
+    return seconds;
 }
 
 OrInputError<Size> read_size(const std::string& option, const std::string& text) {

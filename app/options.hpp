@@ -76,6 +76,9 @@ void take_look(const TraceText& text, Document& document);
 /// All but the look, which is a matter of the document.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 
+/// The seconds of --budget, from a millisecond to a million seconds; default_budget_s if absent.
+OrInputError<double> read_budget(const std::optional<std::string>& text);
+
 /// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.
 OrInputError<Size> read_size(const std::string& option, const std::string& text);
 

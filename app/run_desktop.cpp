@@ -5,9 +5,11 @@
 #include "app/gallery.hpp"
 #include "app/options.hpp"
 #include "app/preferences.hpp"
+#include "app/progress.hpp"
 #include "ui/window.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <expected>
 #include <iostream>
 #include <optional>
@@ -73,6 +75,7 @@ int run_desktop(const DesktopOptions& options) {
             "the graphics driver has lost the window; what was open is kept: start zeroset again");
     }
     kept.finish();
+    end_process_after(std::chrono::milliseconds(500), exit_ok);  // LLVM may take its time
     return exit_ok;
 }
 

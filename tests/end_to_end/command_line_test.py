@@ -4,17 +4,19 @@ import json
 import math
 from collections import Counter
 
+from command_line_budget_cases import BudgetTest, SignalTest
 from command_line_depth_cases import DepthTest
 from command_line_error_cases import UnwritableTest, WrongInputTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
-__all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
+__all__ = ["BudgetTest", "DepthTest", "SignalTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
               "frame_ms", "certified", "certified_coarse", "coarse_width", "undecided", "miss",
-              "undecided_not_drawn", "certified_width", "surfaces", "evaluations"}
+              "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
+              "evaluations"}
 
 
 class RenderTest(ProgramTest):
