@@ -99,6 +99,10 @@ std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
     };
     Scene plain = scene;
     plain.coloring = {};
+    if (is_of_skin(scene.coloring.by)) {
+        for (Section& section : plain.region.sections)
+            section.cap = false;
+    }
     TraceSettings quick = settings;
     quick.shadows = false;
     quick.antialias = false;
