@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
 #include "app/progress.hpp"
+#include "app/solid_options.hpp"
 #include "app/text.hpp"
 #include "engine/image/file.hpp"
 
@@ -75,6 +76,9 @@ void add_view_options(CLI::App& app, ViewText& view) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    add_repeated(app, "--solid", view.solids,
+                 "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
+                 "surfaces or of one: 2:f>0; may be repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
     app.add_flag("--fit", view.fit,
@@ -150,6 +154,7 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
         if (!program) return report(program.error());
         const auto unknown = check_parameters(*program, options->given);
         if (unknown) return report(*unknown);
+        if (const auto missing = check_solids(*program, options->solids)) return report(*missing);
         const ColorChoice& choice = options->document.coloring;
         const auto colors = color_formulas(*program, options->equation, choice);
         if (!colors) return report(color_by_error(colors.error()));

@@ -3,6 +3,7 @@
 #include "app/document_files.hpp"
 #include "app/gallery.hpp"
 #include "app/region_options.hpp"
+#include "app/solid_options.hpp"
 #include "app/text.hpp"
 #include "app/timing.hpp"
 #include "engine/trace/tracer.hpp"
@@ -159,7 +160,9 @@ Document document_of(const Surface& surface) {
         set_value(slider, value);
         document.parameters[name] = slider;
     }
-    return renumbered(std::move(document), 1);
+    document = renumbered(std::move(document), 1);
+    take_solids(surface.solids, document);
+    return document;
 }
 
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
@@ -264,6 +267,9 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
         return std::unexpected(*error);
     }
+    auto solids = read_solids(view.solids);
+    if (!solids) return std::unexpected(solids.error());
+    surface.solids = std::move(*solids);
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;

@@ -1,6 +1,7 @@
 #include "app/render_picture.hpp"
 
 #include "app/document_scene.hpp"
+#include "app/solid_options.hpp"
 #include "app/text.hpp"
 #include "engine/trace/color_range.hpp"
 #include "engine/trace/extent.hpp"
@@ -54,6 +55,12 @@ Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
     if (!surface.document) {
         Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
         scene.region = surface.region;
+        for (const SolidChoice& choice : surface.solids) {
+            for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+                if (!choice.surface || static_cast<std::size_t>(*choice.surface) == i + 1)
+                    scene.solids[i].side = choice.side;
+            }
+        }
         return scene;
     }
     return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
@@ -91,6 +98,7 @@ std::optional<InputError> prepare(Drawing& drawing) {
     auto formula = compile_formula(surface.equation, surface.clip);
     if (!formula) return formula.error();
     if (auto unknown = check_parameters(formula->program, surface.parameters)) return unknown;
+    if (auto missing = check_solids(formula->program, surface.solids)) return missing;
     const auto colors = color_formulas(formula->program, formula->text, plan.document.coloring);
     if (!colors) return color_by_error(colors.error());
     if (plan.fits) {

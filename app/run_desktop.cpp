@@ -36,6 +36,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     options.document = document_of(*surface);
     options.equation = surface->equation;
     options.given = surface->parameters;
+    options.solids = surface->solids;
     if (surface->document) {
         options.path = equation;
         if (const auto loaded = load_document(equation)) options.note = loaded->note;

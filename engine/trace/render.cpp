@@ -92,9 +92,10 @@ private:
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
                          int width, int height)
     : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
-    for (const Kernel& kernel : scene.surfaces) {
-        surfaces_.push_back(trace_frame(scene, kernel, view, width, height, settings.stop));
-        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, kernel));
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        surfaces_.push_back(
+            trace_frame(scene, scene.surfaces[i], view, width, height, settings.stop));
+        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (const TraceFrame& surface : surfaces_) {
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
