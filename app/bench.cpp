@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/gallery.hpp"
+#include "app/text.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
 #include "engine/trace/floor.hpp"
@@ -29,6 +30,7 @@ struct BenchPlan {
     std::vector<TraceSettings> settings;  ///< one for each tracer
     Size size{};
     int repeats = 5;
+    double budget_s = default_budget_s;  ///< of a frame
 };
 
 /// The gallery's surfaces of the papers, all seen from the default direction.
@@ -87,6 +89,9 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         if (!repeats) return std::unexpected(repeats.error());
         plan.repeats = *repeats;
     }
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    plan.budget_s = *budget;
     std::string names = command.tracers.value_or(std::string(tracers().front().name));
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
@@ -129,7 +134,15 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
-    cell.timing = time_frames(scene, camera, settings, frame, plan.repeats, true);
+    cell.timing = time_frames(scene, camera, settings, frame, {plan.repeats, true}, [&] {
+        const TimeLimit limit{.until =
+                                  until_after(std::chrono::steady_clock::now(), plan.budget_s)};
+        return RenderWatch{.limit = limit, .on_tile = {}};
+    });
+    if (cell.timing.counters.is_cut()) {
+        std::cerr << "zeroset: " << item.name << ": the budget of " << short_number(plan.budget_s)
+                  << " s is spent; --budget SECONDS gives more\n";
+    }
     cell.compile_ms = formula->compile_ms;
     const KnownFrame known(scene, camera, settings, frame);
     cell.floor_ms = time_repeats(plan.repeats, [&] { known.draw(frame); }).median_ms;

@@ -21,7 +21,7 @@ struct RenderCommand {
     ViewText view;
     TraceText trace;
     std::string size = "1024x1024";
-    std::optional<std::string> output, depth, certificate, stats, repeat;
+    std::optional<std::string> output, depth, certificate, stats, repeat, budget;
     std::vector<std::string> probes;  ///< COL,ROW of each
     bool no_legend = false;
 };
@@ -36,7 +36,7 @@ struct ExplainCommand {
 int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
-    std::optional<std::string> suite, tracers, threads, d_stop, repeat, json;
+    std::optional<std::string> suite, tracers, threads, d_stop, repeat, budget, json;
     std::string size = "512";
 };
 int run_bench(const BenchCommand& command);

@@ -338,7 +338,7 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
     for (const int row : state_.surface_rows) {
         const auto found = std::ranges::find(document.statements, row, &Statement::id);
         if (found == document.statements.end() || !found->visible) continue;
-        wanted.surfaces.emplace_back(row, found->color.value_or(0));
+        wanted.surfaces.emplace_back(row, found->color.value_or(0), found->solid);
     }
     if (shown_->uses_w()) wanted.uniforms.push_back(document.w.value);
     for (const std::string& name : shown_->program.parameters)

@@ -27,6 +27,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,11 +36,12 @@ namespace zeroset {
 /// What the window starts with.
 struct DesktopOptions {
     Document document;
-    std::string path;        ///< of the document's file; empty: none
-    std::string note;        ///< what is to be said of the document; or empty
-    std::string equation;    ///< as it was given, where it is no document
-    ParameterValues given;   ///< those that were given by name
-    TraceSettings settings;  ///< but for what the document says
+    std::string path;                      ///< of the document's file; empty: none
+    std::string note;                      ///< what is to be said of the document; or empty
+    std::string equation;                  ///< as it was given, where it is no document
+    ParameterValues given;                 ///< those that were given by name
+    std::vector<SolidChoice> solids = {};  ///< those that are given
+    TraceSettings settings;                ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
     bool follows_desktop = false;  ///< the theme is the desktop's wish
     bool on_desktop = false;       ///< there may be one to ask
@@ -92,8 +94,8 @@ private:
         std::shared_ptr<const ColorFormulas> colors;  ///< for the formula
         ColorChoice coloring;
         glm::ivec2 size_px{0};
-        /// Of each visible surface: its row and its colour.
-        std::vector<std::pair<int, std::uint32_t>> surfaces;
+        /// Of each visible surface: its row, its colour and its solid's side.
+        std::vector<std::tuple<int, std::uint32_t, SolidSide>> surfaces;
         std::vector<double> uniforms;  ///< w, where it is used, and the parameters
     };
     static bool same_picture(const Wanted& a, const Wanted& b);

@@ -35,9 +35,11 @@ Scene document_scene(const Formula& formula, const Document& document,
     Scene scene = make_scene(formula, document.clip, document.w.value, values);
     scene.region = document.region;
     const std::vector<Kernel> all = std::exchange(scene.surfaces, {});
+    const std::vector<Solid> solids = std::exchange(scene.solids, {});
     for (const std::size_t i : visible_surfaces(document, rows)) {
         const auto row = std::ranges::find(document.statements, rows[i], &Statement::id);
         scene.surfaces.push_back(all[i]);
+        scene.solids.push_back({row->solid, solids[i].unrestricted});
         scene.colors.push_back(row->color ? surface_colors(*row->color) : colors_of(i));
     }
     return scene;

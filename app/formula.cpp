@@ -4,6 +4,7 @@
 #include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/outer_choices.hpp"
+#include "engine/expr/unrestricted.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>
@@ -116,9 +117,13 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
     const auto start = Clock::now();
     auto program = read_formula(text);
     if (!program) return std::unexpected(program.error());
-    Formula formula{std::string(text), std::move(*program), {}, {}, CodeState::Machine, 0.0};
-    for (const Expr& surface : formula.program.surfaces)
-        formula.drawn.push_back(drawn_form(surface, sample_region(region)));
+    Formula formula{std::string(text), std::move(*program), {}, {}, {}, CodeState::Machine, 0.0};
+    for (const Expr& surface : formula.program.surfaces) {
+        const Expr& drawn = formula.drawn.emplace_back(drawn_form(surface, sample_region(region)));
+        const auto whole = unrestricted(drawn);
+        auto& value = formula.unrestricted.emplace_back();
+        if (whole) value = interpret(*whole).value_float;
+    }
     formula.code = code_for(formula.drawn);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
@@ -175,6 +180,8 @@ std::expected<Formula, InputError> compile_formula(std::string_view text, const 
 Scene make_scene(const Formula& formula, const Box& clip, double w,
                  const ParameterValues& parameters) {
     Scene scene{formula.kernels, clip, {}};
+    for (const auto& unrestricted : formula.unrestricted)
+        scene.solids.push_back({SolidSide::Automatic, unrestricted});
     scene.uniforms.set(0, w);
     const std::vector<double> values = values_of(formula.program, parameters);
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -45,6 +45,8 @@ struct Formula {
     Program program;
     std::vector<Expr> drawn;      ///< the program's surfaces, each in its tightest form
     std::vector<Kernel> kernels;  ///< of `drawn`
+    /// Solid::unrestricted of each of `drawn`.
+    std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted;
     CodeState code = CodeState::Machine;
     double compile_ms = 0.0;  ///< from text to code
 

@@ -3,6 +3,8 @@
 
 #include "app/commands.hpp"
 #include "app/desktop.hpp"
+#include "app/progress.hpp"
+#include "app/solid_options.hpp"
 #include "app/text.hpp"
 #include "engine/image/file.hpp"
 
@@ -74,6 +76,9 @@ void add_view_options(CLI::App& app, ViewText& view) {
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    add_repeated(app, "--solid", view.solids,
+                 "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
+                 "surfaces or of one: 2:f>0; may be repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
     app.add_flag("--fit", view.fit,
@@ -149,6 +154,7 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
         if (!program) return report(program.error());
         const auto unknown = check_parameters(*program, options->given);
         if (unknown) return report(*unknown);
+        if (const auto missing = check_solids(*program, options->solids)) return report(*missing);
         const ColorChoice& choice = options->document.coloring;
         const auto colors = color_formulas(*program, options->equation, choice);
         if (!colors) return report(color_by_error(colors.error()));
@@ -174,6 +180,8 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     render_app->add_flag("--no-legend", render.no_legend,
                          "leave out what says which colour stands for which number");
     add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing");
+    add_value(*render_app, "--budget", render.budget,
+              "seconds after which what is not decided stays undecided (default 30)");
     return render_app;
 }
 
@@ -204,6 +212,8 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
     add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
     add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    add_value(*bench_app, "--budget", bench.budget,
+              "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
     return bench_app;
 }
@@ -244,6 +254,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
+    if (!app.get_subcommands().empty()) end_on_signals();
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);
     if (*gallery_app) return run_gallery(gallery);

@@ -3,7 +3,9 @@
 #include "app/document_files.hpp"
 #include "app/gallery.hpp"
 #include "app/region_options.hpp"
+#include "app/solid_options.hpp"
 #include "app/text.hpp"
+#include "app/timing.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <charconv>
@@ -158,7 +160,9 @@ Document document_of(const Surface& surface) {
         set_value(slider, value);
         document.parameters[name] = slider;
     }
-    return renumbered(std::move(document), 1);
+    document = renumbered(std::move(document), 1);
+    take_solids(surface.solids, document);
+    return document;
 }
 
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
@@ -195,6 +199,14 @@ OrInputError<int> read_integer(const std::string& option, const std::string& tex
                            std::to_string(lowest) + " to " + std::to_string(highest));
     }
     return *value;
+}
+
+OrInputError<double> read_budget(const std::optional<std::string>& text) {
+    if (!text) return default_budget_s;
+    const auto seconds = read_number("--budget", *text);
+    if (seconds && !(*seconds >= 1e-3 && *seconds <= 1e6))
+        return wrong_input("--budget " + *text + ": type a number of seconds from 0.001 to 1e6");
+    return seconds;
 }
 
 OrInputError<Size> read_size(const std::string& option, const std::string& text) {
@@ -255,6 +267,9 @@ OrInputError<Surface> read_surface(const std::string& equation, const ViewText& 
     if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
         return std::unexpected(*error);
     }
+    auto solids = read_solids(view.solids);
+    if (!solids) return std::unexpected(solids.error());
+    surface.solids = std::move(*solids);
     auto camera = read_camera(view, surface);
     if (!camera) return std::unexpected(camera.error());
     surface.camera = *camera;

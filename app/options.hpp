@@ -20,7 +20,7 @@ namespace zeroset {
 /// What the user typed for a view, as text; absent where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
-    std::vector<std::string> sections;
+    std::vector<std::string> sections, solids;
     bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool fit = false;
@@ -32,6 +32,14 @@ struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
     /// Absent: as the document says, or not.
     std::optional<bool> shadows, antialias, axes, clip_box, grid;
+};
+
+/// Which side of a surface is solid.
+struct SolidChoice {
+    std::optional<int> surface = std::nullopt;  ///< its number, from 1; nothing: all
+    SolidSide side = SolidSide::Automatic;
+
+    bool operator==(const SolidChoice&) const = default;
 };
 
 /// A surface and how to look at it.
@@ -47,6 +55,7 @@ struct Surface {
     std::optional<Document> document = std::nullopt;
     ColorChoice coloring = {};
     std::vector<Marker> markers = {};
+    std::vector<SolidChoice> solids = {};  ///< those that are given
 };
 
 /// The surface as a document: a row for each statement.
@@ -75,6 +84,9 @@ void take_look(const TraceText& text, Document& document);
 
 /// All but the look, which is a matter of the document.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
+
+/// The seconds of --budget, from a millisecond to a million seconds; default_budget_s if absent.
+OrInputError<double> read_budget(const std::optional<std::string>& text);
 
 /// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.
 OrInputError<Size> read_size(const std::string& option, const std::string& text);

@@ -1,42 +1,25 @@
-#include "app/color_formulas.hpp"
 #include "app/commands.hpp"
-#include "app/document_scene.hpp"
 #include "app/furnish.hpp"
 #include "app/picture_point.hpp"
-#include "app/timing.hpp"
+#include "app/render_picture.hpp"
 #include "engine/image/file.hpp"
-#include "engine/trace/color_range.hpp"
-#include "engine/trace/extent.hpp"
 #include "engine/trace/parallel.hpp"
-#include "engine/trace/render.hpp"
 #include "engine/trace/tolerance.hpp"
 #include "engine/trace/tracer.hpp"
 #include "ui/legend.hpp"
 #include "ui/picture_overlay.hpp"
 
-#include "document/framing.hpp"
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
-#include <numeric>
+#include <utility>
 
 namespace zeroset {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// What the options mean, checked before any work.
-struct RenderPlan {
-    Surface surface;
-    Document document;  ///< of the surface, with what the options say of its look
-    TraceSettings settings;
-    Size size{};
-    int repeats = 1;
-    Camera camera;
-    std::vector<glm::ivec2> probes;  ///< columns and rows
-};
 
 OrInputError<std::vector<glm::ivec2>> read_probes(const std::vector<std::string>& texts,
                                                   const Size& size) {
@@ -69,7 +52,13 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
         auto repeats = read_integer("--repeat", *command.repeat, 1, 100'000);
         if (!repeats) return std::unexpected(repeats.error());
         plan.repeats = *repeats;
+        plan.warms_up = true;
     }
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    plan.budget_s = *budget;
+    plan.fits = command.view.fit;
+    plan.fits_box = !command.view.box;
     if (!command.output && !command.depth && !command.certificate && !command.stats &&
         command.probes.empty()) {
         return wrong_input(
@@ -111,8 +100,12 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
     return std::nullopt;
 }
 
-Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula,
-              const FrameTiming& timing, const Framebuffer& frame) {
+Json stats_of(const RenderedPicture& picture) {
+    const RenderPlan& plan = picture.plan;
+    const Scene& scene = picture.scene;
+    const Formula& formula = picture.formula;
+    const FrameTiming& timing = picture.timing;
+    const Framebuffer& frame = picture.frame;
     const Precision precision = frame_precision(scene, ViewFrame(plan.camera), plan.settings.stop);
     Json surfaces = Json::array();
     for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
@@ -136,6 +129,7 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
             {"undecided", counts.undecided},
             {"miss", counts.miss},
             {"undecided_not_drawn", counts.not_drawn},
+            {"undecided_by_budget", timing.counters.cut_pixels},
             {"certified_coarse", counts.coarse},
             {"coarse_width", counts.coarse > 0 ? Json(timing.counters.coarse_width) : Json()},
             {"certified_width", width ? Json(*width) : Json()},
@@ -146,60 +140,16 @@ Json stats_of(const RenderPlan& plan, const Scene& scene, const Formula& formula
               {"form", timing.counters.form}}}};
 }
 
-/// Looks at all of the surface, if that is wanted. Says why where it cannot.
-void fit(RenderPlan& plan, const RenderCommand& command, const Scene& scene) {
-    if (!command.view.fit) return;
-    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    plan.document.camera = plan.camera;
-    const bool may_clip = !command.view.box;
-    const Framing framing = frame_surfaces(plan.document, find_extent(scene), aspect, may_clip);
-    if (!framing.found) std::cerr << "zeroset: --fit: " << framing.note << '\n';
-    plan.document = framing.document;
-    plan.surface.clip = framing.document.clip;
-    plan.camera = *framing.document.camera;
-}
-
-/// The surfaces of the formula that are shown.
-std::vector<std::size_t> shown_surfaces(const Formula& formula, const RenderPlan& plan) {
-    if (plan.surface.document) {
-        return visible_surfaces(plan.document, surface_rows(plan.document, formula.program));
-    }
-    std::vector<std::size_t> all(formula.drawn.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
-}
-
-/// As a document has its rows, or all surfaces in the palette's colours.
-Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
-    const Surface& surface = plan.surface;
-    if (!surface.document) {
-        Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
-        scene.region = surface.region;
-        return scene;
-    }
-    return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
-}
-
-Scene scene_of(const Formula& formula, const RenderPlan& plan, const ColorFormulas& colors) {
-    Scene scene = plain_scene(formula, plan);
-    scene.coloring =
-        coloring_of(plan.document.coloring, colors, shown_surfaces(formula, plan), plan.camera.up);
-    if (has_range(scene.coloring.by) && !scene.coloring.range) {
-        scene.coloring.range =
-            find_range(scene, plan.camera, plan.settings, plan.size.width, plan.size.height);
-    }
-    return scene;
-}
-
 /// The picture with markers and legend.
-Framebuffer marked(const Framebuffer& frame, const RenderPlan& plan, const Scene& scene,
-                   bool with_legend) {
-    const ui::Legend legend = ui::legend_of(scene.coloring, plan.document.coloring.expression);
-    const bool needs_legend = with_legend && scene.coloring.by != ColorBy::Plain;
-    Framebuffer picture = frame;
-    ui::draw_marks_over(picture, plan.camera, plan.document.markers,
+Framebuffer marked(const Framebuffer& frame, const RenderedPicture& picture, bool with_legend) {
+    const RenderPlan& plan = picture.plan;
+    const Coloring& coloring = picture.scene.coloring;
+    const ui::Legend legend = ui::legend_of(coloring, plan.document.coloring.expression);
+    const bool needs_legend = with_legend && coloring.by != ColorBy::Plain;
+    Framebuffer marked = frame;
+    ui::draw_marks_over(marked, plan.camera, plan.document.markers,
                         needs_legend ? &legend : nullptr);
-    return picture;
+    return marked;
 }
 
 /// The reading of each of the formula's surfaces.
@@ -211,62 +161,63 @@ std::vector<std::string> surface_readings(const Formula& formula) {
     return texts;
 }
 
-void print_probes(const RenderPlan& plan, const Scene& scene, const Formula& formula,
-                  const Framebuffer& frame) {
-    const std::vector<std::size_t> shown = shown_surfaces(formula, plan);
-    const std::vector<Kernel> typed = typed_formulas(formula.program, shown);
-    const std::vector<std::string> readings = surface_readings(formula);
+void print_probes(const RenderedPicture& picture) {
+    const RenderPlan& plan = picture.plan;
+    const Scene& scene = picture.scene;
+    const std::vector<std::size_t> shown = shown_surfaces(picture.formula, plan);
+    const std::vector<Kernel> typed = typed_formulas(picture.formula.program, shown);
+    const std::vector<std::string> readings = surface_readings(picture.formula);
     const StopCriterion& stop = plan.settings.stop;
     const Precision precision = frame_precision(scene, ViewFrame(plan.camera), stop);
     const double tolerance = depth_tolerance(scene.clip, stop, precision);
     for (const glm::ivec2& pixel : plan.probes) {
         const auto facts =
-            probe({frame, plan.camera, typed, scene.uniforms, tolerance}, pixel.x, pixel.y);
+            probe({picture.frame, plan.camera, typed, scene.uniforms, tolerance}, pixel.x, pixel.y);
         const std::size_t surface = facts ? shown[facts->surface] : 0;
         std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);
     }
 }
 
+/// The files; or why one cannot be written.
+std::expected<void, std::string> write_files(const RenderCommand& command,
+                                             const RenderedPicture& picture) {
+    const Framebuffer& frame = picture.frame;
+    std::expected<void, FileError> written;
+    if (command.output) {
+        const auto painted = furnished(frame, picture.plan.document, picture.plan.camera);
+        if (!painted) return std::unexpected(painted.error());
+        written = write_png(*command.output, marked(*painted, picture, !command.no_legend));
+    }
+    if (written && command.depth) written = write_pfm(*command.depth, frame);
+    if (written && command.certificate)
+        written = write_png(*command.certificate, certificate_picture(frame));
+    if (written && command.stats)
+        written = write_text(*command.stats, stats_of(picture).dump(2) + "\n");
+    if (!written) return std::unexpected(written.error().message);
+    return {};
+}
+
+int finish(const RenderCommand& command, const RenderedPicture& picture) {
+    if (picture.error) return report(*picture.error);
+    if (!picture.note.empty()) std::cerr << "zeroset: --fit: " << picture.note << '\n';
+    const std::string left = budget_note(picture);
+    if (!left.empty()) std::cerr << "zeroset: " << left << '\n';
+    print_probes(picture);
+    const auto written = write_files(command, picture);
+    return written ? exit_ok : report_run_time(written.error());
+}
+
 }  // namespace
 
 int run_render(const RenderCommand& command) {
-    auto plan = plan_of(command);
+    const auto start = std::chrono::steady_clock::now();
+    const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
-    const Surface& surface = plan->surface;
-    auto formula = compile_formula(surface.equation, surface.clip);
-    if (!formula) return report(formula.error());
-    if (const auto unknown = check_parameters(formula->program, surface.parameters)) {
-        return report(*unknown);
-    }
-    const auto colors = color_formulas(formula->program, formula->text, plan->document.coloring);
-    if (!colors) return report(color_by_error(colors.error()));
-    fit(*plan, command, plain_scene(*formula, *plan));
-    const Precision precision = wanted_precision(
-        plain_scene(*formula, *plan), ViewFrame(plan->camera), plan->settings.stop);
-    if (!formula->has_code(precision)) formula = with_double(*formula);
-    const Scene scene = scene_of(*formula, *plan, *colors);
-    Framebuffer frame(plan->size.width, plan->size.height);
-    const FrameTiming timing = time_frames(scene, plan->camera, plan->settings, frame,
-                                           plan->repeats, command.repeat.has_value());
-
-    if (!plan->probes.empty()) print_probes(*plan, scene, *formula, frame);
-    std::expected<void, FileError> written;
-    if (command.output) {
-        const auto painted = furnished(frame, plan->document, plan->camera);
-        if (!painted) return report_run_time(painted.error());
-        written = write_png(*command.output, marked(*painted, *plan, scene, !command.no_legend));
-    }
-    if (written && command.depth) written = write_pfm(*command.depth, frame);
-    if (written && command.certificate) {
-        written = write_png(*command.certificate, certificate_picture(frame));
-    }
-    if (written && command.stats) {
-        const std::string text = stats_of(*plan, scene, *formula, timing, frame).dump(2) + "\n";
-        written = write_text(*command.stats, text);
-    }
-    if (!written) return report_run_time(written.error().message);
-    return exit_ok;
+    const RenderOutcome outcome = render_picture(*plan, start);
+    const int exit_code = finish(command, *outcome.picture);
+    if (outcome.stuck) end_process(exit_code);
+    return exit_code;
 }
 
 }  // namespace zeroset

@@ -5,9 +5,11 @@
 #include "app/gallery.hpp"
 #include "app/options.hpp"
 #include "app/preferences.hpp"
+#include "app/progress.hpp"
 #include "ui/window.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <expected>
 #include <iostream>
 #include <optional>
@@ -34,6 +36,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     options.document = document_of(*surface);
     options.equation = surface->equation;
     options.given = surface->parameters;
+    options.solids = surface->solids;
     if (surface->document) {
         options.path = equation;
         if (const auto loaded = load_document(equation)) options.note = loaded->note;
@@ -73,6 +76,7 @@ int run_desktop(const DesktopOptions& options) {
             "the graphics driver has lost the window; what was open is kept: start zeroset again");
     }
     kept.finish();
+    end_process_after(std::chrono::milliseconds(500), exit_ok);  // LLVM may take its time
     return exit_ok;
 }
 

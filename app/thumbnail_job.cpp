@@ -129,7 +129,8 @@ std::optional<RgbaImage> ThumbnailJob::picture_of(const Work& work) const {
         settings.stop.value = thumbnail_d_stop;
         settings.threads = 1;
         const Scene scene = make_scene(*formula, item.clip, item.w, {});
-        (void)render_frame(scene, camera_of(item, work.size_px), settings, frame, {&cancel_, {}});
+        (void)render_frame(scene, camera_of(item, work.size_px), settings, frame,
+                           {.limit = {.cancel = &cancel_}});
     }
     if (cancel_) return std::nullopt;
     RgbaImage image = halved(frame);

@@ -1,24 +1,24 @@
 #include "app/timing.hpp"
 
-#include "engine/trace/render.hpp"
-
 #include <algorithm>
-#include <chrono>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
+namespace {
 
-FrameTiming time_repeats(int repeats, const std::function<void()>& work) {
+/// The milliseconds that `work` takes.
+double time_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> elapsed =
+        std::chrono::steady_clock::now() - start;
+    return elapsed.count();
+}
+
+FrameTiming timing_of(std::vector<double> times) {
     FrameTiming timing;
-    timing.repeats = repeats;
-    std::vector<double> times;
-    for (int i = 0; i < repeats; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double, std::milli> elapsed =
-            std::chrono::steady_clock::now() - start;
-        times.push_back(elapsed.count());
-    }
+    timing.repeats = static_cast<int>(times.size());
     std::ranges::sort(times);
     const std::size_t middle = times.size() / 2;
     timing.median_ms =
@@ -28,12 +28,38 @@ FrameTiming time_repeats(int repeats, const std::function<void()>& work) {
     return timing;
 }
 
+}  // namespace
+
+std::chrono::steady_clock::time_point until_after(std::chrono::steady_clock::time_point start,
+                                                  double seconds) {
+    using Clock = std::chrono::steady_clock;
+    return start +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+FrameTiming time_repeats(int repeats, const std::function<void()>& work) {
+    std::vector<double> times;
+    for (int i = 0; i < repeats; ++i)
+        times.push_back(time_of(work));
+    return timing_of(std::move(times));
+}
+
 FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                        Framebuffer& frame, int repeats, bool warm_up) {
-    if (warm_up) render_frame(scene, camera, settings, frame);
+                        Framebuffer& frame, const Repeats& repeats,
+                        const std::function<RenderWatch()>& next_watch) {
     Counters counters;
-    FrameTiming timing =
-        time_repeats(repeats, [&] { counters = render_frame(scene, camera, settings, frame); });
+    const auto draw = [&] {
+        return time_of(
+            [&] { counters = render_frame(scene, camera, settings, frame, next_watch()); });
+    };
+    std::vector<double> times;
+    if (repeats.warm_up) {
+        const double warm_up_ms = draw();
+        if (counters.is_cut()) times.push_back(warm_up_ms);
+    }
+    for (int i = 0; i < repeats.count && !counters.is_cut(); ++i)
+        times.push_back(draw());
+    FrameTiming timing = timing_of(std::move(times));
     timing.counters = counters;
     return timing;
 }

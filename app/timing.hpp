@@ -2,8 +2,10 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/camera.hpp"
+#include "engine/trace/render.hpp"
 #include "engine/trace/scene.hpp"
 
+#include <chrono>
 #include <functional>
 
 namespace zeroset {
@@ -15,11 +17,25 @@ struct FrameTiming {
     Counters counters;  ///< of one frame
 };
 
+inline constexpr double default_budget_s = 30.0;
+
+/// So many seconds later.
+std::chrono::steady_clock::time_point until_after(std::chrono::steady_clock::time_point start,
+                                                  double seconds);
+
+/// How often a frame is drawn.
+struct Repeats {
+    int count = 1;
+    bool warm_up = false;  ///< after one that is not counted
+};
+
 /// Does `work` again and again.
 FrameTiming time_repeats(int repeats, const std::function<void()>& work);
 
-/// Draws `repeats` frames into `frame`, after one that is not counted if `warm_up`.
+/// Draws into `frame` again and again, each time with another watch; one whose time runs out is the
+/// last, and counts.
 FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                        Framebuffer& frame, int repeats, bool warm_up);
+                        Framebuffer& frame, const Repeats& repeats,
+                        const std::function<RenderWatch()>& next_watch);
 
 }  // namespace zeroset

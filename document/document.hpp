@@ -21,6 +21,7 @@ struct Statement {
     std::string text;  ///< UTF-8; usually one statement
     bool visible = true;
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
+    SolidSide solid = SolidSide::Automatic;  ///< of a surface
 
     bool operator==(const Statement&) const = default;
 };

@@ -29,6 +29,8 @@ Json json_of(const Statement& statement) {
     Json json{{"text", statement.text}};
     if (!statement.visible) json["visible"] = false;
     if (statement.color) json["color"] = hexadecimal(*statement.color);
+    if (statement.solid != SolidSide::Automatic)
+        json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
     return json;
 }
 
@@ -89,6 +91,13 @@ std::uint32_t color_of(const Json& json, const std::string& place) {
     return color;
 }
 
+SolidSide solid_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text == "f<0") return SolidSide::Below;
+    if (text == "f>0") return SolidSide::Above;
+    throw Damage{place + " is neither f<0 nor f>0"};
+}
+
 Statement statement_of(const Json& json, const std::string& place,
                        std::vector<std::string>& unknown) {
     Fields fields(json, place, unknown);
@@ -100,6 +109,8 @@ Statement statement_of(const Json& json, const std::string& place,
     if (const Json* color = fields.find("color")) {
         statement.color = color_of(*color, fields.at("color"));
     }
+    if (const Json* solid = fields.find("solid"))
+        statement.solid = solid_of(*solid, fields.at("solid"));
     return statement;
 }
 

@@ -1,5 +1,6 @@
 #include "ui/color_picker.hpp"
 
+#include "ui/label.hpp"
 #include "ui/theme.hpp"
 
 #include "document/colors.hpp"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace zeroset::ui {
@@ -53,6 +55,19 @@ void draw_palette(Statement& statement, const Palette& colors) {
     }
 }
 
+/// Which side sections fill.
+void draw_solid_choice(Statement& statement) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Solid");
+    draw_tooltip("The side that sections fill");
+    constexpr std::array<std::pair<const char*, SolidSide>, 3> choices{
+        {{"auto", SolidSide::Automatic}, {"f < 0", SolidSide::Below}, {"f > 0", SolidSide::Above}}};
+    for (const auto& [name, side] : choices) {
+        ImGui::SameLine();
+        if (ImGui::RadioButton(name, statement.solid == side)) statement.solid = side;
+    }
+}
+
 }  // namespace
 
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
@@ -67,7 +82,7 @@ void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
     if (hovered) canvas.AddCircle(centre, radius + em(0.14F), colors.quiet, 32, em(0.1F));
 }
 
-void draw_color_popup(const char* id, Statement& statement, const Palette& colors) {
+void draw_surface_popup(const char* id, Statement& statement, const Palette& colors) {
     if (!ImGui::BeginPopup(id)) return;
     draw_palette(statement, colors);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
@@ -77,6 +92,7 @@ void draw_color_popup(const char* id, Statement& statement, const Palette& color
                                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoLabel;
     ImGui::SetNextItemWidth(4.0F * em(2.0F) + 3.0F * em(0.4F));
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
+    draw_solid_choice(statement);
     ImGui::EndPopup();
 }
 

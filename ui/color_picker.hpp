@@ -13,7 +13,8 @@ namespace zeroset::ui {
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
                     const Statement& statement, const Palette& colors, bool hovered);
 
-/// The popup `id`, if it is open: the palette's colours and any other. Edits the colour.
-void draw_color_popup(const char* id, Statement& statement, const Palette& colors);
+/// The popup `id`, if it is open: the palette's colours and any other, and the side that is solid.
+/// Edits both.
+void draw_surface_popup(const char* id, Statement& statement, const Palette& colors);
 
 }  // namespace zeroset::ui

@@ -118,8 +118,8 @@ void draw_swatch(const Row& row, float height) {
     }
     draw_color_dot(*ImGui::GetWindowDrawList(), centre, em(0.5F), row.statement, row.colors,
                    ImGui::IsItemHovered());
-    draw_tooltip("Colour");
-    draw_color_popup("##color", row.statement, row.colors);
+    draw_tooltip("Colour and solid");
+    draw_surface_popup("##color", row.statement, row.colors);
 }
 
 /// Eye and cross, at the right end of the row.

@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -26,6 +28,57 @@ fs::path beside(const fs::path& path) {
     fs::path temporary = path;
     temporary += "." + std::to_string(::getpid()) + ".part";
     return temporary;
+}
+
+/// New files that are not renamed yet. While its mutex is held none is begun, and none is renamed.
+struct Unfinished {
+    std::mutex mutex;
+    std::vector<fs::path> files;
+};
+
+Unfinished& unfinished() {
+    static Unfinished instance;
+    return instance;
+}
+
+/// A new file that is removed unless it is kept.
+class NewFile {
+public:
+    explicit NewFile(fs::path path) : path_(std::move(path)) {
+        const std::scoped_lock lock(unfinished().mutex);
+        unfinished().files.push_back(path_);
+        stream_.open(path_, std::ios::binary);
+    }
+    ~NewFile() {
+        const std::scoped_lock lock(unfinished().mutex);
+        std::erase(unfinished().files, path_);
+        std::error_code ignored;
+        if (!kept_) fs::remove(path_, ignored);
+    }
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    std::ofstream& stream() { return stream_; }
+    std::error_code keep_as(const fs::path& path) {
+        const std::scoped_lock lock(unfinished().mutex);
+        std::error_code error;
+        fs::rename(path_, path, error);
+        kept_ = !error;
+        return error;
+    }
+
+private:
+    fs::path path_;
+    std::ofstream stream_;
+    bool kept_ = false;
+};
+
+/// Whether all bytes were written.
+bool write_all(std::ofstream& file, std::span<const std::byte> bytes) {
+    file.write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+    file.close();
+    return static_cast<bool>(file);
 }
 
 std::string last_error() { return std::generic_category().message(errno); }
@@ -46,25 +99,23 @@ std::expected<void, FileError> check_writable(const fs::path& path) {
 std::expected<void, FileError> write_file(const fs::path& path, std::span<const std::byte> bytes) {
     if (auto writable = check_writable(path); !writable) return writable;
     // A device such as /dev/stdout cannot be replaced by a rename: write into it.
-    const bool replace = !fs::exists(path) || fs::is_regular_file(path);
-    const fs::path target = replace ? beside(path) : path;
-    std::ofstream file(target, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    std::error_code error;
-    if (!file) {
-        const std::string reason = last_error();
-        if (replace) fs::remove(target, error);
-        return cannot_write(path, reason);
+    if (fs::exists(path) && !fs::is_regular_file(path)) {
+        std::ofstream device(path, std::ios::binary);
+        if (!write_all(device, bytes)) return cannot_write(path, last_error());
+        return {};
     }
-    if (replace) fs::rename(target, path, error);
-    if (error) {
-        std::error_code ignored;
-        fs::remove(target, ignored);
-        return cannot_write(path, error.message());
-    }
+    NewFile file(beside(path));
+    if (!write_all(file.stream(), bytes)) return cannot_write(path, last_error());
+    if (const auto error = file.keep_as(path)) return cannot_write(path, error.message());
     return {};
+}
+
+void abandon_files() {
+    unfinished().mutex.lock();  // for good
+    for (const fs::path& file : unfinished().files) {
+        std::error_code ignored;
+        fs::remove(file, ignored);
+    }
 }
 
 std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer& frame) {

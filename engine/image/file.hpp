@@ -17,6 +17,10 @@ struct FileError {
 std::expected<void, FileError> write_file(const std::filesystem::path& path,
                                           std::span<const std::byte> bytes);
 
+/// Takes away what write_file has begun, and lets it write no more: before the process ends while
+/// other threads may still write. Any thread.
+void abandon_files();
+
 /// Whether write_file to this path can work; tried before the work that makes the bytes.
 std::expected<void, FileError> check_writable(const std::filesystem::path& path);
 

@@ -77,6 +77,9 @@ private:
             ++count;
         return count;
     }
+    /// Hands the segments from this one on over undecided, and those that go on.
+    template <class Undecided>
+    void leave(std::size_t first, Undecided undecided);
     void place(std::span<const Segment<Real>> segments, Real margin);
     void evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count);
     /// What the forms say of segments.
@@ -445,10 +448,26 @@ void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
             rests_.push_back(
                 {{doubt.pixel, false, from, to, to - from, doubt.kernel}, from, to, true});
         }
+        if (frame_.stopped()) {
+            for (const Rest<Real>& rest : rests_)
+                undecided(rest.segment, false);
+            continue;
+        }
         look_around(settings.finest);
         for (std::size_t rest = 0; rest < rests_.size(); ++rest)
             decide(rest, settings, undecided);
     }
+}
+
+template <class Real, class Cell>
+template <class Undecided>
+void RayMarcher<Real, Cell>::leave(std::size_t first, Undecided undecided) {
+    for (const Segment<Real>& segment : std::span(segments_).subspan(first))
+        undecided(segment, false);
+    for (const Segment<Real>& segment : next_)
+        undecided(segment, false);
+    segments_.clear();
+    roots_.solve();
 }
 
 template <class Real, class Cell>
@@ -462,12 +481,9 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
     const FrustumOf<Real> frustum = view_.frustum<Real>(1);
     const std::size_t lanes = hn::Lanes(LanesOf<Real>());
     while (!segments_.empty()) {
-        if (frame_.cancelled()) {
-            segments_.clear();
-            return;
-        }
         next_.clear();
         for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
+            if (frame_.stopped()) return leave(first, undecided);
             count = same_kernel(first);
             const auto segments = std::span(segments_).subspan(first, count);
             place(segments, settings.margin);

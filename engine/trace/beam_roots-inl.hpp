@@ -266,8 +266,7 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
 template <class Real>
 void RootFinder<Real>::add(std::size_t i, double s, Certificate known) {
     const Stretch& stretch = stretches_[i];
-    const Real per_slope =
-        stretch.trend() == Trend::Falling ? -per_slope_[i] : per_slope_[i];
+    const Real per_slope = stretch.trend() == Trend::Falling ? -per_slope_[i] : per_slope_[i];
     const bool fits = per_slope > 0 && per_slope <= std::numeric_limits<Real>::max();
     if (stretch.kinked || !fits)
         return found_.add_pending(stretch.pixel, s, known, stretch.trend());
@@ -328,12 +327,19 @@ void RootFinder<Real>::step(bool last) {
 template <class Real>
 void RootFinder<Real>::solve() {
     if (size_ == 0) return;
-    take_first_steps();
-    evaluate();
-    refine();
-    for (int taken = 1; size_ > 0 && taken <= most_steps; ++taken) {
+    if (!frame_.stopped()) {
+        take_first_steps();
+        evaluate();
+        refine();
+    }
+    for (int taken = 1; size_ > 0 && taken <= most_steps && !frame_.stopped(); ++taken) {
         evaluate();
         step(taken == most_steps);
+    }
+    // Those that it was stopped at.
+    for (std::size_t i = 0; i < size_; ++i) {
+        const Stretch& stretch = stretches_[i];
+        doubts_.push_back({stretch.pixel, stretch.from, stretch.to, stretch.kernel});
     }
     size_ = 0;
 }

@@ -53,6 +53,9 @@ private:
 
     /// Cells of one size; their children are made.
     void descend(int pixels);
+    /// Leaves cells of this size undecided, from one on.
+    void leave_cells(std::size_t first, int pixels);
+    void leave_cell(std::size_t cell, int pixels);
     /// Those of a run.
     void visit_run(const CellRun& run, int pixels);
     /// Some cells of one tile that may hold roots: their quarters are made, now or later.
@@ -102,7 +105,7 @@ template <class Real>
 void BeamTile<Real>::trace() {
     if (tree_.empty()) return;
     found_.begin(hits_, tile_, view_);
-    for (int pixels = tile_size; pixels > 2 * least_pixels && !frame_.cancelled(); pixels /= 2) {
+    for (int pixels = tile_size; pixels > 2 * least_pixels; pixels /= 2) {
         tree_.begin(pixels);
         descend(pixels);
         tree_.go_down();
@@ -118,8 +121,26 @@ void BeamTile<Real>::trace() {
 template <class Real>
 void BeamTile<Real>::descend(int pixels) {
     if (tree_.cells().size == 0) return;
+    if (frame_.stopped()) return leave_cells(0, pixels);
     for (const CellRun& run : tree_.judge(pixels)) {
-        if (!frame_.cancelled()) visit_run(run, pixels);
+        if (frame_.stopped()) return leave_cells(run.first, pixels);
+        visit_run(run, pixels);
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::leave_cells(std::size_t first, int pixels) {
+    for (std::size_t cell = first; cell < tree_.cells().size; ++cell)
+        leave_cell(cell, pixels);
+}
+
+template <class Real>
+void BeamTile<Real>::leave_cell(std::size_t cell, int pixels) {
+    const CellTile tile = tree_.cells().tile[cell];
+    const auto from = static_cast<double>(tree_.cells().from[cell]);
+    for (int row = tile.row(); row < std::min(tile.row() + pixels, tile_.rows); ++row) {
+        for (int col = tile.col(); col < std::min(tile.col() + pixels, tile_.cols); ++col)
+            pass(static_cast<std::uint32_t>(row * tile_size + col), from);
     }
 }
 
@@ -178,13 +199,14 @@ void BeamTile<Real>::divide(const CellRun& run, std::span<const std::size_t> cel
 
 template <class Real>
 void BeamTile<Real>::look_closer() {
-    while (!waiting_.empty() && !frame_.cancelled()) {
+    while (!waiting_.empty() && !frame_.stopped()) {
         waiting_.divide_some(tree_, found_);
         tree_.go_down();
         descend(least_pixels);
         march_rays();
         tree_.go_up();
     }
+    waiting_.for_each([this](std::size_t cell) { leave_cell(cell, 2 * least_pixels); });
 }
 
 /// Whether the form tells the depth of the roots to a hundredth of the view's size, a fair guess.
@@ -366,8 +388,7 @@ void BeamTile<Real>::hand_on() {
         const auto depth = static_cast<double>(found_.depth[root.pixel]);
         const double rounding = 4 * unit * std::abs(depth) + view_.tolerance();
         if (!(std::abs(depth - root.s) <= rounding)) continue;  // there is a nearer one
-        const glm::dvec3 x =
-            view_.point(root.pixel % tile_size, root.pixel / tile_size, root.s);
+        const glm::dvec3 x = view_.point(root.pixel % tile_size, root.pixel / tile_size, root.s);
         hits_.points.push_back({root.pixel, {x.x, x.y, x.z}, root.trend});
     }
     for (int row = 0; row < tile_.rows && hits_.any; ++row)

@@ -32,6 +32,13 @@ public:
         cells_.insert(cells_.end(), cells.begin(), cells.end());
         tiles_.push_back({kernel, begin, cells_.size()});
     }
+    /// Visits the cells that wait.
+    void for_each(auto visit) const {
+        for (const Waiting& tile : tiles_) {
+            for (std::size_t i = tile.next; i < tile.end; ++i)
+                visit(cells_[i]);
+        }
+    }
     /// Divides the first cells of each tile; quarters all of whose roots found so far are nearer
     /// are left out.
     void divide_some(CellTree<Real>& tree, const Found<Real>& found) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace zeroset {
 namespace {
@@ -61,7 +62,8 @@ struct Boxes {
 };
 
 /// Whether f < 0 on most of a face of the clip box, of where it is defined.
-bool is_mostly_negative(const Scene& scene, const Kernel& kernel, int face) {
+bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<float>>& value,
+                        int face) {
     constexpr std::size_t side = 8;
     constexpr std::size_t points = side * side;
     static_assert(points % batch_multiple == 0);
@@ -78,11 +80,11 @@ bool is_mostly_negative(const Scene& scene, const Kernel& kernel, int face) {
         for (std::size_t k = 0; k < 3; ++k)
             x[k][i] = static_cast<float>(point[static_cast<int>(k)]);
     }
-    kernel.value(ValueBatchOf<float>{points,
-                                     {x[0].data(), x[1].data(), x[2].data()},
-                                     scene.uniforms.points<float>(),
-                                     out[3].data(),
-                                     {out[0].data(), out[1].data(), out[2].data()}});
+    value(ValueBatchOf<float>{points,
+                              {x[0].data(), x[1].data(), x[2].data()},
+                              scene.uniforms.points<float>(),
+                              out[3].data(),
+                              {out[0].data(), out[1].data(), out[2].data()}});
     const auto negative = std::ranges::count_if(out[3], [](float f) { return f < 0; });
     const auto known = std::ranges::count_if(out[3], [](float f) { return !std::isnan(f); });
     return static_cast<double>(negative) > most * static_cast<double>(known);
@@ -90,10 +92,14 @@ bool is_mostly_negative(const Scene& scene, const Kernel& kernel, int face) {
 
 }  // namespace
 
-int solid_sign(const Scene& scene, const Kernel& kernel) {
+int solid_sign(const Scene& scene, std::size_t surface) {
+    const Solid solid = surface < scene.solids.size() ? scene.solids[surface] : Solid();
+    if (solid.side != SolidSide::Automatic) return solid.side == SolidSide::Below ? -1 : 1;
+    const auto& value =
+        solid.unrestricted ? solid.unrestricted : scene.surfaces[surface].value_float;
     const UpwardRounding upward;
     for (int face = 0; face < 6; ++face) {
-        if (!is_mostly_negative(scene, kernel, face)) return -1;
+        if (!is_mostly_negative(scene, value, face)) return -1;
     }
     return 1;
 }
@@ -182,6 +188,11 @@ void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& op
     static thread_local Boxes<Real> boxes;
     std::size_t kept = 0;
     for (std::size_t first = 0; first < open.size(); first += Boxes<Real>::capacity) {
+        if (surface.stopped()) {
+            for (Entry* const entry : std::span(open).subspan(first))
+                entry->state = State::Unknown;
+            break;
+        }
         const std::size_t count = std::min(Boxes<Real>::capacity, open.size() - first);
         for (std::size_t i = 0; i < count; ++i)
             boxes.set(i, open[first + i]->point, open[first + i]->radius);

@@ -91,7 +91,7 @@ ValueRange fitting_range(std::vector<double> values, bool symmetric) {
 
 std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
                                      const TraceSettings& settings, int width_px, int height_px,
-                                     const std::atomic<bool>* cancel) {
+                                     const TimeLimit& limit) {
     const double scale = std::min(1.0, static_cast<double>(longest_side) /
                                            static_cast<double>(std::max(width_px, height_px)));
     const auto scaled = [scale](int side) {
@@ -99,12 +99,16 @@ std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
     };
     Scene plain = scene;
     plain.coloring = {};
+    if (is_of_skin(scene.coloring.by)) {
+        for (Section& section : plain.region.sections)
+            section.cap = false;
+    }
     TraceSettings quick = settings;
     quick.shadows = false;
     quick.antialias = false;
     Framebuffer frame(scaled(width_px), scaled(height_px));
-    render_frame(plain, camera, quick, frame, {cancel, {}});
-    if (cancel != nullptr && *cancel) return std::nullopt;
+    render_frame(plain, camera, quick, frame, {.limit = limit});
+    if (limit.cancelled()) return std::nullopt;
     const Coloring& coloring = scene.coloring;
     const bool symmetric = is_signed(coloring.by) || coloring.map == ColorMap::Balance;
     return fitting_range(values_in(frame, scene, camera), symmetric);

@@ -2,8 +2,8 @@
 
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
+#include "engine/trace/time_limit.hpp"
 
-#include <atomic>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,10 +16,10 @@ namespace zeroset {
 ValueRange fitting_range(std::vector<double> values, bool symmetric);
 
 /// The range for a picture of the scene, from a coarse one of at most 96 pixels along a side;
-/// nothing where it was cancelled before it was known.
+/// of what was found of it within `limit`; nothing where it was cancelled before it was known.
 std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
                                      const TraceSettings& settings, int width_px, int height_px,
-                                     const std::atomic<bool>* cancel = nullptr);
+                                     const TimeLimit& limit = {});
 
 /// Ranges of pictures that follow one another. A range stays as long as it fits about as well as a
 /// new one would, so that colours are steady while the view changes.

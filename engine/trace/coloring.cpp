@@ -31,6 +31,8 @@ bool has_range(ColorBy by) { return by != ColorBy::Plain && by != ColorBy::Norma
 
 bool has_formula(ColorBy by) { return by >= ColorBy::MeanCurvature; }
 
+bool is_of_skin(ColorBy by) { return is_signed(by) || by == ColorBy::Gradient; }
+
 bool is_signed(ColorBy by) {
     return by == ColorBy::MeanCurvature || by == ColorBy::GaussianCurvature;
 }

@@ -34,6 +34,8 @@ std::optional<ColorBy> color_by_named(std::string_view name);
 bool has_range(ColorBy by);
 /// Whether the number is that of a formula (Coloring::values).
 bool has_formula(ColorBy by);
+/// Whether the number is of the surface itself, and says nothing of sections: those are plain.
+bool is_of_skin(ColorBy by);
 /// Whether its sign says so much that the range is symmetric about 0.
 bool is_signed(ColorBy by);
 /// The map that shows it best.

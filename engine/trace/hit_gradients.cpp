@@ -23,8 +23,8 @@ struct Sample {
     glm::dvec3 gradient;
 
     [[nodiscard]] bool has_gradient() const {
-        const double size = std::max(
-            {std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)});
+        const double size =
+            std::max({std::abs(gradient.x), std::abs(gradient.y), std::abs(gradient.z)});
         return size > 0.0 && std::isfinite(size);
     }
 };
@@ -57,12 +57,15 @@ private:
         }
     }
     void take(const Kernel& kernel, std::span<Sample> samples) {
-        kernel.value(
-            ValueBatchOf<double>{size_,
-                                 {x_[0].data(), x_[1].data(), x_[2].data()},
-                                 frame_.scene.uniforms.points<double>(),
-                                 f_.data(),
-                                 {gradient_[0].data(), gradient_[1].data(), gradient_[2].data()}});
+        constexpr std::size_t at_once = 256;
+        for (std::size_t i = 0; i < size_ && !frame_.stopped(); i += at_once) {
+            kernel.value(ValueBatchOf<double>{
+                std::min(at_once, size_ - i),
+                {x_[0].data() + i, x_[1].data() + i, x_[2].data() + i},
+                frame_.scene.uniforms.points<double>(),
+                f_.data() + i,
+                {gradient_[0].data() + i, gradient_[1].data() + i, gradient_[2].data() + i}});
+        }
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (!(f_[i] <= samples[i].f) && std::isfinite(samples[i].f)) continue;
             samples[i] = {f_[i], {gradient_[0][i], gradient_[1][i], gradient_[2][i]}};
@@ -121,9 +124,13 @@ public:
     void run() {
         polish();
         // Before the hit, where it is seen from, not farther than a pixel.
-        for (int k = -8; k <= 0 && !seekers_.empty(); k += 2)
+        for (int k = -8; k <= 0 && !seekers_.empty() && !frame_.stopped(); k += 2)
             look_before(std::exp2(k));
-        if (!seekers_.empty()) take_differences();
+        if (frame_.stopped()) {
+            face_eye();
+        } else if (!seekers_.empty()) {
+            take_differences();
+        }
     }
 
 private:
@@ -138,6 +145,12 @@ private:
     void look_before(double pixels);
     /// By differences over a pixel; where those are 0, too, the surface faces the eye.
     void take_differences();
+    /// Takes a surface that faces the eye.
+    void face_eye() {
+        for (const Seeker& seeker : seekers_)
+            take(seeker, seeker.trend == Trend::Rising ? seeker.direction : -seeker.direction);
+        seekers_.clear();
+    }
     void take(const Seeker& seeker, const glm::dvec3& gradient) {
         const auto floats = float_gradient({gradient.x, gradient.y, gradient.z});
         for (std::size_t k = 0; k < 3; ++k)
@@ -178,11 +191,12 @@ void GradientSearch::polish() {
     for (Seeker& seeker : seekers_) {
         if (seeker.trend != Trend::Unknown) open.push_back(&seeker);
     }
-    for (int step = 0; step < most_steps && !open.empty(); ++step) {
+    for (int step = 0; step < most_steps && !open.empty() && !frame_.stopped(); ++step) {
         std::vector<glm::dvec3> points;
         for (const Seeker* seeker : open)
             points.push_back(seeker->at(seeker->next));
         const std::vector<Sample> samples = ask(points);
+        if (frame_.stopped()) break;
         std::size_t kept = 0;
         for (std::size_t i = 0; i < samples.size(); ++i) {
             if (open[i]->narrow(samples[i], tiny_)) open[kept++] = open[i];
@@ -200,6 +214,7 @@ void GradientSearch::look_before(double pixels) {
     for (const Seeker& seeker : seekers_)
         points.push_back(seeker.at(-pixels * seeker.pixel_size));
     const std::vector<Sample> samples = ask(points);
+    if (frame_.stopped()) return;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         Seeker& seeker = seekers_[i];
@@ -240,8 +255,7 @@ void GradientSearch::take_differences() {
 
 }  // namespace
 
-void find_gradients(const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                    Counters& counters) {
+void find_gradients(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
     constexpr float none = std::numeric_limits<float>::infinity();
     std::erase_if(hits.points,
                   [&](const TileHits::Point& point) { return hits.depth[point.pixel] == none; });

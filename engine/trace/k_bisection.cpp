@@ -168,6 +168,7 @@ class Group {
 public:
     Group(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters)
         : frame_(frame),
+          tile_(tile),
           source_(frame, tile),
           patches_(frame, tile, source_, batch_, counters),
           hits_(hits),
@@ -185,6 +186,7 @@ private:
     void finish_waiting();
 
     const TraceFrame& frame_;
+    const Tile& tile_;
     Batch<Real> batch_{};            ///< slots 2i, 2i + 1: the slice of marching_[i]
     Batch<Real> certificate_batch_;  ///< of the waiting packets
     PacketSource<Real> source_;
@@ -236,7 +238,7 @@ void Group<Real>::run() {
     bool more = true;
     for (;;) {
         more = more && refill();
-        if (marching_.empty() || frame_.cancelled()) break;
+        if (marching_.empty() || frame_.stopped()) break;
         batch_.evaluate(frame_, 2 * marching_.size(), counters_);
         // Packets that have a next slice move to the front, with their boxes; the others are done.
         std::size_t slots = 0;
@@ -252,6 +254,7 @@ void Group<Real>::run() {
         marching_.resize(slots);
     }
     finish_waiting();
+    if (more || !marching_.empty()) hits_.leave_undecided(tile_);
 }
 
 void trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {

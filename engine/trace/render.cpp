@@ -12,13 +12,17 @@
 #include "engine/trace/tile_colors.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/tracer.hpp"
+#include "engine/trace/turns.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -33,6 +37,14 @@ struct Workspace {
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
 
+/// How far a tile came.
+enum class TileState : std::uint8_t {
+    Waiting,  ///< nothing is drawn
+    Cut,      ///< some of its rays were not searched to their end
+    Rough,    ///< shadows or smooth edges are missing
+    Finished,
+};
+
 /// nullptr where the surface is not known as a union.
 std::unique_ptr<FrameParts> parts_of(const TraceFrame& surface) {
     const Shortener* const shortener = surface.kernel.shortener.get();
@@ -45,34 +57,32 @@ std::unique_ptr<FrameParts> parts_of(const TraceFrame& surface) {
 class TilePainter {
 public:
     TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings, int width,
-                int height, const std::atomic<bool>* cancel);
-    /// False when cancelled; nothing is drawn then. In upward rounding.
-    bool paint(Tile tile, Workspace& workspace, const Canvas& out, Counters& counters) const;
+                int height);
+    /// In upward rounding.
+    TileState paint(Tile tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
+                    Counters& counters) const;
 
 private:
-    /// Fills workspace.hits with what each surface shows; false when cancelled.
-    bool trace(Tile tile, Workspace& workspace, Counters& counters) const;
+    /// Fills workspace.hits with what each surface shows.
+    void trace(Tile tile, const TimeLimit& limit, Workspace& workspace, Counters& counters) const;
     /// Surface i by its parts, with what is left to find of gradients; false where that cannot be.
-    bool trace_parts(std::size_t i, const Tile& tile, Workspace& workspace,
+    bool trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                      Counters& counters) const;
     /// Surface i.
-    void trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
-                       Counters& counters) const;
-    [[nodiscard]] bool cancelled() const {
-        return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed);
-    }
+    void trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                       Workspace& workspace, Counters& counters) const;
 
     /// Surface i with the kernel for the tile.
-    [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile) const {
+    [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile,
+                                      const TimeLimit& limit) const {
         const TraceFrame& whole = surfaces_[i];
-        if (kernels_[i] == nullptr) return whole;
-        return {whole.scene, kernels_[i]->of(tile), whole.view,      whole.width, whole.height,
-                whole.stop,  whole.depth,           whole.precision, whole.cancel};
+        const Kernel& kernel = kernels_[i] == nullptr ? whole.kernel : kernels_[i]->of(tile);
+        return {whole.scene, kernel,      whole.view,      whole.width, whole.height,
+                whole.stop,  whole.depth, whole.precision, limit};
     }
 
     const Tracer& tracer_;
     bool shadows_;
-    const std::atomic<bool>* cancel_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     std::vector<std::unique_ptr<FrameParts>> parts_;      ///< nullptr: not by parts
@@ -80,12 +90,12 @@ private:
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                         int width, int height, const std::atomic<bool>* cancel)
-    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows), cancel_(cancel) {
-    for (const Kernel& kernel : scene.surfaces) {
-        surfaces_.push_back(trace_frame(scene, kernel, view, width, height, settings.stop));
-        surfaces_.back().cancel = cancel;
-        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, kernel));
+                         int width, int height)
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        surfaces_.push_back(
+            trace_frame(scene, scene.surfaces[i], view, width, height, settings.stop));
+        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (const TraceFrame& surface : surfaces_) {
         const bool pays = tracer_.shortens || surface.kernel.interpreted;
@@ -95,23 +105,25 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
     }
 }
 
-bool TilePainter::trace_parts(std::size_t i, const Tile& tile, Workspace& workspace,
-                              Counters& counters) const {
+bool TilePainter::trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                              Workspace& workspace, Counters& counters) const {
     if (parts_[i] == nullptr || !parts_[i]->list(tile, workspace.parts)) return false;
     if (workspace.parts.empty()) return true;
     TraceFrame frame = surfaces_[i];
     frame.parts = workspace.parts;
+    frame.limit = limit;
     tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
     find_gradients(frame, tile, workspace.hits[i], counters);
     return true;
 }
 
-void TilePainter::trace_surface(std::size_t i, const Tile& tile, Workspace& workspace,
-                                Counters& counters) const {
+void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                                Workspace& workspace, Counters& counters) const {
     TileHits& hits = workspace.hits[i];
     hits.clear();
-    if (trace_parts(i, tile, workspace, counters)) return;
-    const TraceFrame frame = frame_of(i, tile);
+    if (limit.over()) return hits.leave_undecided(tile);
+    if (trace_parts(i, tile, limit, workspace, counters)) return;
+    const TraceFrame frame = frame_of(i, tile, limit);
     if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
     CapFinder& caps = workspace.caps;
     caps.fill(frame, solid_signs_[i], counters);
@@ -121,37 +133,53 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, Workspace& work
     caps.put(hits);
 }
 
-bool TilePainter::trace(Tile tile, Workspace& workspace, Counters& counters) const {
+void TilePainter::trace(Tile tile, const TimeLimit& limit, Workspace& workspace,
+                        Counters& counters) const {
     const bool several = surfaces_.size() > 1;
     workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
     if (several) workspace.nearest.clear();
     if (!solid_signs_.empty()) workspace.caps.enter(surfaces_.front(), tile);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        if (cancelled()) return false;
-        trace_surface(i, tile, workspace, counters);
-        if (cancelled()) return false;
-        if (!several) return true;
+        trace_surface(i, tile, limit, workspace, counters);
+        if (!several || limit.cancelled()) return;
         workspace.nearest.add(workspace.hits[i], static_cast<std::uint8_t>(i));
         tile.limits = workspace.nearest.limits();
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));
-    return true;
 }
 
-bool TilePainter::paint(Tile tile, Workspace& workspace, const Canvas& out,
-                        Counters& counters) const {
-    if (!trace(tile, workspace, counters)) return false;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        if (!workspace.hits[i].points.empty())
-            find_gradients(frame_of(i, tile), tile, workspace.hits[i], counters);
+TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& workspace,
+                             const Canvas& out, Counters& counters) const {
+    trace(tile, limit, workspace, counters);
+    if (limit.cancelled()) return TileState::Waiting;
+    const bool cut = limit.over();  // a tile that was finished just before counts as cut, too
+    const auto hits = std::span(workspace.hits).first(surfaces_.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!hits[i].points.empty())
+            find_gradients(frame_of(i, tile, limit), tile, hits[i], counters);
     }
-    if (shadows_) find_shadows(surfaces_, tile, workspace.hits, counters);
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        find_colors(surfaces_[i], i, tile, workspace.hits[i], counters);
-    if (cancelled()) return false;
-    draw_tile(surfaces_, workspace.hits, tile, out);
-    return true;
+    if (shadows_) find_shadows(surfaces_, limit, tile, hits, counters);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        find_colors(surfaces_[i], i, tile, hits[i], counters);
+    if (limit.cancelled()) return TileState::Waiting;
+    draw_tile(surfaces_, hits, tile, out);
+    return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
+}
+
+std::uint64_t pixels_in(const Tile& tile) {
+    return static_cast<std::uint64_t>(tile.cols) * static_cast<std::uint64_t>(tile.rows);
+}
+
+std::uint64_t undecided_in(const Framebuffer& frame, const Tile& tile) {
+    std::uint64_t count = 0;
+    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+        const auto first =
+            frame.certificate.begin() + static_cast<std::ptrdiff_t>(frame.index(tile.col, row));
+        count += static_cast<std::uint64_t>(
+            std::count(first, first + tile.cols, Certificate::Undecided));
+    }
+    return count;
 }
 
 /// A frame, at twice its resolution besides where it is antialiased.
@@ -160,20 +188,20 @@ public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                  Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
-          painter_(scene, view_, settings, out.width, out.height, watch.cancel),
+          painter_(scene, view_, settings, out.width, out.height),
           out_(out),
           watch_(watch) {
-        if (settings.antialias) {
-            fine_painter_.emplace(scene, view_, settings, 2 * out.width, 2 * out.height,
-                                  watch.cancel);
-        }
+        if (settings.antialias)
+            fine_painter_.emplace(scene, view_, settings, 2 * out.width, 2 * out.height);
     }
-    /// What it did. `blank_rows`: the tile's of the picture. In upward rounding.
-    Counters paint(const Tile& tile, Workspace& workspace, std::uint64_t& blank_rows) const;
+    /// `blank_rows`: the tile's of the picture. In upward rounding.
+    TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                    std::uint64_t& blank_rows, Counters& counters) const;
 
 private:
-    /// Into workspace.fine; false when cancelled.
-    bool paint_fine(const Tile& tile, Workspace& workspace, Counters& counters) const;
+    /// Into workspace.fine; whether all of it came to its end.
+    bool paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                    Counters& counters) const;
 
     ViewFrame view_;
     TilePainter painter_;
@@ -182,32 +210,34 @@ private:
     const RenderWatch& watch_;
 };
 
-bool FramePainter::paint_fine(const Tile& tile, Workspace& workspace, Counters& counters) const {
+bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                              Counters& counters) const {
     const Canvas canvas{workspace.fine, 2 * tile.col, 2 * tile.row, 2 * out_.height};
     for (int row = 0; row < 2 * tile.rows; row += tile_size) {
         for (int col = 0; col < 2 * tile.cols; col += tile_size) {
             const Tile part{canvas.col + col, canvas.row + row,
                             std::min(tile_size, 2 * tile.cols - col),
                             std::min(tile_size, 2 * tile.rows - row)};
-            if (!fine_painter_->paint(part, workspace, canvas, counters)) return false;
+            const TileState state = fine_painter_->paint(part, limit, workspace, canvas, counters);
+            if (state != TileState::Finished) return false;
         }
     }
     return true;
 }
 
-Counters FramePainter::paint(const Tile& tile, Workspace& workspace,
-                             std::uint64_t& blank_rows) const {
-    Counters counters;
-    if (fine_painter_ && !paint_fine(tile, workspace, counters)) return counters;
+TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                              std::uint64_t& blank_rows, Counters& counters) const {
     const Canvas canvas{out_, 0, 0, out_.height, &blank_rows};
-    if (!painter_.paint(tile, workspace, canvas, counters)) return counters;
+    const TileState state = painter_.paint(tile, limit, workspace, canvas, counters);
+    if (state != TileState::Finished) return state;
     const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};
     if (fine_painter_) {
+        if (!paint_fine(tile, limit, workspace, counters)) return TileState::Rough;
         blank_rows = 0;
         blend_finer(workspace.fine, pixels, out_);
     }
     if (watch_.on_tile) watch_.on_tile(pixels);
-    return counters;
+    return TileState::Finished;
 }
 
 }  // namespace
@@ -218,19 +248,39 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
     assert(scene.surfaces.size() <= max_surfaces);
     const NearestRounding nearest;  // the view does not depend on the caller's mode
     const FramePainter painter(scene, camera, settings, frame, watch);
-    std::mutex mutex;
-    Counters total;
     const TileGrid grid(frame.width, frame.height);
     frame.blank_rows.resize(grid.size());
-    parallel_for(grid.size(), settings.threads, [&](std::size_t index) {
-        thread_local Workspace workspace;
-        const UpwardRegisters upward;
-        std::uint64_t blank_rows = frame.blank_rows[index];  // others write beside it
-        const Counters counters = painter.paint(grid.tile(index), workspace, blank_rows);
-        frame.blank_rows[index] = blank_rows;
-        const std::scoped_lock lock(mutex);
-        total += counters;
-    });
+    const int threads = settings.threads > 0 ? settings.threads : core_count();
+    Turns turns(grid.size(), threads, watch.limit, watch.first_turn);
+    std::vector<TileState> states(grid.size(), TileState::Waiting);
+    std::vector<std::size_t> open(grid.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    std::mutex mutex;
+    Counters total;
+    std::atomic<bool> again = true;
+    while (again.exchange(false) && !open.empty() && !watch.limit.cancelled()) {
+        turns.begin(open.size());
+        parallel_for(open.size(), settings.threads, [&](std::size_t i) {
+            thread_local Workspace workspace;
+            const std::size_t tile = open[i];
+            const auto turn = turns.take(tile);
+            if (!turn) return;
+            const UpwardRegisters upward;
+            Counters counters;
+            std::uint64_t blank_rows = frame.blank_rows[tile];  // others write beside it
+            states[tile] = painter.paint(grid.tile(tile), *turn, workspace, blank_rows, counters);
+            frame.blank_rows[tile] = blank_rows;
+            if (states[tile] != TileState::Finished) again = true;
+            const std::scoped_lock lock(mutex);
+            total += counters;
+        });
+        std::erase_if(open, [&](std::size_t i) { return states[i] == TileState::Finished; });
+    }
+    for (const std::size_t i : open) {
+        const Tile tile = grid.tile(i);
+        if (states[i] == TileState::Cut) total.cut_pixels += undecided_in(frame, tile);
+        if (states[i] == TileState::Rough) total.rough_pixels += pixels_in(tile);
+    }
     return total;
 }
 

@@ -2,20 +2,24 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/scene.hpp"
+#include "engine/trace/time_limit.hpp"
 
-#include <atomic>
 #include <functional>
 
 namespace zeroset {
 
 /// Who looks on while a frame is drawn.
 struct RenderWatch {
-    /// When it becomes true, render_frame returns within milliseconds; tiles that are not finished
-    /// stay as they were.
-    const std::atomic<bool>* cancel = nullptr;
+    /// When it is over, render_frame returns within milliseconds. Where it was cancelled, tiles
+    /// that are not finished stay as they were. Where time has run out, what was not searched to
+    /// its end is undecided (Counters::cut_pixels), and shadows or smooth edges may be missing.
+    TimeLimit limit = {};
+    /// If it is not 0, and there is no time limit: a tile that takes longer waits until all others
+    /// had as much, so that what is quick comes first.
+    TimeLimit::Clock::duration first_turn = {};
     /// Called on the tracing threads, several at once, for each tile that is finished: its pixels
     /// are not touched again.
-    std::function<void(const PixelRect&)> on_tile;
+    std::function<void(const PixelRect&)> on_tile = {};
 };
 
 /// Traces and shades one frame into `frame` (its size is the image's size), on `settings.threads`

@@ -55,17 +55,20 @@ void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
 class RenderJob::Growing {
 public:
     Growing(RenderJob& job, const Work& work, TraceSettings settings,
-            std::shared_ptr<const Framebuffer> first)
+            std::shared_ptr<const Framebuffer> first, Clock::time_point until = TimeLimit::never)
         : job_(job),
           work_(work),
           settings_(std::move(settings)),
           first_(std::move(first)),
+          until_(until),
           frame_(job.pool_.take(work.request.width, work.request.height)),
           grid_(work.request.width, work.request.height),
           done_(grid_.size()) {}
 
-    /// Whether it came to its end.
+    /// Whether it was not cancelled.
     bool draw();
+    /// Whether it came to its end before its time ran out.
+    [[nodiscard]] bool complete() const { return complete_; }
     [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
     [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
     /// Tells what the picture costs; from a good part of it, where it did not come to its end.
@@ -80,6 +83,8 @@ private:
     const Work& work_;
     TraceSettings settings_;
     std::shared_ptr<const Framebuffer> first_;
+    Clock::time_point until_;
+    bool complete_ = false;
     std::shared_ptr<Framebuffer> frame_;
     TileGrid grid_;
     std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
@@ -97,8 +102,12 @@ void RenderJob::Growing::tell(ResolutionGovernor& governor, const RenderRequest&
 
 bool RenderJob::Growing::draw() {
     const RenderRequest& request = work_.request;
-    render_frame(request.scene, request.camera, settings_, *frame_,
-                 {&job_.cancel_, [this](const PixelRect& rect) { finish_tile(rect); }});
+    const Counters counters =
+        render_frame(request.scene, request.camera, settings_, *frame_,
+                     {.limit = {&job_.cancel_, until_},
+                      .first_turn = job_.pace_.first_turn,
+                      .on_tile = [this](const PixelRect& rect) { finish_tile(rect); }});
+    complete_ = !counters.is_cut();
     return !job_.cancel_;
 }
 
@@ -207,7 +216,7 @@ void RenderJob::find_colors(Work& work, bool anew) {
     range = range_.last(request.scene);
     if (range && !anew) return;
     const auto found = find_range(request.scene, request.camera, request.settings, request.width,
-                                  request.height, &cancel_);
+                                  request.height, {.cancel = &cancel_});
     if (found) range = range_.after(request.scene, *found);
 }
 
@@ -219,15 +228,22 @@ void RenderJob::draw(Work work) {
     const double scale = governor_.choose(pixels);
     std::shared_ptr<const Framebuffer> first;
     if (!at_once && scale < 1.0) {
-        first = draw_first(work, scale);
-        if (first == nullptr || !rests(work)) return;
-        work.in_motion = false;
+        constexpr int most_tries = 3;
+        auto within = pace_.first_within;
+        for (int tries = 1; tries <= most_tries; ++tries, within *= 4) {
+            const First next = draw_first(work, scale, within);
+            if (next.frame == nullptr || !rests(work)) return;
+            work.in_motion = false;
+            first = next.frame;
+            if (next.complete) break;
+        }
     }
     if (!work.in_motion) find_colors(work, true);
     draw_full(work, first);
 }
 
-std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, double scale) {
+RenderJob::First RenderJob::draw_first(const Work& work, double scale,
+                                       std::chrono::milliseconds within) {
     Work smaller = work;
     for (Kernel& surface : smaller.request.scene.surfaces)
         surface = surface.without_waiting();
@@ -236,15 +252,16 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_first(const Work& work, doubl
     };
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
-    Growing growing(*this, smaller, stages_of(work.request.settings).front(), nullptr);
+    Growing growing(*this, smaller, stages_of(work.request.settings).front(), nullptr,
+                    Clock::now() + within);
     const bool drawn = growing.draw();
     growing.tell(governor_, smaller.request);
-    if (!drawn) return nullptr;
+    if (!drawn) return {nullptr, false};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();
     publish(work, std::move(result));
-    return growing.frame();
+    return {growing.frame(), growing.complete()};
 }
 
 /// What full pictures are drawn with, one after the other.

@@ -53,6 +53,11 @@ struct RenderPace {
     std::chrono::milliseconds rest_after{120};
     /// Nothing new for so long on the screen: the picture in flight is finished first.
     std::chrono::milliseconds starving_after{66};
+    /// A first picture ends when it takes longer, with what is not decided left out; it is drawn
+    /// again with four times as long, some times.
+    std::chrono::milliseconds first_within{150};
+    /// A tile of a full picture that takes longer waits for the others (RenderWatch::first_turn).
+    std::chrono::milliseconds first_turn{500};
     /// How often a growing picture is shown.
     std::chrono::milliseconds growth_shown_after{60};
 };
@@ -97,9 +102,12 @@ private:
     /// Finds the range of the colours where the request leaves it open: the last one, unless it is
     /// to be found `anew`.
     void find_colors(Work& work, bool anew);
-    /// A picture of the moment, by so many pixels along a side, with whatever code there is;
-    /// nothing when it was cancelled.
-    std::shared_ptr<const Framebuffer> draw_first(const Work& work, double scale);
+    struct First {
+        std::shared_ptr<const Framebuffer> frame;  ///< nothing when it was cancelled
+        bool complete;
+    };
+    /// A picture of the moment, by so many pixels along a side, with whatever code there is.
+    First draw_first(const Work& work, double scale, std::chrono::milliseconds within);
     /// The surfaces, then their shadows, then smooth edges, each over the picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);
     static std::vector<TraceSettings> stages_of(const TraceSettings& settings);

@@ -16,6 +16,20 @@ namespace zeroset {
 
 inline constexpr std::size_t max_surfaces = 255;
 
+/// Which side of a surface is a solid, that sections cut open.
+enum class SolidSide : std::uint8_t {
+    Automatic,  ///< f < 0, unless f < 0 on most of each face of the clip box
+    Below,      ///< f < 0
+    Above,      ///< f > 0
+};
+
+struct Solid {
+    SolidSide side = SolidSide::Automatic;
+    /// Of f without what restricts it (engine/expr/unrestricted.hpp), if it is restricted: it tells
+    /// the side where f itself is not defined.
+    KernelFunction<ValueBatchOf<float>> unrestricted = {};
+};
+
 /// What is drawn: the code of each surface's formula, the clip box with what is shown of it, and
 /// the uniforms' values, which all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
@@ -23,6 +37,7 @@ struct Scene {
     Box clip;
     Uniforms uniforms;
     std::vector<SurfaceColors> colors = {};  ///< of the surfaces; the palette's of those beyond
+    std::vector<Solid> solids = {};          ///< of the surfaces; that of those beyond is Solid()
     Region region = {};
     Coloring coloring = {};  ///< over `colors`; with a range where one is needed
 };
@@ -60,12 +75,19 @@ struct Counters {
     std::uint64_t value = 0;
     std::uint64_t form = 0;
     double coarse_width = 0.0;
+    /// Of tiles that a time limit ended: pixels that are undecided, pixels without shadows or
+    /// smooth edges.
+    std::uint64_t cut_pixels = 0, rough_pixels = 0;
+
+    [[nodiscard]] bool is_cut() const { return cut_pixels + rough_pixels > 0; }
 
     Counters& operator+=(const Counters& other) {
         range += other.range;
         value += other.value;
         form += other.form;
         coarse_width = std::max(coarse_width, other.coarse_width);
+        cut_pixels += other.cut_pixels;
+        rough_pixels += other.rough_pixels;
         return *this;
     }
 };

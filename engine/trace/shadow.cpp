@@ -51,10 +51,10 @@ Camera light_camera(const TraceFrame& frame) {
 }
 
 /// What the light sees: one tile, whose pixels do not matter.
-TraceFrame light_frame(const TraceFrame& frame) {
+TraceFrame light_frame(const TraceFrame& frame, const TimeLimit& limit) {
     return {frame.scene, frame.kernel,    ViewFrame(light_camera(frame)),
             tile_size,   tile_size,       frame.stop,
-            frame.depth, frame.precision, frame.cancel};
+            frame.depth, frame.precision, limit};
 }
 
 constexpr Tile light_tile{0, 0, tile_size, tile_size};
@@ -119,9 +119,10 @@ auto WaySearch<Real>::judge(const Way& way, std::size_t i) const -> Verdict {
 template <class Real>
 void WaySearch<Real>::search(std::vector<Way>& ways) {
     std::vector<Way> free;
-    while (!ways.empty() && !light_.cancelled()) {
+    while (!ways.empty()) {
         std::size_t kept = 0;
         for (std::size_t first = 0; first < ways.size(); first += cells_at_once) {
+            if (light_.stopped()) return;
             const std::size_t count = std::min(cells_at_once, ways.size() - first);
             evaluate(&ways[first], count);
             for (std::size_t i = 0; i < count; ++i) {
@@ -209,12 +210,12 @@ glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip) {
     return look_point(view) + light_distance * lit_radius(view, clip) * key_light(view);
 }
 
-void find_shadows(std::span<const TraceFrame> surfaces, const Tile& tile, std::span<TileHits> hits,
-                  Counters& counters) {
+void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
+                  std::span<TileHits> hits, Counters& counters) {
     thread_local std::vector<Way> ways;
     ways.clear();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        const TraceFrame light = light_frame(surfaces[i]);
+        const TraceFrame light = light_frame(surfaces[i], limit);
         const BeamView light_view(light, light_tile);
         const WayMaker maker(surfaces[i], tile, light.view, light_view);
         if (i == 0) {

@@ -12,8 +12,9 @@ glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip);
 
 /// Finds which hits of a tile that light does not reach, by enclosures along the
 /// ways to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. `hits[i]`
-/// are those of surface i, with their gradients. In upward rounding.
-void find_shadows(std::span<const TraceFrame> surfaces, const Tile& tile, std::span<TileHits> hits,
-                  Counters& counters);
+/// are those of surface i, with their gradients. What is not found within `limit` is lit. In upward
+/// rounding.
+void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
+                  std::span<TileHits> hits, Counters& counters);
 
 }  // namespace zeroset

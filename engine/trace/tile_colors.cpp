@@ -36,6 +36,12 @@ void set(TileHits& hits, std::size_t pixel, const Reflectance& color) {
         hits.reflectance[channel][pixel] = color[channel];
 }
 
+Reflectance plain_front(const Scene& scene, std::size_t surface) {
+    const SurfaceColors& colors =
+        surface < scene.colors.size() ? scene.colors[surface] : colors_of(surface);
+    return {colors.front[0], colors.front[1], colors.front[2]};
+}
+
 /// (n + 1) / 2 as it shows in full light, for the direction n of the gradient.
 Reflectance normal_color(const TileHits& hits, std::size_t pixel) {
     const glm::dvec3 gradient(hits.gradient[0][pixel], hits.gradient[1][pixel],
@@ -67,8 +73,13 @@ void find_colors(const TraceFrame& frame, std::size_t surface, const Tile& tile,
     if (has_formula(coloring.by)) counters.value += found.pixels.size();
     const std::vector<double> values = values_at(frame.scene, surface, found.points);
     const ValueRange range = coloring.range.value_or(ValueRange());
-    for (std::size_t i = 0; i < values.size(); ++i)
-        set(hits, found.pixels[i], color_at(coloring.map, range.place(values[i])));
+    const bool plain_caps = hits.any_cap && is_of_skin(coloring.by);
+    const Reflectance plain_color = plain_front(frame.scene, surface);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_plain = plain_caps && hits.cap[found.pixels[i]] != 0;
+        set(hits, found.pixels[i],
+            is_plain ? plain_color : color_at(coloring.map, range.place(values[i])));
+    }
 }
 
 }  // namespace zeroset

@@ -51,6 +51,14 @@ void TileHits::pass(Pixel at, float distance) {
     unsettled[at.index()] = std::min(unsettled[at.index()], distance);
 }
 
+void TileHits::leave_undecided(const Tile& tile) {
+    std::ranges::fill(certificate, Certificate::Undecided);
+    for (int row = 0; row < tile.rows; ++row) {
+        for (int col = 0; col < tile.cols; ++col)
+            pass({static_cast<std::int16_t>(col), static_cast<std::int16_t>(row)}, 0.0F);
+    }
+}
+
 void TileHits::put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal) {
     const std::size_t pixel = at.index();
     any = true;

@@ -3,9 +3,9 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/trace/precision.hpp"
 #include "engine/trace/scene.hpp"
+#include "engine/trace/time_limit.hpp"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -34,16 +34,15 @@ struct TraceFrame {
     StopCriterion stop;
     SearchDepth depth;    ///< what `stop` comes to in this view
     Precision precision;  ///< of the kernel's code to use; it has it
-    const std::atomic<bool>* cancel = nullptr;
+    TimeLimit limit = {};
     /// Of a union in a tile, all parts that may be seen there, front to back: the first root is the
     /// first one of any of them, and where one is below 0 there is a root before. Empty: there is
     /// only `kernel`.
     std::span<const PartInView> parts = {};
 
-    /// What is found from now on is of no use. Tracers look at it every millisecond or so.
-    [[nodiscard]] bool cancelled() const {
-        return cancel != nullptr && cancel->load(std::memory_order_relaxed);
-    }
+    /// Whether the search is to end. Tracers look at it before each call of a kernel or so, not for
+    /// each cell.
+    [[nodiscard]] bool stopped() const { return limit.over(); }
 };
 
 /// What the view wants, if all of the scene's kernels have code for it; else float.
@@ -121,13 +120,16 @@ struct TileHits {
     /// A hit whose gradient is to be found.
     void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
     void pass(Pixel at, float distance);
+    /// All rays of the tile are unsettled from the eye on.
+    void leave_undecided(const Tile& tile);
     /// A cap instead of what was found behind it.
     void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal);
 };
 
 /// Fills in the gradients of those of `points` that are still hits: in double, of the branch of f
 /// that vanishes there, against the ray where f falls along it. Where the gradient vanishes or is
-/// none, it is that of a point nearby, or of differences. `col`, `row`: of the tile.
+/// none, it is that of a point nearby, or of differences; against the ray where the search was
+/// stopped.
 void find_gradients(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters);
 
 /// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
@@ -136,7 +138,7 @@ struct Tracer {
     std::string_view name;
     std::string_view about;  ///< one line
     /// One surface, one tile. Called in upward rounding, from many threads at once. `hits` is
-    /// clear. When cancelled it ends soon, and the hits are some of the tile's.
+    /// clear. When stopped it ends soon; rays that were not searched to their end are unsettled.
     void (*trace_tile)(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                        Counters& counters);
     /// Whether it is quicker with shortened kernels than with machine code of many choices.

@@ -203,5 +203,15 @@ TEST(ReadSurface, KnowsTheGallery) {
     EXPECT_EQ(read_equation("  x + y\n").value(), "x + y");
 }
 
+TEST(ReadBudget, TakesSeconds) {
+    EXPECT_EQ(read_budget(std::nullopt).value(), 30.0);
+    EXPECT_EQ(read_budget("0.25").value(), 0.25);
+    for (const char* const wrong : {"", "0", "-1", "nan", "1e7", "5 s"}) {
+        const auto budget = read_budget(wrong);
+        ASSERT_FALSE(budget) << wrong;
+        EXPECT_NE(budget.error().reason.find("--budget"), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test

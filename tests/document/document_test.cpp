@@ -36,6 +36,8 @@ Document rich_document() {
     document.shadows = true;
     document.axes = document.grid = document.trackball = true;
     document.up = {0, 1, 0.5};
+    document.statements[0].solid = SolidSide::Above;
+    document.statements[1].solid = SolidSide::Below;
     return document;
 }
 
@@ -104,6 +106,8 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "statements[0].color is no colour such as #3399FF"},
         {with("statements", R"([{"text": "x", "color": "#12345G"}])"),
          "statements[0].color is no colour such as #3399FF"},
+        {with("statements", R"([{"text": "x", "solid": "in"}])"),
+         "statements[0].solid is neither f<0 nor f>0"},
         {with("parameters", "[]"), "parameters is no object"},
         {with("parameters", R"({"a": {"value": 1}})"), "parameters.a.range is missing"},
         {with("parameters", R"({"a": {"value": "1", "range": [0, 1]}})"),

@@ -4,17 +4,19 @@ import json
 import math
 from collections import Counter
 
+from command_line_budget_cases import BudgetTest, SignalTest
 from command_line_depth_cases import DepthTest
 from command_line_error_cases import UnwritableTest, WrongInputTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
-__all__ = ["DepthTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
+__all__ = ["BudgetTest", "DepthTest", "SignalTest", "UnwritableTest", "WrongInputTest"]  # run by unittest
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
               "frame_ms", "certified", "certified_coarse", "coarse_width", "undecided", "miss",
-              "undecided_not_drawn", "certified_width", "surfaces", "evaluations"}
+              "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
+              "evaluations"}
 
 
 class RenderTest(ProgramTest):
@@ -144,6 +146,19 @@ class RenderTest(ProgramTest):
                      cwd=self.folder)
         self.assertEqual(result.code, 0, result)
         return (self.folder / "out.png").read_bytes()
+
+    def test_the_solid_is_that_of_the_surface_itself(self):
+        """A restriction that leaves nothing at the faces of the box does not turn the caps out."""
+        ball, cut = "1 - x^2 - y^2 - z^2", ["--size", "80x60", "--section", "x=0"]
+        whole = self.depth(ball, *cut).values
+        self.assertEqual(self.depth(f"{ball} = 0, x^2 + y^2 + z^2 < 3", *cut).values, whole)
+        self.assertEqual(self.depth(ball, *cut, "--solid", "f>0").values, whole)
+        other = self.depth(ball, *cut, "--solid", "1:f<0").values
+        self.assertNotEqual(other, whole)
+        file = self.folder / "solid.zeroset.json"
+        file.write_text(json.dumps({"zeroset": 1, "statements": [
+            {"text": ball, "solid": "f<0"}]}), encoding="utf-8")
+        self.assertEqual(self.depth(file, *cut).values, other)
 
     def test_colors_tell_numbers(self):
         modes = ["plain", "normal", "height", "depth", "mean-curvature", "gaussian-curvature",

@@ -295,6 +295,35 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     EXPECT_EQ(state_.document.statements[1].color, palette_fronts()[0]);
 }
 
+TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
+    set_rows(state_, {"x = 2"});
+    state_.document.statements[0].color = 0x30C0E0;
+    Framebuffer frame = draw();
+    const ImRect list = child("##side/##list_")->Rect();
+    const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
+                         static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
+    const Rectangle dot = bounds(frame, 0xFFE0C030U, area, exact);
+    click_at({static_cast<float>(dot.left + dot.right) / 2,
+              static_cast<float>(dot.top + dot.bottom) / 2});
+    draw_frame();
+    const ImGuiWindow* const popup = child("##Popup_");
+    ASSERT_NE(popup, nullptr);
+    const ImRect inside = popup->InnerClipRect;
+    const float last_row = inside.Max.y - static_cast<float>(px(20));
+    const auto solid = [&] { return state_.document.statements[0].solid; };
+    EXPECT_EQ(solid(), SolidSide::Automatic);
+    // From the right: f > 0, then f < 0.
+    std::vector<SolidSide> chosen;
+    for (float x = inside.Max.x - static_cast<float>(px(6)); x > inside.Min.x;
+         x -= static_cast<float>(px(8))) {
+        click_at({x, last_row});
+        if (chosen.empty() || chosen.back() != solid()) chosen.push_back(solid());
+    }
+    EXPECT_NE(std::ranges::find(chosen, SolidSide::Above), chosen.end());
+    EXPECT_NE(std::ranges::find(chosen, SolidSide::Below), chosen.end());
+    EXPECT_EQ(chosen.back(), SolidSide::Automatic);
+}
+
 TEST_P(Statements, MarkTheWrongCharacterOfALine) {
     set_rows(state_, {"x = 1", "x", "y = 1"});
     set_error(2, "a +\n\u03B1    =   a z", 10);

@@ -7,12 +7,14 @@
 
 #include <array>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <thread>
 
 // Files are whole or not there, and their bytes are what the formats say.
 
@@ -50,6 +52,26 @@ TEST_F(FileTest, WritesAllBytes) {
     ASSERT_TRUE(write_file(folder_ / "out", {}));
     EXPECT_EQ(content(folder_ / "out"), "");
     EXPECT_EQ(files(), 1);
+}
+
+/// What was begun is taken away, and nothing more is written.
+TEST_F(FileTest, LeavesNothingHalfWrittenWhenAbandoned) {
+    ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
+    const std::string text(3'000'000, 'x');
+    const fs::path folder = folder_.path();
+    const auto write_and_abandon = [&] {
+        std::thread([&] {
+            for (int i = 0;; ++i)
+                (void)write_file(folder / std::to_string(i % 2), bytes_of(text));
+        }).detach();
+        while (!fs::exists(folder / "1")) {
+        }
+        abandon_files();
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(write_and_abandon(), ::testing::ExitedWithCode(0), "");
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        EXPECT_EQ(entry.file_size(), text.size()) << entry.path();
 }
 
 TEST_F(FileTest, ReplacesALongerFile) {

@@ -1,5 +1,6 @@
 #include "engine/trace/caps.hpp"
 
+#include "engine/expr/unrestricted.hpp"
 #include "engine/num/interval.hpp"
 #include "engine/trace/render.hpp"
 #include "tests/engine/trace/rays.hpp"
@@ -101,9 +102,70 @@ TEST_P(CapTest, FillsTheSameHoweverTheEquationIsWritten) {
     const Framebuffer first = frame_;
     draw("1 = x^2 + y^2 + z^2");
     EXPECT_EQ(frame_.depth, first.depth);
-    EXPECT_EQ(solid_sign(scene_, scene_.surfaces[0]), 1);
+    EXPECT_EQ(solid_sign(scene_, 0), 1);
     draw(ball_text);
-    EXPECT_EQ(solid_sign(scene_, scene_.surfaces[0]), -1);
+    EXPECT_EQ(solid_sign(scene_, 0), -1);
+}
+
+/// Restrictions that leave nothing of f at the faces of the box say nothing of its side.
+TEST_P(CapTest, FillsTheSameHoweverTheSurfaceIsRestricted) {
+    for (const char* const text : {"1 - x^2 - y^2 - z^2", "x^2 + y^2 + z^2 - 1"}) {
+        const std::string ball = text;
+        draw(ball);
+        const Framebuffer whole = frame_;
+        const int sign = solid_sign(scene_, 0);
+        for (const char* const restriction :
+             {"x^2 + y^2 + z^2 < 3", "abs(x) < 1.5, abs(y) < 1.5, abs(z) < 1.5", "z > -1.5"}) {
+            SCOPED_TRACE(ball + ", " + restriction);
+            const auto read = read_program(ball + " = 0, " + restriction);
+            ASSERT_TRUE(read);
+            const Expr& surface = read->surfaces.front();
+            scene_.surfaces[0] = interpret(surface);
+            const auto plain = unrestricted(surface);
+            ASSERT_TRUE(plain);
+            scene_.solids = {{SolidSide::Automatic, interpret(*plain).value_float}};
+            render();
+            EXPECT_EQ(solid_sign(scene_, 0), sign);
+            EXPECT_EQ(frame_.certificate, whole.certificate);
+        }
+    }
+}
+
+TEST_P(CapTest, FillsTheSideThatIsChosen) {
+    draw(ball_text);
+    const Framebuffer automatic = frame_;
+    scene_.solids = {{SolidSide::Below, {}}};
+    render();
+    EXPECT_EQ(frame_.depth, automatic.depth);
+    scene_.solids = {{SolidSide::Above, {}}};
+    render();
+    EXPECT_GT(check_caps(region_.sections.front(), [](const glm::dvec3& p) { return -ball(p); }),
+              300U);
+}
+
+/// Curvatures are of the skin: a cap shows the surface's colour, in its own light.
+TEST_P(CapTest, IsPlainWhereColoursTellOfTheSkin) {
+    draw(ball_text);
+    const Framebuffer plain = frame_;
+    for (const ColorBy by : {ColorBy::MeanCurvature, ColorBy::GaussianCurvature, ColorBy::Gradient,
+                             ColorBy::Expression, ColorBy::Height}) {
+        scene_.coloring = {.by = by, .range = ValueRange{-2.0, 2.0}};
+        scene_.coloring.values = {interpret_points(*parse("x + 2y"))};
+        render();
+        std::size_t caps = 0;
+        std::size_t same = 0;
+        for_pixels([&](const Ray& ray, std::size_t i) {
+            const double at = ray.place_of(region_.sections.front());
+            if (ray.t_in != at || ball(ray.at(at)) > -1e-2) return;
+            ++caps;
+            if (frame_.color[i] == plain.color[i]) ++same;
+        });
+        EXPECT_GT(caps, 200U);
+        EXPECT_EQ(same > caps / 10, is_of_skin(by));
+        if (is_of_skin(by)) {
+            EXPECT_EQ(same, caps);
+        }
+    }
 }
 
 TEST_P(CapTest, StaysOpenWhereNoCapIsWanted) {

@@ -2,6 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "tests/engine/trace/hooked_kernel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include <functional>
 #include <mutex>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 // Pictures in the background: a quick one, then the full one; the newest request only, and an end
@@ -222,6 +224,23 @@ TEST(RenderJob, ANewRequestEndsTheOneBeforeSoon) {
     const auto number = watched.job.submit(request_for("z = 0", 16, 16));
     const auto pictures = watched.pictures_until(number);
     EXPECT_EQ(pictures.back().frame->width, 16);
+}
+
+/// A surface that no tracer comes to an end of: a first picture comes, and one can leave.
+TEST(RenderJob, ShowsSomethingOfWhatHasNoEnd) {
+    RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 400, 400);
+    request.scene.surfaces[0] = hooked(request.scene.surfaces[0], [] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    });
+    RenderPace pace = whole_pictures();
+    pace.first_within = std::chrono::milliseconds(40);
+    Watched watched(pace);
+    const auto number = watched.job.submit(request);
+    const auto first = watched.pictures_to(number);
+    EXPECT_FALSE(first.back().complete);
+    EXPECT_GT(count_certificates(*first.back().frame).undecided, 0U);
+    const auto next = watched.job.submit(request_for("z = 0", 16, 16));
+    EXPECT_EQ(watched.pictures_until(next).back().frame->width, 16);
 }
 
 TEST(RenderJob, EndsWhileItDraws) {

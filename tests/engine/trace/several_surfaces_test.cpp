@@ -295,8 +295,7 @@ TEST(SeveralSurfaces, StopWhenCancelled) {
     const Scene scene = scene_of({"y = 0", "y = 1"});
     Framebuffer frame(image_size, image_size);
     const std::atomic<bool> cancel{true};
-    EXPECT_EQ(render_frame(scene, along_y, {}, frame, {.cancel = &cancel, .on_tile = {}}).range,
-              0U);
+    EXPECT_EQ(render_frame(scene, along_y, {}, frame, {.limit = {.cancel = &cancel}}).range, 0U);
     EXPECT_EQ(count_certificates(frame).miss, frame.color.size());
 }
 

@@ -217,8 +217,9 @@ TEST_P(TracerTest, StopsWhenCancelled) {
     const Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
     Framebuffer frame(200, 200);
     const std::atomic<bool> cancel{true};
-    const Counters counters = render_frame(scene, default_camera(scene.clip),
-                                           settings_at(GetParam(), 22), frame, {&cancel, {}});
+    const Counters counters =
+        render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 22), frame,
+                     {.limit = {.cancel = &cancel}});
     EXPECT_EQ(counters.range, 0U);
     EXPECT_EQ(count_certificates(frame).miss, frame.color.size());
 }
@@ -253,7 +254,7 @@ TEST_P(TracerTest, StopsAmidATile) {
         const Counting ranges(scene.surfaces[0].range_float, cancels ? &cancel : nullptr);
         int tiles = 0;
         render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 22), frame,
-                     {&cancel, [&](const PixelRect&) { ++tiles; }});
+                     {.limit = {.cancel = &cancel}, .on_tile = [&](const PixelRect&) { ++tiles; }});
         EXPECT_EQ(tiles, cancels ? 0 : 1);
         EXPECT_EQ(std::ranges::count(frame.depth, 7.0F), cancels ? 64 * 64 : 0);
         calls[cancels ? 1 : 0] = forms.calls + ranges.calls;
@@ -268,13 +269,13 @@ TEST_P(TracerTest, TellsOfEachTileOnce) {
     std::mutex mutex;
     std::vector<int> told(frame.depth.size());
     render_frame(scene, default_camera(scene.clip), settings_at(GetParam(), 8), frame,
-                 {nullptr, [&](const PixelRect& tile) {
-                      const std::scoped_lock lock(mutex);
-                      for (int row = tile.row; row < tile.row + tile.rows; ++row) {
-                          for (int col = tile.col; col < tile.col + tile.cols; ++col)
-                              ++told[frame.index(col, row)];
-                      }
-                  }});
+                 {.on_tile = [&](const PixelRect& tile) {
+                     const std::scoped_lock lock(mutex);
+                     for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+                         for (int col = tile.col; col < tile.col + tile.cols; ++col)
+                             ++told[frame.index(col, row)];
+                     }
+                 }});
     EXPECT_EQ(std::ranges::count(told, 1), 150 * 100);
 }
 
