@@ -15,14 +15,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// LLVM takes about 0.4 ms and 25 kB for a node.
-constexpr std::size_t quick_nodes = 2'000;
+// LLVM takes 0.4 to 1 ms and 25 kB for a node. In the window a formula that takes longer than some
+// 30 ms is drawn by the interpreter until its code is there.
+constexpr std::size_t quick_nodes = 40;
 constexpr std::size_t most_nodes = 8'000;
+constexpr std::size_t everything = ~std::size_t{0};
 
 // Of so many, machine code of the parts is quicker than that of all, and made sooner.
 constexpr std::size_t many_choices = 24;
 // Of the shapes of such parts; the rest is interpreted.
 constexpr std::size_t most_part_nodes = 1'000;
+// Where code for the parts takes longer than this, in nodes, one picture is drawn sooner without:
+// 89 shapes of 971 nodes took 2 s for a frame of 0.2.
+constexpr std::size_t most_part_cost = 1'000;
+constexpr std::size_t cost_of_shape = 8;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -47,41 +53,50 @@ std::size_t choices_in(const Expr& expr) {
 
 bool is_made_of_parts(const Expr& surface) { return choices_in(surface) >= many_choices; }
 
-CodeState code_for(const std::vector<Expr>& surfaces) {
+CodeState code_for(const std::vector<Expr>& surfaces, std::size_t quick) {
     std::size_t nodes = 0;
+    std::size_t all_nodes = 0;
     for (const Expr& surface : surfaces) {
+        all_nodes += surface.nodes().size();
         if (!is_made_of_parts(surface)) nodes += surface.nodes().size();
     }
     if (nodes > most_nodes) return CodeState::Interpreted;
-    return nodes > quick_nodes ? CodeState::InterpretedFirst : CodeState::Machine;
+    return all_nodes > quick ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
+struct CodeOptions {
+    jit::CompileOptions jit;
+    bool for_one_picture = false;  ///< not for many
+};
+
 /// Machine code of parts, and an interpreter of the choices between them.
-Kernel by_parts(const Expr& drawn, const jit::CompileOptions& options) {
+Kernel by_parts(const Expr& drawn, const CodeOptions& options) {
     const Expr surface = with_outer_choices(drawn);
     std::vector<Facts> facts = facts_of(surface);
     Parts parts = parts_of(surface, facts, most_part_nodes);
+    const std::size_t cost = parts.nodes() + cost_of_shape * parts.shapes.size();
+    if (options.for_one_picture && cost > most_part_cost) parts = {};
     parts.make_code([&](const Expr& shape) -> std::optional<Kernel> {
-        auto kernel = jit::compile(shape, options);
+        auto kernel = jit::compile(shape, options.jit);
         if (!kernel) return std::nullopt;
         return std::move(*kernel);
     });
     Kernel kernel = interpret(surface, std::move(facts), std::move(parts));
-    kernel.has_double = options.with_double;
+    kernel.has_double = options.jit.with_double;
     return kernel;
 }
 
 std::expected<Kernel, InputError> machine_code(const Expr& surface,
-                                               const jit::CompileOptions& options) {
+                                               const CodeOptions& options) {
     if (is_made_of_parts(surface)) return by_parts(surface, options);
-    auto kernel = jit::compile(surface, options);
+    auto kernel = jit::compile(surface, options.jit);
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
     return std::move(*kernel);
 }
 
 /// Of all surfaces, or of their parts.
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
-                                                            const jit::CompileOptions& options) {
+                                                            const CodeOptions& options) {
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
         auto kernel = machine_code(surface, options);
@@ -100,10 +115,11 @@ Formula interpreted(Formula formula) {
 }
 
 /// The formula with machine code, in this type, too.
-std::expected<Formula, InputError> compiled(const Formula& formula, Precision precision) {
+std::expected<Formula, InputError> compiled(const Formula& formula, Precision precision,
+                                            bool for_one_picture = false) {
     const auto start = Clock::now();
-    auto kernels =
-        machine_code(formula.drawn, {.with_double = precision == Precision::Double, .quick = true});
+    const jit::CompileOptions jit{.with_double = precision == Precision::Double, .quick = true};
+    auto kernels = machine_code(formula.drawn, {jit, for_one_picture});
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
     result.kernels = std::move(*kernels);
@@ -112,8 +128,9 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     return result;
 }
 
+/// `quick`: of how many nodes there is code at once.
 std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
-                                            const jit::CompileOptions& options) {
+                                            const CodeOptions& options, std::size_t quick) {
     const auto start = Clock::now();
     auto program = read_formula(text);
     if (!program) return std::unexpected(program.error());
@@ -124,7 +141,7 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).value_float;
     }
-    formula.code = code_for(formula.drawn);
+    formula.code = code_for(formula.drawn, quick);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
     } else {
@@ -157,7 +174,7 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 }
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, {.quick = true});
+    return prepared(text, region, {.jit = {.quick = true}}, quick_nodes);
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
@@ -171,10 +188,10 @@ Formula with_double(const Formula& formula) {
 
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
                                                    Precision precision) {
-    auto formula = prepared(text, region, {});
+    auto formula = prepared(text, region, {.jit = {}, .for_one_picture = true}, everything);
     if (!formula || formula->code == CodeState::Interpreted) return formula;
     const bool complete = formula->code == CodeState::Machine && formula->has_code(precision);
-    return complete ? formula : compiled(*formula, precision);
+    return complete ? formula : compiled(*formula, precision, true);
 }
 
 Scene make_scene(const Formula& formula, const Box& clip, double w,

@@ -35,7 +35,7 @@ InputError input_error(const ParseError& error, std::string_view text);
 
 enum class CodeState : std::uint8_t {
     Machine,           ///< machine code, or that of the parts of what has many choices
-    InterpretedFirst,  ///< large: interpreted; its machine code takes more than a second
+    InterpretedFirst,  ///< interpreted; its machine code takes more than a moment
     Interpreted,       ///< too large for machine code
 };
 

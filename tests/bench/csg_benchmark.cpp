@@ -70,16 +70,16 @@ void run(const Series& series, const Options& options) {
         if (count > options.most_parts) continue;
         const std::string text = series.text(test::visible_spheres(count, camera.eye));
         const auto start = Clock::now();
-        const auto formula = prepare_formula(text, clip);
+        const auto formula = compile_formula(text, clip, Precision::Float);
         if (!formula) {
             std::printf("%s", describe(formula.error()).c_str());
             std::exit(1);
         }
         const Scene scene = make_scene(*formula, clip, 0.5, {});
-        time_frames(scene, camera, options.settings, frame, 1, false);
+        time_frames(scene, camera, options.settings, frame, Repeats{});
         const double first_ms = ms_since(start);
         const FrameTiming timing =
-            time_frames(scene, camera, options.settings, frame, options.repeats, false);
+            time_frames(scene, camera, options.settings, frame, Repeats{options.repeats});
         if (count == 10) of_ten = timing.median_ms;
         const CertificateCounts counts = count_certificates(frame);
         std::printf("%-18s %6d %12.2f %10.1f ", "", count, timing.median_ms,

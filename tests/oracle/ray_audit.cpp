@@ -161,7 +161,7 @@ std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
     const Expr drawn = drawn_form(program->surfaces.front());
-    Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}};
+    Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}, {{}}};
     formula.code = CodeState::Interpreted;
     return formula;
 }

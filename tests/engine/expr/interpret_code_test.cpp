@@ -1,0 +1,45 @@
+#include "engine/expr/interpret_code.hpp"
+
+#include "engine/expr/interpret.hpp"
+#include "engine/expr/tape.hpp"
+#include "engine/num/rounding.hpp"
+#include "engine/num/sleef_lanes.hpp"
+#include "tests/support/kernel_batch.hpp"
+#include "tests/support/random_expression.hpp"
+#include "tests/support/random_numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// The kernel with the functions of such registers in place of the machine's widest.
+Kernel with_code(Kernel kernel, const InterpreterCode& code) {
+    kernel.range_float.call = code.range_float;
+    kernel.value_float.call = code.value_float;
+    kernel.range_double.call = code.range_double;
+    kernel.value_double.call = code.value_double;
+    return kernel;
+}
+
+/// Values and ranges have the same bits in registers of any width.
+TEST(InterpreterCode, IsTheSameInAllRegisters) {
+    std::vector<const InterpreterCode*> others;
+    if (machine_has_avx2_fma()) others.push_back(&interpreter_code_32());
+    if (machine_has_avx512()) others.push_back(&interpreter_code_64());
+    if (others.empty()) GTEST_SKIP() << "this machine has registers of 16 bytes only";
+    test::RandomNumbers random(5);
+    for (int i = 0; i < test::formulas_to_try(400); ++i) {
+        const Expr f = test::random_expression(random, 1 + i % 6);
+        const Kernel kernel = interpret(f);
+        const test::KernelBatch batch(random, 2 * batch_multiple);
+        const auto expected = batch.run(with_code(kernel, interpreter_code_16()));
+        for (const InterpreterCode* code : others)
+            ASSERT_EQ(batch.run(with_code(kernel, *code)), expected) << f.canonical();
+    }
+}
+
+}  // namespace
+}  // namespace zeroset
