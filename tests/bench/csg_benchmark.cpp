@@ -76,10 +76,12 @@ void run(const Series& series, const Options& options) {
             std::exit(1);
         }
         const Scene scene = make_scene(*formula, clip, 0.5, {});
-        time_frames(scene, camera, options.settings, frame, Repeats{});
+        time_frames(scene, camera, options.settings, frame, Repeats{},
+                    [] { return RenderWatch{}; });
         const double first_ms = ms_since(start);
         const FrameTiming timing =
-            time_frames(scene, camera, options.settings, frame, Repeats{options.repeats});
+            time_frames(scene, camera, options.settings, frame, Repeats{options.repeats},
+                        [] { return RenderWatch{}; });
         if (count == 10) of_ten = timing.median_ms;
         const CertificateCounts counts = count_certificates(frame);
         std::printf("%-18s %6d %12.2f %10.1f ", "", count, timing.median_ms,
