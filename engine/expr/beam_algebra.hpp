@@ -3,6 +3,7 @@
 #include "engine/expr/interval_algebra.hpp"
 #include "engine/num/beam_angle.hpp"
 #include "engine/num/beam_log_sum.hpp"
+#include "engine/num/fold.hpp"
 #include "engine/num/beam_polar.hpp"
 
 #include <optional>
@@ -98,6 +99,7 @@ public:
         }
         return result;
     }
+    Value fold(In a);
     Value sign(In a) { return jump(zeroset::sign_steps(box(a)), a); }
     Value floor(In a) { return jump(zeroset::floor_steps(box(a)), a); }
     Value ceil(In a) { return jump(zeroset::ceil_steps(box(a)), a); }

@@ -65,6 +65,33 @@ BeamValue<Real> BeamAlgebra<Real>::choose(In c, In a, In b) {
             both_sides.continuous};
 }
 
+/// As fold in engine/num/fold.hpp, with the integer that is nearest to the middle.
+template <class Real>
+BeamValue<Real> BeamAlgebra<Real>::fold(In a) {
+    const Form& x = a.value.f;
+    kind_ = &x.r;
+    const auto [n, odd] = fold_at(x.f.c);
+    Affine<Real> moved = x.f;
+    moved.c = x.f.c - n;  // exact: n is near
+    const Form v{moved, x.r, magnitude(moved.c) + x.spread()};
+    const Box range = v.range();
+    const Kink<Real> kink = kink_of(range);
+    report(kink);
+    const Form size = zeroset::abs(v, kink);
+    const Form turned = interval_form(point(number(1)), number(0)) - size;
+    const auto within_reach = both(range.neg_lo <= number(1), range.hi <= number(1));
+    const Form any = interval_form(Box{number(0), number(1)}, x.r + number(2));
+    Value result = of(select(within_reach, select(odd, turned, size), any), std::nullopt, a);
+    if (a.value.slope) {
+        const SlopeBeam<Real>& rising = *a.value.slope;
+        const SlopeBeam<Real> either_way = hull(rising, -rising);
+        const SlopeBeam<Real> of_size =
+            select(kink.above, rising, select(kink.below, -rising, either_way));
+        result.slope = select(within_reach, select(odd, -of_size, of_size), either_way);
+    }
+    return result;
+}
+
 /// a times the sign of b. That of the value kernels' b is the same where it is known: b is farther
 /// from 0 than their rounding.
 template <class Real>

@@ -2,6 +2,7 @@
 
 #include "engine/expr/clear_poles.hpp"
 #include "engine/expr/differences.hpp"
+#include "engine/expr/folds.hpp"
 #include "engine/expr/form_sample.hpp"
 #include "engine/expr/log_sums.hpp"
 #include "engine/expr/plain_conditions.hpp"
@@ -33,7 +34,7 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 }  // namespace
 
 Expr drawn_form(const Expr& expr, const SampleRegion& region) {
-    const Expr smooth = with_log_sums(plain_angles(with_plain_conditions(expr)));
+    const Expr smooth = with_log_sums(plain_angles(with_folds(with_plain_conditions(expr))));
     const Expr plain = without_poles(without_small_differences(smooth), region);
     return polar_form(quicker(plain, tightened(plain, region), region));
 }

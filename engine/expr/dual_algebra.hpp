@@ -2,6 +2,7 @@
 
 #include "engine/expr/operand.hpp"
 #include "engine/num/dual.hpp"
+#include "engine/num/fold.hpp"
 #include "engine/num/log_sum.hpp"
 
 namespace zeroset {
@@ -23,6 +24,7 @@ public:
     Value odd_root(In a, int n) { return zeroset::odd_root(a.value, n); }
     Value sqrt(In a) { return zeroset::sqrt(a.value); }
     Value abs(In a) { return zeroset::abs(a.value); }
+    Value fold(In a) { return zeroset::fold(a.value); }
     Value sign(In a) { return step(sign_of(a.value.value)); }
     Value floor(In a) { return step(round_down(a.value.value)); }
     Value ceil(In a) { return step(-round_down(-a.value.value)); }

@@ -18,6 +18,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Cosh:
         case Op::Acosh:
         case Op::Length:
+        case Op::Fold:
         case Op::Sinhc:
         case Op::Atanc:
         case Op::Less:

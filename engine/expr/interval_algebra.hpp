@@ -3,6 +3,7 @@
 #include "engine/expr/operand.hpp"
 #include "engine/expr/switches.hpp"
 #include "engine/num/cardinal.hpp"
+#include "engine/num/fold.hpp"
 #include "engine/num/log_sum.hpp"
 #include "engine/num/odd_root.hpp"
 #include "engine/num/periodic.hpp"
@@ -65,6 +66,7 @@ public:
         return composed(zeroset::sqrt(range(a)), a.value);
     }
     Value abs(In a) { return total(a.facts.nonnegative ? range(a) : absolute(range(a)), a); }
+    Value fold(In a) { return total(zeroset::fold(range(a)), a); }
     Value sign(In a) { return jump(zeroset::sign_steps(range(a)), a); }
     Value floor(In a) { return jump(zeroset::floor_steps(range(a)), a); }
     Value ceil(In a) { return jump(zeroset::ceil_steps(range(a)), a); }

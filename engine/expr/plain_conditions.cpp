@@ -59,6 +59,10 @@ private:
     NodeId both_hold(NodeId a, NodeId b);
     NodeId either_holds(NodeId a, NodeId b);
     NodeId opposite(NodeId condition);
+    /// v of a condition v < 0.
+    [[nodiscard]] std::optional<NodeId> never_negative_operand(NodeId condition) const;
+    /// Whether the node is undefined where the operand is; not seen for most.
+    [[nodiscard]] bool needs(NodeId id, NodeId operand) const;
     NodeId chosen(NodeId condition, NodeId a, NodeId b);
 
     ExprBuilder builder_;
@@ -133,8 +137,28 @@ NodeId PlainConditions::opposite(NodeId condition) {
     return make_call(builder_, Op::Not, condition);
 }
 
+std::optional<NodeId> PlainConditions::never_negative_operand(NodeId condition) const {
+    const Node& node = builder_.node(condition);
+    const auto limit = node.op == Op::Less ? exact(node.b) : std::nullopt;
+    return limit && limit->p <= 0 ? std::optional(node.a) : std::nullopt;
+}
+
+bool PlainConditions::needs(NodeId id, NodeId operand) const {
+    constexpr int deepest = 4;
+    for (int i = 0; i < deepest; ++i) {
+        if (id == operand) return true;
+        const Node& node = builder_.node(id);
+        if (is_any_of(node.op, {Op::Add, Op::Subtract}) && node.b == operand) return true;
+        if (!is_any_of(node.op, {Op::Add, Op::Subtract, Op::Negate, Op::Abs})) return false;
+        id = node.a;
+    }
+    return false;
+}
+
 NodeId PlainConditions::chosen(NodeId condition, NodeId a, NodeId b) {
     if (const auto holds = known(condition)) return *holds ? a : b;
+    const auto size = never_negative_operand(condition);
+    if (size && facts_.is_nonnegative(*size) && needs(b, *size)) return b;
     if (a == b && is_total(condition)) return a;
     const Node& node = builder_.node(condition);
     if (node.op == Op::Not) return chosen(node.a, b, a);

@@ -107,6 +107,7 @@ private:
                 if (node.op == Op::Oriented) return infix(node, pieces);
                 if (node.op == Op::Length) return length(node, pieces);
                 if (node.op == Op::LogSum) return log_sum(node, pieces);
+                if (node.op == Op::Fold) return fold(node, pieces);
                 if (node.op != Op::Angle) return cardinal(node, info, pieces);
                 break;
             case Notation::Wave: return wave(node, info, pieces);
@@ -160,6 +161,11 @@ private:
                   {")/"},
                   {{}, node.a, Sign, true}};
         return Product;
+    }
+
+    static int fold(const Node& node, std::vector<Piece>& pieces) {
+        pieces = {{"abs(mod("}, {{}, node.a, Sum, false}, {" + 1, 2) - 1)"}};
+        return Atom;
     }
 
     static int log_sum(const Node& node, std::vector<Piece>& pieces) {

@@ -33,7 +33,7 @@ bool is_switch(Op op) {
 
 bool is_condition(Op op) { return op == Op::Less || op == Op::LessEqual || is_logic(op); }
 
-bool has_kink(Op op) { return op == Op::Abs || op == Op::Min || op == Op::Max; }
+bool has_kink(Op op) { return op == Op::Abs || op == Op::Fold || op == Op::Min || op == Op::Max; }
 
 bool has_branches(const Expr& expr) {
     return std::ranges::any_of(

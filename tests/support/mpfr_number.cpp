@@ -105,6 +105,12 @@ Reference by_itself(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const Mp
     return dividend.is_finite() ? defined(dividend / a) : unknown();
 }
 
+/// The distance from the nearest even number.
+MpfrNumber fold(const MpfrNumber& a) {
+    const MpfrNumber turns = a * MpfrNumber(0.5);
+    return MpfrNumber(2) * computed(mpfr_abs, turns - nearest_integer(turns));
+}
+
 /// ln(e^a + e^b)
 Reference log_sum(const MpfrNumber& a, const MpfrNumber& b) {
     const MpfrNumber distance = computed(mpfr_abs, a - b);
@@ -186,6 +192,7 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::Sinc: return by_itself(mpfr_sin, a);
         case Op::Sinhc: return by_itself(mpfr_sinh, a);
         case Op::Atanc: return by_itself(mpfr_atan, a);
+        case Op::Fold: return defined(fold(a));
         case Op::LogSum: return log_sum(a, b);
         case Op::Oriented:
             if (b.sign() == 0) return undefined();

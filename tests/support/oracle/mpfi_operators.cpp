@@ -176,6 +176,18 @@ MpfiEnclosure cardinal_sine(In a) {
     return total(size.is_above(3) ? beyond : hull(Box(1.0), beyond), a);
 }
 
+/// The distance from the nearest even number: from the one below the middle of the box or the next.
+MpfiEnclosure fold(In a) {
+    const Box all = hull(Box(0.0), Box(1.0));
+    if (!a.range.is_bounded()) return total(all, a);
+    const Box turns = a.range * Box(0.5);
+    const Box below = Box(2.0) * floor_of(point_of(turns.lo()));
+    const Box v = a.range - below;
+    if (!v.is_below(3)) return total(all, a);
+    const Box distance = minimum(computed(mpfi_abs, v), computed(mpfi_abs, v - Box(2.0)));
+    return total(minimum(distance, Box(1.0)), a);
+}
+
 /// ln(e^a + e^b), which grows with each.
 MpfiEnclosure log_sum(In a, In b) {
     if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
@@ -276,6 +288,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Sinc: return cardinal_sine(a);
         case Op::Sinhc: return cardinal(mpfi_sinh, a);
         case Op::Atanc: return cardinal(mpfi_atan, a);
+        case Op::Fold: return fold(a);
         case Op::LogSum: return log_sum(a, b);
         case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);

@@ -107,6 +107,7 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
             return slope_by_itself(x, f, df, 0.34 * mpfr_get_d(df.hi(), MPFR_RNDU)) * a.slope;
         }
         case Op::Atanc: return slope_by_itself(x, f, one_over(one + square(x)), 0.67) * a.slope;
+        case Op::Fold: return hull(a.slope, -a.slope);
         case Op::LogSum: {
             const Box share_of_a = one_over(one + range_of(Op::Exp, y - x));
             return share_of_a * a.slope + (one - share_of_a) * b.slope;
