@@ -4,6 +4,7 @@
 #include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/outer_choices.hpp"
+#include "engine/expr/root_witnesses.hpp"
 #include "engine/expr/unrestricted.hpp"
 #include "jit/compile.hpp"
 
@@ -86,8 +87,7 @@ Kernel by_parts(const Expr& drawn, const CodeOptions& options) {
     return kernel;
 }
 
-std::expected<Kernel, InputError> machine_code(const Expr& surface,
-                                               const CodeOptions& options) {
+std::expected<Kernel, InputError> machine_code(const Expr& surface, const CodeOptions& options) {
     if (is_made_of_parts(surface)) return by_parts(surface, options);
     auto kernel = jit::compile(surface, options.jit);
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
@@ -106,11 +106,22 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Ex
     return kernels;
 }
 
+/// Adds what the kernels of the drawn surfaces know of their functions' zeros.
+void add_witnesses(Formula& formula) {
+    for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
+        Kernel& kernel = formula.kernels[i];
+        for (const Expr& witness : root_witnesses(formula.drawn[i]))
+            kernel.witnesses.push_back(interpret(witness).range_double);
+        kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
+    }
+}
+
 /// The formula with the interpreter's code, which is always in both types.
 Formula interpreted(Formula formula) {
     formula.kernels.clear();
     for (const Expr& surface : formula.drawn)
         formula.kernels.push_back(interpret(surface));
+    add_witnesses(formula);
     return formula;
 }
 
@@ -123,6 +134,7 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
     result.kernels = std::move(*kernels);
+    add_witnesses(result);
     result.code = CodeState::Machine;
     result.compile_ms += ms_since(start);
     return result;
@@ -148,6 +160,7 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
         auto kernels = machine_code(formula.drawn, options);
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
+        add_witnesses(formula);
     }
     formula.compile_ms = ms_since(start);
     return formula;

@@ -301,6 +301,9 @@ struct Kernel {
     std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
     bool interpreted = false;                    ///< else machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
+    /// Of functions whose zeros are zeros of f (engine/expr/root_witnesses.hpp).
+    std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
+    bool defined_everywhere = false;  ///< for all values of the variables, surely
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
     void range(const RangeBatchOf<double>& batch) const { range_double(batch); }

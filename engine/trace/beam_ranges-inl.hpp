@@ -35,19 +35,19 @@ struct RangeBoxes {
         if (size + 2 * batch_multiple > capacity()) resize(2 * size + 4 * batch_multiple);
     }
     /// Of the first `size` boxes, or of the pieces in them where switches are held.
-    void evaluate(const TraceFrame& frame, const Kernel& kernel, std::size_t size,
-                  const HeldSwitches<Real>& held = {}) {
+    void evaluate(const TraceFrame& frame, const KernelFunction<RangeBatchOf<Real>>& range,
+                  std::size_t size, const HeldSwitches<Real>& held = {}) {
         for (std::vector<Real>& column : ends)
             std::fill(column.data() + size, column.data() + padded(size), column[0]);
-        kernel.range(RangeBatchOf<Real>{.size = padded(size),
-                                        .neg_lo = {ends[0].data(), ends[1].data(), ends[2].data()},
-                                        .hi = {ends[3].data(), ends[4].data(), ends[5].data()},
-                                        .uniforms = frame.scene.uniforms.template boxes<Real>(),
-                                        .f_neg_lo = neg_lo.data(),
-                                        .f_hi = hi.data(),
-                                        .continuous = continuous.data(),
-                                        .held = held,
-                                        .branches = branches.data()});
+        range(RangeBatchOf<Real>{.size = padded(size),
+                                 .neg_lo = {ends[0].data(), ends[1].data(), ends[2].data()},
+                                 .hi = {ends[3].data(), ends[4].data(), ends[5].data()},
+                                 .uniforms = frame.scene.uniforms.template boxes<Real>(),
+                                 .f_neg_lo = neg_lo.data(),
+                                 .f_hi = hi.data(),
+                                 .continuous = continuous.data(),
+                                 .held = held,
+                                 .branches = branches.data()});
     }
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const { return neg_lo[i] < 0 || hi[i] < 0; }
@@ -81,7 +81,8 @@ public:
     void push(std::uint32_t pixel, double s, double t) {
         push(view_.u(pixel % tile_size), view_.v(pixel / tile_size), 0.0, 0.0, s, t);
     }
-    void evaluate(const Kernel& kernel);
+    void evaluate(const Kernel& kernel) { evaluate(range_of(kernel)); }
+    void evaluate(const KernelFunction<RangeBatchOf<Real>>& range);
     /// Looks at those boxes of the evaluated list piece by piece in which switches are open.
     void evaluate_pieces(const Kernel& kernel);
 
@@ -98,6 +99,14 @@ public:
     }
 
 private:
+    static const KernelFunction<RangeBatchOf<Real>>& range_of(const Kernel& kernel) {
+        if constexpr (std::is_same_v<Real, float>) {
+            return kernel.range_float;
+        } else {
+            return kernel.range_double;
+        }
+    }
+
     const TraceFrame& frame_;
     const BeamView& view_;
     RangeMemory<Real>& memory_;
@@ -130,10 +139,10 @@ void RangeList<Real>::push(double u, double v, double u_radius, double v_radius,
 }
 
 template <class Real>
-void RangeList<Real>::evaluate(const Kernel& kernel) {
+void RangeList<Real>::evaluate(const KernelFunction<RangeBatchOf<Real>>& range) {
     if (size_ == 0) return;
     counters_.range += size_;
-    boxes_.evaluate(frame_, kernel, size_);
+    boxes_.evaluate(frame_, range, size_);
 }
 
 template <class Real>
@@ -156,7 +165,7 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
                 of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];
         }
         counters_.range += list.size();
-        of.evaluate(frame_, kernel, list.size(), list.held());
+        of.evaluate(frame_, range_of(kernel), list.size(), list.held());
     };
     memory_.pieces.visit(
         most_switches, evaluate, [&](std::size_t k) { return of.excludes_zero(k); },

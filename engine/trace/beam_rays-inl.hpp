@@ -32,6 +32,7 @@ public:
           roots_(roots),
           counters_(counters),
           ranges_(frame, view, memory.ranges, counters),
+          witness_ranges_(frame, view, memory.witness_ranges, counters),
           segments_(memory.segments),
           next_(memory.next),
           rests_(memory.rests),
@@ -108,7 +109,12 @@ private:
     };
     /// Where f surely is 0 at one of its ends, or has opposite signs around it and is continuous
     /// between.
-    [[nodiscard]] std::optional<Crossing> crossing(std::size_t rest, Real finest) const;
+    [[nodiscard]] std::optional<Crossing> crossing(const RangeList<Real>& ranges, std::size_t first,
+                                                   const Rest<Real>& what, Real finest,
+                                                   bool continuous) const;
+    /// Where a function crosses 0 whose zeros are zeros of f.
+    std::optional<Crossing> witnessed(const Rest<Real>& what, Real finest, bool continuous);
+    void push_around(RangeList<Real>& ranges, const Rest<Real>& rest, const Margins& margins) const;
     /// The rest's segment where the ray goes on behind.
     template <class Undecided>
     std::optional<Segment<Real>> decide(std::size_t rest, const MarchSettings<Real>& settings,
@@ -125,7 +131,7 @@ private:
     Found<Cell>& found_;
     RootFinder<Cell>& roots_;
     Counters& counters_;
-    RangeList<Real> ranges_;
+    RangeList<Real> ranges_, witness_ranges_;
     std::vector<Segment<Real>>& segments_;
     std::vector<Segment<Real>>& next_;
     std::vector<Rest<Real>>& rests_;
@@ -364,41 +370,65 @@ void RayMarcher<Real, Cell>::look_around(Real finest) {
     if (rests_.empty()) return;
     ranges_.clear();
     const Margins margins = margins_around(finest);
-    for (const Rest<Real>& rest : rests_) {
-        const auto from = static_cast<double>(rest.from);
-        const auto to = static_cast<double>(rest.to);
-        const auto push = [&](double s, double t) { ranges_.push(rest.segment.pixel, s, t); };
-        for (std::size_t k = 0; k < margins.count; ++k) {
-            const double margin = margins.sizes[k];
-            push(from - margin, to + margin);
-            push(from - margin, from - margin);
-            push(to + margin, to + margin);
-        }
-    }
+    for (const Rest<Real>& rest : rests_)
+        push_around(ranges_, rest, margins);
     ranges_.evaluate(*rests_.front().segment.kernel);
     ranges_.evaluate_pieces(*rests_.front().segment.kernel);
 }
 
 template <class Real, class Cell>
-auto RayMarcher<Real, Cell>::crossing(std::size_t rest, Real finest) const
+void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges, const Rest<Real>& rest,
+                                         const Margins& margins) const {
+    const auto from = static_cast<double>(rest.from);
+    const auto to = static_cast<double>(rest.to);
+    const auto push = [&](double s, double t) { ranges.push(rest.segment.pixel, s, t); };
+    for (std::size_t k = 0; k < margins.count; ++k) {
+        const double margin = margins.sizes[k];
+        push(from - margin, to + margin);
+        push(from - margin, from - margin);
+        push(to + margin, to + margin);
+    }
+}
+
+template <class Real, class Cell>
+auto RayMarcher<Real, Cell>::witnessed(const Rest<Real>& what, Real finest, bool continuous)
     -> std::optional<Crossing> {
-    const Rest<Real>& what = rests_[rest];
+    if constexpr (std::is_same_v<Real, double>) {
+        const Kernel& f = frame_.kernel;
+        if (!frame_.parts.empty() || !(continuous || f.defined_everywhere)) return std::nullopt;
+        for (const auto& witness : f.witnesses) {
+            witness_ranges_.clear();
+            push_around(witness_ranges_, what, margins_around(finest));
+            witness_ranges_.evaluate(witness);
+            if (auto found = crossing(witness_ranges_, 0, what, finest, false)) {
+                found->trend = Trend::Unknown;
+                return found;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+template <class Real, class Cell>
+auto RayMarcher<Real, Cell>::crossing(const RangeList<Real>& ranges, std::size_t first,
+                                      const Rest<Real>& what, Real finest, bool continuous) const
+    -> std::optional<Crossing> {
     const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
                                          view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
     const Margins margins = margins_around(finest);
     int before = 0;
     int behind = 0;
     for (std::size_t k = 0; k < margins.count; ++k) {
-        const std::size_t box = 3 * (margins.count * rest + k);
+        const std::size_t box = first + 3 * k;
         const double from = static_cast<double>(what.from) - margins.sizes[k];
         const double to = static_cast<double>(what.to) + margins.sizes[k];
         if (from < clip.enter_hi || to > clip.exit_lo) break;
-        if (ranges_.vanishes(box + 1) || ranges_.vanishes(box + 2))
+        if (ranges.vanishes(box + 1) || ranges.vanishes(box + 2))
             return Crossing{Trend::Unknown, to - from};
-        if (!ranges_.continuous(box) && !(k == 0 && what.continuous)) break;
+        if (!ranges.continuous(box) && !(k == 0 && continuous)) break;
         // A sign holds for all of the bracket before, or behind, which has no root.
-        if (before == 0) before = ranges_.sign(box + 1);
-        if (behind == 0) behind = ranges_.sign(box + 2);
+        if (before == 0) before = ranges.sign(box + 1);
+        if (behind == 0) behind = ranges.sign(box + 2);
         if (before * behind < 0)
             return Crossing{before > 0 ? Trend::Falling : Trend::Rising, to - from};
     }
@@ -415,7 +445,12 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
     Segment<Real> segment = what.segment;
     bool goes_on = true;
     if (!ranges_.excludes_zero(box)) {
-        const auto found = settings.certifies ? crossing(rest, settings.finest) : std::nullopt;
+        const bool continuous = what.continuous || ranges_.continuous(box);
+        std::optional<Crossing> found;
+        if (settings.certifies) {
+            found = crossing(ranges_, box, what, settings.finest, what.continuous);
+            if (!found) found = witnessed(what, settings.finest, continuous);
+        }
         if (found) {
             const auto from = static_cast<double>(what.from);
             const auto to = static_cast<double>(what.to);
@@ -426,7 +461,6 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
                                narrow ? Certificate::Certified : Certificate::Coarse, found->trend);
             return std::nullopt;
         }
-        const bool continuous = what.continuous || ranges_.continuous(box);
         goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
                                           what.to - what.from, segment.kernel},
                             continuous);

@@ -127,7 +127,7 @@ struct MarchMemory {
     std::vector<Segment<Real>> next;  ///< what goes on from them
     std::vector<Rest<Real>> rests;    ///< of the batch at work
     std::vector<std::size_t> asked;
-    RangeMemory<Real> ranges;
+    RangeMemory<Real> ranges, witness_ranges;
     SegmentCells<Real> cells{capacity};
     Pieces<Real> pieces;
     SegmentCells<Real> piece_cells{most_pieces * capacity};

@@ -181,5 +181,26 @@ TEST(FormulasAsTyped, SolidsOfZerosAreCertain) {
     }
 }
 
+/// Where f touches 0, or jumps to it, because a part of it crosses 0 there.
+TEST(FormulasAsTyped, RootsOfPartsAreProved) {
+    const std::pair<std::string, std::string> typed[] = {
+        {"(x^2 + y^2 + z^2 - 0.8)^2", "x^2 + y^2 + z^2 - 0.8"},
+        {"abs(sin(3x) + y - z/2)", "sin(3x) + y - z/2"},
+        {"-max(x^2+y^2-0.5, z-0.4)*max(max(x^2+y^2-0.5, z-0.4), -z)", "max(x^2+y^2-0.5, z-0.4)"},
+        {"if(x^4+y^4+z^4 < 0.6, cos(x)+cos(y), x^4+y^4+z^4-0.6)", "x^4+y^4+z^4-0.6"},
+        {"if(x^4+y^4+z^4 < 0.6, -cos(x), x^4+y^4+z^4-0.6)", "x^4+y^4+z^4-0.6"}};
+    for (const auto& [text, part] : typed) {
+        const Drawn picture = drawn(text, 1);
+        const Drawn of_part = drawn(part, 1);
+        ASSERT_GT(of_part.counts.certified, 200U) << part;
+        EXPECT_GE(picture.counts.certified, of_part.counts.certified * 98 / 100) << text;
+        EXPECT_LE(picture.hits(), of_part.hits() * 102 / 100) << text;
+        for (std::size_t i = 0; i < picture.frame.depth.size(); ++i) {
+            if (picture.frame.certificate[i] != Certificate::Certified) continue;
+            EXPECT_NEAR(picture.frame.depth[i], of_part.frame.depth[i], 1e-4F) << text;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test

@@ -1,0 +1,95 @@
+#include "engine/expr/root_witnesses.hpp"
+
+#include "engine/expr/node_facts.hpp"
+#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/simplify.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t most_witnesses = 4;
+
+/// The nodes of a graph with their ids.
+ExprBuilder nodes_of(const Expr& f) {
+    ExprBuilder builder;
+    for (NodeId id = 0; id <= f.root(); ++id) {
+        const Node& node = f.node(id);
+        if (node.op == Op::Constant) {
+            builder.constant(node.lo, node.hi);
+        } else if (node.op == Op::Variable) {
+            builder.variable(node.number);
+        } else {
+            builder.apply(node.op, node.a, node.b, node.c, node.number);
+        }
+    }
+    return builder;
+}
+
+bool is_same(const ExprBuilder& builder, NodeId a, NodeId b) {
+    if (a == b) return true;
+    const auto x = exact_fraction(builder, a);
+    const auto y = x ? exact_fraction(builder, b) : std::nullopt;
+    return y && x->p == y->p && x->q == y->q;
+}
+
+bool is_difference(const ExprBuilder& f, NodeId id, NodeId u, NodeId v) {
+    const Node& node = f.node(id);
+    if (node.op == Op::Negate) return is_difference(f, node.a, u, v);
+    return node.op == Op::Subtract && ((is_same(f, node.a, u) && is_same(f, node.b, v)) ||
+                                       (is_same(f, node.a, v) && is_same(f, node.b, u)));
+}
+
+/// What a choice is where the sides of its comparison are equal, if it is their difference.
+std::optional<NodeId> at_equality(const ExprBuilder& f, const Node& choice) {
+    const Node& condition = f.node(choice.a);
+    if (condition.op != Op::Less && condition.op != Op::LessEqual) return std::nullopt;
+    const NodeId taken = condition.op == Op::Less ? choice.c : choice.b;
+    const bool vanishes = is_difference(f, taken, condition.a, condition.b);
+    return vanishes ? std::optional(taken) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Expr> root_witnesses(const Expr& f) {
+    const ExprBuilder nodes = nodes_of(f);
+    std::vector<NodeId> open{f.root()};
+    std::vector<NodeId> found;
+    while (!open.empty() && found.size() < most_witnesses) {
+        const NodeId id = open.back();
+        const Node& node = f.node(id);
+        open.pop_back();
+        if (node.op == Op::Multiply) {
+            open.insert(open.end(), {node.b, node.a});
+        } else if (is_any_of(node.op, {Op::Negate, Op::Abs, Op::OddRoot, Op::Divide}) ||
+                   (node.op == Op::IntPower && node.number > 0)) {
+            open.push_back(node.a);
+        } else if (node.op == Op::If && at_equality(nodes, node)) {
+            open.push_back(*at_equality(nodes, node));
+        } else if (node.op != Op::Constant && id != f.root() &&
+                   std::ranges::find(found, id) == found.end()) {
+            found.push_back(id);
+        }
+    }
+    std::vector<Expr> witnesses;
+    const auto names = f.parameters();
+    for (const NodeId id : found)
+        witnesses.push_back(nodes.finish(id, {names.begin(), names.end()}));
+    return witnesses;
+}
+
+bool is_defined_everywhere(const Expr& f) {
+    ExprBuilder builder;
+    NodeFacts facts(builder);
+    bool total = true;
+    rebuilt(builder, f, [&](ExprBuilder& b, const Node& node, NodeId x, NodeId y, NodeId z) {
+        const NodeId id = b.apply(node.op, x, y, z, node.number);
+        total = total && !facts.is_partial(id);
+        return id;
+    });
+    return total;
+}
+
+}  // namespace zeroset

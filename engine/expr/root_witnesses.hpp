@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+
+#include <vector>
+
+// f^2, -f max(f, g) and if(u < v, g, u - v) touch 0 or jump to it where one of their parts crosses
+// it: a proved root of that part is one of the whole.
+
+namespace zeroset {
+
+/// Functions each of whose zeros is one of f where f is defined; at most a few, none where f is its
+/// only one.
+std::vector<Expr> root_witnesses(const Expr& f);
+
+/// Whether it is defined for all values of the variables; not seen for all that are.
+bool is_defined_everywhere(const Expr& f);
+
+}  // namespace zeroset
