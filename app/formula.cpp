@@ -133,8 +133,11 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     auto kernels = machine_code(formula.drawn, {jit, for_one_picture});
     if (!kernels) return std::unexpected(kernels.error());
     Formula result = formula;
+    for (std::size_t i = 0; i < kernels->size(); ++i) {
+        (*kernels)[i].witnesses = formula.kernels[i].witnesses;
+        (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
+    }
     result.kernels = std::move(*kernels);
-    add_witnesses(result);
     result.code = CodeState::Machine;
     result.compile_ms += ms_since(start);
     return result;

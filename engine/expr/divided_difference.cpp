@@ -189,8 +189,8 @@ private:
         return make_add(builder_, make_multiply(builder_, u, powers(u, v, n - 1)),
                         make_int_power(builder_, v, n - 1));
     }
-    /// Of p^(1/n) - q^(1/n): (p - q) over the sum of powers of the roots, which is 0 where both
-    /// are.
+    /// The difference p^(1/n) - q^(1/n) is (p - q) over the sum of powers of the roots, which is 0
+    /// where both are.
     NodeId of_root(const Terms& f) {
         const NodeId top = of(f.to.a, f.from.a);
         const NodeId sum = powers(f.f1, f.f0, f.to.op == Op::Sqrt ? 2 : f.to.number);
@@ -292,7 +292,7 @@ private:
             make_add(builder_, builder_.constant(1.0), make_multiply(builder_, f.to.a, f.from.a));
         return of_turn(f, of(f.to.a, f.from.a), along, builder_.constant(1.0));
     }
-    /// Of the angles of two points.
+    /// The difference of the angles of two points.
     NodeId of_angle(const Terms& f) {
         const NodeId across = make_subtract(builder_, times(of(f.to.a, f.from.a), f.from.b),
                                             times(of(f.to.b, f.from.b), f.from.a));

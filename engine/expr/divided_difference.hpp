@@ -12,7 +12,8 @@ struct Difference {
     NodeId divided;
 };
 
-/// Of two values of a function whose variables differ by constants; delta is one of these. Nothing
+/// The divided difference of two values of a function whose variables differ by constants; delta is
+/// one of these. Nothing
 /// where they differ by more, or by much.
 std::optional<Difference> divided_difference(ExprBuilder& builder, NodeFacts& facts, NodeId f1,
                                              NodeId f0);

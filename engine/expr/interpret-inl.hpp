@@ -19,7 +19,6 @@ namespace zeroset {
 namespace {
 
 static_assert(batch_multiple * sizeof(float) % block_bytes == 0);
-static_assert(block_bytes == interpreter_block_bytes);
 
 template <class Lanes, class Real>
 Lanes load(const Real* lanes) {

@@ -8,6 +8,7 @@
 #include "engine/expr/ray_functions.hpp"
 #include "engine/expr/tape.hpp"
 #include "engine/expr/unowned.hpp"
+#include "engine/num/block.hpp"
 
 #include <memory>
 #include <utility>
@@ -33,7 +34,7 @@ public:
 private:
     template <class Real>
     void make_room(const FormBatchOf<Real>& batch, ChoiceRecord& record) const {
-        record.lanes = interpreter_block_bytes / sizeof(Real);
+        record.lanes = block_bytes / sizeof(Real);
         record.choices = tape_->choices();
         record.bits.resize(batch.size / record.lanes * record.choices);
     }

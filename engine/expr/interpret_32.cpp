@@ -1,30 +1,7 @@
 // The interpreter in registers of 32 bytes. What the standard library defines stays code for every
 // machine; what follows is for those that have these registers.
 
-#include <immintrin.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cassert>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <deque>
-#include <functional>
-#include <initializer_list>
-#include <limits>
-#include <memory>
-#include <new>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <type_traits>
-#include <unordered_map>
-#include <utility>
-#include <vector>
+#include "engine/expr/interpret_std.hpp"
 
 #define ZEROSET_BLOCK_BYTES 32
 #pragma GCC target("avx2,fma")

@@ -10,9 +10,6 @@ namespace zeroset {
 
 class Tape;
 
-/// Of the blocks in which choices are recorded.
-inline constexpr std::size_t interpreter_block_bytes = 64;
-
 /// As the functions of Kernel; `code` is a Tape.
 struct InterpreterCode {
     template <class Batch>

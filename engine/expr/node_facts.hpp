@@ -21,13 +21,19 @@ public:
     [[nodiscard]] bool is_nonnegative(NodeId id) { return known(id).facts_[id].nonnegative; }
     /// Whether the operator has no value for some values of its operands.
     [[nodiscard]] bool is_partial(NodeId id) { return known(id).lacks_values(builder_.node(id)); }
+    /// Whether the node is defined for all values of the variables; not seen for all that are.
+    [[nodiscard]] bool is_total(NodeId id) { return known(id).total_[id]; }
 
 private:
     NodeFacts& known(NodeId id) {
         if (id < facts_.size()) return *this;
         const UpwardRounding upward;
         for (auto next = static_cast<NodeId>(facts_.size()); next <= id; ++next) {
-            facts_.push_back(facts_of_node(builder_.node(next), facts_));
+            const Node& node = builder_.node(next);
+            facts_.push_back(facts_of_node(node, facts_));
+            const int operands = arity(node.op);
+            total_.push_back(!lacks_values(node) && (operands < 1 || total_[node.a]) &&
+                             (operands < 2 || total_[node.b]) && (operands < 3 || total_[node.c]));
         }
         return *this;
     }
@@ -44,6 +50,7 @@ private:
 
     const ExprBuilder& builder_;
     std::vector<Facts> facts_;
+    std::vector<bool> total_;
 };
 
 }  // namespace zeroset

@@ -37,8 +37,7 @@ private:
         return exact_fraction(builder_, id);
     }
     [[nodiscard]] std::optional<bool> known(NodeId condition) const;
-    /// Whether the node is defined for all values of the variables.
-    bool is_total(NodeId id);
+    bool is_total(NodeId id) { return facts_.is_total(id); }
     /// Whether its values are whole numbers, or undefined.
     bool is_whole(NodeId id);
     /// The condition, if `id` is 1 where it holds and 0 elsewhere.
@@ -67,7 +66,7 @@ private:
 
     ExprBuilder builder_;
     NodeFacts facts_;
-    std::vector<bool> total_, whole_;  ///< of the first nodes
+    std::vector<bool> whole_;  ///< of the first nodes
     int steps_ = 0;
 };
 
@@ -77,16 +76,6 @@ std::optional<bool> PlainConditions::known(NodeId condition) const {
     if (node.lo > 0) return true;
     if (node.hi <= 0) return false;
     return std::nullopt;
-}
-
-bool PlainConditions::is_total(NodeId id) {
-    for (auto next = static_cast<NodeId>(total_.size()); next <= id; ++next) {
-        const Node& node = builder_.node(next);
-        const int operands = arity(node.op);
-        total_.push_back(!facts_.is_partial(next) && (operands < 1 || total_[node.a]) &&
-                         (operands < 2 || total_[node.b]) && (operands < 3 || total_[node.c]));
-    }
-    return total_[id];
 }
 
 bool PlainConditions::is_whole(NodeId id) {

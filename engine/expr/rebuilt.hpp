@@ -6,8 +6,9 @@
 
 namespace zeroset {
 
-/// The graph with each operator made again by `make(builder, node, a, b, c)` from its new operands.
-Expr rebuilt(ExprBuilder& builder, const Expr& expr, auto make) {
+/// Makes each operator of a graph again by `make(builder, node, a, b, c)` from its new operands;
+/// returns what its nodes became.
+std::vector<NodeId> rebuild(ExprBuilder& builder, const Expr& expr, auto make) {
     std::vector<NodeId> now;
     now.reserve(expr.nodes().size());
     for (const Node& node : expr.nodes()) {
@@ -19,8 +20,14 @@ Expr rebuilt(ExprBuilder& builder, const Expr& expr, auto make) {
             now.push_back(make(builder, node, now[node.a], now[node.b], now[node.c]));
         }
     }
+    return now;
+}
+
+/// The graph that it comes to.
+Expr rebuilt(ExprBuilder& builder, const Expr& expr, auto make) {
+    const NodeId root = rebuild(builder, expr, make).back();
     const auto names = expr.parameters();
-    return builder.finish(now.back(), {names.begin(), names.end()});
+    return builder.finish(root, {names.begin(), names.end()});
 }
 
 Expr rebuilt(const Expr& expr, auto make) {

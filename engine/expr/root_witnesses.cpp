@@ -14,18 +14,11 @@ constexpr std::size_t most_witnesses = 4;
 
 /// The nodes of a graph with their ids.
 ExprBuilder nodes_of(const Expr& f) {
-    ExprBuilder builder;
-    for (NodeId id = 0; id <= f.root(); ++id) {
-        const Node& node = f.node(id);
-        if (node.op == Op::Constant) {
-            builder.constant(node.lo, node.hi);
-        } else if (node.op == Op::Variable) {
-            builder.variable(node.number);
-        } else {
-            builder.apply(node.op, node.a, node.b, node.c, node.number);
-        }
-    }
-    return builder;
+    ExprBuilder nodes;
+    rebuild(nodes, f, [](ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
+        return builder.apply(node.op, a, b, c, node.number);
+    });
+    return nodes;
 }
 
 bool is_same(const ExprBuilder& builder, NodeId a, NodeId b) {
@@ -81,15 +74,8 @@ std::vector<Expr> root_witnesses(const Expr& f) {
 }
 
 bool is_defined_everywhere(const Expr& f) {
-    ExprBuilder builder;
-    NodeFacts facts(builder);
-    bool total = true;
-    rebuilt(builder, f, [&](ExprBuilder& b, const Node& node, NodeId x, NodeId y, NodeId z) {
-        const NodeId id = b.apply(node.op, x, y, z, node.number);
-        total = total && !facts.is_partial(id);
-        return id;
-    });
-    return total;
+    const ExprBuilder nodes = nodes_of(f);
+    return NodeFacts(nodes).is_total(f.root());
 }
 
 }  // namespace zeroset
