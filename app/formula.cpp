@@ -1,6 +1,7 @@
 #include "app/formula.hpp"
 
 #include "app/text.hpp"
+#include "app/timing.hpp"
 #include "engine/expr/drawn_form.hpp"
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/outer_choices.hpp"
@@ -30,10 +31,6 @@ constexpr std::size_t most_part_nodes = 1'000;
 // 89 shapes of 971 nodes took 2 s for a frame of 0.2.
 constexpr std::size_t most_part_cost = 1'000;
 constexpr std::size_t cost_of_shape = 8;
-
-double ms_since(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 SampleRegion sample_region(const Box& box) {
     SampleRegion region;
@@ -65,41 +62,43 @@ CodeState code_for(const std::vector<Expr>& surfaces, std::size_t quick) {
     return all_nodes > quick ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
-struct CodeOptions {
-    jit::CompileOptions jit;
-    bool for_one_picture = false;  ///< not for many
-};
+jit::CompileOptions options_for(CodeUse use, Precision precision) {
+    return {.with_double = precision == Precision::Double,
+            .quick = use == CodeUse::FirstPicture,
+            .few_points = use == CodeUse::OnePicture};
+}
 
 /// Machine code of parts, and an interpreter of the choices between them.
-Kernel by_parts(const Expr& drawn, const CodeOptions& options) {
+Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
     const Expr surface = with_outer_choices(drawn);
     std::vector<Facts> facts = facts_of(surface);
     Parts parts = parts_of(surface, facts, most_part_nodes);
     const std::size_t cost = parts.nodes() + cost_of_shape * parts.shapes.size();
-    if (options.for_one_picture && cost > most_part_cost) parts = {};
+    if (use == CodeUse::OnePicture && cost > most_part_cost) parts = {};
     parts.make_code([&](const Expr& shape) -> std::optional<Kernel> {
-        auto kernel = jit::compile(shape, options.jit);
+        auto kernel = jit::compile(shape, options_for(use, precision));
         if (!kernel) return std::nullopt;
         return std::move(*kernel);
     });
     Kernel kernel = interpret(surface, std::move(facts), std::move(parts));
-    kernel.has_double = options.jit.with_double;
+    kernel.has_double = precision == Precision::Double;
     return kernel;
 }
 
-std::expected<Kernel, InputError> machine_code(const Expr& surface, const CodeOptions& options) {
-    if (is_made_of_parts(surface)) return by_parts(surface, options);
-    auto kernel = jit::compile(surface, options.jit);
+std::expected<Kernel, InputError> machine_code(const Expr& surface, CodeUse use,
+                                               Precision precision) {
+    if (is_made_of_parts(surface)) return by_parts(surface, use, precision);
+    auto kernel = jit::compile(surface, options_for(use, precision));
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
     return std::move(*kernel);
 }
 
 /// Of all surfaces, or of their parts.
 std::expected<std::vector<Kernel>, InputError> machine_code(const std::vector<Expr>& surfaces,
-                                                            const CodeOptions& options) {
+                                                            CodeUse use, Precision precision) {
     std::vector<Kernel> kernels;
     for (const Expr& surface : surfaces) {
-        auto kernel = machine_code(surface, options);
+        auto kernel = machine_code(surface, use, precision);
         if (!kernel) return std::unexpected(kernel.error());
         kernels.push_back(std::move(*kernel));
     }
@@ -125,27 +124,9 @@ Formula interpreted(Formula formula) {
     return formula;
 }
 
-/// The formula with machine code, in this type, too.
-std::expected<Formula, InputError> compiled(const Formula& formula, Precision precision,
-                                            bool for_one_picture = false) {
-    const auto start = Clock::now();
-    const jit::CompileOptions jit{.with_double = precision == Precision::Double, .quick = true};
-    auto kernels = machine_code(formula.drawn, {jit, for_one_picture});
-    if (!kernels) return std::unexpected(kernels.error());
-    Formula result = formula;
-    for (std::size_t i = 0; i < kernels->size(); ++i) {
-        (*kernels)[i].witnesses = formula.kernels[i].witnesses;
-        (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
-    }
-    result.kernels = std::move(*kernels);
-    result.code = CodeState::Machine;
-    result.compile_ms += ms_since(start);
-    return result;
-}
-
-/// `quick`: of how many nodes there is code at once.
+/// `quick`: of how many nodes there is code at once, and for what.
 std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
-                                            const CodeOptions& options, std::size_t quick) {
+                                            std::size_t quick, CodeUse use) {
     const auto start = Clock::now();
     auto program = read_formula(text);
     if (!program) return std::unexpected(program.error());
@@ -160,7 +141,7 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
     } else {
-        auto kernels = machine_code(formula.drawn, options);
+        auto kernels = machine_code(formula.drawn, use, Precision::Float);
         if (!kernels) return std::unexpected(kernels.error());
         formula.kernels = std::move(*kernels);
         add_witnesses(formula);
@@ -190,24 +171,45 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 }
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, {.jit = {.quick = true}}, quick_nodes);
+    return prepared(text, region, quick_nodes, CodeUse::FirstPicture);
 }
 
-std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
-    return compiled(formula, Precision::Float);
+std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region) {
+    return prepared(text, region, 0, CodeUse::FirstPicture);
+}
+
+std::expected<Formula, InputError> with_machine_code(const Formula& formula, CodeUse use,
+                                                     Precision precision) {
+    const auto start = Clock::now();
+    auto kernels = machine_code(formula.drawn, use, precision);
+    if (!kernels) return std::unexpected(kernels.error());
+    Formula result = formula;
+    for (std::size_t i = 0; i < kernels->size(); ++i) {
+        (*kernels)[i].witnesses = formula.kernels[i].witnesses;
+        (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
+    }
+    result.kernels = std::move(*kernels);
+    result.code = CodeState::Machine;
+    result.compile_ms += ms_since(start);
+    return result;
 }
 
 Formula with_double(const Formula& formula) {
-    if (auto result = compiled(formula, Precision::Double)) return std::move(*result);
+    if (auto result = with_machine_code(formula, CodeUse::FirstPicture, Precision::Double))
+        return std::move(*result);
     return interpreted(formula);
+}
+
+bool has_parts(const Formula& formula) {
+    return std::ranges::any_of(formula.drawn, is_made_of_parts);
 }
 
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
                                                    Precision precision) {
-    auto formula = prepared(text, region, {.jit = {}, .for_one_picture = true}, everything);
-    if (!formula || formula->code == CodeState::Interpreted) return formula;
-    const bool complete = formula->code == CodeState::Machine && formula->has_code(precision);
-    return complete ? formula : compiled(*formula, precision, true);
+    auto formula = prepared(text, region, everything, CodeUse::Pictures);
+    if (!formula || formula->code == CodeState::Interpreted || formula->has_code(precision))
+        return formula;
+    return with_machine_code(*formula, CodeUse::Pictures, precision);
 }
 
 Scene make_scene(const Formula& formula, const Box& clip, double w,

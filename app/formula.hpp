@@ -61,12 +61,28 @@ using ParameterValues = std::map<std::string, double>;
 /// Text to graphs.
 std::expected<Program, InputError> read_formula(std::string_view text);
 
+/// Text to a formula that is interpreted, its forms the tightest in `region`. Thread-safe.
+std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region);
+
 /// Text to the code of a first picture (CompileOptions::quick), its forms the tightest in `region`.
 /// Machine code unless that would take more than a second. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
 
-/// The same formula with machine code, for one whose code is InterpretedFirst. Thread-safe.
-std::expected<Formula, InputError> with_machine_code(const Formula& formula);
+/// What machine code is made for.
+enum class CodeUse : std::uint8_t {
+    FirstPicture,  ///< that comes soon, and more
+    OnePicture,    ///< and no other: code that takes longer than it saves is not made
+    Pictures,      ///< many, as quick as can be
+};
+
+/// The same formula with machine code, for one whose code is InterpretedFirst, also in `precision`.
+/// Thread-safe.
+std::expected<Formula, InputError> with_machine_code(const Formula& formula,
+                                                     CodeUse use = CodeUse::FirstPicture,
+                                                     Precision precision = Precision::Float);
+
+/// Whether machine code would be made of the parts of a surface, not of all.
+bool has_parts(const Formula& formula);
 
 /// The same formula with machine code in double beside that in float, interpreted if that cannot be
 /// made. Takes as long as the code in float did. Thread-safe.

@@ -1,5 +1,6 @@
 #include "app/render_picture.hpp"
 
+#include "app/code_choice.hpp"
 #include "app/document_scene.hpp"
 #include "app/solid_options.hpp"
 #include "app/text.hpp"
@@ -35,6 +36,9 @@ struct Drawing {
     std::atomic<bool> cancel = false;
     std::atomic<bool> has_scene = false;  ///< but for frame and timing all is there
 };
+
+/// Frames drawn again for their times each have a budget.
+bool is_one_frame(const RenderPlan& plan) { return plan.repeats == 1 && !plan.warms_up; }
 
 /// A picture of which nothing is decided.
 Framebuffer undecided_frame(const Size& size) {
@@ -91,11 +95,30 @@ void find_colors(Drawing& drawing, const ColorFormulas& colors) {
                    {&drawing.cancel, now + (drawing.until - now) / coloring_share});
 }
 
+/// For the one frame of an interpreted formula.
+std::expected<Formula, InputError> code_for_one(const Drawing& drawing, Formula formula,
+                                                Precision precision) {
+    if (formula.code == CodeState::Interpreted) return formula;
+    const auto start = Clock::now();
+    const RenderPlan& plan = drawing.picture.plan;
+    const bool pays =
+        has_parts(formula) || machine_code_pays({plain_scene(formula, plan), plan.camera,
+                                                 plan.settings, plan.size.width, plan.size.height},
+                                                formula.drawn, &drawing.cancel);
+    formula.compile_ms += ms_since(start);
+    if (!pays) return formula;
+    return with_machine_code(formula, CodeUse::OnePicture, precision);
+}
+
 /// The formula's code and what it shows; or an error.
 std::optional<InputError> prepare(Drawing& drawing) {
     RenderPlan& plan = drawing.picture.plan;
     const Surface& surface = plan.surface;
-    auto formula = compile_formula(surface.equation, surface.clip);
+    // What is fitted asks for many ranges, as does any tracer but that of beams.
+    const bool few =
+        is_one_frame(plan) && !plan.fits && plan.settings.tracer == tracers().front().name;
+    auto formula = few ? interpreted_formula(surface.equation, surface.clip)
+                       : compile_formula(surface.equation, surface.clip);
     if (!formula) return formula.error();
     if (auto unknown = check_parameters(formula->program, surface.parameters)) return unknown;
     if (auto missing = check_solids(formula->program, surface.solids)) return missing;
@@ -108,6 +131,8 @@ std::optional<InputError> prepare(Drawing& drawing) {
     const Precision precision =
         wanted_precision(plain_scene(*formula, plan), ViewFrame(plan.camera), plan.settings.stop);
     drawing.progress.enter(Progress::Stage::Compiling);
+    if (few) formula = code_for_one(drawing, std::move(*formula), precision);
+    if (!formula) return formula.error();
     if (!formula->has_code(precision)) formula = with_double(*formula);
     drawing.picture.formula = std::move(*formula);
     drawing.picture.scene = plain_scene(drawing.picture.formula, plan);
@@ -165,9 +190,7 @@ RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
     drawing->picture.frame = undecided_frame(plan.size);
     drawing->start = start;
     drawing->until = until_after(start, plan.budget_s);
-    // Frames drawn again for their times each have a budget.
-    const bool one_frame = plan.repeats == 1 && !plan.warms_up;
-    const auto last = one_frame ? drawing->until + patience : TimeLimit::never;
+    const auto last = is_one_frame(plan) ? drawing->until + patience : TimeLimit::never;
     if (finish_until(last, drawing->progress, [drawing] { draw(*drawing); })) {
         return {std::shared_ptr<const RenderedPicture>(drawing, &drawing->picture)};
     }

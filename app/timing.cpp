@@ -11,9 +11,7 @@ namespace {
 double time_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
-    const std::chrono::duration<double, std::milli> elapsed =
-        std::chrono::steady_clock::now() - start;
-    return elapsed.count();
+    return ms_since(start);
 }
 
 FrameTiming timing_of(std::vector<double> times) {
@@ -35,6 +33,11 @@ std::chrono::steady_clock::time_point until_after(std::chrono::steady_clock::tim
     using Clock = std::chrono::steady_clock;
     return start +
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+double ms_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
 }
 
 FrameTiming time_repeats(int repeats, const std::function<void()>& work) {

@@ -19,6 +19,8 @@ struct FrameTiming {
 
 inline constexpr double default_budget_s = 30.0;
 
+double ms_since(std::chrono::steady_clock::time_point start);
+
 /// So many seconds later.
 std::chrono::steady_clock::time_point until_after(std::chrono::steady_clock::time_point start,
                                                   double seconds);

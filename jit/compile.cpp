@@ -176,6 +176,7 @@ std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& optio
     if (options.with_double) {
         pieces.push_back({vectors.in_double, KernelPart::Form});
         pieces.push_back({vectors.in_double, KernelPart::Newton});
+        if (!options.quick) pieces.push_back({vectors.in_double, KernelPart::RayForm});
     }
     return pieces;
 }
@@ -191,6 +192,23 @@ std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
     const std::jthread other(work);
     work();
     return codes;
+}
+
+/// What is made when it is first called.
+void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vectors,
+                         const CompileOptions& options) {
+    if (options.quick) {
+        make_later(kernel.ray_form_float, expr, {vectors.in_float, KernelPart::RayForm},
+                   kernel.form_float);
+        if (options.with_double)
+            make_later(kernel.ray_form_double, expr, {vectors.in_double, KernelPart::RayForm});
+    }
+    if (options.few_points) return;
+    make_later(kernel.range_float, expr, {vectors.in_float, KernelPart::Range});
+    make_later(kernel.value_float, expr, {vectors.in_float, KernelPart::Value});
+    make_later(kernel.value_double, expr, {vectors.in_double, KernelPart::Value});
+    if (options.with_double)
+        make_later(kernel.range_double, expr, {vectors.in_double, KernelPart::Range});
 }
 
 using Print = std::expected<std::string, CompileError> (*)(const Lowering&);
@@ -238,18 +256,8 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         if (!codes[i]) return std::unexpected(codes[i].error());
         put_in(kernel, pieces[i], *codes[i]);
     }
-    make_later(kernel.range_float, expr, {vectors->in_float, KernelPart::Range});
-    if (options.quick) {
-        make_later(kernel.ray_form_float, expr, {vectors->in_float, KernelPart::RayForm},
-                   kernel.form_float);
-    }
-    make_later(kernel.value_float, expr, {vectors->in_float, KernelPart::Value});
-    make_later(kernel.value_double, expr, {vectors->in_double, KernelPart::Value});
     kernel.has_double = options.with_double;
-    if (kernel.has_double) {
-        make_later(kernel.range_double, expr, {vectors->in_double, KernelPart::Range});
-        make_later(kernel.ray_form_double, expr, {vectors->in_double, KernelPart::RayForm});
-    }
+    add_later_functions(kernel, expr, *vectors, options);
     return kernel;
 }
 

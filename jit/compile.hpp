@@ -16,6 +16,8 @@ struct CompileOptions {
     /// Only what a first picture needs is made at once; forms on rays are made when they are first
     /// called, too.
     bool quick = false;
+    /// For one picture, in which gradients and ranges are few: they stay the interpreter's.
+    bool few_points = false;
 
     bool operator==(const CompileOptions&) const = default;
 };

@@ -141,7 +141,7 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{function.load(x[v]), {}};
-        if (with_gradient) variable.slope[v] = function.splat(1.0);
+        if (with_gradient) variable.slope.set(v, function.splat(1.0));
         return variable;
     };
     DualAlgebra<Lanes> algebra;
@@ -221,7 +221,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
         Dual<Lanes> variable{(*x)[v], {}};
-        variable.slope[v] = function.splat(1.0);
+        variable.slope.set(v, function.splat(1.0));
         return variable;
     };
     const auto varying = [&] {

@@ -57,7 +57,7 @@ Dual<GraphNumber> Differentiator::made(NodeId id) {
     Dual<GraphNumber> result{itself, {}};
     if (node.op == Op::Variable) {
         const auto v = static_cast<std::size_t>(node.number);
-        if (v < result.slope.size()) result.slope[v] = like(itself, 1.0);
+        if (v < 3) result.slope.set(v, like(itself, 1.0));
     } else if (arity(node.op) > 0) {
         static const Facts unknown;
         result = apply_to(algebra_, node, [&](NodeId operand) {
@@ -73,12 +73,14 @@ Gradient Differentiator::of(NodeId root) {
         if (known_.size() <= id) known_.resize(id + 1);
         known_[id] = made(id);
     }
-    return known_[root]->slope;
+    const Slopes<GraphNumber>& slopes = known_[root]->slope;
+    return {slopes[0], slopes[1], slopes[2]};
 }
 
 std::optional<GraphNumber> sum(const std::optional<GraphNumber>& a,
                                const std::optional<GraphNumber>& b) {
-    return detail::sum(a, b);
+    if (!a) return b;
+    return b ? *a + *b : *a;
 }
 
 std::optional<GraphNumber> difference(const std::optional<GraphNumber>& a,

@@ -295,44 +295,30 @@ void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord&
     interpret_cells<Real, bytes>(tape, &batch, false, &record);
 }
 
-/// Without gradients the variables have no slopes, and so nothing has.
-template <class Real, std::size_t bytes, bool with_gradient>
-void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
-    using Lanes = Block<Real, bytes>;
-    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Lanes> {
-        if (facts.constant) return {Lanes::splat(facts.constant_point<Real>()), {}};
-        const auto v = static_cast<std::size_t>(node.number);
-        if (v >= 3) return {Lanes::splat(batch->uniforms[v - 3]), {}};
-        Dual<Lanes> variable{load<Lanes>(batch->x[v] + i), {}};
-        if constexpr (with_gradient) variable.slope[v] = Lanes::splat(1);
-        return variable;
-    };
-    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
-        return part_value<Real, bytes>(shape, part, *batch, i);
-    };
-    const auto finish = [&](const Dual<Lanes>& f, std::size_t i) {
-        store(batch->f + i, f.value);
-        if constexpr (!with_gradient) return;
-        for (std::size_t k = 0; k < 3; ++k)
-            store(batch->gradient[k] + i, f.slope[k].value_or(Lanes::splat(0)));
-    };
-    interpret_blocks<DualAlgebra<Lanes>, Lanes::lanes>(*static_cast<const Tape*>(code), batch->size,
-                                                       NoBoard(), leaf, of_part, finish);
-}
+}  // namespace
+}  // namespace zeroset
+
+#include "engine/expr/interpret_points-inl.hpp"
+
+namespace zeroset {
+namespace {
 
 template <std::size_t bytes>
 constexpr InterpreterCode interpreter_code_of() {
     return {.range_float = interpret_range<float, bytes>,
-            .value_float = interpret_value<float, bytes, true>,
+            .value_float = interpret_gradient<float, bytes>,
             .form_float = interpret_form<float, bytes>,
             .ray_form_float = interpret_ray_form<float, bytes>,
+            .newton_float = interpret_newton<float, bytes>,
             .record_float = record_form<float, bytes>,
             .range_double = interpret_range<double, bytes>,
-            .value_double = interpret_value<double, bytes, true>,
+            .value_double = interpret_gradient<double, bytes>,
             .form_double = interpret_form<double, bytes>,
             .ray_form_double = interpret_ray_form<double, bytes>,
+            .newton_double = interpret_newton<double, bytes>,
             .record_double = record_form<double, bytes>,
-            .point_double = interpret_value<double, bytes, false>};
+            .ray_value = interpret_ray_value<bytes>,
+            .point_double = interpret_value<double, bytes>};
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include "engine/expr/float_check.hpp"
 #include "engine/expr/interpret_code.hpp"
 #include "engine/expr/least_of.hpp"
-#include "engine/expr/ray_functions.hpp"
 #include "engine/expr/tape.hpp"
 #include "engine/expr/unowned.hpp"
 #include "engine/num/block.hpp"
@@ -42,7 +41,6 @@ private:
     std::shared_ptr<const Tape> tape_;
 };
 
-/// All but the functions over rays.
 void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     const InterpreterCode& code = interpreter_code();
     kernel.range_float = {code.range_float, tape};
@@ -53,6 +51,9 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.value_double = {code.value_double, tape};
     kernel.form_double = {code.form_double, tape};
     kernel.ray_form_double = {code.ray_form_double, tape};
+    kernel.newton_float = {code.newton_float, tape};
+    kernel.newton_double = {code.newton_double, tape};
+    kernel.ray_value = {code.ray_value, tape};
     kernel.has_double = true;
     kernel.interpreted = true;
     kernel.switches = tape->graph()->switch_count;
@@ -63,7 +64,6 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
 struct TapeKernel {
     explicit TapeKernel(Tape code) : tape(std::move(code)), shortener(unowned(tape)) {
         set_code(kernel, unowned(tape));
-        add_ray_functions_in_place(kernel);
         if (tape.choices() > 0) kernel.shortener = unowned<Shortener>(shortener);
     }
     TapeKernel(const TapeKernel&) = delete;
@@ -129,7 +129,6 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
     const auto tape = std::make_shared<const Tape>(
         std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
     set_code(kernel, tape);
-    add_ray_functions(kernel);
     kernel.float_check = std::make_shared<const FloatCheck>(expr, kernel);
     if (tape->choices() > 0) kernel.shortener = std::make_shared<WholeShortener>(tape);
     return kernel;
@@ -151,7 +150,7 @@ Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
         const std::size_t p = v - at.size();
         const double given = p < parameters.size() ? parameters[p] : 1.0;
         Dual<double> variable{v < at.size() ? at[v] : given, {}};
-        if (v < 3) variable.slope[v] = 1.0;
+        if (v < 3) variable.slope.set(v, 1.0);
         return variable;
     };
     return evaluate(expr, facts, algebra, leaf, [] {});

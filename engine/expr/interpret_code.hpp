@@ -22,12 +22,15 @@ struct InterpreterCode {
     Function<ValueBatchOf<float>> value_float;
     Function<FormBatchOf<float>> form_float;
     Function<FormBatchOf<float>> ray_form_float;
+    Function<NewtonBatchOf<float>> newton_float;
     Record<float> record_float;
     Function<RangeBatchOf<double>> range_double;
     Function<ValueBatchOf<double>> value_double;
     Function<FormBatchOf<double>> form_double;
     Function<FormBatchOf<double>> ray_form_double;
+    Function<NewtonBatchOf<double>> newton_double;
     Record<double> record_double;
+    Function<RayValueBatch> ray_value;
     Function<ValueBatchOf<double>> point_double;  ///< without gradients
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -36,11 +38,24 @@ struct OpInfo {
     std::string_view about;  ///< for the user's list of functions; empty if not typed as one
 };
 
+inline constexpr std::array op_table{
+#define ZEROSET_OP(id, method, spelling, arity, notation, about) \
+    OpInfo{Op::id, #id, spelling, arity, Notation::notation, about},
+#include "engine/expr/op.def"
+#undef ZEROSET_OP
+};
+
 /// All operators but the leaves, in the order of op.def.
-std::span<const OpInfo> operators();
+constexpr std::span<const OpInfo> operators() { return op_table; }
+
 /// The row of an operator that is not a leaf.
-const OpInfo& op_info(Op op);
+constexpr const OpInfo& op_info(Op op) {
+    return op_table[static_cast<std::size_t>(op) - static_cast<std::size_t>(Op::Negate)];
+}
+
 /// How many operands; a leaf has none.
-int arity(Op op);
+constexpr int arity(Op op) {
+    return op == Op::Constant || op == Op::Variable ? 0 : op_info(op).arity;
+}
 
 }  // namespace zeroset

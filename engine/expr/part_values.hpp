@@ -144,7 +144,7 @@ Dual<Block<Real, bytes>> part_value(const PartShape& shape, const Part& part,
                            point_uniforms(shape, part, batch.uniforms),
                            numbers(f),
                            {numbers(gradient[0]), numbers(gradient[1]), numbers(gradient[2])}});
-    return {f, {gradient[0], gradient[1], gradient[2]}};
+    return {f, Slopes<Lanes>(gradient[0], gradient[1], gradient[2])};
 }
 
 }  // namespace zeroset

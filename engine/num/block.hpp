@@ -192,7 +192,8 @@ BlockMask mask_by_registers(Function function, const Block<Real, bytes>& a,
 template <class Real, std::size_t bytes>
 Block<Real, bytes> Block<Real, bytes>::splat(Real value) {
     Block block;
-    block.registers.fill({detail::splat<bytes>(value)});
+    for (auto& part : block.registers)
+        part = {detail::splat<bytes>(value)};
     return block;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/num/steps.hpp"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
@@ -15,29 +16,35 @@
 
 namespace zeroset {
 
-/// f and df/dx, df/dy, df/dz; an absent derivative is 0 for every point.
+/// df/dx, df/dy, df/dz; an absent one is 0 for every point. Close together, as the interpreter
+/// keeps many of them in blocks of numbers.
+template <class Real>
+class Slopes {
+public:
+    Slopes() = default;
+    Slopes(const Real& x, const Real& y, const Real& z) : slopes_{x, y, z}, known_(7) {}
+
+    [[nodiscard]] bool has(std::size_t i) const { return (known_ >> i & 1U) != 0; }
+    /// One that is there.
+    [[nodiscard]] const Real& known(std::size_t i) const { return slopes_[i]; }
+    [[nodiscard]] std::optional<Real> operator[](std::size_t i) const {
+        return has(i) ? std::optional<Real>(slopes_[i]) : std::nullopt;
+    }
+    void set(std::size_t i, const Real& slope) {
+        slopes_[i] = slope;
+        known_ |= 1U << i;
+    }
+
+private:
+    std::array<Real, 3> slopes_;
+    unsigned known_ = 0;
+};
+
 template <class Real>
 struct Dual {
     Real value;
-    std::array<std::optional<Real>, 3> slope;
+    Slopes<Real> slope;
 };
-
-namespace detail {
-
-template <class Real>
-std::optional<Real> sum(const std::optional<Real>& a, const std::optional<Real>& b) {
-    if (!a) return b;
-    if (!b) return a;
-    return *a + *b;
-}
-
-template <class Real>
-std::optional<Real> product(const Real& a, const std::optional<Real>& b) {
-    if (!b) return std::nullopt;
-    return a * *b;
-}
-
-}  // namespace detail
 
 /// A derivative >= 0 that may be infinite, as a number.
 template <class Real>
@@ -49,8 +56,9 @@ Real at_most_steep(const Real& derivative) {
 template <class Real>
 Dual<Real> chain(const Real& value, const Real& derivative, const Dual<Real>& a) {
     Dual<Real> result{value, {}};
-    for (std::size_t i = 0; i < 3; ++i)
-        result.slope[i] = detail::product(derivative, a.slope[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (a.slope.has(i)) result.slope.set(i, derivative * a.slope.known(i));
+    }
     return result;
 }
 
@@ -60,8 +68,15 @@ Dual<Real> chain(const Real& value, const Real& by_a, const Dual<Real>& a, const
                  const Dual<Real>& b) {
     Dual<Real> result{value, {}};
     for (std::size_t i = 0; i < 3; ++i) {
-        result.slope[i] =
-            detail::sum(detail::product(by_a, a.slope[i]), detail::product(by_b, b.slope[i]));
+        const bool in_a = a.slope.has(i);
+        const bool in_b = b.slope.has(i);
+        if (in_a && in_b) {
+            result.slope.set(i, by_a * a.slope.known(i) + by_b * b.slope.known(i));
+        } else if (in_a) {
+            result.slope.set(i, by_a * a.slope.known(i));
+        } else if (in_b) {
+            result.slope.set(i, by_b * b.slope.known(i));
+        }
     }
     return result;
 }
@@ -70,7 +85,7 @@ template <class Real>
 Dual<Real> operator-(const Dual<Real>& a) {
     Dual<Real> result{-a.value, {}};
     for (std::size_t i = 0; i < 3; ++i) {
-        if (a.slope[i]) result.slope[i] = -*a.slope[i];
+        if (a.slope.has(i)) result.slope.set(i, -a.slope.known(i));
     }
     return result;
 }
@@ -78,8 +93,15 @@ Dual<Real> operator-(const Dual<Real>& a) {
 template <class Real>
 Dual<Real> operator+(const Dual<Real>& a, const Dual<Real>& b) {
     Dual<Real> result{a.value + b.value, {}};
-    for (std::size_t i = 0; i < 3; ++i)
-        result.slope[i] = detail::sum(a.slope[i], b.slope[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const bool in_a = a.slope.has(i);
+        const bool in_b = b.slope.has(i);
+        if (in_a && in_b) {
+            result.slope.set(i, a.slope.known(i) + b.slope.known(i));
+        } else if (in_a || in_b) {
+            result.slope.set(i, in_a ? a.slope.known(i) : b.slope.known(i));
+        }
+    }
     return result;
 }
 
@@ -307,9 +329,11 @@ template <class Mask, class Real>
 Dual<Real> select_dual(const Mask& condition, const Dual<Real>& a, const Dual<Real>& b) {
     Dual<Real> result{select(condition, a.value, b.value), {}};
     for (std::size_t i = 0; i < 3; ++i) {
-        if (!a.slope[i] && !b.slope[i]) continue;
+        if (!a.slope.has(i) && !b.slope.has(i)) continue;
         const Real zero = like(a.value, 0.0);
-        result.slope[i] = select(condition, a.slope[i].value_or(zero), b.slope[i].value_or(zero));
+        const Real in_a = a.slope.has(i) ? a.slope.known(i) : zero;
+        const Real in_b = b.slope.has(i) ? b.slope.known(i) : zero;
+        result.slope.set(i, select(condition, in_a, in_b));
     }
     return result;
 }

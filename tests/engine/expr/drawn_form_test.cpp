@@ -161,8 +161,8 @@ TEST(DrawnForm, GradientsAtRootsPointTheSameWay) {
         const Dual<double> g = value_at(drawn, at);
         EXPECT_NEAR(g.value, 0.0, 1e-14);
         for (std::size_t i = 0; i < 3; ++i) {
-            EXPECT_NEAR(g.slope.at(i).value_or(0.0),
-                        f.slope.at(i).value_or(0.0) * std::abs(divisor), 1e-13);
+            EXPECT_NEAR(g.slope[i].value_or(0.0), f.slope[i].value_or(0.0) * std::abs(divisor),
+                        1e-13);
         }
     }
 }

@@ -217,7 +217,7 @@ Bits of_one_lane(const Expr& expr, const std::array<Interval<float>, 3>& box,
         if (node.number == variable_w) return {uniforms.middle[0], {}};
         const auto v = static_cast<std::size_t>(node.number);
         Dual<float> variable{point.at(v), {}};
-        variable.slope.at(v) = 1.0F;
+        variable.slope.set(v, 1.0F);
         return variable;
     };
     const Dual<float> value = evaluate(expr, facts, duals, point_leaf, [] {});

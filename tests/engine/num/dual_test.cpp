@@ -26,7 +26,7 @@ Dual<double> at(const char* text, const Vector& point) {
 void expect_gradient(const char* text, const Vector& point, const Vector& expected) {
     const Dual<double> found = at(text, point);
     for (std::size_t i = 0; i < 3; ++i) {
-        const double slope = found.slope.at(i).value_or(0.0);
+        const double slope = found.slope[i].value_or(0.0);
         EXPECT_NEAR(slope, expected.at(i), 1e-14 * (1 + std::abs(expected.at(i))))
             << "df/d" << "xyz"[i] << " of " << text;
     }
@@ -147,7 +147,7 @@ TEST_P(DualOperator, AgreesWithCentralDifferences) {
             after.at(k) += step;
             const double difference =
                 (value_at(expr, after).value - value_at(expr, before).value) / (2 * step);
-            const double slope = here.slope.at(k).value_or(0.0);
+            const double slope = here.slope[k].value_or(0.0);
             ASSERT_NEAR(slope, difference, 1e-6 * (1 + std::abs(slope)))
                 << "at " << p[0] << ", " << p[1];
             ++compared;
