@@ -10,15 +10,17 @@ namespace zeroset {
 namespace {
 
 // LLVM takes 15 ms for the simplest formula, and 1 to 2 ms for a node more, of which the
-// interpreter evaluates forms in some 0.3 ns and values in 0.1 ns.
+// interpreter evaluates forms in some 0.3 ns and values in 0.1 ns on two cores.
 constexpr double most_interpreted_ms = 10.0;
 constexpr double ns_of_value = 0.2;
 constexpr double ns_of_form = 0.6;
-
 /// So many pixels of the picture, along a side, are one of the small picture.
 constexpr int reduction = 8;
 /// A small picture that takes longer is one of many that do.
 constexpr std::chrono::milliseconds longest_trial{40};
+
+/// Where there are more, LLVM's longer work on quicker code pays.
+constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
 
 }  // namespace
 
@@ -30,16 +32,21 @@ bool machine_code_pays(const RenderRequest& picture, std::span<const Expr> drawn
     const Counters counters = render_frame(picture.scene, picture.camera, picture.settings, small,
                                            RenderWatch{.limit = limit, .on_tile = {}});
     if (counters.is_cut()) return true;
+    const auto surfaces = static_cast<double>(drawn.size());
     double nodes = 0;
     for (const Expr& surface : drawn)
-        nodes += static_cast<double>(surface.nodes().size());
+        nodes += static_cast<double>(surface.nodes().size()) / surfaces;
     const double scale = static_cast<double>(picture.width) * picture.height /
-                         (static_cast<double>(small.width) * small.height);
-    const auto surfaces = static_cast<double>(drawn.size());
-    const double ns = scale * nodes / surfaces *
+                         static_cast<double>(small.color.size());
+    const double ns = scale * nodes *
                       (ns_of_value * static_cast<double>(counters.value) +
                        ns_of_form * static_cast<double>(counters.form));
     return ns > 1e6 * most_interpreted_ms * surfaces;
+}
+
+CodeUse use_in_one_picture(int width, int height) {
+    const double pixels = static_cast<double>(width) * height;
+    return pixels > most_pixels_of_hasty_code ? CodeUse::Pictures : CodeUse::OnePicture;
 }
 
 }  // namespace zeroset

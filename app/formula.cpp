@@ -31,6 +31,10 @@ constexpr std::size_t most_part_nodes = 1'000;
 // 89 shapes of 971 nodes took 2 s for a frame of 0.2.
 constexpr std::size_t most_part_cost = 1'000;
 constexpr std::size_t cost_of_shape = 8;
+// LLVM's quicker code of more takes it seconds; of 2000 terms 23 s, where hasty code takes 0.7.
+constexpr std::size_t most_thorough_nodes = 200;
+// The interpreter evaluates so many in the time that LLVM takes for a function.
+constexpr std::size_t patient_nodes = 30'000'000;
 
 SampleRegion sample_region(const Box& box) {
     SampleRegion region;
@@ -62,10 +66,12 @@ CodeState code_for(const std::vector<Expr>& surfaces, std::size_t quick) {
     return all_nodes > quick ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
-jit::CompileOptions options_for(CodeUse use, Precision precision) {
+jit::CompileOptions options_for(CodeUse use, Precision precision, const Expr& surface) {
+    const bool large = surface.nodes().size() > most_thorough_nodes;
     return {.with_double = precision == Precision::Double,
             .quick = use == CodeUse::FirstPicture,
-            .few_points = use == CodeUse::OnePicture};
+            .hasty = use == CodeUse::OnePicture || (use == CodeUse::FirstPicture && large),
+            .patient_nodes = use == CodeUse::OnePicture ? patient_nodes : 0};
 }
 
 /// Machine code of parts, and an interpreter of the choices between them.
@@ -76,7 +82,7 @@ Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
     const std::size_t cost = parts.nodes() + cost_of_shape * parts.shapes.size();
     if (use == CodeUse::OnePicture && cost > most_part_cost) parts = {};
     parts.make_code([&](const Expr& shape) -> std::optional<Kernel> {
-        auto kernel = jit::compile(shape, options_for(use, precision));
+        auto kernel = jit::compile(shape, options_for(use, precision, shape));
         if (!kernel) return std::nullopt;
         return std::move(*kernel);
     });
@@ -88,7 +94,7 @@ Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
 std::expected<Kernel, InputError> machine_code(const Expr& surface, CodeUse use,
                                                Precision precision) {
     if (is_made_of_parts(surface)) return by_parts(surface, use, precision);
-    auto kernel = jit::compile(surface, options_for(use, precision));
+    auto kernel = jit::compile(surface, options_for(use, precision, surface));
     if (!kernel) return wrong_input("the formula cannot be compiled: " + kernel.error().message);
     return std::move(*kernel);
 }

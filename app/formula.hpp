@@ -71,7 +71,7 @@ std::expected<Formula, InputError> prepare_formula(std::string_view text, const 
 /// What machine code is made for.
 enum class CodeUse : std::uint8_t {
     FirstPicture,  ///< that comes soon, and more
-    OnePicture,    ///< and no other: code that takes longer than it saves is not made
+    OnePicture,    ///< soon, and no other: code that takes longer than it saves is not made
     Pictures,      ///< many, as quick as can be
 };
 

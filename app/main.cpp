@@ -179,7 +179,8 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
                  "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
     render_app->add_flag("--no-legend", render.no_legend,
                          "leave out what says which colour stands for which number");
-    add_value(*render_app, "--repeat", render.repeat, "draw N frames after a warm-up, for timing, by machine code");
+    add_value(*render_app, "--repeat", render.repeat,
+              "draw N frames after a warm-up, for timing, by machine code");
     add_value(*render_app, "--budget", render.budget,
               "seconds after which what is not decided stays undecided (default 30)");
     return render_app;

@@ -101,13 +101,14 @@ std::expected<Formula, InputError> code_for_one(const Drawing& drawing, Formula 
     if (formula.code == CodeState::Interpreted) return formula;
     const auto start = Clock::now();
     const RenderPlan& plan = drawing.picture.plan;
+    const auto [width, height] = plan.size;
     const bool pays =
-        has_parts(formula) || machine_code_pays({plain_scene(formula, plan), plan.camera,
-                                                 plan.settings, plan.size.width, plan.size.height},
-                                                formula.drawn, &drawing.cancel);
+        has_parts(formula) ||
+        machine_code_pays({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
+                          formula.drawn, &drawing.cancel);
     formula.compile_ms += ms_since(start);
     if (!pays) return formula;
-    return with_machine_code(formula, CodeUse::OnePicture, precision);
+    return with_machine_code(formula, use_in_one_picture(width, height), precision);
 }
 
 /// The formula's code and what it shows; or an error.

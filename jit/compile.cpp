@@ -57,7 +57,7 @@ KernelCache<MachineCode>& cache() {
     return instance;
 }
 
-/// Functions that are made when they are first called.
+/// Functions that are made when they are called.
 KernelCache<void>& later_functions() {
     static KernelCache<void> instance(functions_kept);
     return instance;
@@ -67,10 +67,12 @@ KernelCache<void>& later_functions() {
 struct Piece {
     VectorKind kind;
     KernelPart part;
+    bool hasty = false;
 
     [[nodiscard]] std::string key(const Expr& expr) const {
         const char* const type = kind.type == RealType::Float ? "f" : "d";
-        return std::to_string(kind.lanes) + type + symbol_of(part) + ":" + expr.key();
+        const char* const how = hasty ? "hasty " : "";
+        return how + std::to_string(kind.lanes) + type + symbol_of(part) + ":" + expr.key();
     }
     [[nodiscard]] Lowering lowering(const Expr& expr) const {
         return lowering_of(expr, kind, part);
@@ -85,7 +87,7 @@ Code cached_code(const Expr& expr, const Piece& piece) {
     if (auto known = cache().find(key)) return known;
     auto code = on_large_stack([&] {
         const NearestRounding guard;
-        return make_code(piece.lowering(expr), symbol_of(piece.part));
+        return make_code(piece.lowering(expr), symbol_of(piece.part), piece.hasty);
     });
     if (code) cache().insert(std::move(key), *code);
     return code;
@@ -120,63 +122,88 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
     }
 }
 
-/// A function that is made when it is first called, as most formulas are drawn without it. Until
-/// then, and where LLVM fails, `otherwise` can do its work.
+/// A function that is made when it has been called for some items, as most formulas are drawn
+/// without it. Until then, and where LLVM fails, `otherwise` can do its work.
 template <class Batch>
-class OnFirstCall {
+class OnCall {
 public:
-    OnFirstCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise)
-        : expr_(expr), piece_(piece), otherwise_(std::move(otherwise)), made_(otherwise_) {}
+    /// `patience`: for how many items `otherwise` does the work of `call`, with the same bits; 0
+    /// where it has others.
+    OnCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise,
+           std::size_t patience)
+        : expr_(expr),
+          piece_(piece),
+          otherwise_(std::move(otherwise)),
+          patience_(patience),
+          made_(otherwise_) {}
 
     static void call(const void* code, const Batch* batch) {
-        const auto& self = *static_cast<const OnFirstCall*>(code);
-        std::call_once(self.once_, [&] {
-            if (auto made = cached_code(self.expr_, self.piece_)) put_in(self.made_, *made);
-            self.ready_.store(true, std::memory_order_release);
-        });
+        const auto& self = *static_cast<const OnCall*>(code);
+        if (!self.ready_.load(std::memory_order_acquire)) {
+            const bool others_make_it = self.patience_ > 0 && self.begun_;
+            if (others_make_it || self.items_.fetch_add(batch->size) < self.patience_)
+                return self.otherwise_(*batch);
+            self.make();
+        }
         self.made_(*batch);
     }
     static void call_meanwhile(const void* code, const Batch* batch) {
-        const auto& self = *static_cast<const OnFirstCall*>(code);
+        const auto& self = *static_cast<const OnCall*>(code);
         const bool ready = self.ready_.load(std::memory_order_acquire);
         (ready ? self.made_ : self.otherwise_)(*batch);
     }
 
 private:
+    void make() const {
+        begun_ = true;
+        std::call_once(once_, [&] {
+            if (auto made = cached_code(expr_, piece_)) put_in(made_, *made);
+            ready_.store(true, std::memory_order_release);
+        });
+    }
+
     Expr expr_;
     Piece piece_;
     KernelFunction<Batch> otherwise_;
+    std::size_t patience_;
+    mutable std::atomic<std::size_t> items_ = 0;
+    mutable std::atomic<bool> begun_ = false;
     mutable std::once_flag once_;
     mutable KernelFunction<Batch> made_;
     mutable std::atomic<bool> ready_ = false;
 };
 
 template <class Batch>
-void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece,
-                const KernelFunction<Batch>& otherwise) {
+void make_on_call(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece,
+                  const KernelFunction<Batch>& otherwise, std::size_t patience) {
     std::string key = piece.key(expr);
     auto code = later_functions().find(key);
     if (!code) {
-        code = std::make_shared<const OnFirstCall<Batch>>(expr, piece, otherwise);
+        code = std::make_shared<const OnCall<Batch>>(expr, piece, otherwise, patience);
         later_functions().insert(std::move(key), code);
     }
-    function = {OnFirstCall<Batch>::call, std::move(code), OnFirstCall<Batch>::call_meanwhile};
+    function = {OnCall<Batch>::call, std::move(code), OnCall<Batch>::call_meanwhile};
 }
+
+/// In place of the interpreter's function, when that has taken as long as its code will.
 template <class Batch>
-void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece) {
-    make_later(function, expr, piece, KernelFunction<Batch>(function));
+void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece,
+                std::size_t patient_nodes) {
+    make_on_call(function, expr, piece, KernelFunction<Batch>(function),
+                 patient_nodes / expr.nodes().size());
 }
 
 /// What is made at once for these options, the longest first: what the beam tracer needs.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
-    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form}};
-    if (!options.quick) pieces.push_back({vectors.in_float, KernelPart::RayForm});
-    pieces.push_back({vectors.in_float, KernelPart::Newton});
-    pieces.push_back({vectors.in_double, KernelPart::RayValue});
+    const bool hasty = options.hasty;
+    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form, hasty}};
+    if (!options.quick) pieces.push_back({vectors.in_float, KernelPart::RayForm, hasty});
+    pieces.push_back({vectors.in_float, KernelPart::Newton, hasty});
+    pieces.push_back({vectors.in_double, KernelPart::RayValue, hasty});
     if (options.with_double) {
-        pieces.push_back({vectors.in_double, KernelPart::Form});
-        pieces.push_back({vectors.in_double, KernelPart::Newton});
-        if (!options.quick) pieces.push_back({vectors.in_double, KernelPart::RayForm});
+        pieces.push_back({vectors.in_double, KernelPart::Form, hasty});
+        pieces.push_back({vectors.in_double, KernelPart::Newton, hasty});
+        if (!options.quick) pieces.push_back({vectors.in_double, KernelPart::RayForm, hasty});
     }
     return pieces;
 }
@@ -194,21 +221,24 @@ std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
     return codes;
 }
 
-/// What is made when it is first called.
+/// The functions that few formulas need.
 void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vectors,
                          const CompileOptions& options) {
-    if (options.quick) {
-        make_later(kernel.ray_form_float, expr, {vectors.in_float, KernelPart::RayForm},
-                   kernel.form_float);
-        if (options.with_double)
-            make_later(kernel.ray_form_double, expr, {vectors.in_double, KernelPart::RayForm});
+    const bool hasty = options.hasty;
+    const auto later = [&](auto& function, const VectorKind& kind, KernelPart part) {
+        make_later(function, expr, {kind, part, hasty}, options.patient_nodes);
+    };
+    later(kernel.range_float, vectors.in_float, KernelPart::Range);
+    later(kernel.value_float, vectors.in_float, KernelPart::Value);
+    later(kernel.value_double, vectors.in_double, KernelPart::Value);
+    if (options.with_double) later(kernel.range_double, vectors.in_double, KernelPart::Range);
+    if (!options.quick) return;
+    make_on_call(kernel.ray_form_float, expr, {vectors.in_float, KernelPart::RayForm, hasty},
+                 kernel.form_float, 0);
+    if (options.with_double) {
+        make_on_call(kernel.ray_form_double, expr, {vectors.in_double, KernelPart::RayForm, hasty},
+                     kernel.form_double, 0);
     }
-    if (options.few_points) return;
-    make_later(kernel.range_float, expr, {vectors.in_float, KernelPart::Range});
-    make_later(kernel.value_float, expr, {vectors.in_float, KernelPart::Value});
-    make_later(kernel.value_double, expr, {vectors.in_double, KernelPart::Value});
-    if (options.with_double)
-        make_later(kernel.range_double, expr, {vectors.in_double, KernelPart::Range});
 }
 
 using Print = std::expected<std::string, CompileError> (*)(const Lowering&);

@@ -16,8 +16,11 @@ struct CompileOptions {
     /// Only what a first picture needs is made at once; forms on rays are made when they are first
     /// called, too.
     bool quick = false;
-    /// For one picture, in which gradients and ranges are few: they stay the interpreter's.
-    bool few_points = false;
+    /// Code in half the time, which is slower by some 10 to 40 %.
+    bool hasty = false;
+    /// How many nodes the interpreter evaluates for a function that few formulas need, before its
+    /// code is made.
+    std::size_t patient_nodes = 0;
 
     bool operator==(const CompileOptions&) const = default;
 };
@@ -27,10 +30,11 @@ struct CompileError {
 };
 
 /// Machine code for the graph: at once what the beam tracer always needs (forms, Newton's method,
-/// values on rays), the other functions when they are first called; Kernel::without_waiting calls
-/// the interpreter's, and forms in place of forms on rays, until they are there. Thread-safe; equal
-/// graphs compiled lately share their code, function by function: asking for double later makes
-/// what is missing. LLVM runs on threads of its own with a large stack.
+/// values on rays), the other functions when they have been called for long enough, forms on rays
+/// when they are first called. Until then, and in Kernel::without_waiting until they are there, the
+/// interpreter does their work with the same bits, and forms that of forms on rays. Thread-safe;
+/// equal graphs compiled lately share their code, function by function: asking for double later
+/// makes what is missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
 /// Machine code for the values alone, in double; at once.

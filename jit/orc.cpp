@@ -19,7 +19,7 @@ namespace orc = llvm::orc;
 CompileError message_of(llvm::Error error) { return {llvm::toString(std::move(error))}; }
 
 /// This machine's processor and features; floating point exactly as written.
-llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
+llvm::Expected<orc::JITTargetMachineBuilder> host_target(bool hasty) {
     static std::once_flag once;
     std::call_once(once, [] {
         llvm::InitializeNativeTarget();
@@ -28,7 +28,7 @@ llvm::Expected<orc::JITTargetMachineBuilder> host_target() {
     auto target = orc::JITTargetMachineBuilder::detectHost();
     if (!target) return target;
     target->getOptions().AllowFPOpFusion = llvm::FPOpFusion::Strict;
-    target->setCodeGenOptLevel(llvm::CodeGenOptLevel::Less);
+    target->setCodeGenOptLevel(hasty ? llvm::CodeGenOptLevel::None : llvm::CodeGenOptLevel::Less);
     return target;
 }
 
@@ -43,8 +43,8 @@ private:
 };
 
 llvm::Expected<std::shared_ptr<const MachineCode>> link(const Lowering& lowering,
-                                                        const char* symbol) {
-    auto target = host_target();
+                                                        const char* symbol, bool hasty) {
+    auto target = host_target(hasty);
     if (!target) return target.takeError();
     auto jit = orc::LLJITBuilder().setJITTargetMachineBuilder(*target).create();
     if (!jit) return jit.takeError();
@@ -63,8 +63,9 @@ llvm::Expected<std::shared_ptr<const MachineCode>> link(const Lowering& lowering
 }  // namespace
 
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
-                                                                          const char* symbol) {
-    auto code = link(lowering, symbol);
+                                                                          const char* symbol,
+                                                                          bool hasty) {
+    auto code = link(lowering, symbol, hasty);
     if (!code) return std::unexpected(message_of(code.takeError()));
     return *code;
 }
@@ -83,7 +84,7 @@ std::expected<std::string, CompileError> print_ir(const Lowering& lowering) {
 }
 
 std::expected<std::string, CompileError> print_assembly(const Lowering& lowering) {
-    auto target = host_target();
+    auto target = host_target(false);
     if (!target) return std::unexpected(message_of(target.takeError()));
     auto machine = target->createTargetMachine();
     if (!machine) return std::unexpected(message_of(machine.takeError()));

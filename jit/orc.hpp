@@ -31,8 +31,10 @@ using Lowering = std::function<std::unique_ptr<llvm::Module>(llvm::LLVMContext&)
 /// By `lower`; the graph must outlive it.
 Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part);
 
+/// `hasty`: CompileOptions::hasty.
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
-                                                                          const char* symbol);
+                                                                          const char* symbol,
+                                                                          bool hasty);
 std::expected<std::string, CompileError> print_ir(const Lowering& lowering);
 std::expected<std::string, CompileError> print_assembly(const Lowering& lowering);
 

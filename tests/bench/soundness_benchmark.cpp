@@ -169,7 +169,7 @@ std::expected<std::shared_ptr<const jit::MachineCode>, jit::CompileError> plain_
             return lower_plain(expr, PlainAlgebra(careful), {RealType::Float, jit::host_lanes()},
                                context);
         },
-        jit::symbol_of(jit::KernelPart::Range));
+        jit::symbol_of(jit::KernelPart::Range), false);
 }
 
 void time_all(benchmark::State& state, const GalleryItem& item, const Expr& expr) {

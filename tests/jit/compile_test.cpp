@@ -99,6 +99,32 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
 }
 
+TEST(Jit, HasTheSameBitsInHaste) {
+    RandomNumbers random(20);
+    const KernelBatch batch(random, 64);
+    for (const char* const text : {"x^3*y + 1.0625*sin(y*z) - x*z^2", "max(abs(x) - 0.7, y/z)",
+                                   "if(x < y, exp(z), sqrt(x^2 + z^2))"}) {
+        const Expr expr = parsed(text);
+        const Kernel thorough = test::compiled(expr, {});
+        const Kernel hasty = test::compiled(expr, {.hasty = true});
+        EXPECT_NE(hasty.form_float, thorough.form_float);
+        EXPECT_EQ(centres_and_errors(hasty.form_float), centres_and_errors(thorough.form_float));
+        EXPECT_EQ(centres_and_errors(hasty.ray_form_float),
+                  centres_and_errors(thorough.ray_form_float));
+        EXPECT_EQ(batch.run(hasty), batch.run(thorough)) << text;
+    }
+}
+
+TEST(Jit, HasTheSameBitsBeforeAndAfterItsPatienceEnds) {
+    RandomNumbers random(21);
+    const KernelBatch batch(random, 64);
+    const Expr expr = parsed("x^3*y + 1.09375*sin(y*z) - x*z^2");
+    const auto expected = batch.run(interpret(expr));
+    const Kernel patient = test::compiled(expr, {.patient_nodes = 64 * 8 * expr.nodes().size()});
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(batch.run(patient), expected) << i;
+}
+
 TEST(Jit, KeepsLaneCountsApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
     const std::vector<int> lanes = machine_lanes();
