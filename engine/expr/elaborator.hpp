@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -105,6 +106,16 @@ private:
     Built repeated(const Syntax& syntax, const Binding* scope);
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
+    Built library_call(const Syntax& syntax, const Binding* scope);
+    Built kept_value(const Syntax& syntax, const Binding* scope);
+    struct Complaint {
+        std::string reason;
+        std::string hint;
+    };
+    std::optional<double> whole_number(SyntaxId id, const Binding* scope,
+                                       const Complaint& otherwise);
+    [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
+    std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
 
     /// The node as a value, unless the graph is too large or holds a constant that is no number.
     Built done(NodeId id, std::size_t offset, bool condition = false);
@@ -120,6 +131,8 @@ private:
     std::vector<std::string> parameters_;
     std::unordered_map<Call, Value, CallHash> calls_;
     std::unordered_map<SyntaxId, Value> earlier_;  ///< of lists
+    std::map<double, NodeId> kept_;                ///< by psh
+    std::optional<std::size_t> library_offset_;    ///< of the call whose body is being built
     std::vector<Surface> surfaces_;
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 that nothing uses
     std::map<std::size_t, Reading> readings_;   ///< by statement

@@ -33,6 +33,7 @@ bool Elaborator::divides_by_zero(const Node& node) const {
 }
 
 std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
+    offset = library_offset_.value_or(offset);
     if (!error_) error_ = ParseError{offset, std::move(reason), std::move(hint)};
     return std::nullopt;
 }
@@ -108,9 +109,9 @@ Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
         ++steps_;
         if (binding->name == syntax.text) return binding->value;
     }
-    if (Definition* const definition = table_.value(syntax.text, statement_)) {
-        return defined_value(*definition, syntax);
-    }
+    Definition* const definition =
+        library_offset_ ? nullptr : table_.value(syntax.text, statement_);
+    if (definition != nullptr) return defined_value(*definition, syntax);
     if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
     return unknown(syntax);
 }

@@ -10,6 +10,8 @@
 namespace zeroset {
 namespace {
 
+constexpr std::size_t longest_letter = 4;  // f_r and f_th may be parameters
+
 /// A number with its decimal point, for 0,5 and 0{,}5, too.
 std::string decimal(std::string_view typed) {
     std::string text;
@@ -57,7 +59,11 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && defined_.defines_function(full)) return call_of_text(token);
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
-    if (function != nullptr && (called || !defined)) return call(token, *function);
+    const bool is_letter = function != nullptr && function->is_of_library() && !called &&
+                           full.size() <= longest_letter;
+    const bool hides = function != nullptr && function->is_of_library() && defined;
+    if (function != nullptr && !is_letter && !hides && (called || !defined))
+        return call(token, *function);
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
 
@@ -218,7 +224,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
     }
     const std::string name(function.name);
     if (!function.takes(1)) {
-        return fail(next(), "'(' is missing after " + quoted(token.text),
+        return fail(next(), "'(' is missing after " + quoted(full_name(token)),
                     "type " + name + "(" + std::string(function.arguments) + ")");
     }
     if (at_break() || (!starts_factor() && next().kind != TokenKind::Number &&

@@ -127,6 +127,7 @@ private:
     SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
                  std::string_view marks = {}, std::string_view text = {});
     SyntaxId add_call(const Function& function, std::size_t offset, std::vector<SyntaxId> operands);
+    void add_library_function(const Function& function, std::size_t offset);
 
     [[nodiscard]] const Token& next() const { return tokens_[at_]; }
     [[nodiscard]] bool next_is(std::string_view symbol) const {

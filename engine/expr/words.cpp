@@ -46,6 +46,23 @@ bool calls_as_mathematica(const Token& name, const Token& bracket) {
     return capital && find_function(in_small_letters(name.text)) != nullptr;
 }
 
+/// Whether a word of programs stands where one belongs: float a, return a, = function(a). It is no
+/// product of its letters.
+bool is_program_word(std::span<const Token> tokens, std::size_t at) {
+    const Token& word = tokens[at];
+    if (word.kind != TokenKind::Name || !word.subscript.empty() || at + 1 == tokens.size())
+        return false;
+    const auto behind = [&](std::initializer_list<std::string_view> symbols) {
+        return at > 0 && is_symbol(tokens[at - 1], symbols);
+    };
+    if (word.text == "function") return behind({"=", ":="});
+    const bool starts = at == 0 || tokens[at - 1].kind == TokenKind::Break || behind({"{"});
+    if (word.text == "return") return starts || behind({"}"});
+    const bool before_name = tokens[at + 1].kind == TokenKind::Name;
+    const bool behind_word = at > 0 && is_program_word(tokens, at - 1);
+    return is_type_word(word.text) && before_name && (starts || behind_word || behind({"(", ","}));
+}
+
 bool is_number(std::string_view subscript) {
     return !subscript.empty() && std::ranges::all_of(subscript, is_digit);
 }
@@ -186,6 +203,10 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
             continue;
         }
         const std::size_t size = out.size();
+        if (is_program_word(tokens, static_cast<std::size_t>(&token - tokens.data()))) {
+            out.push_back(token);
+            continue;
+        }
         push_name(token, out, notes);
         const bool behind_subscript = token.kind == TokenKind::Name && size > 0 &&
                                       is_number(out[size - 1].subscript) &&
@@ -220,6 +241,10 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
 
 std::string hint_for_unknown(std::string_view name) {
     std::vector<std::string_view> words = function_spellings();
+    constexpr std::size_t shortest_of_library = 5;  // f_r is near to any short name
+    std::erase_if(words, [&](std::string_view word) {
+        return name.size() < shortest_of_library && find_function(word)->is_of_library();
+    });
     words.insert(words.end(), built_in_values().begin(), built_in_values().end());
     if (const auto meant = meant_word(name, words))
         return "did you mean " + std::string(*meant) + "?";
