@@ -120,11 +120,13 @@ std::vector<ui::HelpSection> language_help() {
                                       section("Names", names),
                                       section("Expressions", expressions),
                                       section("Texts from elsewhere", elsewhere),
-                                      {"Functions", {}}};
+                                      {"Functions", {}},
+                                      {"Functions of POV-Ray and MathMod", {}}};
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";
-        help.back().entries.push_back({call, std::string(function.meaning)});
+        ui::HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
+        list.entries.push_back({call, std::string(function.meaning)});
     }
     return help;
 }

@@ -7,6 +7,7 @@
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace zeroset {
@@ -226,10 +227,23 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
         return ParseError{offset, "vectors are not read: " + quoted(name),
                           "write their components as numbers of their own"};
     }
-    for (const std::string_view part : {"noise", "perlin", "turbulence", "simplex", "fbm"}) {
-        if (!word.contains(part)) continue;
+    constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
+    const bool is_noise =
+        std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
+        is_one_of({"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
+                   "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
+                   "f_wrinkles"});
+    if (is_noise) {
         return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
                           "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
+    }
+    if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
+        return ParseError{offset, "iterations are not read: " + quoted(name) + " repeats a step",
+                          "type a formula that does without it"};
+    }
+    if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
+        return ParseError{offset, quoted(name) + " of POV-Ray gives a colour or a vector",
+                          "type a formula that gives a number"};
     }
     if (is_one_of(
             {"for", "while", "return", "void", "else", "struct", "uniform", "lambda", "import"})) {
