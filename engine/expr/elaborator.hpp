@@ -61,6 +61,8 @@ private:
     Number expression(SyntaxId id);
     Number restricted(NodeId f, const StatementSyntax& statement);
     bool build_definition(Definition& definition);
+    bool note_unreadable(const Definition& definition);
+    std::string hint_without_surface();
     bool add_surface(std::size_t statement, NodeId root);
     [[nodiscard]] bool uses_space(NodeId root) const;
     [[nodiscard]] bool never_holds(NodeId condition) const;
@@ -78,6 +80,7 @@ private:
     Built name(const Syntax& syntax, const Binding* scope);
     Built built_in(std::string_view name);
     Built parameter(const std::string& name, std::size_t offset);
+    void note_capital(const std::string& name, std::size_t offset);
     Built defined_value(Definition& definition, const Syntax& syntax);
     bool settle(Definition& definition);
     Built unknown(const Syntax& name);
@@ -85,6 +88,7 @@ private:
     Built power(const Syntax& syntax, const Binding* scope);
     Built sum(const Syntax& syntax, const Binding* scope);
     Built product(const Syntax& syntax, const Binding* scope);
+    bool is_zero_by_name(SyntaxId id, NodeId divisor);
     Built with_local_value(const Syntax& syntax, const Binding* scope);
     Built last_of_list(const Syntax& syntax);
 

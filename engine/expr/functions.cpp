@@ -63,6 +63,7 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"difference", "subtract"},
     {"product", "prod"},
     {"nthroot", "root"},
+    {"surd", "root"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
 };

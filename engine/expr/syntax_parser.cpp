@@ -157,6 +157,10 @@ SyntaxParser::Parsed SyntaxParser::product() {
         if (next_is("~")) take();
         const bool written = next_is_one_of({"*", "/", "%"});
         if (!written && !starts_factor()) break;
+        if (is_derivative()) {
+            return fail(next(), "derivatives such as d/dx are not read",
+                        "type the derivative as a formula");
+        }
         marks += written ? take().text.front() : '*';
         const Parsed further = written ? signed_power() : power();
         if (!further) return further;
@@ -164,6 +168,18 @@ SyntaxParser::Parsed SyntaxParser::product() {
     }
     if (marks.empty()) return first;
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
+}
+
+/// Whether the "/" of d/dx comes next, typed without spaces and d being no defined name.
+bool SyntaxParser::is_derivative() const {
+    if (!next_is("/") || at_ == 0 || at_ + 2 >= tokens_.size()) return false;
+    const auto is_d = [](const Token& token) {
+        return token.kind == TokenKind::Name && token.text == "d" && token.subscript.empty();
+    };
+    const Token& axis = tokens_[at_ + 2];
+    return is_d(tokens_[at_ - 1]) && is_d(tokens_[at_ + 1]) &&
+           std::string_view("xyzt").contains(axis.text) && adjacent(tokens_[at_ + 1], axis) &&
+           !defined_.defines_value("d");
 }
 
 bool SyntaxParser::may_nest(int further) {

@@ -56,8 +56,9 @@ bool is_program_word(std::span<const Token> tokens, std::size_t at) {
     const auto behind = [&](std::initializer_list<std::string_view> symbols) {
         return at > 0 && is_symbol(tokens[at - 1], symbols);
     };
-    if (word.text == "function") return behind({"=", ":="});
     const bool starts = at == 0 || tokens[at - 1].kind == TokenKind::Break || behind({"{"});
+    if (word.text == "function")
+        return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
     if (word.text == "return") return starts || behind({"}"});
     const bool before_name = tokens[at + 1].kind == TokenKind::Name;
     const bool behind_word = at > 0 && is_program_word(tokens, at - 1);
@@ -215,62 +216,6 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
         if (behind_subscript) note_product(out[size - 1], out[size], notes);
     }
     return out;
-}
-
-std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
-    const std::string word = in_small_letters(name);
-    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
-        return std::ranges::find(words, word) != words.end();
-    };
-    if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
-                   "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
-        return ParseError{offset, "vectors are not read: " + quoted(name),
-                          "write their components as numbers of their own"};
-    }
-    constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
-    const bool is_noise =
-        std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
-        is_one_of({"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
-                   "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
-                   "f_wrinkles"});
-    if (is_noise) {
-        return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
-                          "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
-    }
-    if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
-        return ParseError{offset, "iterations are not read: " + quoted(name) + " repeats a step",
-                          "type a formula that does without it"};
-    }
-    if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
-        return ParseError{offset, quoted(name) + " of POV-Ray gives a colour or a vector",
-                          "type a formula that gives a number"};
-    }
-    if (is_one_of(
-            {"for", "while", "return", "void", "else", "struct", "uniform", "lambda", "import"})) {
-        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
-                          "type its formulas, each on a line of its own"};
-    }
-    return std::nullopt;
-}
-
-std::string hint_for_unknown(std::string_view name) {
-    std::vector<std::string_view> words = function_spellings();
-    constexpr std::size_t shortest_of_library = 5;  // f_r is near to any short name
-    std::erase_if(words, [&](std::string_view word) {
-        return name.size() < shortest_of_library && find_function(word)->is_of_library();
-    });
-    words.insert(words.end(), built_in_values().begin(), built_in_values().end());
-    if (const auto meant = meant_word(name, words))
-        return "did you mean " + std::string(*meant) + "?";
-    // A letter before a known name: a coefficient that nothing else mentions.
-    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
-    if (coefficient || name.size() == 2) {
-        return "for a product type " + std::string(name.substr(0, 1)) + "*" +
-               std::string(name.substr(1));
-    }
-    constexpr std::size_t longest_shown = 24;
-    if (name.size() > longest_shown) return "type a product with *";
-    return "define it, as in " + std::string(name) + " = 2, or type a product with *";
 }
 
 }  // namespace zeroset
