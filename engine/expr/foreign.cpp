@@ -42,7 +42,7 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
                           "type a formula that gives a number"};
     }
     if (word == "for") {
-        return ParseError{offset, quoted(name) + " is not read here",
+        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
                           "put a condition behind a comma: z = x^2, x > 0"};
     }
     if (word == "def" || word == "lambda") {

@@ -17,11 +17,10 @@ double remainder_of(double a, double b) {
     return rest < 0 ? rest + b : rest;
 }
 double triangle(double a) {
-    const double part = a - floor(a);
-    return part < 0.5 ? 2 * part : 2 - 2 * part;
+    return 2 * abs(a - std::round(a));
 }
 double square(double a) { return a * a; }
-double cube(double a) { return a * a * a; }
+double cube(double a) { return a * square(a); }
 
 Reference field(Reference f) {
     return [f](const Arguments& a) { return cut(a.p[0] * f(a)); };
@@ -98,8 +97,8 @@ double helical_torus(Arguments a) {
     const double tube = std::hypot(out - p[0], a.y);
     const double turn = remainder_of(around * p[1] + atan2(out - p[0], a.y) * p[2], 2 * pi) - pi;
     const double groove = atan2(turn * p[8], tube - p[5]);
-    const double height = cos(groove * p[7] + around * p[9]) * p[3] + p[4];
     const double winding = sqrt(square(tube - p[5]) + turn * turn * p[6]);
+    const double height = cos(groove * p[7] + around * p[9]) * p[3] + p[4];
     return -max(p[4] + p[5] - p[0] - out, height - min(winding, tube + p[5]));
 }
 
