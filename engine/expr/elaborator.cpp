@@ -144,9 +144,7 @@ bool Elaborator::build_statements() {
 bool Elaborator::note_unreadable(const Definition& definition) {
     if (surfaces_.empty() || !error_) return false;
     const std::size_t offset = tree_.statements[definition.statement].offset;
-    const bool is_called = std::ranges::any_of(
-        calls_, [&](const auto& call) { return call.first.first == &definition; });
-    if (!is_called) {
+    if (!definition.is_called) {
         notes_.add(offset, "no surface needs this, and it is not read: " + error_->reason +
                                (error_->hint.empty() ? "" : "; " + error_->hint));
     }

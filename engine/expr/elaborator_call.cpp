@@ -170,6 +170,7 @@ Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* 
         return fail(syntax.offset, quoted(syntax.text) + " is defined by itself",
                     "write the terms out, or use sum or prod");
     }
+    definition->is_called = true;
     return function_value(*definition, arguments);
 }
 
