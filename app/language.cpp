@@ -65,6 +65,8 @@ constexpr Line elsewhere[] = {
      "a function, of values one after the other"},
     {"#declare F = function(u, v) { u*v }", "a function as POV-Ray writes it"},
     {"f[u_, v_] := u v  Sin[x]", "definitions and calls as Mathematica writes them; there E is e"},
+    {"f = @(x, y) x.^2  f = lambda x: x**2",
+     "functions as MATLAB and Python write them; also (x) -> x, x => x and def f(x): return x"},
     {"#define R 2.5", "a constant or function as C's macros write it"},
     {"Math.sin(x)  np.sqrt(x)", "functions with the name of their library"},
     {"x - 1 : y - 1 :", "surfaces apart by colons, as in K3DSurf"},
@@ -120,11 +122,13 @@ std::vector<ui::HelpSection> language_help() {
                                       section("Names", names),
                                       section("Expressions", expressions),
                                       section("Texts from elsewhere", elsewhere),
-                                      {"Functions", {}}};
+                                      {"Functions", {}},
+                                      {"Functions of POV-Ray and MathMod", {}}};
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";
-        help.back().entries.push_back({call, std::string(function.meaning)});
+        ui::HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
+        list.entries.push_back({call, std::string(function.meaning)});
     }
     return help;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/expr/elaborator.hpp"
 
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/expr/words.hpp"
@@ -48,11 +49,24 @@ std::expected<Program, ParseError> Elaborator::program() {
     if (surfaces_.empty() && !without_surface_.empty())
         return std::unexpected(no_place_error(without_surface_.front()));
     if (surfaces_.empty()) {
-        return std::unexpected(
-            ParseError{tree_.statements.back().offset, "there is no surface yet, only definitions",
-                       "type an equation such as x^2 + y^2 + z^2 = 1 on the next line", true});
+        return std::unexpected(ParseError{tree_.statements.back().offset,
+                                          "there is no surface yet, only definitions",
+                                          hint_without_surface(), true});
     }
     return result();
+}
+
+/// tann(x) = y defines tann; another name may have been meant.
+std::string Elaborator::hint_without_surface() {
+    const Definition* const last = table_.of_statement(tree_.statements.size() - 1);
+    const bool is_function = last != nullptr && last->is_function;
+    if (is_function && !last->is_certain && last->name.size() > 2) {
+        const std::string hint = hint_for_unknown(last->name);
+        if (hint.starts_with("did you mean")) return "this defines " + last->name + "; " + hint;
+    }
+    if (is_function && last->arguments == std::vector<std::string>{"x", "y", "z"})
+        return "type " + last->name + "(x, y, z) = 0 on the next line";
+    return "type an equation such as x^2 + y^2 + z^2 = 1 on the next line";
 }
 
 std::expected<Expr, ParseError> Elaborator::formula() {
@@ -117,12 +131,28 @@ bool Elaborator::build_statements() {
         for (Definition& definition : table_.all()) {
             const bool stands = table_.of_statement(definition.statement) == &definition;
             if (!stands || definition.is_function != functions) continue;
-            if (!build_definition(definition)) return false;
+            if (!build_definition(definition) && !note_unreadable(definition)) return false;
         }
     }
     return surfaces_.empty() || std::ranges::all_of(without_surface_, [&](std::size_t i) {
                return keep_without_surface(i);
            });
+}
+
+/// A definition that no surface needs, or a function that has a value only for the arguments it is
+/// called with, is no error where there is a surface.
+bool Elaborator::note_unreadable(const Definition& definition) {
+    if (surfaces_.empty() || !error_) return false;
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!definition.is_called) {
+        notes_.add(offset, "no surface needs this, and it is not read: " + error_->reason +
+                               (error_->hint.empty() ? "" : "; " + error_->hint));
+    }
+    readings_[definition.statement] = {
+        definition.is_function ? StatementKind::Function : StatementKind::Value, offset,
+        definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
+    error_.reset();
+    return true;
 }
 
 bool Elaborator::build_surface(std::size_t index) {
@@ -230,6 +260,7 @@ ParseError Elaborator::no_place_error(std::size_t statement) const {
     const StatementSyntax& syntax = tree_.statements[statement];
     std::string hint = "type an equation such as x^2 + y^2 + z^2 = 1";
     if (capital) hint = "write them as small letters";
+    if (parameter_index_.contains("p")) hint = "write the point p as x, y, z: length(x, y, z)";
     if (syntax.leading_sign != '\0')
         hint = std::string("to go on with the line above end that with ") + syntax.leading_sign;
     return {syntax.offset, "there is no x, y or z in it, so it is no surface", hint};

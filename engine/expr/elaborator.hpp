@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -60,6 +61,8 @@ private:
     Number expression(SyntaxId id);
     Number restricted(NodeId f, const StatementSyntax& statement);
     bool build_definition(Definition& definition);
+    bool note_unreadable(const Definition& definition);
+    std::string hint_without_surface();
     bool add_surface(std::size_t statement, NodeId root);
     [[nodiscard]] bool uses_space(NodeId root) const;
     [[nodiscard]] bool never_holds(NodeId condition) const;
@@ -77,6 +80,7 @@ private:
     Built name(const Syntax& syntax, const Binding* scope);
     Built built_in(std::string_view name);
     Built parameter(const std::string& name, std::size_t offset);
+    void note_capital(const std::string& name, std::size_t offset);
     Built defined_value(Definition& definition, const Syntax& syntax);
     bool settle(Definition& definition);
     Built unknown(const Syntax& name);
@@ -84,6 +88,7 @@ private:
     Built power(const Syntax& syntax, const Binding* scope);
     Built sum(const Syntax& syntax, const Binding* scope);
     Built product(const Syntax& syntax, const Binding* scope);
+    bool is_zero_by_name(SyntaxId id, NodeId divisor);
     Built with_local_value(const Syntax& syntax, const Binding* scope);
     Built last_of_list(const Syntax& syntax);
 
@@ -105,6 +110,16 @@ private:
     Built repeated(const Syntax& syntax, const Binding* scope);
     Built defined_call(const Syntax& syntax, const Binding* scope);
     Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
+    Built library_call(const Syntax& syntax, const Binding* scope);
+    Built kept_value(const Syntax& syntax, const Binding* scope);
+    struct Complaint {
+        std::string reason;
+        std::string hint;
+    };
+    std::optional<double> whole_number(SyntaxId id, const Binding* scope,
+                                       const Complaint& otherwise);
+    [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
+    std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
 
     /// The node as a value, unless the graph is too large or holds a constant that is no number.
     Built done(NodeId id, std::size_t offset, bool condition = false);
@@ -120,6 +135,8 @@ private:
     std::vector<std::string> parameters_;
     std::unordered_map<Call, Value, CallHash> calls_;
     std::unordered_map<SyntaxId, Value> earlier_;  ///< of lists
+    std::map<double, NodeId> kept_;                ///< by psh
+    std::optional<std::size_t> library_offset_;    ///< of the call whose body is being built
     std::vector<Surface> surfaces_;
     std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 that nothing uses
     std::map<std::size_t, Reading> readings_;   ///< by statement

@@ -263,7 +263,9 @@ void DefinitionTable::note_repetitions(const Lists& lists, Notes& notes) const {
                                                  " is defined again: it means this from here on "
                                                  "and in all surfaces");
         }
-        if (find_function(name) == nullptr) continue;
+        const Function* const function = find_function(name);
+        const bool is_value = &lists == &values_;
+        if (function == nullptr || (is_value && function->is_of_library())) continue;
         notes.add(offset_of(indices[0]),
                   name + " is what this line defines, not the built-in function");
     }

@@ -34,6 +34,7 @@ struct Definition {
     bool is_certain = false;
     bool in_progress = false;
     bool settled = false;
+    bool is_called = false;
     std::optional<BuiltValue> value;  ///< of a value, once known
 };
 

@@ -2,6 +2,7 @@
 
 #include "engine/expr/constants.hpp"
 #include "engine/expr/elaborator.hpp"
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
@@ -33,6 +34,7 @@ bool Elaborator::divides_by_zero(const Node& node) const {
 }
 
 std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
+    offset = library_offset_.value_or(offset);
     if (!error_) error_ = ParseError{offset, std::move(reason), std::move(hint)};
     return std::nullopt;
 }
@@ -108,9 +110,9 @@ Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
         ++steps_;
         if (binding->name == syntax.text) return binding->value;
     }
-    if (Definition* const definition = table_.value(syntax.text, statement_)) {
-        return defined_value(*definition, syntax);
-    }
+    Definition* const definition =
+        library_offset_ ? nullptr : table_.value(syntax.text, statement_);
+    if (definition != nullptr) return defined_value(*definition, syntax);
     if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
     return unknown(syntax);
 }
@@ -169,8 +171,18 @@ Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t off
                                     " parameters");
         }
         parameters_.push_back(name);
+        note_capital(name, offset);
     }
     return done(builder_.variable(variable_w + 1 + static_cast<int>(entry->second)), offset);
+}
+
+/// X and E are parameters here, but the coordinate and 2.718... elsewhere.
+void Elaborator::note_capital(const std::string& name, std::size_t offset) {
+    const bool is_axis = name == "X" || name == "Y" || name == "Z";
+    if (!is_axis && name != "E") return;
+    notes_.add(offset, name + " is a parameter; for " +
+                           (is_axis ? "the coordinate type " : "2.718... type ") +
+                           in_small_letters(name));
 }
 
 Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
@@ -248,7 +260,10 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
         const std::size_t offset = tree_[syntax.operands[i]].offset;
         switch (syntax.marks[i - 1]) {
             case '*': total = make_multiply(builder_, *total, *factor); break;
-            case '/': total = make_divide(builder_, *total, *factor); break;
+            case '/':
+                if (is_zero_by_name(syntax.operands[i], *factor)) return std::nullopt;
+                total = make_divide(builder_, *total, *factor);
+                break;
             default:
                 total = make_call(builder_, Op::Mod, *total, *factor);
                 notes_.add(offset,
@@ -259,6 +274,17 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
     }
     if (!total) return std::nullopt;
     return Value{*total, false};
+}
+
+/// Whether a divisor is a name whose value is 0; the error says so.
+bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
+    const Syntax& syntax = tree_[id];
+    const auto& constant = facts_[divisor].constant;
+    const bool is_zero = constant && constant->neg_lo == 0 && constant->hi == 0;
+    if (!refuses_undefined_ || syntax.kind != SyntaxKind::Name || !is_zero) return false;
+    fail(syntax.offset, "this is not a number: a division by 0, as " + syntax.text + " is 0",
+         "give " + syntax.text + " another value");
+    return true;
 }
 
 /// A name with a value in what follows it, in a function's body.

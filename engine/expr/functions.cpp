@@ -63,6 +63,7 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"difference", "subtract"},
     {"product", "prod"},
     {"nthroot", "root"},
+    {"surd", "root"},
     {"√", "sqrt"},
     {"∛", "cbrt"},
 };
@@ -92,6 +93,14 @@ std::vector<Function> make_table() {
     table.push_back({name, least, most, arguments, meaning, std::nullopt, Composed::id});
 #include "engine/expr/functions.def"
 #undef ZEROSET_FUNCTION
+    const auto count = [](std::string_view arguments) {
+        return 1 + static_cast<int>(std::ranges::count(arguments, ','));
+    };
+#define ZEROSET_LIBRARY(name, arguments, meaning, body)                                          \
+    table.push_back({name, count(arguments), count(arguments), arguments, meaning, std::nullopt, \
+                     std::nullopt, body});
+#include "engine/expr/library.def"
+#undef ZEROSET_LIBRARY
     return table;
 }
 
@@ -304,10 +313,14 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Union: return fold(builder, Op::Min, a);
         case Composed::Intersect: return fold(builder, Op::Max, a);
         case Composed::Without: return make_without(builder, a);
+        case Composed::Keep:
+        case Composed::Kept:
+        case Composed::Least:
+        case Composed::Greatest:
         case Composed::Sum:
         case Composed::Product: break;
     }
-    assert(false);  // unrolled where they are read
+    assert(false);  // written out where they are read
     return a[0];
 }
 

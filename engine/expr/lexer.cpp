@@ -1,5 +1,6 @@
 #include "engine/expr/lexer.hpp"
 
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/lexer_reader.hpp"
 #include "engine/expr/parse_notes.hpp"
 #include "engine/expr/spelling.hpp"
@@ -62,6 +63,11 @@ Done Lexer::step() {
         ++at_;
         return {};
     }
+    // x.^2 of MATLAB is meant value by value, as all is here.
+    if (c == '.' && (peek(1) == '^' || peek(1) == '*' || peek(1) == '/')) {
+        ++at_;
+        return {};
+    }
     if (starts_remark()) return remark();
     line_start_ = c == '\n' || c == '\v';
     if (c == '&' && peek(1) == '&') {
@@ -75,7 +81,8 @@ Done Lexer::step() {
         if (!identifier()) return other_character();
     } else if (c == '\\') {
         return command();
-    } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c)) {
+    } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c) ||
+               (c == '@' && peek(1) == '(')) {
         symbol();
     } else {
         return other_character();
@@ -202,13 +209,14 @@ Done Lexer::other_character() {
         push_sign(*sign, point.length);
         return {};
     }
-    std::string hint = "type + - * / ^ ( ) and names such as x, y, z, sqrt";
+    std::string hint = hint_for_sign(point.code);
     if (peek() == '_') hint = "a subscript stands right behind a letter: c_1, c_{12}";
-    const bool behind_name =
-        !tokens_.empty() && tokens_.back().end() == at_ && tokens_.back().kind == TokenKind::Name;
-    if (peek() == '.' && behind_name && is_letter(peek(1))) {
-        return std::unexpected(ParseError{at_, "vectors and their parts are not read",
-                                          "write the components as numbers of their own"});
+    const bool behind_value =
+        !tokens_.empty() && tokens_.back().end() == at_ &&
+        (tokens_.back().kind == TokenKind::Name || is_symbol(tokens_.back(), {")"}));
+    if (peek() == '.' && behind_value && is_letter(peek(1))) {
+        const std::size_t length = run_length(text_, at_ + 1, is_letter);
+        return std::unexpected(error_for_part(text_.substr(at_ + 1, length), at_));
     }
     const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
     const std::string shown =
@@ -272,6 +280,7 @@ std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes) {
     auto tokens = Lexer(text, defined, notes).tokens();
     if (!tokens) return tokens;
+    tokens = with_plain_functions(std::move(*tokens));
     return without_inner_line_ends(std::move(*tokens), notes);
 }
 

@@ -48,6 +48,9 @@ bool adjacent(const Token& first, const Token& second);
 std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes);
 
+/// Writes functions that other programs define without a name of their own, such as f = @(x) x^2
+/// and f = lambda x: x^2, as f(x) := x^2.
+std::vector<Token> with_plain_functions(std::vector<Token> tokens);
 /// Leaves out the line ends that separate nothing: in brackets, behind and before an operator that
 /// wants more, before a "+" that goes on with what has no "=" yet. Behind a "\v" a line that starts
 /// with a sign goes on with a finished one, too.

@@ -164,7 +164,7 @@ private:
     }
 
     static int fold(const Node& node, std::vector<Piece>& pieces) {
-        pieces = {{"abs(mod("}, {{}, node.a, Sum, false}, {" + 1, 2) - 1)"}};
+        pieces = {{"abs(mod("}, {{}, node.a, Sum, true}, {" + 1, 2) - 1)"}};
         return Atom;
     }
 

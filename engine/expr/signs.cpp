@@ -18,16 +18,16 @@ constexpr std::array operator_signs{
     std::pair{U'•', symbol("*")},    std::pair{U'∗', symbol("*")},
     std::pair{U'÷', symbol("/")},    std::pair{U'∕', symbol("/")},
     std::pair{U'⁄', symbol("/")},    std::pair{U'−', symbol("-")},
-    std::pair{U'–', symbol("-")},    std::pair{U'≤', symbol("<=")},
-    std::pair{U'⩽', symbol("<=")},   std::pair{U'≥', symbol(">=")},
-    std::pair{U'⩾', symbol(">=")},   std::pair{U'≠', symbol("!=")},
-    std::pair{U'∣', symbol("|")},    std::pair{U'⌊', symbol("⌊")},
-    std::pair{U'⌋', symbol("⌋")},    std::pair{U'⌈', symbol("⌈")},
-    std::pair{U'⌉', symbol("⌉")},    std::pair{U'√', name("√")},
-    std::pair{U'∛', name("∛")},      std::pair{U'∧', name("and")},
-    std::pair{U'∨', name("or")},     std::pair{U'¬', name("not")},
-    std::pair{U'½', number("0.5")},  std::pair{U'¼', number("0.25")},
-    std::pair{U'¾', number("0.75")},
+    std::pair{U'–', symbol("-")},    std::pair{U'—', symbol("-")},
+    std::pair{U'≤', symbol("<=")},   std::pair{U'⩽', symbol("<=")},
+    std::pair{U'≥', symbol(">=")},   std::pair{U'⩾', symbol(">=")},
+    std::pair{U'≠', symbol("!=")},   std::pair{U'∣', symbol("|")},
+    std::pair{U'⌊', symbol("⌊")},    std::pair{U'⌋', symbol("⌋")},
+    std::pair{U'⌈', symbol("⌈")},    std::pair{U'⌉', symbol("⌉")},
+    std::pair{U'√', name("√")},      std::pair{U'∛', name("∛")},
+    std::pair{U'∧', name("and")},    std::pair{U'∨', name("or")},
+    std::pair{U'¬', name("not")},    std::pair{U'½', number("0.5")},
+    std::pair{U'¼', number("0.25")}, std::pair{U'¾', number("0.75")},
 };
 
 /// Greek letters and their LaTeX names; pi, tau, theta, phi and rho have a meaning.
@@ -121,6 +121,9 @@ constexpr std::array commands{
     std::pair{"operatorname", space},
     std::pair{"mathrm", space},
     std::pair{"mathit", space},
+    std::pair{"mathbf", space},
+    std::pair{"mathsf", space},
+    std::pair{"boldsymbol", space},
     std::pair{"text", space},
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,9 +62,16 @@ struct StatementSyntax {
     char leading_sign = 0;    ///< '+' or '-' if its line starts with it, below another
 };
 
+/// A function of library.def.
+struct LibraryFunction {
+    std::vector<std::string> arguments;
+    SyntaxId body;
+};
+
 struct SyntaxTree {
     std::vector<Syntax> nodes;
     std::vector<StatementSyntax> statements;
+    std::map<const Function*, LibraryFunction> library;  ///< those that are called
     Notes notes;
 
     [[nodiscard]] const Syntax& operator[](SyntaxId id) const { return nodes[id]; }

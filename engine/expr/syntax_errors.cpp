@@ -1,5 +1,6 @@
 // What is wrong with a text, and what to type instead.
 
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/expr/syntax_parser.hpp"
 #include "engine/expr/words.hpp"
@@ -96,7 +97,8 @@ ParseError SyntaxParser::no_function(const Token& name) const {
     if (auto foreign = error_for_foreign(full, name.offset)) return std::move(*foreign);
     std::string hint = hint_for_unknown(full);
     const bool is_letter = is_built_in_value(full) || is_parameter_name(full);
-    if (is_letter) hint = "define it, as in f(u, v) = u^2 + v^2";
+    if (is_letter && !hint.starts_with("did you mean f_"))
+        hint = "define it, as in f(u, v) = u^2 + v^2";
     if (hint.starts_with("define")) hint = "define it, as in " + full + "(u, v) = u^2 + v^2";
     return {name.offset, quoted(full) + " is not a function", hint};
 }

@@ -1,5 +1,6 @@
 // The operands of formulas: numbers, names, brackets, calls.
 
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/signs.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/expr/syntax_parser.hpp"
@@ -9,6 +10,8 @@
 
 namespace zeroset {
 namespace {
+
+constexpr std::size_t longest_letter = 4;  // f_r and f_th may be parameters
 
 /// A number with its decimal point, for 0,5 and 0{,}5, too.
 std::string decimal(std::string_view typed) {
@@ -57,7 +60,19 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     if (called && defined_.defines_function(full)) return call_of_text(token);
     const bool log = token.text == "log";
     const Function* const function = find_function(log ? "log" : std::string_view(full));
-    if (function != nullptr && (called || !defined)) return call(token, *function);
+    const bool is_letter = function != nullptr && function->is_of_library() && !called &&
+                           full.size() <= longest_letter;
+    const bool hides = function != nullptr && function->is_of_library() && defined;
+    if (function != nullptr && !is_letter && !hides && (called || !defined))
+        return call(token, *function);
+    const bool is_letter_name = is_parameter_name(full) || is_built_in_value(full);
+    if (called && !defined && !is_letter_name) return refuse(no_function(token));
+    const bool means_call = std::string_view("fghFGH").contains(full) && next_is("(");
+    if (means_call && !defined_.defines_value(full) && adjacent(token, next())) {
+        tree_.notes.add(token.offset, full + "(...) is read as " + full +
+                                          "*(...); to make it a function define it, as in " + full +
+                                          "(u, v) = u^2 + v^2");
+    }
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
 
@@ -208,18 +223,44 @@ SyntaxParser::List SyntaxParser::arguments() {
     return values;
 }
 
+/// Whether the only argument is a list, as in norm([x, y, z]) and length(vec3(x, y, z)); its
+/// opener is next then.
+bool SyntaxParser::skip_to_list() {
+    std::size_t at = at_ + 1;
+    const bool vector = tokens_[at].kind == TokenKind::Name && tokens_[at].text.starts_with("vec");
+    if (vector) ++at;
+    if (!is_symbol(tokens_[at], {"(", "[", "{"})) return false;
+    const std::size_t opener = at;
+    int open = 0;
+    bool has_comma = false;
+    for (; tokens_[at].kind != TokenKind::End; ++at) {
+        if (is_symbol(tokens_[at], {"(", "[", "{"})) ++open;
+        if (is_symbol(tokens_[at], {")", "]", "}"}) && --open == 0) break;
+        has_comma = has_comma || (open == 1 && is_symbol(tokens_[at], {","}));
+    }
+    const bool is_all =
+        tokens_[at].kind != TokenKind::End && is_symbol(tokens_[at + 1], {")", "]", "}"});
+    if (!has_comma || !is_all) return false;
+    at_ = opener;
+    return true;
+}
+
 SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function& function) {
     if (next_is_one_of({"(", "[", "{"})) {
         const Token& opener = next();
+        const bool of_list = function.most < 0 && skip_to_list();
         List values = arguments();
         if (!values) return values;
+        if (of_list) take();  // the list's end
         if (!close(opener)) return std::nullopt;
         return values;
     }
     const std::string name(function.name);
     if (!function.takes(1)) {
-        return fail(next(), "'(' is missing after " + quoted(token.text),
-                    "type " + name + "(" + std::string(function.arguments) + ")");
+        const bool restricts = function.op == Op::Where || function.op == Op::If;
+        const std::string typed = "type " + name + "(" + std::string(function.arguments) + ")";
+        return fail(next(), "'(' is missing after " + quoted(full_name(token)),
+                    restricts ? typed + ", or behind a surface a comma and the condition" : typed);
     }
     if (at_break() || (!starts_factor() && next().kind != TokenKind::Number &&
                        !next_is_one_of({"-", "+", "|"}))) {

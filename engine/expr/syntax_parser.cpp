@@ -3,6 +3,7 @@
 #include "engine/expr/words_vocabulary.hpp"
 
 #include <array>
+#include <cassert>
 
 namespace zeroset {
 namespace {
@@ -156,6 +157,10 @@ SyntaxParser::Parsed SyntaxParser::product() {
         if (next_is("~")) take();
         const bool written = next_is_one_of({"*", "/", "%"});
         if (!written && !starts_factor()) break;
+        if (is_derivative()) {
+            return fail(next(), "derivatives such as d/dx are not read",
+                        "type the derivative as a formula");
+        }
         marks += written ? take().text.front() : '*';
         const Parsed further = written ? signed_power() : power();
         if (!further) return further;
@@ -163,6 +168,18 @@ SyntaxParser::Parsed SyntaxParser::product() {
     }
     if (marks.empty()) return first;
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
+}
+
+/// Whether the "/" of d/dx comes next, typed without spaces and d being no defined name.
+bool SyntaxParser::is_derivative() const {
+    if (!next_is("/") || at_ == 0 || at_ + 2 >= tokens_.size()) return false;
+    const auto is_d = [](const Token& token) {
+        return token.kind == TokenKind::Name && token.text == "d" && token.subscript.empty();
+    };
+    const Token& axis = tokens_[at_ + 2];
+    return is_d(tokens_[at_ - 1]) && is_d(tokens_[at_ + 1]) &&
+           std::string_view("xyzt").contains(axis.text) && adjacent(tokens_[at_ + 1], axis) &&
+           !defined_.defines_value("d");
 }
 
 bool SyntaxParser::may_nest(int further) {
@@ -232,9 +249,36 @@ SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<Synt
 
 SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
                                 std::vector<SyntaxId> operands) {
+    if (function.is_of_library()) add_library_function(function, offset);
     const SyntaxId call = add(SyntaxKind::Call, offset, std::move(operands));
     tree_.nodes[call].function = &function;
     return call;
+}
+
+/// The body of a function of library.def, once in the tree. Errors in it are shown at `offset`.
+void SyntaxParser::add_library_function(const Function& function, std::size_t offset) {
+    if (tree_.library.contains(&function)) return;
+    std::string text = "float F(" + std::string(function.arguments) + ") {";
+    text += function.body.contains("return ") ? std::string(function.body)
+                                              : "return " + std::string(function.body) + ";";
+    auto read = read_syntax(text + "}");
+    assert(read);
+    const auto base = static_cast<SyntaxId>(tree_.nodes.size());
+    for (Syntax& node : read->nodes) {
+        node.offset = offset;
+        for (SyntaxId& operand : node.operands)
+            operand += base;
+        tree_.nodes.push_back(std::move(node));
+    }
+    for (auto& [called, of_library] : read->library) {
+        of_library.body += base;
+        tree_.library.emplace(called, std::move(of_library));
+    }
+    const Syntax& definition = tree_[base + read->statements.front().relation];
+    LibraryFunction result{.arguments = {}, .body = definition.operands[1]};
+    for (const SyntaxId argument : tree_[definition.operands[0]].operands)
+        result.arguments.push_back(tree_[argument].text);
+    tree_.library.emplace(&function, std::move(result));
 }
 
 }  // namespace zeroset

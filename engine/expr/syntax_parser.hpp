@@ -80,6 +80,7 @@ private:
     Parsed relation();
     Parsed sum();
     Parsed product();
+    [[nodiscard]] bool is_derivative() const;
     Parsed signed_power();
     Parsed negated();
     Parsed power();
@@ -103,6 +104,7 @@ private:
     Parsed call(const Token& token, const Function& function);
     std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
     Parsed call_of_text(const Token& token);
+    bool skip_to_list();
     List arguments_of(const Token& token, const Function& function);
     List arguments();
     Parsed bare_argument();
@@ -127,6 +129,7 @@ private:
     SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
                  std::string_view marks = {}, std::string_view text = {});
     SyntaxId add_call(const Function& function, std::size_t offset, std::vector<SyntaxId> operands);
+    void add_library_function(const Function& function, std::size_t offset);
 
     [[nodiscard]] const Token& next() const { return tokens_[at_]; }
     [[nodiscard]] bool next_is(std::string_view symbol) const {

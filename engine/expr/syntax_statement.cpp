@@ -30,6 +30,7 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
 bool SyntaxParser::statement() {
     std::size_t offset = next().offset;
     skip_label();
+    if (next_is_word("function") && is_symbol(tokens_[at_ + 1], {"{"})) take();
     if (next_is_word("return") && begins_operand(tokens_[at_ + 1])) take();
     const bool is_certain = skip_type_words();
     while (part_of_statement(is_certain, offset)) {

@@ -7,6 +7,7 @@
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 
 namespace zeroset {
@@ -44,6 +45,24 @@ bool calls_as_mathematica(const Token& name, const Token& bracket) {
     if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
     const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
     return capital && find_function(in_small_letters(name.text)) != nullptr;
+}
+
+/// Whether a word of programs stands where one belongs: float a, return a, = function(a). It is no
+/// product of its letters.
+bool is_program_word(std::span<const Token> tokens, std::size_t at) {
+    const Token& word = tokens[at];
+    if (word.kind != TokenKind::Name || !word.subscript.empty() || at + 1 == tokens.size())
+        return false;
+    const auto behind = [&](std::initializer_list<std::string_view> symbols) {
+        return at > 0 && is_symbol(tokens[at - 1], symbols);
+    };
+    const bool starts = at == 0 || tokens[at - 1].kind == TokenKind::Break || behind({"{"});
+    if (word.text == "function")
+        return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
+    if (word.text == "return") return starts || behind({"}"});
+    const bool behind_word = at > 0 && is_type_word(tokens[at - 1].text);
+    return is_type_word(word.text) && tokens[at + 1].kind == TokenKind::Name &&
+           (starts || behind_word || behind({"(", ","}));
 }
 
 bool is_number(std::string_view subscript) {
@@ -186,6 +205,10 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
             continue;
         }
         const std::size_t size = out.size();
+        if (is_program_word(tokens, static_cast<std::size_t>(&token - tokens.data()))) {
+            out.push_back(token);
+            continue;
+        }
         push_name(token, out, notes);
         const bool behind_subscript = token.kind == TokenKind::Name && size > 0 &&
                                       is_number(out[size - 1].subscript) &&
@@ -193,45 +216,6 @@ std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) con
         if (behind_subscript) note_product(out[size - 1], out[size], notes);
     }
     return out;
-}
-
-std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
-    const std::string word = in_small_letters(name);
-    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
-        return std::ranges::find(words, word) != words.end();
-    };
-    if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
-                   "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
-        return ParseError{offset, "vectors are not read: " + quoted(name),
-                          "write their components as numbers of their own"};
-    }
-    for (const std::string_view part : {"noise", "perlin", "turbulence", "simplex", "fbm"}) {
-        if (!word.contains(part)) continue;
-        return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
-                          "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
-    }
-    if (is_one_of(
-            {"for", "while", "return", "void", "else", "struct", "uniform", "lambda", "import"})) {
-        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
-                          "type its formulas, each on a line of its own"};
-    }
-    return std::nullopt;
-}
-
-std::string hint_for_unknown(std::string_view name) {
-    std::vector<std::string_view> words = function_spellings();
-    words.insert(words.end(), built_in_values().begin(), built_in_values().end());
-    if (const auto meant = meant_word(name, words))
-        return "did you mean " + std::string(*meant) + "?";
-    // A letter before a known name: a coefficient that nothing else mentions.
-    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
-    if (coefficient || name.size() == 2) {
-        return "for a product type " + std::string(name.substr(0, 1)) + "*" +
-               std::string(name.substr(1));
-    }
-    constexpr std::size_t longest_shown = 24;
-    if (name.size() > longest_shown) return "type a product with *";
-    return "define it, as in " + std::string(name) + " = 2, or type a product with *";
 }
 
 }  // namespace zeroset

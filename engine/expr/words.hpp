@@ -47,10 +47,4 @@ private:
     bool is_mathematica_ = false;  ///< the text has calls such as Sin[x]
 };
 
-/// What is wrong with a name that belongs to what is not read: vectors, noise, commands.
-std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset);
-
-/// The hint for a name that is not known: the nearest known one, or the product that was meant.
-std::string hint_for_unknown(std::string_view name);
-
 }  // namespace zeroset

@@ -174,6 +174,8 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
 bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     const std::string& name = candidate.name;
     if (candidate.is_certain) return true;
+    const bool is_log = name.starts_with("log_") && is_digit(name[4]);
+    if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y
     if (is_letter_name(name) && !is_built_in_value(name)) return true;
     const NameUses uses = candidates_.uses(name);
     const auto is_coordinate = [](const std::string& argument) {

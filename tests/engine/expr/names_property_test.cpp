@@ -1,6 +1,7 @@
 // Names of any length, made at random: once a text defines one it is never split, and the text says
 // the same as with a letter in its place.
 
+#include "engine/expr/foreign.hpp"
 #include "engine/expr/functions.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/expr/spelling.hpp"

@@ -154,7 +154,7 @@ TEST(Parse, PointsAtWhatIsWrong) {
         {"min(x)", 0, "min takes 2 or more arguments, not 1"},
         {"sqrt()", 5, "missing"},
         {"x + foo", 4, "'foo' is not known"},
-        {"sqr(x)", 0, "'sqr' is not known"},
+        {"sqr(x)", 0, "'sqr' is not a function"},
         {"x + 1e301", 4, "too large"},
         {"1e999", 0, "too large"},
         {"x . y", 2, "'.' has no meaning"},

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+
+// The functions of library.def in plain arithmetic, written out step by step as their documentation
+// tells: polynomials by their terms, cells by their cases, patterns by their waves.
+
+namespace zeroset::test {
+
+/// A point and what stands behind it in a call.
+struct Arguments {
+    double x, y, z;
+    std::array<double, 10> p;
+};
+using Reference = std::function<double(Arguments)>;
+using References = std::map<std::string, Reference>;
+
+/// By name.
+References library_references();
+
+}  // namespace zeroset::test
