@@ -14,6 +14,8 @@ namespace {
 constexpr double most_interpreted_ms = 10.0;
 constexpr double ns_of_value = 0.2;
 constexpr double ns_of_form = 0.6;
+/// What the tracer does for each evaluation takes as long as some nodes.
+constexpr double nodes_beside = 10.0;
 /// So many pixels of the picture, along a side, are one of the small picture.
 constexpr int reduction = 8;
 /// A small picture that takes longer is one of many that do.
@@ -33,7 +35,7 @@ bool machine_code_pays(const RenderRequest& picture, std::span<const Expr> drawn
                                            RenderWatch{.limit = limit, .on_tile = {}});
     if (counters.is_cut()) return true;
     const auto surfaces = static_cast<double>(drawn.size());
-    double nodes = 0;
+    double nodes = nodes_beside;
     for (const Expr& surface : drawn)
         nodes += static_cast<double>(surface.nodes().size()) / surfaces;
     const double scale = static_cast<double>(picture.width) * picture.height /
