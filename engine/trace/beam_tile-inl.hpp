@@ -384,6 +384,7 @@ void BeamTile<Real>::march_rays() {
 template <class Real>
 void BeamTile<Real>::hand_on() {
     hits_.any = found_.any();
+    hits_.point_errors = {view_.tolerance(), view_.depth_error()};
     for (const auto& root : found_.pending) {
         const auto depth = static_cast<double>(found_.depth[root.pixel]);
         const double rounding = 4 * unit * std::abs(depth) + view_.tolerance();

@@ -111,13 +111,18 @@ bool Seeker::narrow(const Sample& sample, double tiny) {
     return true;
 }
 
+TileHits::PointErrors errors_in(const BeamView& view) {
+    return {view.tolerance(), view.depth_error()};
+}
+
 class GradientSearch {
 public:
     GradientSearch(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters)
         : frame_(frame), hits_(hits), counters_(counters), values_(frame) {
-        const BeamView view(frame, tile);
-        tolerance_ = 4 * view.tolerance() + 64 * view.depth_error();
-        tiny_ = 4 * view.depth_error();
+        const TileHits::PointErrors errors =
+            hits.point_errors ? *hits.point_errors : errors_in(BeamView(frame, tile));
+        tolerance_ = 4 * errors.bracket + 64 * errors.depth;
+        tiny_ = 4 * errors.depth;
         for (const TileHits::Point& point : hits.points)
             seekers_.push_back(seeker(tile, point));
     }

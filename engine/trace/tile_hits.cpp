@@ -36,6 +36,7 @@ void TileHits::clear() {
     any = false;
     any_unsettled = false;
     points.clear();
+    point_errors.reset();
 }
 
 void TileHits::push(Pixel at, const std::array<double, 3>& where, float distance,

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -98,6 +99,12 @@ struct TileHits {
     std::vector<Certificate> certificate;  ///< of hits
     std::array<std::vector<float>, 3> gradient;  ///< of f at hits, but for those among `points`
     std::vector<Point> points;
+    /// Of `points`, along rays, where the tracer knows them.
+    struct PointErrors {
+        double bracket;  ///< how far a root may be from its point
+        double depth;    ///< what rounding may make of a depth
+    };
+    std::optional<PointErrors> point_errors;
     /// Of rays that passed a cell that could be neither rejected nor drawn (a pole, a jump, the
     /// edge of a domain): the first such cell is no nearer to the eye; +inf: there is none. Whether
     /// the ray hit something afterwards or not; such a hit is not certified.
