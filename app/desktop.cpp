@@ -90,6 +90,14 @@ bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
            a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
 }
 
+/// Whether `next` is the picture `last`, by code that was not there before.
+bool Desktop::same_but_for_code(const Wanted& last, const Wanted& next) {
+    Wanted by_new_code = last;
+    by_new_code.formula = next.formula;
+    by_new_code.colors = next.colors;
+    return last.formula->text == next.formula->text && same_picture(by_new_code, next);
+}
+
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
@@ -228,6 +236,7 @@ void Desktop::take_frame() {
         upload_frame();
         const bool full = result->complete;
         pictured_request_ = result->request;
+        if (pictured_request_ == request_) formulas_.drawn();
         pictured_fully_ = full;
         if (full) {
             const bool newest = result->request == request_;
@@ -371,6 +380,8 @@ void Desktop::submit_picture() {
     request.height = wanted.size_px.y;
     submitted_rows_of_surfaces_ = state_.surface_rows;
     submitted_uniforms_ = request.scene.uniforms;
+    request.preview = is_preview(*shown_);
+    request.again = submitted_ && same_but_for_code(*submitted_, wanted);
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
     submitted_ = std::move(next);

@@ -99,6 +99,7 @@ private:
         std::vector<double> uniforms;  ///< w, where it is used, and the parameters
     };
     static bool same_picture(const Wanted& a, const Wanted& b);
+    static bool same_but_for_code(const Wanted& last, const Wanted& next);
 
     void take_formula();
     void show(const FormulaResult& result);

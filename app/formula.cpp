@@ -16,11 +16,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// LLVM takes 0.4 to 1 ms and 25 kB for a node. In the window a formula that takes longer than some
-// 30 ms is drawn by the interpreter until its code is there.
-constexpr std::size_t quick_nodes = 40;
+// LLVM takes 0.4 to 1 ms and 25 kB for a node.
 constexpr std::size_t most_nodes = 8'000;
-constexpr std::size_t everything = ~std::size_t{0};
 
 // Of so many, machine code of the parts is quicker than that of all, and made sooner.
 constexpr std::size_t many_choices = 24;
@@ -54,21 +51,24 @@ std::size_t choices_in(const Expr& expr) {
 
 bool is_made_of_parts(const Expr& surface) { return choices_in(surface) >= many_choices; }
 
-CodeState code_for(const std::vector<Expr>& surfaces, std::size_t quick) {
-    std::size_t nodes = 0;
-    std::size_t all_nodes = 0;
-    for (const Expr& surface : surfaces) {
-        all_nodes += surface.nodes().size();
-        if (!is_made_of_parts(surface)) nodes += surface.nodes().size();
-    }
-    if (nodes > most_nodes) return CodeState::Interpreted;
-    return all_nodes > quick ? CodeState::InterpretedFirst : CodeState::Machine;
-}
-
 struct CodeOptions {
     jit::CompileOptions jit;
-    bool for_one_picture = false;  ///< not for many
+    bool for_one_picture = false;   ///< not for many
+    bool interprets_first = false;  ///< what is not compiled yet
 };
+
+CodeState code_for(const std::vector<Expr>& surfaces, const CodeOptions& options) {
+    std::size_t nodes = 0;
+    bool is_compiled = true;
+    for (const Expr& surface : surfaces) {
+        const bool parts = is_made_of_parts(surface);
+        if (!parts) nodes += surface.nodes().size();
+        is_compiled = is_compiled && !parts && jit::is_compiled(surface, options.jit);
+    }
+    if (nodes > most_nodes) return CodeState::Interpreted;
+    const bool waits = options.interprets_first && !is_compiled;
+    return waits ? CodeState::InterpretedFirst : CodeState::Machine;
+}
 
 /// Machine code of parts, and an interpreter of the choices between them.
 Kernel by_parts(const Expr& drawn, const CodeOptions& options) {
@@ -143,9 +143,8 @@ std::expected<Formula, InputError> compiled(const Formula& formula, Precision pr
     return result;
 }
 
-/// `quick`: of how many nodes there is code at once.
 std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
-                                            const CodeOptions& options, std::size_t quick) {
+                                            const CodeOptions& options) {
     const auto start = Clock::now();
     auto program = read_formula(text);
     if (!program) return std::unexpected(program.error());
@@ -156,7 +155,7 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).value_float;
     }
-    formula.code = code_for(formula.drawn, quick);
+    formula.code = code_for(formula.drawn, options);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
     } else {
@@ -179,6 +178,13 @@ InputError input_error(const ParseError& error, std::string_view text) {
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
 
+std::size_t Formula::nodes() const {
+    std::size_t nodes = 0;
+    for (const Expr& surface : drawn)
+        nodes += surface.nodes().size();
+    return nodes;
+}
+
 bool Formula::has_code(Precision precision) const {
     return precision == Precision::Float || std::ranges::all_of(kernels, &Kernel::has_double);
 }
@@ -190,7 +196,7 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 }
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, {.jit = {.quick = true}}, quick_nodes);
+    return prepared(text, region, {.jit = {.quick = true}, .interprets_first = true});
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula) {
@@ -204,10 +210,15 @@ Formula with_double(const Formula& formula) {
 
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
                                                    Precision precision) {
-    auto formula = prepared(text, region, {.jit = {}, .for_one_picture = true}, everything);
+    auto formula = prepared(text, region, {.jit = {}, .for_one_picture = true});
     if (!formula || formula->code == CodeState::Interpreted) return formula;
     const bool complete = formula->code == CodeState::Machine && formula->has_code(precision);
     return complete ? formula : compiled(*formula, precision, true);
+}
+
+bool is_preview(const Formula& formula) {
+    constexpr std::size_t most_nodes_soon = 300;
+    return formula.code == CodeState::InterpretedFirst && formula.nodes() <= most_nodes_soon;
 }
 
 Scene make_scene(const Formula& formula, const Box& clip, double w,

@@ -7,6 +7,7 @@
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <mutex>
@@ -217,6 +218,11 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
 
 }  // namespace
 
+void forget_code() {
+    cache().clear();
+    later_functions().clear();
+}
+
 int host_lanes() {
     for (const int lanes : {16, 8}) {
         if (elementary_code(Elementary::Sin, lanes) != nullptr) return lanes;
@@ -251,6 +257,13 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
         make_later(kernel.ray_form_double, expr, {vectors->in_double, KernelPart::RayForm});
     }
     return kernel;
+}
+
+bool is_compiled(const Expr& expr, const CompileOptions& options) {
+    const auto vectors = usable_vectors(options);
+    return vectors && std::ranges::all_of(pieces_of(*vectors, options), [&](const Piece& piece) {
+               return cache().find(piece.key(expr)) != nullptr;
+           });
 }
 
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {
