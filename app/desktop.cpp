@@ -48,8 +48,8 @@ constexpr double extent_poll_s = 0.004;
 
 std::string note_of(CodeState code) {
     switch (code) {
-        case CodeState::Machine: return {};
-        case CodeState::InterpretedFirst: return "interpreted until its machine code is ready";
+        case CodeState::Machine:
+        case CodeState::InterpretedFirst: return {};
         case CodeState::Interpreted: return "large: interpreted";
     }
     return {};
@@ -134,6 +134,9 @@ void Desktop::draw_frame() {
     take_double();
     take_frame();
     cards_.show(state_);
+    follow_waiting();
+    state_.dimmed = waiting_.dimmed(now_s());
+    state_.doing = waiting_.text(now_s());
     if (portal_) portal_->follow(state_);
     play();
     window_.hold_keys(ui::awaits_keyboard(state_));
@@ -142,6 +145,7 @@ void Desktop::draw_frame() {
     cards_.follow(state_);
     // Before the frame waits for the screen.
     follow_edits();
+    follow_waiting();
     if (latency_ != nullptr) log_submission(before);
     const LatencyLog::InOpenGl drawing(latency_.get());
     window_.end_frame();
@@ -170,6 +174,7 @@ std::optional<double> Desktop::due_s() const {
     if (state_.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
+    if (const auto change = waiting_.due_s(now_s())) due = std::min(due.value_or(*change), *change);
     if (const auto click = pointing_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
     if (!state_.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
@@ -236,7 +241,10 @@ void Desktop::take_frame() {
         upload_frame();
         const bool full = result->complete;
         pictured_request_ = result->request;
-        if (pictured_request_ == request_) formulas_.drawn();
+        if (pictured_request_ == request_) {
+            pictured_text_ = submitted_->formula->text;
+            formulas_.drawn();
+        }
         pictured_fully_ = full;
         if (full) {
             const bool newest = result->request == request_;

@@ -9,6 +9,7 @@
 #include "app/pointing.hpp"
 #include "app/preferences.hpp"
 #include "app/session.hpp"
+#include "app/waiting.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/extent.hpp"
 #include "engine/trace/render_job.hpp"
@@ -101,6 +102,8 @@ private:
     static bool same_picture(const Wanted& a, const Wanted& b);
     static bool same_but_for_code(const Wanted& last, const Wanted& next);
 
+    /// Finds what the window waits for.
+    void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
     void take_double();
@@ -141,6 +144,8 @@ private:
     std::uint64_t request_ = 0;
     std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
     bool pictured_fully_ = false;
+    std::string pictured_text_;  ///< of the formula of which a picture was shown last
+    Waiting waiting_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

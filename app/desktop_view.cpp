@@ -14,7 +14,8 @@
 #include <optional>
 #include <utility>
 
-// Where the window looks: first, after a reset, and to see all of the surfaces.
+// Where the window looks: first, after a reset, and to see all of the surfaces; and what it waits
+// for.
 
 namespace zeroset {
 
@@ -64,6 +65,17 @@ void Desktop::frame(const Extent& extent) {
     state_.done = framing.note;
     done_gesture_ = state_.gesture;
     window_.wake();
+}
+
+void Desktop::follow_waiting() {
+    Waiting::For what;
+    what.reading = answered_rows_ != submitted_rows_;
+    what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
+    const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
+    const bool deepens = shown_ != nullptr && deepening_ == shown_;
+    what.code = !what.reading && (compiles || deepens);
+    if (what.code) what.nodes = shown_->nodes();
+    waiting_.follow(what, now_s());
 }
 
 }  // namespace zeroset

@@ -119,8 +119,11 @@ void add_witnesses(Formula& formula) {
 /// The formula with the interpreter's code, which is always in both types.
 Formula interpreted(Formula formula) {
     formula.kernels.clear();
-    for (const Expr& surface : formula.drawn)
-        formula.kernels.push_back(interpret(surface));
+    for (const Expr& surface : formula.drawn) {
+        Kernel& kernel = formula.kernels.emplace_back(interpret(surface));
+        // To find what can be left out of few choices takes longer than they do.
+        if (!is_made_of_parts(surface)) kernel.shortener = nullptr;
+    }
     add_witnesses(formula);
     return formula;
 }
