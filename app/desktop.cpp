@@ -164,7 +164,8 @@ void Desktop::log_submission(std::uint64_t before) {
 
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
+    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens &&
+                                             !is_preview(*shown_));
     return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
            drawn && state_.document.camera && !state_.move &&
            !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() && cards_.settled();
