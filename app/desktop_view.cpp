@@ -52,8 +52,10 @@ void Desktop::find_surfaces() {
     if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
     state_.frame_surfaces = false;
     measured_ = wanted;
-    extent_ = std::async(std::launch::async, find_extent,
-                         document_scene(*shown_, state_.document, state_.surface_rows));
+    extent_ = std::async(std::launch::async,
+                         [scene = document_scene(*shown_, state_.document, state_.surface_rows)] {
+                             return find_extent(scene);
+                         });
 }
 
 void Desktop::frame(const Extent& extent) {

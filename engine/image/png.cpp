@@ -3,7 +3,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -109,9 +108,8 @@ std::vector<std::byte> encoded_png(const void* pixels, int width, int height, in
     if (data.empty()) return {};
     std::vector<std::byte> png;
     png.reserve(data.size() + 64);
-    constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
-    const auto begin = std::as_bytes(std::span(signature));
-    png.insert(png.end(), begin.begin(), begin.end());
+    for (const int byte : {0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A})
+        png.push_back(static_cast<std::byte>(byte));
     append_chunk(png, "IHDR", header_of(width, height, channels));
     append_chunk(png, "IDAT", data);
     append_chunk(png, "IEND", {});
