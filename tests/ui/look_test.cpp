@@ -135,7 +135,7 @@ TEST_P(Looking, ClaimsNothingOfAnotherText) {
                                   1e-3};
     const Framebuffer own = draw();
     const int own_accents = count(own, colors().accent, status_line());
-    state_.dimmed = 1.0F;
+    state_.dimmed = 0.3F;
     state_.doing = "preparing\xE2\x80\xA6";
     const Framebuffer old = draw();
     EXPECT_EQ(count(old, colors().text, status_line()), 0) << "the point of the old picture";
