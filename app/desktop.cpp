@@ -135,8 +135,6 @@ void Desktop::draw_frame() {
     take_frame();
     cards_.show(state_);
     follow_waiting();
-    state_.dimmed = waiting_.dimmed(now_s());
-    state_.doing = waiting_.text(now_s());
     if (portal_) portal_->follow(state_);
     play();
     window_.hold_keys(ui::awaits_keyboard(state_));
@@ -164,8 +162,8 @@ void Desktop::log_submission(std::uint64_t before) {
 
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens &&
-                                             !is_preview(*shown_));
+    const bool drawn = shown_ == nullptr ||
+                       (submitted_ && !state_.picture.tracing && !deepens && !is_preview(*shown_));
     return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
            drawn && state_.document.camera && !state_.move &&
            !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() && cards_.settled();
@@ -248,6 +246,7 @@ void Desktop::take_frame() {
         }
         pictured_fully_ = full;
         if (full) {
+            figures_text_ = pictured_text_;
             const bool newest = result->request == request_;
             state_.picture = {!newest,          result->frame->width, result->frame->height,
                               result->frame_ms, result->counts,       result->precision};

@@ -102,7 +102,7 @@ private:
     static bool same_picture(const Wanted& a, const Wanted& b);
     static bool same_but_for_code(const Wanted& last, const Wanted& next);
 
-    /// Finds what the window waits for.
+    /// Finds what the window waits for, for the panels to tell.
     void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
@@ -144,7 +144,8 @@ private:
     std::uint64_t request_ = 0;
     std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
     bool pictured_fully_ = false;
-    std::string pictured_text_;  ///< of the formula of which a picture was shown last
+    // Of the formula of which a picture was shown last, and a full one.
+    std::string pictured_text_, figures_text_;
     Waiting waiting_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;

@@ -73,11 +73,16 @@ void Desktop::follow_waiting() {
     Waiting::For what;
     what.reading = answered_rows_ != submitted_rows_;
     what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
+    what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
     const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
     what.code = !what.reading && (compiles || deepens);
     if (what.code) what.nodes = shown_->nodes();
-    waiting_.follow(what, now_s());
+    const double now = now_s();
+    waiting_.follow(what, now);
+    state_.dimmed = waiting_.dimmed(now);
+    state_.hides_figures = waiting_.hides_figures(now);
+    state_.doing = waiting_.text(now);
 }
 
 }  // namespace zeroset

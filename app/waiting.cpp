@@ -22,6 +22,7 @@ bool lasts(const std::optional<double>& since_s, double now_s) {
 void Waiting::follow(const For& what, double now_s) {
     what_ = what;
     picture_since_s_ = since(picture_since_s_, what.picture, now_s);
+    figures_since_s_ = since(figures_since_s_, what.figures, now_s);
     code_since_s_ = since(code_since_s_, what.code, now_s);
 }
 
@@ -30,6 +31,8 @@ float Waiting::dimmed(double now_s) const {
     const double faded = (now_s - *picture_since_s_ - delay_s) / fade_s;
     return static_cast<float>(std::clamp(faded, 0.0, 1.0));
 }
+
+bool Waiting::hides_figures(double now_s) const { return lasts(figures_since_s_, now_s); }
 
 std::string Waiting::text(double now_s) const {
     const bool waits_for_picture = lasts(picture_since_s_, now_s);
@@ -43,7 +46,7 @@ std::string Waiting::text(double now_s) const {
 std::optional<double> Waiting::due_s(double now_s) const {
     std::optional<double> due;
     const auto at_least = [&](double seconds) { due = std::min(due.value_or(seconds), seconds); };
-    for (const auto& since_s : {picture_since_s_, code_since_s_}) {
+    for (const auto& since_s : {picture_since_s_, figures_since_s_, code_since_s_}) {
         if (since_s && !lasts(since_s, now_s)) at_least(*since_s + delay_s - now_s);
     }
     const float faded = dimmed(now_s);

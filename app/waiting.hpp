@@ -16,6 +16,7 @@ public:
     /// How things stand.
     struct For {
         bool picture = false;   ///< the one that is shown is of another text
+        bool figures = false;   ///< those of the last full picture are of another text
         bool reading = false;   ///< the text is not read and prepared yet
         bool code = false;      ///< machine code is being made
         std::size_t nodes = 0;  ///< of the formula that it is made for
@@ -26,6 +27,8 @@ public:
 
     /// How far the picture is to be dimmed: 0 (as ever) to 1.
     [[nodiscard]] float dimmed(double now_s) const;
+    /// Whether the figures of the last full picture are to be left out.
+    [[nodiscard]] bool hides_figures(double now_s) const;
     /// What is going on; empty where there is nothing to tell.
     [[nodiscard]] std::string text(double now_s) const;
     /// Seconds until either changes though nothing happens.
@@ -33,7 +36,7 @@ public:
 
 private:
     For what_;
-    std::optional<double> picture_since_s_, code_since_s_;
+    std::optional<double> picture_since_s_, figures_since_s_, code_since_s_;
 };
 
 }  // namespace zeroset

@@ -67,6 +67,8 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
         {{"auto", SolidSide::Automatic}, {"f < 0", SolidSide::Below}, {"f > 0", SolidSide::Above}}};
     const float gap = em(0.3F);
     const float width = (popup_width() - 2.0F * gap) / 3.0F;
+    const ImVec2 padding(em(0.2F), ImGui::GetStyle().FramePadding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     for (const auto& [name, side] : choices) {
         if (side != choices.front().second) ImGui::SameLine(0.0F, gap);
         const bool chosen = statement.solid == side;
@@ -74,6 +76,7 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
         if (ImGui::Button(name, ImVec2(width, 0.0F))) statement.solid = side;
         if (chosen) ImGui::PopStyleColor();
     }
+    ImGui::PopStyleVar();
 }
 
 }  // namespace

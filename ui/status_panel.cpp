@@ -138,7 +138,7 @@ void draw_known(const UiState& state, const Palette& colors) {
     if (!state.done.empty()) add_text(colors.accent, state.done);
     if (state.pointed) {
         draw_pointed(state, *state.pointed, colors);
-    } else {
+    } else if (!state.hides_figures) {
         draw_figures(state, colors);
     }
     if (state.picture.tracing && state.doing.empty()) {

@@ -15,6 +15,9 @@ namespace {
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
+/// The share of a first picture that may be left out.
+constexpr double most_left_out = 0.25;
+
 std::size_t pixels_of(const RenderRequest& request) {
     return static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
 }
@@ -69,6 +72,8 @@ public:
     bool draw();
     /// Whether it came to its end before its time ran out.
     [[nodiscard]] bool complete() const { return complete_; }
+    /// The share of its pixels that were left out when its time ran out.
+    [[nodiscard]] double cut_share() const { return cut_share_; }
     [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
     [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
     /// Tells what the picture costs; from a good part of it, where it did not come to its end.
@@ -85,6 +90,7 @@ private:
     std::shared_ptr<const Framebuffer> first_;
     Clock::time_point until_;
     bool complete_ = false;
+    double cut_share_ = 0.0;
     std::shared_ptr<Framebuffer> frame_;
     TileGrid grid_;
     std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
@@ -108,6 +114,7 @@ bool RenderJob::Growing::draw() {
                       .first_turn = job_.pace_.first_turn,
                       .on_tile = [this](const PixelRect& rect) { finish_tile(rect); }});
     complete_ = !counters.is_cut();
+    cut_share_ = static_cast<double>(counters.cut_pixels) / static_cast<double>(pixels_of(request));
     return !job_.cancel_;
 }
 
@@ -195,6 +202,7 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
     if (!same_surfaces(surfaces_, work.request.scene.surfaces)) {
+        work.is_new = !work.request.again;
         governor_.forget(std::ranges::any_of(work.request.scene.surfaces, &Kernel::interpreted));
     }
     surfaces_ = work.request.scene.surfaces;
@@ -278,6 +286,8 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     const bool drawn = growing.draw();
     growing.tell(governor_, smaller.request);
     if (!drawn) return {nullptr, false};
+    // A picture with most of it left out would only hide the one that is there.
+    if (work.is_new && growing.cut_share() > most_left_out) return {growing.frame(), false};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();

@@ -97,6 +97,7 @@ private:
         bool in_motion = false;  ///< it followed another one closely
         Precision precision = Precision::Float;
         bool finds_range = false;  ///< of the colours
+        bool is_new = false;       ///< no picture of its surfaces was shown yet
     };
     class Growing;
 

@@ -53,6 +53,16 @@ TEST(Waiting, CountsFromTheFirstOfTextsThatOvertakeOneAnother) {
     EXPECT_EQ(waiting.dimmed(1.25), 1.0F);
 }
 
+TEST(Waiting, HidesTheFiguresOfAnotherTextsPicture) {
+    Waiting waiting;
+    waiting.follow({.figures = true}, 1.0);
+    EXPECT_FALSE(waiting.hides_figures(1.05));
+    EXPECT_TRUE(waiting.hides_figures(1.2));
+    EXPECT_EQ(waiting.dimmed(1.2), 0.0F) << "a picture of the text is there";
+    waiting.follow(nothing, 1.3);
+    EXPECT_FALSE(waiting.hides_figures(1.3));
+}
+
 TEST(Waiting, WantsFramesWhereWhatIsSeenChanges) {
     Waiting waiting;
     waiting.follow(reading, 1.0);
