@@ -1,5 +1,6 @@
+#include "app/bench_suite.hpp"
 #include "app/commands.hpp"
-#include "app/gallery.hpp"
+#include "app/first_picture.hpp"
 #include "app/text.hpp"
 #include "app/timing.hpp"
 #include "engine/image/file.hpp"
@@ -11,19 +12,12 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
 namespace zeroset {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-struct BenchItem {
-    std::string name;
-    Surface surface;
-};
 
 struct BenchPlan {
     std::vector<BenchItem> items;
@@ -33,55 +27,13 @@ struct BenchPlan {
     double budget_s = default_budget_s;  ///< of a frame
 };
 
-/// The gallery's surfaces of the papers, all seen from the default direction.
-std::vector<BenchItem> gallery_suite() {
-    std::vector<BenchItem> items;
-    for (const GalleryItem& item : gallery()) {
-        if (item.group != suite_group) continue;
-        items.push_back(
-            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x), {}}});
-    }
-    return items;
-}
-
-/// The library's message without its own heading "[json.exception...] ".
-std::string plain_message(const std::exception& error) {
-    const std::string_view text = error.what();
-    const std::size_t end = text.find("] ");
-    return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
-}
-
-/// {"camera": {direction, distance, fov}, "surfaces": [{name, f, domain}]}; w is 0.5.
-OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
-    std::ifstream file(path);
-    if (!file) return wrong_input("--suite " + path + ": the file cannot be read");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    std::vector<BenchItem> items;
-    try {
-        const Json json = Json::parse(text);
-        const Json& view = json.at("camera");
-        const auto direction = view.at("direction").get<std::array<double, 3>>();
-        for (const Json& surface : json.at("surfaces")) {
-            const double domain = surface.at("domain");
-            Camera camera;
-            camera.eye = view.at("distance").get<double>() * domain *
-                         glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
-            camera.fov_rad = glm::radians(view.at("fov").get<double>());
-            items.push_back(
-                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera, {}}});
-        }
-    } catch (const nlohmann::json::exception& error) {
-        return wrong_input("--suite " + path +
-                           ": it must be {\"camera\": {\"direction\", \"distance\", \"fov\"}, "
-                           "\"surfaces\": [{\"name\", \"f\", \"domain\"}]}; " +
-                           plain_message(error));
-    }
-    return items;
-}
+/// What the window at its first size draws: with the panel.
+constexpr const char* size_in_window = "902x773";
 
 OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     BenchPlan plan;
-    const auto size = read_size("--size", command.size);
+    const std::string usual = command.first_picture ? size_in_window : "512";
+    const auto size = read_size("--size", command.size.value_or(usual));
     if (!size) return std::unexpected(size.error());
     plan.size = *size;
     if (command.repeat) {
@@ -97,7 +49,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
         TraceText text;
         text.tracer = names.substr(begin, end - begin);
-        text.d_stop = command.d_stop.value_or("10");
+        text.d_stop = command.d_stop.value_or(command.first_picture ? "14" : "10");
         text.threads = command.threads;
         const auto settings = read_trace_settings(text);
         if (!settings) return std::unexpected(settings.error());
@@ -105,7 +57,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         begin = end + 1;
     }
     if (!command.suite) {
-        plan.items = gallery_suite();
+        plan.items = command.first_picture ? whole_gallery() : gallery_suite();
         return plan;
     }
     auto items = suite_of_file(*command.suite);
@@ -193,6 +145,10 @@ void print_cell(const BenchCell& cell) {
 int run_bench(const BenchCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
+    if (command.first_picture) {
+        return print_first_pictures(
+            {plan->items, plan->settings.front(), plan->size, plan->repeats});
+    }
     if (command.json && command.json != "-") {
         if (auto writable = check_writable(*command.json); !writable) {
             return report_run_time(writable.error().message);

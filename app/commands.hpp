@@ -36,8 +36,8 @@ struct ExplainCommand {
 int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
-    std::optional<std::string> suite, tracers, threads, d_stop, repeat, budget, json;
-    std::string size = "512";
+    std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
+    bool first_picture = false;  ///< times edits in place of frames
 };
 int run_bench(const BenchCommand& command);
 

@@ -48,8 +48,8 @@ constexpr double extent_poll_s = 0.004;
 
 std::string note_of(CodeState code) {
     switch (code) {
-        case CodeState::Machine: return {};
-        case CodeState::InterpretedFirst: return "interpreted until its machine code is ready";
+        case CodeState::Machine:
+        case CodeState::InterpretedFirst: return {};
         case CodeState::Interpreted: return "large: interpreted";
     }
     return {};
@@ -90,6 +90,14 @@ bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
            a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
 }
 
+/// Whether `next` is the picture `last`, by code that was not there before.
+bool Desktop::same_but_for_code(const Wanted& last, const Wanted& next) {
+    Wanted by_new_code = last;
+    by_new_code.formula = next.formula;
+    by_new_code.colors = next.colors;
+    return last.formula->text == next.formula->text && same_picture(by_new_code, next);
+}
+
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
@@ -126,6 +134,7 @@ void Desktop::draw_frame() {
     take_double();
     take_frame();
     cards_.show(state_);
+    follow_waiting();
     if (portal_) portal_->follow(state_);
     play();
     window_.hold_keys(ui::awaits_keyboard(state_));
@@ -134,6 +143,7 @@ void Desktop::draw_frame() {
     cards_.follow(state_);
     // Before the frame waits for the screen.
     follow_edits();
+    follow_waiting();
     if (latency_ != nullptr) log_submission(before);
     const LatencyLog::InOpenGl drawing(latency_.get());
     window_.end_frame();
@@ -152,7 +162,8 @@ void Desktop::log_submission(std::uint64_t before) {
 
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    const bool drawn = shown_ == nullptr || (submitted_ && !state_.picture.tracing && !deepens);
+    const bool drawn = shown_ == nullptr ||
+                       (submitted_ && !state_.picture.tracing && !deepens && !is_preview(*shown_));
     return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
            drawn && state_.document.camera && !state_.move &&
            !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() && cards_.settled();
@@ -162,6 +173,7 @@ std::optional<double> Desktop::due_s() const {
     if (state_.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
+    if (const auto change = waiting_.due_s(now_s())) due = std::min(due.value_or(*change), *change);
     if (const auto click = pointing_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
     if (!state_.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
@@ -228,8 +240,13 @@ void Desktop::take_frame() {
         upload_frame();
         const bool full = result->complete;
         pictured_request_ = result->request;
+        if (pictured_request_ == request_) {
+            pictured_text_ = submitted_->formula->text;
+            formulas_.drawn();
+        }
         pictured_fully_ = full;
         if (full) {
+            figures_text_ = pictured_text_;
             const bool newest = result->request == request_;
             state_.picture = {!newest,          result->frame->width, result->frame->height,
                               result->frame_ms, result->counts,       result->precision};
@@ -371,6 +388,8 @@ void Desktop::submit_picture() {
     request.height = wanted.size_px.y;
     submitted_rows_of_surfaces_ = state_.surface_rows;
     submitted_uniforms_ = request.scene.uniforms;
+    request.preview = is_preview(*shown_);
+    request.again = submitted_ && same_but_for_code(*submitted_, wanted);
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
     submitted_ = std::move(next);

@@ -9,6 +9,7 @@
 #include "app/pointing.hpp"
 #include "app/preferences.hpp"
 #include "app/session.hpp"
+#include "app/waiting.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/extent.hpp"
 #include "engine/trace/render_job.hpp"
@@ -99,7 +100,10 @@ private:
         std::vector<double> uniforms;  ///< w, where it is used, and the parameters
     };
     static bool same_picture(const Wanted& a, const Wanted& b);
+    static bool same_but_for_code(const Wanted& last, const Wanted& next);
 
+    /// Finds what the window waits for, for the panels to tell.
+    void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
     void take_double();
@@ -140,6 +144,9 @@ private:
     std::uint64_t request_ = 0;
     std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
     bool pictured_fully_ = false;
+    // Of the formula of which a picture was shown last, and a full one.
+    std::string pictured_text_, figures_text_;
+    Waiting waiting_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -14,7 +14,8 @@
 #include <optional>
 #include <utility>
 
-// Where the window looks: first, after a reset, and to see all of the surfaces.
+// Where the window looks: first, after a reset, and to see all of the surfaces; and what it waits
+// for.
 
 namespace zeroset {
 
@@ -51,8 +52,10 @@ void Desktop::find_surfaces() {
     if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
     state_.frame_surfaces = false;
     measured_ = wanted;
-    extent_ = std::async(std::launch::async, find_extent,
-                         document_scene(*shown_, state_.document, state_.surface_rows));
+    extent_ = std::async(std::launch::async,
+                         [scene = document_scene(*shown_, state_.document, state_.surface_rows)] {
+                             return find_extent(scene);
+                         });
 }
 
 void Desktop::frame(const Extent& extent) {
@@ -64,6 +67,22 @@ void Desktop::frame(const Extent& extent) {
     state_.done = framing.note;
     done_gesture_ = state_.gesture;
     window_.wake();
+}
+
+void Desktop::follow_waiting() {
+    Waiting::For what;
+    what.reading = answered_rows_ != submitted_rows_;
+    what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
+    what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
+    const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
+    const bool deepens = shown_ != nullptr && deepening_ == shown_;
+    what.code = !what.reading && (compiles || deepens);
+    if (what.code) what.nodes = shown_->nodes();
+    const double now = now_s();
+    waiting_.follow(what, now);
+    state_.dimmed = waiting_.dimmed(now);
+    state_.hides_figures = waiting_.hides_figures(now);
+    state_.doing = waiting_.text(now);
 }
 
 }  // namespace zeroset

@@ -17,11 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// LLVM takes 0.4 to 1 ms and 25 kB for a node. In the window a formula that takes longer than some
-// 30 ms is drawn by the interpreter until its code is there.
-constexpr std::size_t quick_nodes = 40;
+// LLVM takes 0.4 to 1 ms and 25 kB for a node.
 constexpr std::size_t most_nodes = 8'000;
-constexpr std::size_t everything = ~std::size_t{0};
 
 // Of so many, machine code of the parts is quicker than that of all, and made sooner.
 constexpr std::size_t many_choices = 24;
@@ -55,23 +52,29 @@ std::size_t choices_in(const Expr& expr) {
 
 bool is_made_of_parts(const Expr& surface) { return choices_in(surface) >= many_choices; }
 
-CodeState code_for(const std::vector<Expr>& surfaces, std::size_t quick) {
-    std::size_t nodes = 0;
-    std::size_t all_nodes = 0;
-    for (const Expr& surface : surfaces) {
-        all_nodes += surface.nodes().size();
-        if (!is_made_of_parts(surface)) nodes += surface.nodes().size();
-    }
-    if (nodes > most_nodes) return CodeState::Interpreted;
-    return all_nodes > quick ? CodeState::InterpretedFirst : CodeState::Machine;
-}
-
 jit::CompileOptions options_for(CodeUse use, Precision precision, const Expr& surface) {
     const bool large = surface.nodes().size() > most_thorough_nodes;
     return {.with_double = precision == Precision::Double,
             .quick = use == CodeUse::FirstPicture,
             .hasty = use == CodeUse::OnePicture || (use == CodeUse::FirstPicture && large),
             .patient_nodes = use == CodeUse::OnePicture ? patient_nodes : 0};
+}
+
+/// When a formula is interpreted at first.
+enum class Interpreted : std::uint8_t { Never, UnlessCompiled, Always };
+
+CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Interpreted first) {
+    std::size_t nodes = 0;
+    bool is_compiled = true;
+    for (const Expr& surface : surfaces) {
+        const bool parts = is_made_of_parts(surface);
+        if (!parts) nodes += surface.nodes().size();
+        is_compiled = is_compiled && !parts &&
+                      jit::is_compiled(surface, options_for(use, Precision::Float, surface));
+    }
+    if (nodes > most_nodes) return CodeState::Interpreted;
+    const bool waits = first == Interpreted::UnlessCompiled && !is_compiled;
+    return waits || first == Interpreted::Always ? CodeState::InterpretedFirst : CodeState::Machine;
 }
 
 /// Machine code of parts, and an interpreter of the choices between them.
@@ -124,15 +127,17 @@ void add_witnesses(Formula& formula) {
 /// The formula with the interpreter's code, which is always in both types.
 Formula interpreted(Formula formula) {
     formula.kernels.clear();
-    for (const Expr& surface : formula.drawn)
-        formula.kernels.push_back(interpret(surface));
+    for (const Expr& surface : formula.drawn) {
+        Kernel& kernel = formula.kernels.emplace_back(interpret(surface));
+        // To find what can be left out of few choices takes longer than they do.
+        if (!is_made_of_parts(surface)) kernel.shortener = nullptr;
+    }
     add_witnesses(formula);
     return formula;
 }
 
-/// `quick`: of how many nodes there is code at once, and for what.
-std::expected<Formula, InputError> prepared(std::string_view text, const Box& region,
-                                            std::size_t quick, CodeUse use) {
+std::expected<Formula, InputError> prepared(std::string_view text, const Box& region, CodeUse use,
+                                            Interpreted first) {
     const auto start = Clock::now();
     auto program = read_formula(text);
     if (!program) return std::unexpected(program.error());
@@ -143,7 +148,7 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).value_float;
     }
-    formula.code = code_for(formula.drawn, quick);
+    formula.code = code_for(formula.drawn, use, first);
     if (formula.code != CodeState::Machine) {
         formula = interpreted(std::move(formula));
     } else {
@@ -166,6 +171,13 @@ InputError input_error(const ParseError& error, std::string_view text) {
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
 
+std::size_t Formula::nodes() const {
+    std::size_t nodes = 0;
+    for (const Expr& surface : drawn)
+        nodes += surface.nodes().size();
+    return nodes;
+}
+
 bool Formula::has_code(Precision precision) const {
     return precision == Precision::Float || std::ranges::all_of(kernels, &Kernel::has_double);
 }
@@ -177,11 +189,11 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 }
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, quick_nodes, CodeUse::FirstPicture);
+    return prepared(text, region, CodeUse::FirstPicture, Interpreted::UnlessCompiled);
 }
 
 std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, 0, CodeUse::FirstPicture);
+    return prepared(text, region, CodeUse::FirstPicture, Interpreted::Always);
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula, CodeUse use,
@@ -212,10 +224,15 @@ bool has_parts(const Formula& formula) {
 
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
                                                    Precision precision) {
-    auto formula = prepared(text, region, everything, CodeUse::Pictures);
+    auto formula = prepared(text, region, CodeUse::Pictures, Interpreted::Never);
     if (!formula || formula->code == CodeState::Interpreted || formula->has_code(precision))
         return formula;
     return with_machine_code(*formula, CodeUse::Pictures, precision);
+}
+
+bool is_preview(const Formula& formula) {
+    constexpr std::size_t most_nodes_soon = 300;
+    return formula.code == CodeState::InterpretedFirst && formula.nodes() <= most_nodes_soon;
 }
 
 Scene make_scene(const Formula& formula, const Box& clip, double w,

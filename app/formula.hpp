@@ -35,7 +35,7 @@ InputError input_error(const ParseError& error, std::string_view text);
 
 enum class CodeState : std::uint8_t {
     Machine,           ///< machine code, or that of the parts of what has many choices
-    InterpretedFirst,  ///< interpreted; its machine code takes more than a moment
+    InterpretedFirst,  ///< interpreted until its machine code is there
     Interpreted,       ///< too large for machine code
 };
 
@@ -51,6 +51,8 @@ struct Formula {
     double compile_ms = 0.0;  ///< from text to code
 
     [[nodiscard]] bool uses_w() const;
+    /// Of the graphs that are drawn, how many nodes they have.
+    [[nodiscard]] std::size_t nodes() const;
     /// Whether it has code of this type; always for float.
     [[nodiscard]] bool has_code(Precision precision) const;
 };
@@ -64,8 +66,7 @@ std::expected<Program, InputError> read_formula(std::string_view text);
 /// Text to a formula that is interpreted, its forms the tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region);
 
-/// Text to the code of a first picture (CompileOptions::quick), its forms the tightest in `region`.
-/// Machine code unless that would take more than a second. Thread-safe.
+/// The same for a first picture, but where there is machine code of an equal one already, that.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
 
 /// What machine code is made for.
@@ -92,6 +93,9 @@ Formula with_double(const Formula& formula);
 /// seconds.
 std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region = {},
                                                    Precision precision = Precision::Float);
+
+/// Whether its machine code will be there before a full picture without it is of use.
+bool is_preview(const Formula& formula);
 
 /// What is drawn of the formula; parameters without a value are 1.
 Scene make_scene(const Formula& formula, const Box& clip, double w,

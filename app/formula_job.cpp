@@ -82,7 +82,7 @@ void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choic
         newest_ = sheet;
         newest_choice_ = choice;
         pending_ = Request{std::move(sheet), region, choice};
-        large_.reset();
+        interpreted_.reset();
     }
     wake_.notify_all();
 }
@@ -110,9 +110,10 @@ void FormulaJob::publish(FormulaResult result) {
     {
         const std::scoped_lock lock(mutex_);
         if (result.sheet == newest_ && result.choice == newest_choice_) {
-            const bool large =
-                result.formula && (*result.formula)->code == CodeState::InterpretedFirst;
-            if (large) large_ = result;
+            if (result.formula && (*result.formula)->code == CodeState::InterpretedFirst) {
+                interpreted_ = result;
+                compile_at_ = Clock::now() + head_start;
+            }
             finished_ = std::move(result);
         }
     }
@@ -144,21 +145,31 @@ void FormulaJob::publish_double(const Formula& formula) {
     on_result_();
 }
 
+void FormulaJob::drawn() {
+    {
+        const std::scoped_lock lock(mutex_);
+        compile_at_ = Clock::now();
+    }
+    wake_.notify_all();
+}
+
 void FormulaJob::compile_more() {
-    for (;;) {
-        std::optional<FormulaResult> large;
-        std::shared_ptr<const Formula> deep;
-        {
-            std::unique_lock lock(mutex_);
-            wake_.wait(lock, [this] { return stop_ || large_ || deep_ != nullptr; });
-            if (stop_) return;
-            deep = std::exchange(deep_, nullptr);
-            if (deep == nullptr) large = std::exchange(large_, std::nullopt);
-        }
-        if (deep != nullptr) {
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+        if (deep_ != nullptr) {
+            const auto deep = std::exchange(deep_, nullptr);
+            lock.unlock();
             publish_double(*deep);
+            lock.lock();
+        } else if (interpreted_ && Clock::now() >= compile_at_) {
+            FormulaResult interpreted = std::move(*std::exchange(interpreted_, std::nullopt));
+            lock.unlock();
+            publish(compiled(std::move(interpreted)));
+            lock.lock();
+        } else if (interpreted_) {
+            wake_.wait_until(lock, compile_at_);
         } else {
-            publish(compiled(std::move(*large)));
+            wake_.wait(lock);
         }
     }
 }

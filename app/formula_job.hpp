@@ -5,6 +5,7 @@
 
 #include "document/sheet.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <expected>
 #include <functional>
@@ -27,10 +28,13 @@ struct FormulaResult {
 };
 
 /// Reads and compiles the newest sheet in the background. Members may be called from the UI thread
-/// and never wait for a compilation; sheets overtaken by a newer one are dropped. A large formula
-/// arrives twice: interpreted, and again when its machine code is ready.
+/// and never wait for a compilation; sheets overtaken by a newer one are dropped. A formula
+/// that is new arrives twice: interpreted, and again when its machine code is ready.
 class FormulaJob {
 public:
+    /// The first picture has so long all cores for itself, unless it is there sooner.
+    static constexpr std::chrono::milliseconds head_start{30};
+
     /// `on_result` is called from the job's threads after each result.
     explicit FormulaJob(std::function<void()> on_result);
     ~FormulaJob();
@@ -41,12 +45,16 @@ public:
     void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {});
     /// The newest result not yet taken, or nothing.
     std::optional<FormulaResult> take();
+    /// The result taken last is on the screen: its machine code is made from here on.
+    void drawn();
     /// Makes code in double for a formula, unless it is overtaken by another.
     void submit_double(std::shared_ptr<const Formula> formula);
     /// The newest formula with code in double not yet taken, or nullptr.
     std::shared_ptr<const Formula> take_double();
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     struct Request {
         Sheet sheet;
         Box region;
@@ -62,9 +70,10 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<Request> pending_;
-    std::optional<FormulaResult> large_;     ///< its formula waits for its machine code
-    std::shared_ptr<const Formula> deep_;    ///< waits for its code in double
-    std::shared_ptr<const Formula> double_;  ///< has it
+    std::optional<FormulaResult> interpreted_;  ///< its formula waits for its machine code
+    Clock::time_point compile_at_;              ///< when it has waited long enough
+    std::shared_ptr<const Formula> deep_;       ///< waits for its code in double
+    std::shared_ptr<const Formula> double_;     ///< has it
     std::optional<FormulaResult> finished_;
     Sheet newest_;
     ColorChoice newest_choice_;

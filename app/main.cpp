@@ -216,6 +216,9 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--budget", bench.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
+    bench_app->add_flag("--first-picture", bench.first_picture,
+                        "times the window's way from an edit to its first picture instead, of all "
+                        "of the gallery");
     return bench_app;
 }
 

@@ -178,12 +178,21 @@ void print_probes(const RenderedPicture& picture) {
     }
 }
 
+/// Whether the picture is nothing but the frame.
+bool is_bare(const RenderedPicture& picture) {
+    const Document& document = picture.plan.document;
+    return !document.axes && !document.clip_box && !document.grid && document.markers.empty() &&
+           picture.scene.coloring.by == ColorBy::Plain;
+}
+
 /// The files; or why one cannot be written.
 std::expected<void, std::string> write_files(const RenderCommand& command,
                                              const RenderedPicture& picture) {
     const Framebuffer& frame = picture.frame;
     std::expected<void, FileError> written;
-    if (command.output) {
+    if (command.output && is_bare(picture)) {
+        written = write_png(*command.output, frame);
+    } else if (command.output) {
         const auto painted = furnished(frame, picture.plan.document, picture.plan.camera);
         if (!painted) return std::unexpected(painted.error());
         written = write_png(*command.output, marked(*painted, picture, !command.no_legend));

@@ -25,8 +25,9 @@ using Clock = std::chrono::steady_clock;
 /// How long after its time has run out a picture is waited for: LLVM cannot be interrupted.
 constexpr auto patience = std::chrono::seconds(1);
 
-/// Of the time left, what the range of the colours may take.
+// Of the time left, what the range of the colours may take, and where the surfaces lie.
 constexpr int coloring_share = 4;
+constexpr int fitting_share = 4;
 
 /// A picture being drawn. The thread that draws it may outlive all but this.
 struct Drawing {
@@ -39,6 +40,12 @@ struct Drawing {
 
 /// Frames drawn again for their times each have a budget.
 bool is_one_frame(const RenderPlan& plan) { return plan.repeats == 1 && !plan.warms_up; }
+
+/// When one of so many parts of the time left is over.
+Clock::time_point after_share(const Drawing& drawing, int parts) {
+    const auto now = Clock::now();
+    return now + (drawing.until - now) / parts;
+}
 
 /// A picture of which nothing is decided.
 Framebuffer undecided_frame(const Size& size) {
@@ -71,11 +78,11 @@ Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
 }
 
 /// Looks at all of the surface; returns why, where it cannot.
-std::string fit(RenderPlan& plan, const Scene& scene) {
+std::string fit(RenderPlan& plan, const Scene& scene, const TimeLimit& limit) {
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
     plan.document.camera = plan.camera;
     const Framing framing =
-        frame_surfaces(plan.document, find_extent(scene), aspect, plan.fits_box);
+        frame_surfaces(plan.document, find_extent(scene, limit), aspect, plan.fits_box);
     plan.document = framing.document;
     plan.surface.clip = framing.document.clip;
     plan.camera = *framing.document.camera;
@@ -89,10 +96,9 @@ void find_colors(Drawing& drawing, const ColorFormulas& colors) {
                                  shown_surfaces(drawing.picture.formula, plan), plan.camera.up);
     if (!has_range(scene.coloring.by) || scene.coloring.range) return;
     drawing.progress.enter(Progress::Stage::Coloring);
-    const auto now = Clock::now();
     scene.coloring.range =
         find_range(scene, plan.camera, plan.settings, plan.size.width, plan.size.height,
-                   {&drawing.cancel, now + (drawing.until - now) / coloring_share});
+                   {&drawing.cancel, after_share(drawing, coloring_share)});
 }
 
 /// For the one frame of an interpreted formula.
@@ -127,7 +133,8 @@ std::optional<InputError> prepare(Drawing& drawing) {
     if (!colors) return color_by_error(colors.error());
     if (plan.fits) {
         drawing.progress.enter(Progress::Stage::Fitting);
-        drawing.picture.note = fit(plan, plain_scene(*formula, plan));
+        const TimeLimit limit{&drawing.cancel, after_share(drawing, fitting_share)};
+        drawing.picture.note = fit(plan, plain_scene(*formula, plan), limit);
     }
     const Precision precision =
         wanted_precision(plain_scene(*formula, plan), ViewFrame(plan.camera), plan.settings.stop);

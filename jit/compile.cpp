@@ -7,6 +7,7 @@
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <mutex>
@@ -265,6 +266,11 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
 
 }  // namespace
 
+void forget_code() {
+    cache().clear();
+    later_functions().clear();
+}
+
 int host_lanes() {
     for (const int lanes : {16, 8}) {
         if (elementary_code(Elementary::Sin, lanes) != nullptr) return lanes;
@@ -289,6 +295,13 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     kernel.has_double = options.with_double;
     add_later_functions(kernel, expr, *vectors, options);
     return kernel;
+}
+
+bool is_compiled(const Expr& expr, const CompileOptions& options) {
+    const auto vectors = usable_vectors(options);
+    return vectors && std::ranges::all_of(pieces_of(*vectors, options), [&](const Piece& piece) {
+               return cache().find(piece.key(expr)) != nullptr;
+           });
 }
 
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {

@@ -37,6 +37,9 @@ struct CompileError {
 /// makes what is missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
+/// Whether `compile` has all that it makes at once for these options.
+bool is_compiled(const Expr& expr, const CompileOptions& options = {});
+
 /// Machine code for the values alone, in double; at once.
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
 
@@ -44,6 +47,9 @@ std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,
                                                   const CompileOptions& options = {});
+
+/// Compiles everything anew from here on: for measurements.
+void forget_code();
 
 /// The widest vectors of this machine, in floats.
 int host_lanes();

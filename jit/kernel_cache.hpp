@@ -28,6 +28,10 @@ public:
         entries_.push_front({std::move(key), std::move(made)});
         if (entries_.size() > capacity_) entries_.pop_back();
     }
+    void clear() {
+        const std::scoped_lock lock(mutex_);
+        entries_.clear();
+    }
 
 private:
     struct Entry {

@@ -18,6 +18,10 @@ namespace {
 
 constexpr int in_a_row = 4;
 
+float swatch() { return em(2.0F); }
+float swatch_gap() { return em(0.4F); }
+float popup_width() { return in_a_row * swatch() + (in_a_row - 1) * swatch_gap(); }
+
 /// 0xRRGGBB to ImGui's opaque 0xAABBGGRR.
 std::uint32_t opaque(std::uint32_t rgb) {
     return 0xFF000000U | (rgb & 0xFFU) << 16U | (rgb & 0xFF00U) | (rgb >> 16U & 0xFFU);
@@ -39,9 +43,9 @@ std::uint32_t color_of(const std::array<float, 3>& parts) {
 
 void draw_palette(Statement& statement, const Palette& colors) {
     const std::vector<std::uint32_t>& fronts = palette_fronts();
-    const float size = em(2.0F);
+    const float size = swatch();
     for (std::size_t i = 0; i < fronts.size(); ++i) {
-        if (i % in_a_row != 0) ImGui::SameLine(0.0F, em(0.4F));
+        if (i % in_a_row != 0) ImGui::SameLine(0.0F, swatch_gap());
         ImGui::PushID(static_cast<int>(i));
         const ImVec2 lo = ImGui::GetCursorScreenPos();
         if (ImGui::InvisibleButton("##front", ImVec2(size, size))) statement.color = fronts[i];
@@ -56,16 +60,23 @@ void draw_palette(Statement& statement, const Palette& colors) {
 }
 
 /// Which side sections fill.
-void draw_solid_choice(Statement& statement) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Solid");
+void draw_solid_choice(Statement& statement, const Palette& colors) {
+    ImGui::TextDisabled("Solid");
     draw_tooltip("The side that sections fill");
     constexpr std::array<std::pair<const char*, SolidSide>, 3> choices{
         {{"auto", SolidSide::Automatic}, {"f < 0", SolidSide::Below}, {"f > 0", SolidSide::Above}}};
+    const float gap = em(0.3F);
+    const float width = (popup_width() - 2.0F * gap) / 3.0F;
+    const ImVec2 padding(em(0.2F), ImGui::GetStyle().FramePadding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
     for (const auto& [name, side] : choices) {
-        ImGui::SameLine();
-        if (ImGui::RadioButton(name, statement.solid == side)) statement.solid = side;
+        if (side != choices.front().second) ImGui::SameLine(0.0F, gap);
+        const bool chosen = statement.solid == side;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, colors.selection);
+        if (ImGui::Button(name, ImVec2(width, 0.0F))) statement.solid = side;
+        if (chosen) ImGui::PopStyleColor();
     }
+    ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -90,9 +101,10 @@ void draw_surface_popup(const char* id, Statement& statement, const Palette& col
     constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_NoSidePreview |
                                           ImGuiColorEditFlags_NoInputs |
                                           ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoLabel;
-    ImGui::SetNextItemWidth(4.0F * em(2.0F) + 3.0F * em(0.4F));
+    ImGui::SetNextItemWidth(popup_width());
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
-    draw_solid_choice(statement);
+    ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
+    draw_solid_choice(statement, colors);
     ImGui::EndPopup();
 }
 

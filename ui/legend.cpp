@@ -96,9 +96,8 @@ public:
         }
         at_.y += em(line_em);
     }
-    void undecided(bool striped, const char* words) {
-        draw_undecided_swatch(canvas_, ImVec2(at_.x, at_.y + em(0.05F)), em(0.9F), striped,
-                              colors_);
+    void mark(Mark mark, const char* words) {
+        draw_mark_swatch(canvas_, ImVec2(at_.x, at_.y + em(0.05F)), em(0.9F), mark, colors_);
         text_.draw(ImVec2(at_.x + em(1.4F), at_.y), colors_.quiet, words);
         at_.y += em(line_em);
     }
@@ -117,7 +116,7 @@ float height_of(const CornerLegend& what) {
         height += 2.0F * line_em;
         if (what.legend->range) height += bar_em + 0.25F;
     }
-    if (what.undecided) height += 2.0F * line_em;
+    if (what.undecided) height += (what.coarse ? 3.0F : 2.0F) * line_em;
     return em(height - 0.25F + 2.0F * padding_em);
 }
 
@@ -165,15 +164,18 @@ void draw_map_bar(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, ColorM
     }
 }
 
-void draw_undecided_swatch(ImDrawList& canvas, const ImVec2& lo, float size, bool striped,
-                           const Palette& colors) {
+void draw_mark_swatch(ImDrawList& canvas, const ImVec2& lo, float size, Mark mark,
+                      const Palette& colors) {
     const ImVec2 hi(lo.x + size, lo.y + size);
+    const bool striped = mark != Mark::UndecidedNotDrawn;
+    const std::uint32_t solid = mark == Mark::Coarse ? colors.coarse : colors.undecided;
+    const std::uint32_t between = mark == Mark::Coarse ? colors.border : colors.undecided_pale;
     canvas.PushClipRect(lo, hi, true);
-    canvas.AddRectFilled(lo, hi, striped ? colors.undecided_pale : colors.undecided);
+    canvas.AddRectFilled(lo, hi, striped ? between : solid);
     const float step = em(0.5F);
     for (float at = step; striped && at < 2.0F * size; at += 2.0F * step) {
-        canvas.AddLine(ImVec2(lo.x + at, lo.y - 1.0F), ImVec2(lo.x + at - size - 1.0F, hi.y),
-                       colors.undecided, 0.7F * step);
+        canvas.AddLine(ImVec2(lo.x + at, lo.y - 1.0F), ImVec2(lo.x + at - size - 1.0F, hi.y), solid,
+                       0.7F * step);
     }
     canvas.PopClipRect();
 }
@@ -199,8 +201,9 @@ void draw_corner_legend(ImDrawList& canvas, const ImVec2& corner, const ImVec2& 
         }
     }
     if (what.undecided) {
-        card.undecided(true, "undecided, drawn");
-        card.undecided(false, "undecided, not drawn");
+        card.mark(Mark::UndecidedDrawn, "undecided, drawn");
+        card.mark(Mark::UndecidedNotDrawn, "undecided, not drawn");
+        if (what.coarse) card.mark(Mark::Coarse, "certified, coarse");
     }
 }
 

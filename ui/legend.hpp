@@ -20,14 +20,18 @@ const char* shown_name(ColorBy by);
 /// The map's colours from left to right over a rectangle, in window coordinates.
 void draw_map_bar(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, ColorMap map);
 
-/// A square as the undecided pixels look that are drawn (`striped`), or not.
-void draw_undecided_swatch(ImDrawList& canvas, const ImVec2& lo, float size, bool striped,
-                           const Palette& colors);
+/// What of the pixels is marked.
+enum class Mark : std::uint8_t { UndecidedDrawn, UndecidedNotDrawn, Coarse };
+
+/// A square as such pixels look.
+void draw_mark_swatch(ImDrawList& canvas, const ImVec2& lo, float size, Mark mark,
+                      const Palette& colors);
 
 /// What is to be said in the picture's corner.
 struct CornerLegend {
     const Legend* legend = nullptr;  ///< nullptr: the colours need no words
     bool undecided = false;          ///< undecided pixels are marked
+    bool coarse = false;             ///< and there are certified ones with a coarse bracket
 };
 
 /// A card whose right lower corner is `corner`, no wider than `room` (window coordinates); nothing

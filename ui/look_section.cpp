@@ -12,10 +12,12 @@
 #include <imgui/imgui.h>
 #include <imgui/imgui_stdlib.h>
 
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace zeroset::ui {
 namespace {
@@ -122,16 +124,19 @@ void draw_undecided(UiState& state) {
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
         "place where f jumps or ends. A larger d_stop decides more of them.");
     if (!state.document.mark_undecided) return;
+    constexpr std::array marks{std::pair(Mark::UndecidedDrawn, "something is drawn there"),
+                               std::pair(Mark::UndecidedNotDrawn, "nothing is drawn there"),
+                               std::pair(Mark::Coarse, "certified in a coarse bracket")};
     const Palette& colors = palette(state.theme);
     const float size = ImGui::GetTextLineHeight();
-    for (const bool striped : {true, false}) {
+    for (const auto& [mark, words] : marks) {
         ImGui::Dummy(ImVec2(em(1.6F), size));
         ImGui::SameLine(0.0F, 0.0F);
-        draw_undecided_swatch(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size,
-                              striped, colors);
+        draw_mark_swatch(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, mark,
+                         colors);
         ImGui::Dummy(ImVec2(size, size));
         ImGui::SameLine(0.0F, em(0.5F));
-        ImGui::TextDisabled("%s", striped ? "something is drawn there" : "nothing is drawn there");
+        ImGui::TextDisabled("%s", words);
     }
 }
 
@@ -142,7 +147,7 @@ float look_section_height(const UiState& state) {
     float rows = 2.0F;
     if (coloring.by == ColorBy::Expression) rows += state.color_error.empty() ? 1.0F : 2.0F;
     if (has_range(coloring.by)) rows += 2.0F;
-    const float lines = state.document.mark_undecided ? 2.0F : 0.0F;
+    const float lines = state.document.mark_undecided ? 3.0F : 0.0F;
     return rows * ImGui::GetFrameHeightWithSpacing() +
            lines * ImGui::GetTextLineHeightWithSpacing();
 }

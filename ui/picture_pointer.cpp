@@ -59,7 +59,8 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     const float margin = em(1.0F);
     draw_corner_legend(canvas, ImVec2(hi.x - margin, hi.y - margin),
                        ImVec2(hi.x - lo.x - 2.0F * margin, hi.y - lo.y - 2.0F * margin),
-                       {state.legend ? &*state.legend : nullptr, state.document.mark_undecided},
+                       {state.legend ? &*state.legend : nullptr, state.document.mark_undecided,
+                        state.picture.counts.coarse > 0},
                        colors);
     canvas.PopClipRect();
 }

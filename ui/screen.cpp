@@ -54,7 +54,7 @@ void draw_screen(UiState& state, const Texture& picture) {
 std::uint32_t behind_picture(Theme theme) { return palette(theme).sky; }
 
 Texture::Tint undecided_tint(Theme theme) {
-    return {palette(theme).undecided, palette(theme).undecided_pale};
+    return {palette(theme).undecided, palette(theme).undecided_pale, palette(theme).coarse};
 }
 
 }  // namespace zeroset::ui

@@ -28,6 +28,8 @@ constexpr float button_em = 1.5F;
 /// Readings of one row that are shown, and notes on them.
 constexpr std::size_t most_readings = 4;
 constexpr std::size_t most_notes = 4;
+/// A reading of the text before the one that is still read.
+constexpr float old_reading_faded = 0.5F;
 
 /// What a row is drawn with.
 struct Row {
@@ -165,7 +167,9 @@ RowEvent draw_menu(const Row& row) {
 
 void draw_readings(const Row& row, float width) {
     ImGui::PushFont(font(FontRole::SmallFormula));
-    ImGui::PushStyleColor(ImGuiCol_Text, row.colors.quiet);
+    const bool old = row.state.dimmed > 0.0F && row.report->text != row.statement.text;
+    const float opacity = old ? 1.0F - old_reading_faded * row.state.dimmed : 1.0F;
+    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, opacity));
     const auto& readings = row.report->readings;
     for (std::size_t i = 0; i < std::min(readings.size(), most_readings); ++i) {
         ImGui::PushID(static_cast<int>(i));

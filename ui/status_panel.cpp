@@ -124,11 +124,26 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
     const bool certified = is_proved(facts.certificate);
     const bool coarse = facts.certificate == Certificate::Coarse;
     add_text(colors.text, coordinates_text(facts.point, resolution), "");
-    add_text(certified ? colors.quiet : colors.warning,
-             coarse ? "certified, coarse" : certified ? "certified" : "undecided");
+    add_text(certified ? colors.quiet : colors.warning, coarse      ? "certified, coarse"
+                                                        : certified ? "certified"
+                                                                    : "undecided");
     add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
     add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
+}
+
+/// About the picture, or what is under the pointer.
+void draw_known(const UiState& state, const Palette& colors) {
+    if (!state.note.empty()) add_text(colors.warning, state.note);
+    if (!state.done.empty()) add_text(colors.accent, state.done);
+    if (state.pointed) {
+        draw_pointed(state, *state.pointed, colors);
+    } else if (!state.hides_figures) {
+        draw_figures(state, colors);
+    }
+    if (state.picture.tracing && state.doing.empty()) {
+        add_text(colors.accent, "tracing\xE2\x80\xA6");
+    }
 }
 
 void draw_keys_hint() {
@@ -153,14 +168,9 @@ void draw_status_panel(const UiState& state) {
     if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
-        if (!state.note.empty()) add_text(colors.warning, state.note);
-        if (!state.done.empty()) add_text(colors.accent, state.done);
-        if (state.pointed) {
-            draw_pointed(state, *state.pointed, colors);
-        } else {
-            draw_figures(state, colors);
-        }
-        if (state.picture.tracing) add_text(colors.accent, "tracing\xE2\x80\xA6");
+        if (!state.doing.empty()) add_text(colors.accent, state.doing);
+        // What is known of a dimmed picture says nothing about the text in the rows.
+        if (state.dimmed == 0.0F) draw_known(state, colors);
         draw_keys_hint();
         ImGui::PopFont();
     }

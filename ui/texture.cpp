@@ -34,7 +34,7 @@ Texture::Texture() {
 Texture::~Texture() { gl().delete_textures(1, &name_); }
 
 void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
-                     const std::optional<Tint>& undecided) {
+                     const std::optional<Tint>& tint) {
     constexpr std::uint32_t opaque = 0xFF000000U;
     pixels_.resize(frame.color.size());
     const auto columns = static_cast<std::size_t>(frame.width);
@@ -47,9 +47,13 @@ void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
         pixels_[i] = is_partly_drawn(color) ? without_background(color, backgrounds_[i / columns])
                      : drawn                ? color | opaque
                                             : behind & ~opaque;
-        if (!undecided || frame.certificate[i] != Certificate::Undecided) continue;
-        const bool pale = drawn && !is_on_stripe(i, frame.width);
-        pixels_[i] = (pale ? undecided->pale : undecided->solid) | opaque;
+        if (!tint) continue;
+        const bool striped = drawn && !is_on_stripe(i, frame.width);
+        if (frame.certificate[i] == Certificate::Undecided) {
+            pixels_[i] = (striped ? tint->pale : tint->solid) | opaque;
+        } else if (frame.certificate[i] == Certificate::Coarse && !striped) {
+            pixels_[i] = tint->coarse | opaque;
+        }
     }
     upload(pixels_, frame.width, frame.height);
 }

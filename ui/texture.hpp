@@ -16,10 +16,11 @@ enum class Filter : std::uint8_t { Nearest, Linear };
 class Texture {
 public:
     /// Colours for undecided pixels, as in Palette: `solid` where nothing is drawn, stripes of both
-    /// where something is.
+    /// where something is; and of the stripes over certified ones with a coarse bracket.
     struct Tint {
         std::uint32_t solid;
         std::uint32_t pale;
+        std::uint32_t coarse;
     };
 
     Texture();
@@ -31,7 +32,7 @@ public:
     /// background shows through them; they keep the colour `behind` (as in Palette) so that a
     /// stretched picture has no fringe.
     void upload(const Framebuffer& frame, std::uint32_t behind,
-                const std::optional<Tint>& undecided = std::nullopt);
+                const std::optional<Tint>& tint = std::nullopt);
     void upload(const RgbaImage& image);
     void set_filter(Filter filter) const;
 

@@ -38,6 +38,7 @@ constexpr Palette dark{
     .error = rgba(0xFF8B86FF),
     .undecided = rgba(0xE0218AFF),
     .undecided_pale = rgba(0xFFE3F2FF),
+    .coarse = rgba(0x1E9AA0FF),
 };
 
 constexpr Palette light{
@@ -62,6 +63,7 @@ constexpr Palette light{
     .error = rgba(0xC42B33FF),
     .undecided = rgba(0xC9106FFF),
     .undecided_pale = rgba(0xFFDCEEFF),
+    .coarse = rgba(0x1E9AA0FF),
 };
 
 void set_shape(ImGuiStyle& style) {

@@ -31,6 +31,8 @@ struct Palette {
     /// from the surfaces' colours in hue, and the two from each other in lightness.
     std::uint32_t undecided;
     std::uint32_t undecided_pale;
+    std::uint32_t
+        coarse;  ///< stripes over certified pixels whose bracket is coarse; teal as in files
 };
 
 const Palette& palette(Theme theme);

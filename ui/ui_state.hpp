@@ -193,6 +193,10 @@ struct UiState {
     std::string note;  ///< for the status line: what is not as it should be; or empty
     std::string done;  ///< for the status line: what was just done; or empty
     bool uses_w = false;
+    /// The picture is of another text than the rows', and so little of it is seen: 0 (all) to 1.
+    float dimmed = 0.0F;
+    bool hides_figures = false;  ///< `picture`'s are of another text
+    std::string doing;           ///< for the status line: what is going on with the text; or empty
     PictureStatus picture;
     ShownPicture shown;
 

@@ -29,6 +29,8 @@ namespace {
 /// A drag over the height of the picture turns by this much.
 constexpr double orbit_rad = std::numbers::pi;
 constexpr double zoom_per_notch = 0.88;
+/// How much of a picture of another text the background hides.
+constexpr float dimmest = 0.6F;
 
 glm::ivec2 size_px(const PictureArea& area) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -48,6 +50,12 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
     const auto id = static_cast<std::uintptr_t>(picture.name());
     // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
+    if (state.dimmed > 0.0F) {
+        const float veil = dimmest * state.dimmed;
+        const std::uint32_t sky = faded(colors.sky, veil);
+        const std::uint32_t ground = faded(colors.ground, veil);
+        canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
+    }
     draw_furniture(canvas, area.lo, area.hi, state);
     draw_picture_marks(canvas, area.lo, area.hi, state);
 }

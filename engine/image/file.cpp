@@ -119,12 +119,11 @@ void abandon_files() {
 }
 
 std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer& frame) {
-    std::vector<unsigned char> rgb;
-    rgb.reserve(frame.color.size() * 3);
+    std::vector<unsigned char> rgb(frame.color.size() * 3);
+    unsigned char* out = rgb.data();
     for (const std::uint32_t pixel : frame.color) {
-        for (const unsigned shift : {0U, 8U, 16U}) {
-            rgb.push_back(static_cast<unsigned char>((pixel >> shift) & 0xFFU));
-        }
+        for (const unsigned shift : {0U, 8U, 16U})
+            *out++ = static_cast<unsigned char>((pixel >> shift) & 0xFFU);
     }
     const std::vector<std::byte> bytes = encoded_png(rgb.data(), frame.width, frame.height, 3);
     if (bytes.empty()) return cannot_write(path, "the PNG encoder failed");

@@ -11,22 +11,6 @@
 namespace zeroset {
 namespace {
 
-struct Row {
-    int arity;
-    double bound_ulp[2];  ///< by RealType
-    double overflow[2];
-};
-
-constexpr Row rows[] = {
-#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
-                      double_overflow)                                                  \
-    {arity, {float_ulp, double_ulp}, {float_overflow, double_overflow}},
-#include "engine/num/sleef_functions.def"
-#undef ZEROSET_SLEEF
-};
-
-const Row& row(Elementary function) { return rows[static_cast<std::size_t>(function)]; }
-
 /// A number of double's precision.
 struct DoubleNumber {
     mpfr_t value;
@@ -100,19 +84,11 @@ template <class Real>
 Real one_lane_of(Elementary function, Real a, Real b) {
     const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
     const void* const code = code_of_width<Real>(function, 0);
-    if (row(function).arity == 1) return std::bit_cast<Real (*)(Real)>(code)(a);
+    if (elementary_arity(function) == 1) return std::bit_cast<Real (*)(Real)>(code)(a);
     return std::bit_cast<Real (*)(Real, Real)>(code)(a, b);
 }
 
 }  // namespace
-
-int elementary_arity(Elementary function) { return row(function).arity; }
-double elementary_bound_ulp(Elementary function, RealType type) {
-    return row(function).bound_ulp[static_cast<std::size_t>(type)];
-}
-double elementary_overflow(Elementary function, RealType type) {
-    return row(function).overflow[static_cast<std::size_t>(type)];
-}
 
 const void* elementary_code(Elementary function, int lanes, RealType type) {
     if (lanes < 1 || lanes > 16) return nullptr;

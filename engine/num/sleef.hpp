@@ -2,6 +2,8 @@
 
 #include "engine/num/format.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace zeroset {
@@ -15,12 +17,35 @@ enum class Elementary : std::uint8_t {
 #undef ZEROSET_SLEEF
 };
 
-int elementary_arity(Elementary function);
+/// A row of the table of elementary functions. It is here for its readers to be inlined: code in
+/// wide registers waits long where it calls code that knows of narrow ones only.
+struct ElementaryRow {
+    int arity;
+    std::array<double, 2> bound_ulp;  ///< by RealType
+    std::array<double, 2> overflow;
+};
+
+constexpr ElementaryRow elementary_row(Elementary function) {
+    constexpr std::array rows{
+#define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
+                      double_overflow)                                                  \
+    ElementaryRow{arity, {float_ulp, double_ulp}, {float_overflow, double_overflow}},
+#include "engine/num/sleef_functions.def"
+#undef ZEROSET_SLEEF
+    };
+    return rows[static_cast<std::size_t>(function)];
+}
+
+constexpr int elementary_arity(Elementary function) { return elementary_row(function).arity; }
 
 /// Results of the functions below are within this many ulp of the true value (tested), but for
 /// infinite results where the true value's size is at least `elementary_overflow`.
-double elementary_bound_ulp(Elementary function, RealType type = RealType::Float);
-double elementary_overflow(Elementary function, RealType type = RealType::Float);
+constexpr double elementary_bound_ulp(Elementary function, RealType type = RealType::Float) {
+    return elementary_row(function).bound_ulp[static_cast<std::size_t>(type)];
+}
+constexpr double elementary_overflow(Elementary function, RealType type = RealType::Float) {
+    return elementary_row(function).overflow[static_cast<std::size_t>(type)];
+}
 
 /// Address of native code over `lanes` numbers: one or two vectors in registers to one vector (1
 /// lane: a plain number), C calling convention, rounds to nearest and returns in upward rounding.

@@ -95,8 +95,8 @@ void push_octants(const Box& cell, std::vector<Box>& out) {
 class ExtentSearch {
 public:
     ExtentSearch(const Scene& scene, const Box& domain) : scene_(scene) { keep({domain}); }
-    std::optional<Box> run() {
-        while (!cells_.empty() && seen_ < most_cells && halve_faces()) {
+    std::optional<Box> run(const TimeLimit& limit) {
+        while (!cells_.empty() && seen_ < most_cells && !limit.over() && halve_faces()) {
         }
         if (cells_.empty()) return std::nullopt;
         return bounds();
@@ -174,23 +174,23 @@ bool strictly_inside(const Box& box, const Box& domain) {
 
 }  // namespace
 
-std::optional<Box> enclosing_box(const Scene& scene, const Box& domain) {
-    return ExtentSearch(scene, domain).run();
+std::optional<Box> enclosing_box(const Scene& scene, const Box& domain, const TimeLimit& limit) {
+    return ExtentSearch(scene, domain).run(limit);
 }
 
-Extent find_extent(const Scene& scene) {
+Extent find_extent(const Scene& scene, const TimeLimit& limit) {
     const double half = 0.5 * extent_reach * scene.clip.size();
     const glm::dvec3 centre = scene.clip.centre();
     const Box domain{centre - half, centre + half};
     Extent extent;
-    const std::optional<Box> all = enclosing_box(scene, domain);
+    const std::optional<Box> all = enclosing_box(scene, domain, limit);
     if (!all) return extent;
     if (strictly_inside(*all, domain)) extent.whole = all;
-    extent.inside = enclosing_box(scene, scene.clip);
+    extent.inside = enclosing_box(scene, scene.clip, limit);
     for (double factor = 2.0; !extent.inside && !extent.reached && factor <= extent_reach;
          factor *= 2.0) {
         const Box larger = scaled(scene.clip, factor);
-        if (enclosing_box(scene, larger)) extent.reached = larger;
+        if (enclosing_box(scene, larger, limit)) extent.reached = larger;
     }
     return extent;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/trace/camera.hpp"
 #include "engine/trace/scene.hpp"
+#include "engine/trace/time_limit.hpp"
 
 #include <optional>
 
@@ -9,8 +10,9 @@ namespace zeroset {
 
 /// A box that holds all that `domain` has of the scene's surfaces, or nothing where it proves that
 /// there is none. It is as tight as enclosures of f tell for boxes 1/64 of its size, unless that
-/// takes very many of them. Some milliseconds; any thread.
-std::optional<Box> enclosing_box(const Scene& scene, const Box& domain);
+/// takes very many of them, or longer than `limit`. Some milliseconds; any thread.
+std::optional<Box> enclosing_box(const Scene& scene, const Box& domain,
+                                 const TimeLimit& limit = {});
 
 /// Where the scene's surfaces lie.
 struct Extent {
@@ -24,6 +26,7 @@ struct Extent {
 /// How many times as large as the clip box the space is in which surfaces are looked for.
 inline constexpr double extent_reach = 64.0;
 
-Extent find_extent(const Scene& scene);
+/// Where `limit` is over before it is found, the boxes are wider than they need be.
+Extent find_extent(const Scene& scene, const TimeLimit& limit = {});
 
 }  // namespace zeroset

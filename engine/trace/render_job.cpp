@@ -15,6 +15,9 @@ namespace {
 
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
+/// The share of a first picture that may be left out.
+constexpr double most_left_out = 0.25;
+
 std::size_t pixels_of(const RenderRequest& request) {
     return static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
 }
@@ -69,6 +72,8 @@ public:
     bool draw();
     /// Whether it came to its end before its time ran out.
     [[nodiscard]] bool complete() const { return complete_; }
+    /// The share of its pixels that were left out when its time ran out.
+    [[nodiscard]] double cut_share() const { return cut_share_; }
     [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
     [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
     /// Tells what the picture costs; from a good part of it, where it did not come to its end.
@@ -85,6 +90,7 @@ private:
     std::shared_ptr<const Framebuffer> first_;
     Clock::time_point until_;
     bool complete_ = false;
+    double cut_share_ = 0.0;
     std::shared_ptr<Framebuffer> frame_;
     TileGrid grid_;
     std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
@@ -108,6 +114,7 @@ bool RenderJob::Growing::draw() {
                       .first_turn = job_.pace_.first_turn,
                       .on_tile = [this](const PixelRect& rect) { finish_tile(rect); }});
     complete_ = !counters.is_cut();
+    cut_share_ = static_cast<double>(counters.cut_pixels) / static_cast<double>(pixels_of(request));
     return !job_.cancel_;
 }
 
@@ -159,8 +166,10 @@ std::uint64_t RenderJob::submit(RenderRequest request) {
     {
         const std::scoped_lock lock(mutex_);
         const auto now = Clock::now();
-        pending_in_motion_ = newest_ > 0 && now - submitted_ < pace_.rest_after;
-        submitted_ = now;
+        if (!request.again) {
+            pending_in_motion_ = newest_ > 0 && now - submitted_ < pace_.rest_after;
+            submitted_ = now;
+        }
         if (!starving(request, now)) cancel_ = true;
         pending_ = std::move(request);
         number = ++newest_;
@@ -192,7 +201,10 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_};
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
-    if (!same_surfaces(surfaces_, work.request.scene.surfaces)) governor_.forget();
+    if (!same_surfaces(surfaces_, work.request.scene.surfaces)) {
+        work.is_new = !work.request.again;
+        governor_.forget(std::ranges::any_of(work.request.scene.surfaces, &Kernel::interpreted));
+    }
     surfaces_ = work.request.scene.surfaces;
     drawing_ = true;
     first_ = true;
@@ -220,23 +232,40 @@ void RenderJob::find_colors(Work& work, bool anew) {
     if (found) range = range_.after(request.scene, *found);
 }
 
+std::shared_ptr<const Framebuffer> RenderJob::draw_firsts(Work& work) {
+    const std::size_t pixels = pixels_of(work.request);
+    std::shared_ptr<const Framebuffer> last;
+    double scale = governor_.choose(pixels);
+    auto within = pace_.first_within;
+    constexpr int most_tries = 3;
+    for (int tries = 1; tries <= most_tries; ++tries) {
+        const First next = draw_first(work, scale, within);
+        if (next.frame == nullptr || !rests(work)) return nullptr;
+        work.in_motion = false;
+        last = next.frame;
+        const double finer = governor_.choose(pixels);
+        if (next.complete && (!work.request.preview || finer <= scale || finer == 1.0)) break;
+        if (next.complete) {
+            scale = finer;
+        } else {
+            within *= 4;
+        }
+    }
+    return last;
+}
+
 void RenderJob::draw(Work work) {
     find_colors(work, false);
     const std::size_t pixels = pixels_of(work.request);
-    const double expected = governor_.expected_ms(pixels);
-    const bool at_once = !work.in_motion && expected > 0 && expected < pace_.at_once_ms;
-    const double scale = governor_.choose(pixels);
+    const auto is_quick = [&] {
+        const double expected = governor_.expected_ms(pixels);
+        return expected > 0 && expected < pace_.at_once_ms;
+    };
+    const bool at_once = !work.in_motion && is_quick();
     std::shared_ptr<const Framebuffer> first;
-    if (!at_once && scale < 1.0) {
-        constexpr int most_tries = 3;
-        auto within = pace_.first_within;
-        for (int tries = 1; tries <= most_tries; ++tries, within *= 4) {
-            const First next = draw_first(work, scale, within);
-            if (next.frame == nullptr || !rests(work)) return;
-            work.in_motion = false;
-            first = next.frame;
-            if (next.complete) break;
-        }
+    if (!at_once && governor_.choose(pixels) < 1.0) {
+        first = draw_firsts(work);
+        if (first == nullptr || (work.request.preview && !is_quick())) return;
     }
     if (!work.in_motion) find_colors(work, true);
     draw_full(work, first);
@@ -257,6 +286,8 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     const bool drawn = growing.draw();
     growing.tell(governor_, smaller.request);
     if (!drawn) return {nullptr, false};
+    // A picture with most of it left out would only hide the one that is there.
+    if (work.is_new && growing.cut_share() > most_left_out) return {growing.frame(), false};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();

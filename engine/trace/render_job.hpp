@@ -27,6 +27,11 @@ struct RenderRequest {
     TraceSettings settings;
     int width = 0;  ///< of the full picture, pixels
     int height = 0;
+    /// Quicker code is on its way, with which the picture will be asked for again: where the full
+    /// one takes long, only first pictures are drawn.
+    bool preview = false;
+    /// The picture of the request before, by other code: it follows no motion.
+    bool again = false;
 };
 
 /// A picture as far as it has come. It is smaller than the full one, to be shown stretched, or as
@@ -92,6 +97,7 @@ private:
         bool in_motion = false;  ///< it followed another one closely
         Precision precision = Precision::Float;
         bool finds_range = false;  ///< of the colours
+        bool is_new = false;       ///< no picture of its surfaces was shown yet
     };
     class Growing;
 
@@ -99,6 +105,8 @@ private:
     /// The next request; nothing at the end.
     std::optional<Work> wait_for_work();
     void draw(Work work);
+    /// The first pictures of a request, the last of them; nothing when it was overtaken.
+    std::shared_ptr<const Framebuffer> draw_firsts(Work& work);
     /// Finds the range of the colours where the request leaves it open: the last one, unless it is
     /// to be found `anew`.
     void find_colors(Work& work, bool anew);

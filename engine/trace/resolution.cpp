@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array scales{1.0, 0.75, 0.5, 0.375, 0.25, 0.1875, 0.125};
 constexpr std::size_t unknown_step = 4;
+constexpr std::size_t slow_step = scales.size() - 1;
 
 /// Cells of pixels make finer pictures cheaper by the pixel.
 constexpr double growth = 0.8;
@@ -34,7 +35,7 @@ void ResolutionGovernor::measured(std::size_t pixels, double ms) {
 
 double ResolutionGovernor::choose(std::size_t pixels) {
     if (!known_) {
-        step_ = unknown_step;
+        step_ = slow_ ? slow_step : unknown_step;
         return scales[step_];
     }
     const auto expected = [&](std::size_t step) {

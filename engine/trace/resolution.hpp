@@ -16,8 +16,11 @@ public:
     double choose(std::size_t pixels);
     /// A picture of so many pixels took so long.
     void measured(std::size_t pixels, double ms);
-    /// Nothing is known of the next pictures: another formula.
-    void forget() { known_ = false; }
+    /// Nothing is known of the next pictures: another formula, which may be `slow`.
+    void forget(bool slow = false) {
+        known_ = false;
+        slow_ = slow;
+    }
 
     /// How long a picture of so many pixels is expected to take; 0 where nothing is known.
     [[nodiscard]] double expected_ms(std::size_t pixels) const;
@@ -25,6 +28,7 @@ public:
 private:
     double budget_ms_;
     bool known_ = false;
+    bool slow_ = false;     ///< the formula is interpreted
     double unit_ms_ = 0.0;  ///< of a picture of one pixel
     std::size_t step_ = 0;  ///< of the resolutions, the finest first
 };

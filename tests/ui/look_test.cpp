@@ -126,6 +126,22 @@ TEST_P(Looking, SaysWhatIsUnderThePointer) {
     EXPECT_GT(count(draw(), colors().warning, status_line()), px(5));
 }
 
+TEST_P(Looking, ClaimsNothingOfAnotherText) {
+    state_.pointed = PointedFacts{{.point = {0.5, 0.25, -1},
+                                   .distance = 4,
+                                   .within = 1e-9,
+                                   .certificate = Certificate::Certified},
+                                  1,
+                                  1e-3};
+    const Framebuffer own = draw();
+    const int own_accents = count(own, colors().accent, status_line());
+    state_.dimmed = 0.3F;
+    state_.doing = "preparing\xE2\x80\xA6";
+    const Framebuffer old = draw();
+    EXPECT_EQ(count(old, colors().text, status_line()), 0) << "the point of the old picture";
+    EXPECT_NE(count(old, colors().accent, status_line()), own_accents);
+}
+
 TEST_P(Looking, KnowsWhereThePointerRests) {
     draw();
     OffscreenWindow::point(in_picture(0.1F, -0.2F), false);

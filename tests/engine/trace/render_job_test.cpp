@@ -104,8 +104,8 @@ TEST(RenderJob, DrawsAQuickPictureFirst) {
     const RenderResult& first = pictures[0];
     const RenderResult& full = pictures[1];
     EXPECT_FALSE(first.complete);
-    EXPECT_EQ(first.frame->width, 25);  // a quarter, as long as nothing is known of the cost
-    EXPECT_EQ(first.frame->height, 17);
+    EXPECT_EQ(first.frame->width, 13);  // an eighth: it is interpreted, and its cost not known
+    EXPECT_EQ(first.frame->height, 8);
     EXPECT_TRUE(full.complete);
     EXPECT_EQ(full.frame->width, 101);
     EXPECT_EQ(full.frame->height, 67);
