@@ -1,6 +1,8 @@
 #include "engine/expr/interpret.hpp"
+#include "engine/expr/interpret_code.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/num/rounding.hpp"
+#include "engine/num/sleef_lanes.hpp"
 #include "jit/compile.hpp"
 
 #include <gtest/gtest.h>
@@ -76,10 +78,27 @@ struct RayBatch {
     }
 };
 
+/// In registers of each width that this machine has.
+std::vector<std::pair<std::string, Kernel>> interpreters_of(const Expr& expr) {
+    std::vector<std::pair<std::string, const InterpreterCode*>> codes{
+        {"16 bytes", &interpreter_code_16()}};
+    if (machine_has_avx2_fma()) codes.emplace_back("32 bytes", &interpreter_code_32());
+    if (machine_has_avx512()) codes.emplace_back("64 bytes", &interpreter_code_64());
+    std::vector<std::pair<std::string, Kernel>> kernels;
+    for (const auto& [name, code] : codes) {
+        Kernel kernel = interpret(expr);
+        kernel.newton_float.call = code->newton_float;
+        kernel.newton_double.call = code->newton_double;
+        kernel.ray_value.call = code->ray_value;
+        kernels.emplace_back("interpreted in " + name, std::move(kernel));
+    }
+    return kernels;
+}
+
 std::vector<std::pair<std::string, Kernel>> kernels_of(std::string_view text) {
     const auto expr = parse(text);
     EXPECT_TRUE(expr) << text;
-    std::vector<std::pair<std::string, Kernel>> kernels{{"interpreted", interpret(*expr)}};
+    std::vector<std::pair<std::string, Kernel>> kernels = interpreters_of(*expr);
     for (const int lanes : {4, 8, 16}) {
         auto kernel = jit::compile(*expr, {.lanes = lanes, .with_double = true});
         if (kernel) kernels.emplace_back(std::to_string(lanes) + " lanes", std::move(*kernel));
