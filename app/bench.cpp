@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 namespace zeroset {
 namespace {
@@ -30,8 +31,20 @@ struct BenchPlan {
 /// What the window at its first size draws: with the panel.
 constexpr const char* size_in_window = "902x773";
 
+/// An error for an option that --first-picture would leave unheard.
+std::optional<InputError> check_first_picture(const BenchCommand& command) {
+    const std::string has = "--first-picture has ";
+    if (command.json) return InputError{has + "no --json; leave it out, the table is printed"};
+    if (command.budget) return InputError{has + "no --budget; leave it out"};
+    if (command.tracers && command.tracers->contains(','))
+        return InputError{has + "one --tracer; type " + std::string(tracers().front().name)};
+    return std::nullopt;
+}
+
 OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     BenchPlan plan;
+    if (const auto wrong = command.first_picture ? check_first_picture(command) : std::nullopt)
+        return std::unexpected(*wrong);
     const std::string usual = command.first_picture ? size_in_window : "512";
     const auto size = read_size("--size", command.size.value_or(usual));
     if (!size) return std::unexpected(size.error());

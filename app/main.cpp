@@ -217,8 +217,8 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
               "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
     bench_app->add_flag("--first-picture", bench.first_picture,
-                        "times the window's way from an edit to its first picture instead, of all "
-                        "of the gallery");
+                        "time the window's way from an edit to its first picture instead, of all "
+                        "of the gallery; without --json and --budget");
     return bench_app;
 }
 

@@ -88,6 +88,9 @@ WRONG_COMMANDS = [
     (["bench", "--size", "0"], ["--size"]),
     (["bench", "--threads", "-1"], ["--threads"]),
     (["bench", "--dstop", "23"], ["--dstop"]),
+    (["bench", "--first-picture", "--json", "-"], ["--first-picture", "--json"]),
+    (["bench", "--first-picture", "--budget", "3"], ["--first-picture", "--budget"]),
+    (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
     (["--nope"], ["--nope"]),
 ]
 

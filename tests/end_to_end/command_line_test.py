@@ -427,6 +427,21 @@ class BenchTest(ProgramTest):
                                        cell["frame_ms"]["median"])
                 self.assertEqual(cell["certified"] + cell["undecided"] + cell["miss"], 24 * 24)
 
+    def test_first_pictures(self):
+        suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
+                 "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1.5", "domain": 2},
+                              {"name": "sheet", "f": "z - x*y", "domain": 1}]}
+        (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
+        lines = self.run_ok("bench", "--first-picture", "--suite", "suite.json", "--size", 64,
+                            "--repeat", 1).out.splitlines()
+        rows = [line.split() for line in lines if line.split()[0] in ("ball", "sheet")]
+        self.assertEqual([row[0] for row in rows], ["ball", "sheet"])
+        for row in rows:
+            nodes, ready_ms, first_ms = int(row[1]), float(row[2]), float(row[3])
+            self.assertGreater(nodes, 2, row)
+            self.assertTrue(0 <= ready_ms <= first_ms, row)
+        self.assertRegex(lines[-2], r"\Aa new text +median [0-9.]+ ms")
+
     def test_the_suite_of_the_gallery(self):
         answer = json.loads(self.run_ok("bench", "--size", 8, "--repeat", 1, "--threads", 1,
                                         "--dstop", 6, "--json", "-").out)
