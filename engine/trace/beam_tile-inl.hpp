@@ -12,6 +12,7 @@
 #include "engine/trace/beam_cells-inl.hpp"
 #include "engine/trace/beam_leaf-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
+#include "engine/trace/beam_rests-inl.hpp"
 #include "engine/trace/beam_roots-inl.hpp"
 #include "engine/trace/beam_tree-inl.hpp"
 #include "engine/trace/beam_waves-inl.hpp"
