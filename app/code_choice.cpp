@@ -19,7 +19,7 @@ constexpr double nodes_beside = 10.0;
 /// So many pixels of the picture, along a side, are one of the small picture.
 constexpr int reduction = 8;
 /// A small picture that takes longer is one of many that do.
-constexpr std::chrono::milliseconds longest_trial{40};
+constexpr std::chrono::milliseconds longest_trial{100};
 
 /// Where there are more, LLVM's longer work on quicker code pays.
 constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
