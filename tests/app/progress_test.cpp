@@ -89,8 +89,8 @@ TEST(RenderPicture, EndsWithItsBudget) {
     EXPECT_FALSE(whole.stuck);
     EXPECT_TRUE(whole.picture->in_time);
     EXPECT_GT(count_certificates(whole.picture->frame).certified, 20U);
-    // Its time was over before it began.
-    const RenderOutcome late = render_picture(plan, now - std::chrono::seconds(60));
+    // Its time was over before it began, by more than the few milliseconds to which it is kept.
+    const RenderOutcome late = render_picture(plan, now - std::chrono::milliseconds(60'100));
     EXPECT_FALSE(late.picture->in_time);
     const CertificateCounts counts = count_certificates(late.picture->frame);
     EXPECT_EQ(counts.undecided, 32U * 24U);
