@@ -14,7 +14,7 @@ namespace {
 constexpr double most_interpreted_ms = 10.0;
 constexpr double ns_of_value = 0.2;
 constexpr double ns_of_form = 0.6;
-/// What the tracer does for each evaluation takes as long as some nodes.
+/// The tracer's own work for an evaluation takes as long as so many nodes.
 constexpr double nodes_beside = 10.0;
 /// So many pixels of the picture, along a side, are one of the small picture.
 constexpr int reduction = 8;
@@ -26,7 +26,7 @@ constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
 
 }  // namespace
 
-bool machine_code_pays(const RenderRequest& picture, std::span<const Expr> drawn,
+bool machine_code_pays(const RenderRequest& picture, const Formula& formula,
                        const std::atomic<bool>* cancel) {
     Framebuffer small(std::max(1, picture.width / reduction),
                       std::max(1, picture.height / reduction));
@@ -34,10 +34,8 @@ bool machine_code_pays(const RenderRequest& picture, std::span<const Expr> drawn
     const Counters counters = render_frame(picture.scene, picture.camera, picture.settings, small,
                                            RenderWatch{.limit = limit, .on_tile = {}});
     if (counters.is_cut()) return true;
-    const auto surfaces = static_cast<double>(drawn.size());
-    double nodes = nodes_beside;
-    for (const Expr& surface : drawn)
-        nodes += static_cast<double>(surface.nodes().size()) / surfaces;
+    const auto surfaces = static_cast<double>(formula.drawn.size());
+    const double nodes = nodes_beside + static_cast<double>(formula.nodes()) / surfaces;
     const double scale = static_cast<double>(picture.width) * picture.height /
                          static_cast<double>(small.color.size());
     const double ns = scale * nodes *

@@ -4,15 +4,14 @@
 #include "engine/trace/render_job.hpp"
 
 #include <atomic>
-#include <span>
 
 namespace zeroset {
 
-/// Whether machine code for the surfaces, which are drawn as `drawn`, takes less time than it saves
-/// in one picture. `picture` has their interpreters; a small picture is drawn with them, and its
-/// evaluations are counted: what comes out depends neither on the machine's load nor on the number
-/// of threads.
-bool machine_code_pays(const RenderRequest& picture, std::span<const Expr> drawn,
+/// Whether machine code for the formula takes less time than it saves in one picture. `picture` is
+/// of its interpreters; a small picture is drawn with them, and its evaluations are counted: what
+/// comes out depends neither on the number of threads nor on the machine's load, unless the small
+/// picture takes 100 ms.
+bool machine_code_pays(const RenderRequest& picture, const Formula& formula,
                        const std::atomic<bool>* cancel);
 
 /// The code that is made and has drawn one picture of this size soonest.

@@ -3,6 +3,7 @@
 #include "app/commands.hpp"
 #include "app/document_scene.hpp"
 #include "app/formula_job.hpp"
+#include "app/timing.hpp"
 #include "engine/trace/render_job.hpp"
 #include "jit/compile.hpp"
 
@@ -25,11 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double ms_between(Clock::time_point from, Clock::time_point to) {
-    return std::chrono::duration<double, std::milli>(to - from).count();
-}
-
-/// What came of an edit.
+/// How long an edit took to show.
 struct EditTimes {
     double formula_ms = 0.0;  ///< until there is code to draw with
     double picture_ms = 0.0;  ///< until the first picture
@@ -105,15 +102,15 @@ OrInputError<EditTimes> Editor::edit(const Document& document) {
             if (!result->formula) return std::unexpected(result->formula.error());
             const Formula& formula = **result->formula;
             const std::uint64_t request = submit_picture(document, *result, first.has_value());
-            if (!first) times.formula_ms = ms_between(start, Clock::now());
+            if (!first) times.formula_ms = ms_since(start);
             if (!first) first = request;
             times.nodes = formula.nodes();
             machine = formula.code != CodeState::InterpretedFirst;
-            if (machine) times.machine_ms = ms_between(start, Clock::now());
+            if (machine) times.machine_ms = ms_since(start);
         }
         const auto picture = pictures_.take();
         if (!picture || !first || picture->request < *first || times.width > 0) continue;
-        times.picture_ms = ms_between(start, Clock::now());
+        times.picture_ms = ms_since(start);
         times.width = picture->frame->width;
         times.height = picture->frame->height;
         formulas_.drawn();

@@ -65,16 +65,18 @@ enum class Interpreted : std::uint8_t { Never, UnlessCompiled, Always };
 
 CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Interpreted first) {
     std::size_t nodes = 0;
-    bool is_compiled = true;
     for (const Expr& surface : surfaces) {
-        const bool parts = is_made_of_parts(surface);
-        if (!parts) nodes += surface.nodes().size();
-        is_compiled = is_compiled && !parts &&
-                      jit::is_compiled(surface, options_for(use, Precision::Float, surface));
+        if (!is_made_of_parts(surface)) nodes += surface.nodes().size();
     }
     if (nodes > most_nodes) return CodeState::Interpreted;
-    const bool waits = first == Interpreted::UnlessCompiled && !is_compiled;
-    return waits || first == Interpreted::Always ? CodeState::InterpretedFirst : CodeState::Machine;
+    if (first == Interpreted::Never) return CodeState::Machine;
+    if (first == Interpreted::Always) return CodeState::InterpretedFirst;
+    const auto is_compiled = [&](const Expr& surface) {
+        return !is_made_of_parts(surface) &&
+               jit::is_compiled(surface, options_for(use, Precision::Float, surface));
+    };
+    return std::ranges::all_of(surfaces, is_compiled) ? CodeState::Machine
+                                                      : CodeState::InterpretedFirst;
 }
 
 /// Machine code of parts, and an interpreter of the choices between them.

@@ -51,7 +51,7 @@ struct Formula {
     double compile_ms = 0.0;  ///< from text to code
 
     [[nodiscard]] bool uses_w() const;
-    /// Of the graphs that are drawn, how many nodes they have.
+    /// How many nodes the drawn graphs have.
     [[nodiscard]] std::size_t nodes() const;
     /// Whether it has code of this type; always for float.
     [[nodiscard]] bool has_code(Precision precision) const;
@@ -66,7 +66,8 @@ std::expected<Program, InputError> read_formula(std::string_view text);
 /// Text to a formula that is interpreted, its forms the tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region);
 
-/// The same for a first picture, but where there is machine code of an equal one already, that.
+/// Text to a formula for a first picture: interpreted, unless there is machine code of an equal
+/// one already. Its forms are the tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
 
 /// What machine code is made for.

@@ -111,7 +111,7 @@ std::expected<Formula, InputError> code_for_one(const Drawing& drawing, Formula 
     const bool pays =
         has_parts(formula) ||
         machine_code_pays({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
-                          formula.drawn, &drawing.cancel);
+                          formula, &drawing.cancel);
     formula.compile_ms += ms_since(start);
     if (!pays) return formula;
     return with_machine_code(formula, use_in_one_picture(width, height), precision);

@@ -18,7 +18,7 @@ bool pays(const std::string& text, int size, int threads) {
     settings.threads = threads;
     const RenderRequest picture{make_scene(*formula, clip, 0.0, {}), default_camera(clip), settings,
                                 size, size};
-    return machine_code_pays(picture, formula->drawn, nullptr);
+    return machine_code_pays(picture, *formula, nullptr);
 }
 
 /// Octics, one for each k.
