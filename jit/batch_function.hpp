@@ -116,6 +116,9 @@ public:
     void store_integers(const OptionalArray& array, llvm::Value* vector) {
         builder_.CreateAlignedStore(vector, place_in(array, item_), alignment());
     }
+    void store(const OptionalArray& array, const Lanes& lanes) {
+        builder_.CreateAlignedStore(lanes.value, place_in(array, item_), alignment());
+    }
     Lanes load(llvm::Value* array) {
         llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
         return {&emitter_,

@@ -97,6 +97,9 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
                                            : coordinate(view, *cell, v);
     };
     auto switches = switch_lanes<Batch>(function, expr, facts);
+    if (part == KernelPart::RayForm && count_switches(switches_of(expr, facts)) > 0) {
+        switches.make_cuts(offsetof(Batch, cut_from), offsetof(Batch, cut_to));
+    }
     BeamAlgebra<Lanes> algebra(&switches);
     const auto varying = [&] {
         function.go_to_body();

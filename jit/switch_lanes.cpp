@@ -1,5 +1,7 @@
 #include "jit/switch_lanes.hpp"
 
+#include <limits>
+
 namespace zeroset::jit {
 
 std::optional<HeldAt<Lanes>> SwitchLanes::held(SwitchIndex index) {
@@ -53,8 +55,21 @@ void SwitchLanes::report_kink(const LaneMask& may_be) {
     add(function_.builder().CreateSelect(may_be.value, number(BranchBits::kink), number(0)));
 }
 
+void SwitchLanes::report_cut(const LaneMask& open, const Lanes& at, const Lanes& aside) {
+    cuts_->cut = first_cut(cuts_->cut.value_or(no_cut()), open, at, aside);
+}
+
+Cut<Lanes> SwitchLanes::no_cut() const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {function_.splat(infinity), function_.splat(-infinity)};
+}
+
 void SwitchLanes::store() {
     function_.store_integers(branches_, bits_ == nullptr ? number(0) : bits_);
+    if (!cuts_) return;
+    const Cut<Lanes> cut = cuts_->cut.value_or(no_cut());
+    function_.store(cuts_->from, cut.from);
+    function_.store(cuts_->to, cut.to);
 }
 
 }  // namespace zeroset::jit

@@ -25,11 +25,18 @@ public:
           stride_(switches > 0 ? function.size_member(stride_offset) : nullptr),
           branches_(function.optional_array(branches_offset)),
           loaded_((switches + per_word() - 1) / per_word(), nullptr) {}
+    /// Makes cuts, too, for the batch's members at these offsets; before go_to_body.
+    void make_cuts(std::size_t from_offset, std::size_t to_offset) {
+        cuts_ =
+            Cuts{function_.optional_array(from_offset), function_.optional_array(to_offset), {}};
+    }
 
     std::optional<HeldAt<Lanes>> held(SwitchIndex index) override;
     void report(SwitchIndex index, const LaneMask& two, const LaneMask& three) override;
     void report_kink(const LaneMask& may_be) override;
-    /// Writes the bits; in the body.
+    [[nodiscard]] bool wants_cuts() const override { return cuts_.has_value(); }
+    void report_cut(const LaneMask& open, const Lanes& at, const Lanes& aside) override;
+    /// Writes the bits and cuts; in the body.
     void store();
 
 private:
@@ -38,6 +45,7 @@ private:
     }
     llvm::Value* number(std::uint64_t value) { return function_.splat_integer(value); }
     void add(llvm::Value* bits);
+    [[nodiscard]] Cut<Lanes> no_cut() const;
 
     BatchFunction& function_;
     OptionalArray words_;
@@ -46,6 +54,11 @@ private:
     std::vector<llvm::Value*> loaded_;  ///< words of the body's items
     llvm::Value* bits_ = nullptr;       ///< nullptr: none yet
     bool any_open_ = false;             ///< whether a switch has been reported
+    struct Cuts {
+        OptionalArray from, to;
+        std::optional<Cut<Lanes>> cut;
+    };
+    std::optional<Cuts> cuts_;
 };
 
 }  // namespace zeroset::jit

@@ -100,10 +100,19 @@ public:
         return result;
     }
     Value fold(In a);
-    Value sign(In a) { return jump(zeroset::sign_steps(box(a)), a); }
-    Value floor(In a) { return jump(zeroset::floor_steps(box(a)), a); }
-    Value ceil(In a) { return jump(zeroset::ceil_steps(box(a)), a); }
-    Value round(In a) { return jump(zeroset::round_steps(box(a)), a); }
+    Value sign(In a) { return jump(zeroset::sign_steps(box(a)), a, number(0)); }
+    Value floor(In a) {
+        const Box floors = zeroset::floor_steps(box(a));
+        return jump(floors, a, floors.hi);
+    }
+    Value ceil(In a) {
+        const Box ceilings = zeroset::ceil_steps(box(a));
+        return jump(ceilings, a, -ceilings.neg_lo);
+    }
+    Value round(In a) {
+        const Box integers = zeroset::round_steps(box(a));
+        return jump(integers, a, integers.hi - number(0.5));
+    }
     Value mod(In a, In b);
     Value min(In a, In b) { return larger(a, b, -1.0); }
     Value max(In a, In b) { return larger(a, b, 1.0); }
@@ -248,12 +257,8 @@ public:
         return smooth(a, zeroset::atanh(box(a)), at, 2.0, slope, bend);
     }
 
-    Value less(In a, In b) {
-        return decided(switches_.outcomes(zeroset::less(box(a), box(b))), a, b);
-    }
-    Value less_equal(In a, In b) {
-        return decided(switches_.outcomes(zeroset::less_equal(box(a), box(b))), a, b);
-    }
+    Value less(In a, In b) { return compared(zeroset::less(box(a), box(b)), a, b); }
+    Value less_equal(In a, In b) { return compared(zeroset::less_equal(box(a), box(b)), a, b); }
     Value logic_and(In a, In b) {
         return decided(switches_.outcomes(minimum(box(a), box(b))), a, b);
     }
@@ -359,9 +364,24 @@ private:
         const Real nothing = like(g.range.hi, 0.0);
         return with_domain(of(interval_form(g.range, nothing), std::nullopt, operands...), g);
     }
-    /// A number of these outcomes.
-    Value jump(const Box& outcomes, In a) {
+    /// A number of these outcomes, which changes where `a` is `level`, if there are two.
+    Value jump(const Box& outcomes, In a, const Real& level) {
+        if (switches_.wants_cuts()) {
+            tell_cut(outcomes, a.value.f - interval_form(point(level), number(0)));
+        }
         return stepped_form(stepped(switches_.outcomes(outcomes)), a);
+    }
+    Value compared(const Box& outcomes, In a, In b) {
+        if (switches_.wants_cuts()) tell_cut(outcomes, a.value.f - b.value.f);
+        return decided(switches_.outcomes(outcomes), a, b);
+    }
+    /// Tells where the switch at work may change: where `f` vanishes.
+    void tell_cut(const Box& outcomes, const Form& f) {
+        if (!f.f.k[2]) return;
+        const Real& slope = *f.f.k[2];
+        const Real reciprocal = number(1) / slope;
+        switches_.report_cut(no(outcomes.neg_lo == -outcomes.hi), -(f.f.c * reciprocal),
+                             (f.spread() - magnitude(slope)) * magnitude(reciprocal));
     }
     /// A condition: decided, it is continuous even where its operands jump.
     template <class... Operands>

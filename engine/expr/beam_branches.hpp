@@ -11,7 +11,12 @@ namespace zeroset {
 template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::mod(In a, In b) {
     const Box quotient = box(a) / box(b);
-    const Box floors = switches_.outcomes(zeroset::floor_steps(quotient));
+    const Box all_floors = zeroset::floor_steps(quotient);
+    if (switches_.wants_cuts()) {
+        const Form level = interval_form(point(all_floors.hi), number(0));
+        tell_cut(all_floors, a.value.f - b.value.f * level);
+    }
+    const Box floors = switches_.outcomes(all_floors);
     const Enclosure<Real> range = zeroset::mod(box(a), box(b), floors);
     const Form steps = interval_form(point(floors.hi), number(0));
     const Form line = a.value.f - b.value.f * steps;
@@ -29,7 +34,9 @@ template <class Real>
 BeamValue<Real> BeamAlgebra<Real>::atan2(In y, In x) {
     const Box box_y = box(y);
     const Box box_x = box(x);
-    const Box sides = switches_.outcomes(angle_sides(box_y, box_x));
+    const Box all_sides = angle_sides(box_y, box_x);
+    if (switches_.wants_cuts()) tell_cut(all_sides, y.value.f);
+    const Box sides = switches_.outcomes(all_sides);
     const Enclosure<Real> g = zeroset::atan2(box_y, box_x, sides);
     const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
     const double most = format().pi_hi;

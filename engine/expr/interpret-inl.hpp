@@ -45,16 +45,24 @@ template <class Real, std::size_t bytes>
 class BlockBoard final : public SwitchBoard<Block<Real, bytes>> {
 public:
     using Word = ContinuityMask<Real>;
+    using Lanes = Block<Real, bytes>;
 
-    BlockBoard(const HeldSwitches<Real>& held, Word* branches) : held_(held), branches_(branches) {}
+    BlockBoard(const HeldSwitches<Real>& held, Word* branches, Real* cut_from = nullptr,
+               Real* cut_to = nullptr)
+        : held_(held), branches_(branches), cut_from_(cut_from), cut_to_(cut_to) {}
 
     /// The block that begins with this item.
     void begin(std::size_t item) {
         item_ = item;
         bits_.fill(0);
+        cut_ = {Lanes::splat(std::numeric_limits<Real>::infinity()),
+                Lanes::splat(-std::numeric_limits<Real>::infinity())};
     }
     void end() const {
         if (branches_ != nullptr) std::ranges::copy(bits_, branches_ + item_);
+        if (cut_from_ == nullptr) return;
+        store(cut_from_ + item_, cut_.from);
+        store(cut_to_ + item_, cut_.to);
     }
     std::optional<HeldAt<Block<Real, bytes>>> held(SwitchIndex index) override;
     void report(SwitchIndex index, const BlockMask& two, const BlockMask& three) override;
@@ -62,12 +70,19 @@ public:
         for (std::size_t lane = 0; lane < lanes; ++lane)
             bits_[lane] |= may_be.bits >> lane & BranchBits::kink;
     }
+    [[nodiscard]] bool wants_cuts() const override { return cut_from_ != nullptr; }
+    void report_cut(const BlockMask& open, const Lanes& at, const Lanes& aside) override {
+        cut_ = first_cut(cut_, open, at, aside);
+    }
 
 private:
     static constexpr std::size_t lanes = Block<Real>::lanes;
 
     HeldSwitches<Real> held_;
     Word* branches_;
+    Real* cut_from_;
+    Real* cut_to_;
+    Cut<Lanes> cut_;
     std::size_t item_ = 0;
     std::array<Word, lanes> bits_{};
 };
@@ -231,7 +246,7 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
                                   load<Lanes>(batch->s + i), load<Lanes>(batch->s_radius + i)},
                                  v);
     };
-    BlockBoard<Real, bytes> board(batch->held, batch->branches);
+    BlockBoard<Real, bytes> board(batch->held, batch->branches, batch->cut_from, batch->cut_to);
     const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
         BeamValue<Lanes> value;
         board.report_kink(part_form<Real, bytes>(shape, part, *batch, i, on_rays, value));

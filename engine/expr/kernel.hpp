@@ -110,7 +110,7 @@ struct RangeBatchOf {
     Real* f_hi;
     /// out: all ones where f is proved defined and continuous, else 0
     ContinuityMask<Real>* continuous;
-    HeldSwitches<Real> held = {};              ///< in: then all this is said of a piece
+    HeldSwitches<Real> held = {};  ///< in: then all this is said of a piece
     /// out, if Kernel::branches: BranchBits; nullptr: not asked for
     ContinuityMask<Real>* branches = nullptr;
 };
@@ -165,6 +165,11 @@ struct FormBatchOf {
     ContinuityMask<Real>* nowhere;     ///< out: all ones where f is undefined in the whole cell
     HeldSwitches<Real> held = {};      ///< as in RangeBatchOf
     ContinuityMask<Real>* branches = nullptr;
+    /// out of Kernel::ray_form, if Kernel::switches: where along the ray, in et, the first switch
+    /// that is not decided may change; +inf and -inf: not known. A guess, nothing rests on it.
+    /// nullptr: not asked for
+    Real* cut_from = nullptr;
+    Real* cut_to = nullptr;
 };
 
 /// The rays of a tile's pixels: the point at depth s on the ray of the pixel (col, row), counted
@@ -296,10 +301,10 @@ struct Kernel {
     bool has_double = false;              ///< whether whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
-    std::size_t switches = 0;                    ///< of HeldSwitches
-    bool branches = false;       ///< whether BranchBits are ever but 0; else they are not written
-    std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
-    bool interpreted = false;                    ///< else machine code
+    std::size_t switches = 0;  ///< of HeldSwitches
+    bool branches = false;     ///< whether BranchBits are ever but 0; else they are not written
+    std::shared_ptr<const Shortener> shortener;     ///< nullptr where it would not pay
+    bool interpreted = false;                       ///< else machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
     /// Of functions whose zeros are zeros of f (engine/expr/root_witnesses.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;

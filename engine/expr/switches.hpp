@@ -46,6 +46,24 @@ struct HeldAt {
     Real outcome;
 };
 
+/// A stretch of a ray, in et of its cell; empty where from > to.
+template <class Real>
+struct Cut {
+    Real from, to;
+};
+
+/// The first of the cut and, where `open` holds, the stretch of [-1, 1] within `aside` of `at`.
+template <class Real>
+Cut<Real> first_cut(const Cut<Real>& cut, const typename Enclosure<Real>::Mask& open,
+                    const Real& at, const Real& aside) {
+    const Real one = like(at, 1.0);
+    const Real from = at - aside;
+    const Real to = at + aside;
+    const auto meets = both(both(open, from <= one), to >= -one);
+    const auto first = both(meets, from < cut.from);
+    return {select(first, from, cut.from), select(first, to, cut.to)};
+}
+
 /// What an algebra asks and tells about the switch at work. Whoever evaluates a graph provides it.
 template <class Real>
 class SwitchBoard {
@@ -63,6 +81,11 @@ public:
     virtual void report(SwitchIndex index, const Mask& two, const Mask& three) = 0;
     /// Where a kink may be.
     virtual void report_kink(const Mask& may_be) = 0;
+    /// Whether report_cut is of use.
+    [[nodiscard]] virtual bool wants_cuts() const { return false; }
+    /// Where `open` holds, a switch that is not decided may change within `aside` of `at`, along
+    /// the ray.
+    virtual void report_cut(const Mask& /*open*/, const Real& /*at*/, const Real& /*aside*/) {}
 };
 
 /// The switch at work of an algebra, if there is one.
@@ -77,6 +100,10 @@ public:
     void enter(SwitchIndex index) { index_ = index; }
     void report_kink(const Mask& may_be) const {
         if (board_ != nullptr) board_->report_kink(may_be);
+    }
+    [[nodiscard]] bool wants_cuts() const { return board_ != nullptr && board_->wants_cuts(); }
+    void report_cut(const Mask& open, const Real& at, const Real& aside) const {
+        board_->report_cut(open, at, aside);
     }
     /// The outcomes, whole numbers, where what is held is taken into account.
     [[nodiscard]] Interval<Real> outcomes(const Interval<Real>& all) const;

@@ -41,7 +41,7 @@ inline std::size_t padded(std::size_t size, std::size_t multiple = batch_multipl
 /// What a kernel says of a list of cells: FormBatchOf's arrays.
 template <class Real>
 struct Forms {
-    std::vector<Real> c, e, r, slope_neg_lo, slope_hi;
+    std::vector<Real> c, e, r, slope_neg_lo, slope_hi, cut_from, cut_to;
     std::array<std::vector<Real>, 3> k;
     std::vector<ContinuityMask<Real>> continuous, nowhere, branches;
 
@@ -54,7 +54,7 @@ struct Forms {
     }
     void resize(std::size_t capacity) {
         for (std::vector<Real>* column :
-             {&c, &e, &r, &slope_neg_lo, &slope_hi, &k[0], &k[1], &k[2]})
+             {&c, &e, &r, &slope_neg_lo, &slope_hi, &cut_from, &cut_to, &k[0], &k[1], &k[2]})
             column->resize(capacity);
         continuous.resize(capacity);
         nowhere.resize(capacity);

@@ -89,6 +89,10 @@ private:
             judge_vector(cells, i, finest);
     }
     static void judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest);
+    /// Finds the segments that are to be cut where a switch may change.
+    void find_cuts(std::size_t count, Real margin);
+    /// The parts of a segment before, at and behind where a switch may change.
+    void cut(const Segment<Real>& segment, std::size_t i);
     /// Segments in which switches are open, by what each piece of f leaves.
     void narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count,
                           Real finest);
@@ -164,7 +168,46 @@ void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumO
                                             std::size_t count) {
     places_.pad(count);
     counters_.form += count;
-    kernel.ray_form(form_batch(frame_, kernel, frustum, 0, count, places_, forms_));
+    FormBatchOf<Real> batch = form_batch(frame_, kernel, frustum, 0, count, places_, forms_);
+    if (kernel.switches > 0) {
+        batch.cut_from = forms_.cut_from.data();
+        batch.cut_to = forms_.cut_to.data();
+    }
+    kernel.ray_form(batch);
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::find_cuts(std::size_t count, Real margin) {
+    constexpr auto little = static_cast<Real>(0.25);
+    constexpr auto rounding = 4 * std::numeric_limits<Real>::epsilon();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (forms_.continuous[i] != 0 || verdicts_.bit(&Verdicts<Real>::Bits::rejected, i)) {
+            continue;
+        }
+        // Wide enough for the parts beside it to be free of the switch, with their margins.
+        const Real around = static_cast<Real>(1.25) * margin + rounding * std::abs(places_.s[i]);
+        const Real reach = places_.s_radius[i];
+        const Real from =
+            std::max(verdicts_.from[i], places_.s[i] + forms_.cut_from[i] * reach - around);
+        const Real to = std::min(verdicts_.to[i], places_.s[i] + forms_.cut_to[i] * reach + around);
+        if (!(from <= to && to - from <= little * (verdicts_.to[i] - verdicts_.from[i]))) continue;
+        verdicts_.cut_from[i] = from;
+        verdicts_.cut_to[i] = to;
+        verdicts_.set_bit(&Verdicts<Real>::Bits::cut, i);
+    }
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::cut(const Segment<Real>& segment, std::size_t i) {
+    const auto push = [&](Real from, Real to, Real end) {
+        if (from < to)
+            next_.push_back({segment.pixel, segment.inside, from, to, end - from, segment.kernel});
+    };
+    const Real cut_from = verdicts_.cut_from[i];
+    const Real cut_to = verdicts_.cut_to[i];
+    push(verdicts_.from[i], cut_from, cut_from);
+    push(cut_from, cut_to, cut_to);
+    push(cut_to, segment.to, verdicts_.to[i] > cut_to ? verdicts_.to[i] : segment.to);
 }
 
 template <class Real, class Cell>
@@ -225,6 +268,7 @@ void RayMarcher<Real, Cell>::judge_vector(SegmentCells<Real>& cells, std::size_t
         bits_of(d, hn::And(continuous, straight)),
         bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
         bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths)))),
+        0,
         0};
 }
 
@@ -233,7 +277,8 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const Frustu
                                               std::size_t count, Real finest) {
     const auto is_open = [&](std::size_t i) {
         return forms_.branches_of(i).outcomes() > 0 &&
-               !verdicts_.bit(&Verdicts<Real>::Bits::rejected, i);
+               !verdicts_.bit(&Verdicts<Real>::Bits::rejected, i) &&
+               !verdicts_.bit(&Verdicts<Real>::Bits::cut, i);
     };
     memory_.pieces.begin(kernel.switches);
     for (std::size_t i = 0; i < count; ++i) {
@@ -339,6 +384,10 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
     const Real width = to - from;
     if (verdicts_.bit(&Verdicts<Real>::Bits::vanishes, i) && take_first(segment, from, to))
         return false;
+    if (verdicts_.bit(&Verdicts<Real>::Bits::cut, i)) {
+        cut(segment, i);
+        return false;
+    }
     if (width <= finest || !(from < from + Real{0.5} * width)) {
         rests_.push_back({segment, from, to, forms_.continuous[i] != 0});
         return false;
@@ -396,7 +445,10 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             evaluate_forms(*segments.front().kernel, frustum, count);
             judge(memory_.cells, count, settings.finest);
             const Kernel& kernel = *segments.front().kernel;
-            if (kernel.switches > 0) narrow_by_pieces(kernel, frustum, count, settings.finest);
+            if (kernel.switches > 0) {
+                find_cuts(count, settings.margin);
+                narrow_by_pieces(kernel, frustum, count, settings.finest);
+            }
             ask_ranges(segments);
             rests_.clear();
             for (std::size_t i = 0; i < count; i += lanes)

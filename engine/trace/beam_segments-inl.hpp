@@ -46,6 +46,8 @@ struct Verdicts {
     std::vector<Real> begin, end, from, to;
     std::vector<Real> last;   ///< the ends of the segments
     std::vector<Real> guess;  ///< a guess of the root
+    /// Where a switch may change, or not far from it.
+    std::vector<Real> cut_from, cut_to;
 
     /// Of the segments of a vector.
     struct Bits {
@@ -56,11 +58,13 @@ struct Verdicts {
         LaneBits certain;    ///< then there is a root
         LaneBits contracts;  ///< the form leaves less than three fifths of the part
         LaneBits vanishes;   ///< f is surely 0 in all of the part
+        LaneBits cut;        ///< to be cut where a switch may change, see `cut_from`
     };
     std::vector<Bits> bits;
 
     explicit Verdicts(std::size_t capacity) : bits(capacity / hn::Lanes(LanesOf<Real>())) {
-        for (std::vector<Real>* column : {&begin, &end, &from, &to, &last, &guess})
+        for (std::vector<Real>* column :
+             {&begin, &end, &from, &to, &last, &guess, &cut_from, &cut_to})
             column->resize(capacity);
     }
     [[nodiscard]] bool bit(LaneBits Bits::* member, std::size_t i) const {
