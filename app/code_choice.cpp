@@ -21,31 +21,41 @@ constexpr int reduction = 8;
 /// A small picture that takes longer is one of many that do.
 constexpr std::chrono::milliseconds longest_trial{100};
 
+/// Hasty code of a whole formula takes as long for a node as a picture by parts that so long a
+/// small one with all tells of: where much is left out, few lanes are at work.
+constexpr double whole_code_ms = 0.065;
+
 /// Where there are more, LLVM's longer work on quicker code pays.
 constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
 
 }  // namespace
 
-bool machine_code_pays(const RenderRequest& picture, const Formula& formula,
-                       const std::atomic<bool>* cancel) {
+std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula& formula,
+                                    const std::atomic<bool>* cancel) {
+    if (is_made_of_parts(formula)) return CodeUse::OnePicture;
     Framebuffer small(std::max(1, picture.width / reduction),
                       std::max(1, picture.height / reduction));
     const TimeLimit limit{cancel, std::chrono::steady_clock::now() + longest_trial};
     const Counters counters = render_frame(picture.scene, picture.camera, picture.settings, small,
                                            RenderWatch{.limit = limit, .on_tile = {}});
-    if (counters.is_cut()) return true;
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    const double scale = pixels / static_cast<double>(small.color.size());
     const auto surfaces = static_cast<double>(formula.drawn.size());
-    const double nodes = nodes_beside + static_cast<double>(formula.nodes()) / surfaces;
-    const double scale = static_cast<double>(picture.width) * picture.height /
-                         static_cast<double>(small.color.size());
-    const double ns = scale * nodes *
-                      (ns_of_value * static_cast<double>(counters.value) +
-                       ns_of_form * static_cast<double>(counters.form));
-    return ns > 1e6 * most_interpreted_ms * surfaces;
-}
-
-CodeUse use_in_one_picture(int width, int height) {
-    const double pixels = static_cast<double>(width) * height;
+    // With so many steps for a surface.
+    const auto interpreted_ms = [&](double steps) {
+        return 1e-6 * scale * (nodes_beside + steps / surfaces) *
+               (ns_of_value * static_cast<double>(counters.value) +
+                ns_of_form * static_cast<double>(counters.form));
+    };
+    const auto nodes = static_cast<double>(formula.nodes());
+    if (!counters.is_cut() && interpreted_ms(nodes) <= most_interpreted_ms * surfaces)
+        return std::nullopt;
+    if (has_many_choices(formula)) {
+        const auto compiled = static_cast<double>(nodes_of_shapes(formula.drawn));
+        const bool is_long =
+            counters.is_cut() || interpreted_ms(steps_left(formula)) > whole_code_ms * compiled;
+        return is_long ? CodeUse::LongPicture : CodeUse::OnePicture;
+    }
     return pixels > most_pixels_of_hasty_code ? CodeUse::Pictures : CodeUse::OnePicture;
 }
 

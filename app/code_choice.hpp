@@ -4,17 +4,15 @@
 #include "engine/trace/render_job.hpp"
 
 #include <atomic>
+#include <optional>
 
 namespace zeroset {
 
-/// Whether machine code for the formula takes less time than it saves in one picture. `picture` is
-/// of its interpreters; a small picture is drawn with them, and its evaluations are counted: what
-/// comes out depends neither on the number of threads nor on the machine's load, unless the small
-/// picture takes 100 ms.
-bool machine_code_pays(const RenderRequest& picture, const Formula& formula,
-                       const std::atomic<bool>* cancel);
-
-/// The code that is made and has drawn one picture of this size soonest.
-CodeUse use_in_one_picture(int width, int height);
+/// The code that is made and has drawn one picture soonest; nothing: the interpreters, of which
+/// `picture` is. A small picture is drawn with them, and its evaluations are counted: what comes
+/// out depends neither on the number of threads nor on the machine's load, unless the small picture
+/// takes 100 ms.
+std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula& formula,
+                                    const std::atomic<bool>* cancel);
 
 }  // namespace zeroset

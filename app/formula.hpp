@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/surface_code.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/trace/camera.hpp"
 #include "engine/trace/precision.hpp"
@@ -43,10 +44,11 @@ enum class CodeState : std::uint8_t {
 struct Formula {
     std::string text;
     Program program;
-    std::vector<Expr> drawn;      ///< the program's surfaces, each in its tightest form
-    std::vector<Kernel> kernels;  ///< of `drawn`
+    std::vector<Expr> drawn{};      ///< the program's surfaces, each in its tightest form
+    Box region;                     ///< where that is the tightest
+    std::vector<Kernel> kernels{};  ///< of `drawn`
     /// Solid::unrestricted of each of `drawn`.
-    std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted;
+    std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted{};
     CodeState code = CodeState::Machine;
     double compile_ms = 0.0;  ///< from text to code
 
@@ -70,21 +72,22 @@ std::expected<Formula, InputError> interpreted_formula(std::string_view text, co
 /// one already. Its forms are the tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
 
-/// What machine code is made for.
-enum class CodeUse : std::uint8_t {
-    FirstPicture,  ///< that comes soon, and more
-    OnePicture,    ///< soon, and no other: code that takes longer than it saves is not made
-    Pictures,      ///< many, as quick as can be
-};
-
 /// The same formula with machine code, for one whose code is InterpretedFirst, also in `precision`.
 /// Thread-safe.
 std::expected<Formula, InputError> with_machine_code(const Formula& formula,
                                                      CodeUse use = CodeUse::FirstPicture,
                                                      Precision precision = Precision::Float);
 
-/// Whether machine code would be made of the parts of a surface, not of all.
-bool has_parts(const Formula& formula);
+/// Whether much of a surface may be left out in small cells.
+bool has_many_choices(const Formula& formula);
+
+/// Whether so much of a surface is left out in small cells that machine code is made of its parts
+/// only, whatever it is for.
+bool is_made_of_parts(const Formula& formula);
+
+/// How many steps an interpreter takes for all surfaces in a small cell near them, where what does
+/// not matter there is left out.
+double steps_left(const Formula& formula);
 
 /// The same formula with machine code in double beside that in float, interpreted if that cannot be
 /// made. Takes as long as the code in float did. Thread-safe.

@@ -102,19 +102,18 @@ void find_colors(Drawing& drawing, const ColorFormulas& colors) {
 }
 
 /// For the one frame of an interpreted formula.
-std::expected<Formula, InputError> code_for_one(const Drawing& drawing, Formula formula,
-                                                Precision precision) {
+std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing, Formula formula,
+                                                     Precision precision) {
     if (formula.code == CodeState::Interpreted) return formula;
     const auto start = Clock::now();
     const RenderPlan& plan = drawing.picture.plan;
     const auto [width, height] = plan.size;
-    const bool pays =
-        has_parts(formula) ||
-        machine_code_pays({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
-                          formula, &drawing.cancel);
+    const auto use =
+        code_for_one({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
+                     formula, &drawing.cancel);
     formula.compile_ms += ms_since(start);
-    if (!pays) return formula;
-    return with_machine_code(formula, use_in_one_picture(width, height), precision);
+    if (!use) return formula;
+    return with_machine_code(formula, *use, precision);
 }
 
 /// The formula's code and what it shows; or an error.
@@ -139,7 +138,7 @@ std::optional<InputError> prepare(Drawing& drawing) {
     const Precision precision =
         wanted_precision(plain_scene(*formula, plan), ViewFrame(plan.camera), plan.settings.stop);
     drawing.progress.enter(Progress::Stage::Compiling);
-    if (few) formula = code_for_one(drawing, std::move(*formula), precision);
+    if (few) formula = with_code_for_one(drawing, std::move(*formula), precision);
     if (!formula) return formula.error();
     if (!formula->has_code(precision)) formula = with_double(*formula);
     drawing.picture.formula = std::move(*formula);

@@ -100,7 +100,10 @@ public:
         return result;
     }
     Value fold(In a);
-    Value sign(In a) { return jump(zeroset::sign_steps(box(a)), a, number(0)); }
+    Value sign(In a) {
+        const Box signs = zeroset::sign_steps(box(a));
+        return jump(signs, a, number(0));
+    }
     Value floor(In a) {
         const Box floors = zeroset::floor_steps(box(a));
         return jump(floors, a, floors.hi);

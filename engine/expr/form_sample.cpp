@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <span>
 
 namespace zeroset {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 constexpr int first_level = 2;  ///< cells of an edge of 2^-2 of the region's longest
 constexpr int last_level = 7;
 constexpr std::size_t first_side = std::size_t{1} << static_cast<unsigned>(first_level);
-constexpr std::size_t cells_a_level = first_side * first_side * first_side;
-static_assert(cells_a_level % batch_multiple == 0);
 
 constexpr double distance = 4;  ///< of the eye, in halves of the longest edge
 constexpr double right[] = {0.848, 0.530, 0.0};
@@ -61,6 +60,8 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
         uniforms_.set(i, known ? 0.5 * (region.uniforms[i][0] + region.uniforms[i][1]) : 0.5);
     }
     const Kernel kernel = interpret(expr);
+    static_assert(cells_a_level == first_side * first_side * first_side);
+    static_assert(cells_a_level % batch_multiple == 0);
     Level level{half_ / first_side, {}};
     for (std::size_t i = 0; i < cells_a_level; ++i) {
         const auto at = [&](std::size_t n) {
@@ -89,10 +90,7 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
     open_ = sum / cells();
 }
 
-std::vector<double> FormSample::shares(const Kernel& kernel, const Level& level) const {
-    const UpwardRounding upward;
-    const FrustumOf<float> frustum = frustum_of(middle_, half_, level.half);
-    FormCells<float, cells_a_level> cells;
+void FormSample::place(const Level& level, FormCells<float, cells_a_level>& cells) const {
     for (std::size_t i = 0; i < cells_a_level; ++i) {
         const Place& place = level.cells[i];
         const double from_eye = distance * half_ + place[2];
@@ -101,6 +99,13 @@ std::vector<double> FormSample::shares(const Kernel& kernel, const Level& level)
         cells.s[i] = static_cast<float>(place[2]);
         cells.s_radius[i] = static_cast<float>(level.half);
     }
+}
+
+std::vector<double> FormSample::shares(const Kernel& kernel, const Level& level) const {
+    const UpwardRounding upward;
+    const FrustumOf<float> frustum = frustum_of(middle_, half_, level.half);
+    FormCells<float, cells_a_level> cells;
+    place(level, cells);
     kernel.form(cells.batch(cells_a_level, frustum, uniforms_.boxes<float>()));
     std::vector<double> result;
     for (std::size_t i = 0; i < cells_a_level; ++i)
@@ -116,6 +121,27 @@ double FormSample::open(const Expr& expr) const {
         sum += std::accumulate(share.begin(), share.end(), 0.0);
     }
     return sum / cells();
+}
+
+double FormSample::steps_left(const Kernel& kernel) const {
+    const auto all = static_cast<double>(kernel.steps);
+    if (kernel.shortener == nullptr) return all;
+    const UpwardRounding upward;
+    const Level& level = levels_.back();
+    const FrustumOf<float> frustum = frustum_of(middle_, half_, level.half);
+    FormCells<float, cells_a_level> cells;
+    place(level, cells);
+    ChoiceRecord record;
+    kernel.shortener->form(cells.batch(cells_a_level, frustum, uniforms_.boxes<float>()), record);
+    double sum = 0;
+    double count = 0;
+    for (std::size_t i = 0; i < cells_a_level; ++i) {
+        if (open_share(cells, i) == 0) continue;
+        const auto shortened = kernel.shortener->shortened(record, std::span(&i, 1));
+        sum += shortened ? static_cast<double>(shortened->steps) : all;
+        ++count;
+    }
+    return count > 0 ? sum / count : all;
 }
 
 double FormSample::cells() const { return static_cast<double>(levels_.size() * cells_a_level); }

@@ -2,6 +2,7 @@
 
 #include "engine/expr/box_sample.hpp"
 #include "engine/expr/expr.hpp"
+#include "engine/expr/form_cells.hpp"
 #include "engine/expr/kernel.hpp"
 
 #include <array>
@@ -21,8 +22,12 @@ public:
     [[nodiscard]] double open() const { return open_; }
     /// The same with the function, of the same parameters, written in another way.
     [[nodiscard]] double open(const Expr& expr) const;
+    /// How many steps of the formula's interpreter are left in the mean in one of the smallest
+    /// cells, where what does not matter there is left out.
+    [[nodiscard]] double steps_left(const Kernel& kernel) const;
 
 private:
+    static constexpr std::size_t cells_a_level = 64;
     /// To the right, up and forward of the region's middle.
     using Place = std::array<double, 3>;
     /// Cells of one size, cubes about the places; a multiple of batch_multiple.
@@ -31,6 +36,7 @@ private:
         std::vector<Place> cells;
     };
 
+    void place(const Level& level, FormCells<float, cells_a_level>& cells) const;
     /// Of each cell the share of its depth that is left open.
     [[nodiscard]] std::vector<double> shares(const Kernel& kernel, const Level& level) const;
 

@@ -56,6 +56,7 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     kernel.ray_value = {code.ray_value, tape};
     kernel.has_double = true;
     kernel.interpreted = true;
+    kernel.steps = tape->steps().size();
     kernel.switches = tape->graph()->switch_count;
     kernel.branches = true;
 }

@@ -144,6 +144,7 @@ private:
     CellPlaces<Real>& places_;
     Forms<Real>& forms_;
     Verdicts<Real>& verdicts_;
+    bool spare_ = false;
     std::array<Real, tile_size> u_, v_;  ///< of the tile's columns and rows
 };
 
@@ -392,6 +393,14 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
         rests_.push_back({segment, from, to, forms_.continuous[i] != 0});
         return false;
     }
+    if (spare_ && !verdicts_.bit(&Verdicts<Real>::Bits::contracts, i)) {
+        const Real middle = from + Real{0.5} * width;
+        next_.push_back(
+            {segment.pixel, segment.inside, from, middle, middle - from, segment.kernel});
+        next_.push_back(
+            {segment.pixel, segment.inside, middle, segment.to, to - middle, segment.kernel});
+        return false;
+    }
     segment.from = from;
     // Whether it contracts is hard to predict.
     constexpr Real parts[] = {Real{0.5}, Real{1}};
@@ -451,6 +460,7 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             }
             ask_ranges(segments);
             rests_.clear();
+            spare_ = 2 * count <= lanes;
             for (std::size_t i = 0; i < count; i += lanes)
                 advance(segments, i, settings.finest);
             look_around(settings.finest);

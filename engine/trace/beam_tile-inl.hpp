@@ -194,7 +194,8 @@ void BeamTile<Real>::visit_tile(const CellRun& run, std::size_t first, std::size
 template <class Real>
 void BeamTile<Real>::divide(const CellRun& run, std::span<const std::size_t> cells, int pixels) {
     const Kernel* const kernel = tree_.kernel_of(run, cells);
-    if (pixels <= 2 * least_pixels) return waiting_.push(kernel, cells);
+    if (pixels <= 2 * least_pixels)
+        return waiting_.push(tree_.cells().tile[cells.front()], kernel, cells);
     tree_.push_children(kernel, cells, pixels, [](int, int) { return Found<Real>::none; });
 }
 

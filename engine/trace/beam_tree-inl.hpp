@@ -288,7 +288,7 @@ std::span<const CellRun> CellTree<Real>::judge(int pixels) {
 template <class Real>
 void CellTree<Real>::narrow_by_pieces(const CellRun& run, const FrustumOf<Real>& frustum,
                                       int pixels) {
-    constexpr int most_switches = 3;
+    constexpr int most_switches = 1;
     Cells<Real>& of = pieces_.cells;
     pieces_.pieces.begin(run.kernel->switches);
     pieces_.left.assign(run.count, {});

@@ -12,6 +12,7 @@
 #include "engine/trace/beam_tree-inl.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -25,37 +26,45 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, int pixels>
 class WaitingTiles {
 public:
-    [[nodiscard]] bool empty() const { return tiles_.empty(); }
-    /// A tile's cells that may hold roots, front to back, and the kernel of f in them.
-    void push(const Kernel* kernel, std::span<const std::size_t> cells) {
+    [[nodiscard]] bool empty() const { return waiting_.empty(); }
+    /// Some of a tile's cells that may hold roots, front to back, and the kernel of f in them.
+    void push(CellTile tile, const Kernel* kernel, std::span<const std::size_t> cells) {
         const std::size_t begin = cells_.size();
         cells_.insert(cells_.end(), cells.begin(), cells.end());
-        tiles_.push_back({kernel, begin, cells_.size()});
+        waiting_.push_back({tile.pixel, kernel, begin, cells_.size()});
     }
     /// Visits the cells that wait.
     void for_each(auto visit) const {
-        for (const Waiting& tile : tiles_) {
-            for (std::size_t i = tile.next; i < tile.end; ++i)
+        for (const Waiting& cells : waiting_) {
+            for (std::size_t i = cells.next; i < cells.end; ++i)
                 visit(cells_[i]);
         }
     }
     /// Divides the first cells of each tile; quarters all of whose roots found so far are nearer
     /// are left out.
     void divide_some(CellTree<Real>& tree, const Found<Real>& found) {
-        const std::size_t most = 1 + cells_a_wave / tiles_.size();
-        for (Waiting& tile : tiles_) {
-            const std::size_t count = std::min(most, tile.end - tile.next);
-            const std::size_t first = std::exchange(tile.next, tile.next + count);
-            tree.push_children(tile.kernel, std::span(cells_).subspan(first, count), pixels,
+        first_.clear();
+        std::bitset<tile_pixels> seen;
+        for (std::size_t i = 0; i < waiting_.size(); ++i) {
+            if (!seen[waiting_[i].tile]) first_.push_back(i);
+            seen.set(waiting_[i].tile);
+        }
+        const std::size_t most = 1 + cells_a_wave / first_.size();
+        for (const std::size_t i : first_) {
+            Waiting& cells = waiting_[i];
+            const std::size_t count = std::min(most, cells.end - cells.next);
+            const std::size_t first = std::exchange(cells.next, cells.next + count);
+            tree.push_children(cells.kernel, std::span(cells_).subspan(first, count), pixels,
                                [&](int col, int row) { return farthest(found, col, row); });
         }
-        std::erase_if(tiles_, [](const Waiting& tile) { return tile.next == tile.end; });
+        std::erase_if(waiting_, [](const Waiting& cells) { return cells.next == cells.end; });
     }
 
 private:
     static constexpr std::size_t cells_a_wave = 16;  ///< at least
 
     struct Waiting {
+        std::uint16_t tile;  ///< its first pixel
         const Kernel* kernel;
         std::size_t next, end;  ///< in cells_
     };
@@ -74,7 +83,8 @@ private:
         return hn::GetLane(hn::MaxOfLanes(d, result));
     }
 
-    std::vector<Waiting> tiles_;
+    std::vector<Waiting> waiting_;
+    std::vector<std::size_t> first_;  ///< of each tile
     std::vector<std::size_t> cells_;
 };
 

@@ -4,12 +4,30 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 // Text to machine code, and how a person is told what is wrong with the text.
 
 namespace zeroset::test {
 namespace {
+
+/// For w = 0.
+float value_at(const Kernel& kernel, float x, float y, float z) {
+    const UpwardRounding upward;
+    Uniforms uniforms;
+    uniforms.set(0, 0.0);
+    std::array<std::array<float, batch_multiple>, 7> columns{};
+    columns[0].fill(x);
+    columns[1].fill(y);
+    columns[2].fill(z);
+    kernel.value({batch_multiple,
+                  {columns[0].data(), columns[1].data(), columns[2].data()},
+                  uniforms.middle.data(),
+                  columns[3].data(),
+                  {columns[4].data(), columns[5].data(), columns[6].data()}});
+    return columns[3][0];
+}
 
 TEST(CompileFormula, MakesCodeThatRuns) {
     const auto formula = compile_formula("x^2 + y^2 = z + w");
@@ -90,6 +108,44 @@ TEST(CompileFormula, MakesCodeOfPartsBesideThatOfAll) {
     EXPECT_TRUE(two.has_code(Precision::Double));
     EXPECT_TRUE(two.kernels[0].interpreted);
     EXPECT_FALSE(two.kernels[1].interpreted);
+}
+
+/// How the formula is drawn at first; then its machine code is made.
+CodeState first_code(const std::string& text) {
+    const Formula formula = prepare_formula(text, Box::cube(2.0)).value();
+    EXPECT_TRUE(with_machine_code(formula).has_value());
+    return formula.code;
+}
+
+TEST(CompileFormula, CompilesNothingWhereANumberChangesAgain) {
+    EXPECT_EQ(first_code("x^3 y + 2y^2 z = 3"), CodeState::InterpretedFirst);
+    EXPECT_EQ(first_code("x^3 y + 2y^2 z = 3.5"), CodeState::InterpretedFirst);
+    EXPECT_EQ(first_code("x^3 y + 2y^2 z = 3.55"), CodeState::Machine);
+    EXPECT_EQ(first_code("x^3 y + 2y^2 z = 3.6"), CodeState::Machine);
+    EXPECT_EQ(first_code("x^3 y + 2y^2 z = 3"), CodeState::Machine);
+    EXPECT_EQ(first_code("x^3 y + 4y^2 z = 3"), CodeState::InterpretedFirst) << "another number";
+    EXPECT_EQ(first_code("x^3 y + 7y^2 z = 5"), CodeState::Machine) << "both have changed before";
+    EXPECT_EQ(first_code("x^4 y + 7y^2 z = 5"), CodeState::InterpretedFirst) << "another shape";
+}
+
+TEST(CompileFormula, CodeOfAShapeHasTheNumbersOfEachFormula) {
+    const Formula one = compile_formula("x - 3z + y; x - 5z + y; x - 7z + y", {}).value();
+    ASSERT_EQ(one.kernels.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(value_at(one.kernels[i], 0.5F, 0.25F, 1.0F),
+                  0.75F - (3.0F + 2.0F * static_cast<float>(i)));
+    }
+}
+
+TEST(CompileFormula, CompilesAllOfWhatLeavesLittleOut) {
+    std::string text = "x + y*z";
+    for (int k = 1; k <= 30; ++k) {
+        const std::string factor = std::to_string(k);
+        text += " + max(sin(" + factor + "x), cos(" + factor + "y z))/" + factor;
+    }
+    const Formula formula = compile_formula(text).value();
+    EXPECT_FALSE(formula.kernels[0].interpreted);
+    EXPECT_EQ(formula.kernels[0].shortener, nullptr);
 }
 
 TEST(CompileFormula, RefusesWhatIsNoSurface) {

@@ -161,9 +161,13 @@ std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
     const Expr drawn = drawn_form(program->surfaces.front());
-    Formula formula{surface.equation, std::move(*program), {drawn}, {interpret(drawn)}, {{}}};
-    formula.code = CodeState::Interpreted;
-    return formula;
+    return Formula{.text = surface.equation,
+                   .program = std::move(*program),
+                   .drawn = {drawn},
+                   .region = {},
+                   .kernels = {interpret(drawn)},
+                   .unrestricted = {{}},
+                   .code = CodeState::Interpreted};
 }
 
 std::string region_options(const AuditSurface& surface) {

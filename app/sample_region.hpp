@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/expr/box_sample.hpp"
+#include "engine/trace/camera.hpp"
+
+#include <cstddef>
+
+namespace zeroset {
+
+/// The box as where a formula is going to be evaluated.
+inline SampleRegion sample_region(const Box& box) {
+    SampleRegion region;
+    for (int i = 0; i < 3; ++i) {
+        region.lo[static_cast<std::size_t>(i)] = box.lo[i];
+        region.hi[static_cast<std::size_t>(i)] = box.hi[i];
+    }
+    return region;
+}
+
+}  // namespace zeroset
