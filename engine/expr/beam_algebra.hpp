@@ -3,8 +3,8 @@
 #include "engine/expr/interval_algebra.hpp"
 #include "engine/num/beam_angle.hpp"
 #include "engine/num/beam_log_sum.hpp"
-#include "engine/num/fold.hpp"
 #include "engine/num/beam_polar.hpp"
+#include "engine/num/fold.hpp"
 
 #include <optional>
 

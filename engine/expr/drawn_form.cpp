@@ -1,6 +1,7 @@
 #include "engine/expr/drawn_form.hpp"
 
 #include "engine/expr/clear_poles.hpp"
+#include "engine/expr/collected_terms.hpp"
 #include "engine/expr/differences.hpp"
 #include "engine/expr/folds.hpp"
 #include "engine/expr/form_sample.hpp"
@@ -35,7 +36,8 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 
 Expr drawn_form(const Expr& expr, const SampleRegion& region) {
     const Expr smooth = with_log_sums(plain_angles(with_folds(with_plain_conditions(expr))));
-    const Expr plain = without_poles(without_small_differences(smooth), region);
+    const Expr short_form = with_collected_terms(smooth, region);
+    const Expr plain = without_poles(without_small_differences(short_form), region);
     return polar_form(quicker(plain, tightened(plain, region), region));
 }
 

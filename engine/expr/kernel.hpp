@@ -303,8 +303,8 @@ struct Kernel {
     bool uses_w = false;
     std::size_t switches = 0;  ///< of HeldSwitches
     bool branches = false;     ///< whether BranchBits are ever but 0; else they are not written
-    std::shared_ptr<const Shortener> shortener;     ///< nullptr where it would not pay
-    bool interpreted = false;                       ///< else machine code
+    std::shared_ptr<const Shortener> shortener;  ///< nullptr where it would not pay
+    bool interpreted = false;                    ///< else machine code
     std::size_t steps = 0;  ///< that the interpreter takes for an item; 0: machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
     /// Of functions whose zeros are zeros of f (engine/expr/root_witnesses.hpp).

@@ -68,6 +68,12 @@ int Polynomial::degree() const {
     return degree;
 }
 
+bool Polynomial::is_finite() const {
+    return std::ranges::all_of(terms_, [](const Term& term) {
+        return std::isfinite(term.coefficient.neg_lo) && std::isfinite(term.coefficient.hi);
+    });
+}
+
 bool Polynomial::is_certain() const {
     return std::ranges::all_of(terms_, [](const Term& term) {
         const Interval<double>& a = term.coefficient;
@@ -182,7 +188,7 @@ namespace {
 using Expanded = std::optional<Polynomial>;
 
 Expanded limited(Polynomial p) {
-    if (p.terms().size() > max_terms || p.degree() > max_degree || !p.is_certain())
+    if (p.terms().size() > max_terms || p.degree() > max_degree || !p.is_finite())
         return std::nullopt;
     return p;
 }

@@ -57,6 +57,7 @@ public:
     /// The largest exponent of one atom.
     [[nodiscard]] int degree(int atom) const;
     [[nodiscard]] int degree() const;
+    [[nodiscard]] bool is_finite() const;
     /// Whether all coefficients are finite and of known sign.
     [[nodiscard]] bool is_certain() const;
     /// As a polynomial in one atom, falling exponents; no zero coefficients.

@@ -212,7 +212,7 @@ std::vector<NodeId> polynomial_candidates(ExprBuilder& builder, const AnalysedEx
     const std::size_t size_limit = builder.size() + max_new_nodes;
     if (const auto node = with_completed_squares(builder, graph, now, id)) result.push_back(*node);
     const std::optional<Polynomial>& p = graph.expansion.of[id];
-    if (!p || p->atoms() != graph.expansion.atoms_below[id]) return result;
+    if (!p || !p->is_certain() || p->atoms() != graph.expansion.atoms_below[id]) return result;
     if (p->terms().size() > max_new_nodes) return result;
 
     std::vector<NodeId> atoms;

@@ -59,6 +59,11 @@ TEST(PolynomialCandidates, AllHaveTheSameValues) {
     }
 }
 
+TEST(PolynomialCandidates, AreNoneWhereSignsOfCoefficientsAreUnknown) {
+    EXPECT_TRUE(candidates(*parse("0.1*x*3 + y - 0.3*x")).empty());
+    EXPECT_FALSE(candidates(*parse("0.1*x*3 + y - 0.2*x")).empty());
+}
+
 TEST(PolynomialCandidates, DoNotGrowWithSharedSums) {
     ExprBuilder builder;
     NodeId node = builder.apply(Op::Sin, builder.variable(0));

@@ -61,8 +61,13 @@ TEST(Polynomial, DropsWhatCancelsExactly) {
     EXPECT_EQ(p->at_zero().neg_lo, -9.0);
 }
 
-TEST(Polynomial, IsNotExpandedWhereSignsOfCoefficientsAreUnknown) {
-    EXPECT_FALSE(expanded("0.1*x*3 - 0.3*x"));
+TEST(Polynomial, TellsWhereSignsOfCoefficientsAreUnknown) {
+    const auto on_the_way = expanded("0.1*x*3 - 0.3*x");
+    ASSERT_TRUE(on_the_way);
+    EXPECT_FALSE(on_the_way->is_certain());
+    const auto in_the_end = expanded("0.1*x*3 - 0.3*x + x");
+    ASSERT_TRUE(in_the_end);
+    EXPECT_TRUE(in_the_end->is_certain());
     EXPECT_FALSE(expanded("1e300*1e300*x"));
 }
 
