@@ -5,27 +5,46 @@ namespace {
 
 constexpr int max_offsets = 8;  ///< constants that are added to one base
 
-/// base + offset, a constant.
+/// base + offset, a constant, or offset - base.
 struct Shifted {
     NodeId base;
     NodeId offset;
+    bool negated = false;
+
+    /// Takes the next summand or sign off the base; false where there is none.
+    bool peel(ExprBuilder& builder);
+
+private:
+    void add(ExprBuilder& builder, NodeId constant, bool negative) {
+        offset = negative != negated ? make_subtract(builder, offset, constant)
+                                     : make_add(builder, offset, constant);
+    }
 };
+
+bool Shifted::peel(ExprBuilder& builder) {
+    const Node node = builder.node(base);
+    const bool difference = node.op == Op::Subtract;
+    if (node.op == Op::Negate) {
+        negated = !negated;
+        base = node.a;
+        return true;
+    }
+    if (node.op != Op::Add && !difference) return false;
+    if (exact_fraction(builder, node.b)) {
+        add(builder, node.b, difference);
+        base = node.a;
+        return true;
+    }
+    if (!exact_fraction(builder, node.a)) return false;
+    add(builder, node.a, false);
+    negated = negated != difference;
+    base = node.b;
+    return true;
+}
 
 Shifted shifted(ExprBuilder& builder, NodeId id) {
     Shifted result{id, builder.constant(0.0)};
-    for (int i = 0; i < max_offsets; ++i) {
-        const Node node = builder.node(result.base);
-        if (node.op != Op::Add && node.op != Op::Subtract) break;
-        if (exact_fraction(builder, node.b)) {
-            result.offset = node.op == Op::Add ? make_add(builder, result.offset, node.b)
-                                               : make_subtract(builder, result.offset, node.b);
-            result.base = node.a;
-        } else if (node.op == Op::Add && exact_fraction(builder, node.a)) {
-            result.offset = make_add(builder, result.offset, node.a);
-            result.base = node.b;
-        } else {
-            break;
-        }
+    for (int i = 0; i < max_offsets && result.peel(builder); ++i) {
     }
     return result;
 }
@@ -35,7 +54,7 @@ Shifted shifted(ExprBuilder& builder, NodeId id) {
 std::optional<Fraction> step_between(ExprBuilder& builder, NodeId f1, NodeId f0) {
     const Shifted to = shifted(builder, f1);
     const Shifted from = shifted(builder, f0);
-    if (to.base != from.base) return std::nullopt;
+    if (to.base != from.base || to.negated != from.negated) return std::nullopt;
     return exact_fraction(builder, make_subtract(builder, to.offset, from.offset));
 }
 

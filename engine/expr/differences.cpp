@@ -15,7 +15,7 @@ namespace {
 /// Larger graphs do not grow any more.
 constexpr std::size_t most_nodes = 50'000;
 
-/// Whether the formula adds a small constant anywhere.
+/// Whether the formula adds a small constant anywhere, or divides by one.
 bool has_small_step(const Expr& expr) {
     constexpr double small = 0.01;
     const UpwardRounding upward;
@@ -26,6 +26,7 @@ bool has_small_step(const Expr& expr) {
     };
     return std::ranges::any_of(expr.nodes(), [&](const Node& node) {
         const bool sum = node.op == Op::Add || node.op == Op::Subtract;
+        if (node.op == Op::Divide) return is_small(node.b);
         return sum && (is_small(node.a) || is_small(node.b));
     });
 }

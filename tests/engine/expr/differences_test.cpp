@@ -35,6 +35,18 @@ TEST(WithoutSmallDifferences, WritesWhatIsCommonOnce) {
               "(if(y < x + 0.001, (x + 0.001)^2, z) - if(y < x, x^2, z))/(1/1000)))");
 }
 
+TEST(WithoutSmallDifferences, KnowsASumByAnySigns) {
+    for (const char* text : {"((5 - z)^2 - (5 + (-z + 0.001))^2)/0.001 - x",
+                             "(sin(2 - x) - sin(-(x - 2.001)))/0.001 - y",
+                             "(exp(-(-x - 1)) - exp(0.999 + x))/0.001 - y"}) {
+        EXPECT_NE(written(text), as_typed(text)) << text;
+    }
+    for (const char* text :
+         {"((5 - z)^2 - (5.001 + z)^2)/0.001 - x", "(sin(2 - x) - sin(x - 2.001))/0.001 - y"}) {
+        EXPECT_EQ(written(text), as_typed(text)) << text << ": of the other sign";
+    }
+}
+
 TEST(WithoutSmallDifferences, LeavesOthersAlone) {
     for (const char* text :
          {"(x + 1)^2 - x^2", "(x + 0.001)^2 - y^2", "(x + 0.001)^3 - x^2", "x + 0.001 - x",
