@@ -86,8 +86,9 @@ ui::UiState first_state(const DesktopOptions& options) {
 bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
     return a.formula == b.formula && a.clip == b.clip && a.region == b.region &&
            a.camera == b.camera && a.stop == b.stop && a.shadows == b.shadows &&
-           a.antialias == b.antialias && a.colors == b.colors && a.coloring == b.coloring &&
-           a.size_px == b.size_px && a.surfaces == b.surfaces && a.uniforms == b.uniforms;
+           a.antialias == b.antialias && a.jumps == b.jumps && a.colors == b.colors &&
+           a.coloring == b.coloring && a.size_px == b.size_px && a.surfaces == b.surfaces &&
+           a.uniforms == b.uniforms;
 }
 
 /// Whether `next` is the picture `last`, by code that was not there before.
@@ -347,6 +348,7 @@ std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
                   document.stop,
                   document.shadows,
                   document.antialias,
+                  document.jumps,
                   colors_,
                   document.coloring,
                   size,

@@ -92,6 +92,7 @@ private:
         StopCriterion stop;
         bool shadows;
         bool antialias;
+        bool jumps;
         std::shared_ptr<const ColorFormulas> colors;  ///< for the formula
         ColorChoice coloring;
         glm::ivec2 size_px{0};

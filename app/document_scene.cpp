@@ -34,6 +34,7 @@ Scene document_scene(const Formula& formula, const Document& document,
         values[name] = slider.value;
     Scene scene = make_scene(formula, document.clip, document.w.value, values);
     scene.region = document.region;
+    scene.jumps = document.jumps;
     const std::vector<Kernel> all = std::exchange(scene.surfaces, {});
     const std::vector<Solid> solids = std::exchange(scene.solids, {});
     for (const std::size_t i : visible_surfaces(document, rows)) {

@@ -47,6 +47,9 @@ void add_witnesses(Formula& formula) {
         for (const Expr& witness : root_witnesses(formula.drawn[i]))
             kernel.witnesses.push_back(interpret(witness).range_double);
         kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
+        if (kernel.witnesses.empty()) continue;
+        if (const auto domain = domain_witness(formula.drawn[i]))
+            kernel.domain = interpret(*domain).range_double;
     }
 }
 
@@ -131,6 +134,7 @@ std::expected<Formula, InputError> with_machine_code(const Formula& formula, Cod
     for (std::size_t i = 0; i < kernels->size(); ++i) {
         (*kernels)[i].witnesses = formula.kernels[i].witnesses;
         (*kernels)[i].defined_everywhere = formula.kernels[i].defined_everywhere;
+        (*kernels)[i].domain = formula.kernels[i].domain;
     }
     result.kernels = std::move(*kernels);
     result.code = CodeState::Machine;

@@ -100,6 +100,7 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
     add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
     add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
     add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
     add_switch(app, "grid", trace.grid, "draw a grid on the clip box's floor");

@@ -300,6 +300,7 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
 void take_look(const TraceText& text, Document& document) {
     document.shadows = text.shadows.value_or(document.shadows);
     document.antialias = text.antialias.value_or(document.antialias);
+    document.jumps = text.jumps.value_or(document.jumps);
     document.axes = text.axes.value_or(document.axes);
     document.clip_box = text.clip_box.value_or(document.clip_box);
     document.grid = text.grid.value_or(document.grid);

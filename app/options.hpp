@@ -31,7 +31,7 @@ struct ViewText {
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
     /// Absent: as the document says, or not.
-    std::optional<bool> shadows, antialias, axes, clip_box, grid;
+    std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
 };
 
 /// Which side of a surface is solid.

@@ -15,6 +15,7 @@ const char* name_of(Certificate certificate) {
         case Certificate::Certified: return "certified";
         case Certificate::Undecided: return "undecided";
         case Certificate::Coarse: return "certified, coarse";
+        case Certificate::Jump: return "jump in sign";
     }
     return "";
 }

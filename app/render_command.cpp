@@ -85,6 +85,10 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     take_look(command.trace, plan.document);
     plan.settings.shadows = plan.document.shadows;
     plan.settings.antialias = plan.document.antialias;
+    if (plan.document.jumps && plan.settings.tracer != tracers().front().name) {
+        return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
+                           plan.settings.tracer);
+    }
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
     plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect, plan.document.up));
     return plan;
@@ -128,6 +132,7 @@ Json stats_of(const RenderedPicture& picture) {
             {"certified", counts.certified},
             {"undecided", counts.undecided},
             {"miss", counts.miss},
+            {"jumps", counts.jumps},
             {"undecided_not_drawn", counts.not_drawn},
             {"undecided_by_budget", timing.counters.cut_pixels},
             {"certified_coarse", counts.coarse},

@@ -66,6 +66,7 @@ Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
     if (!surface.document) {
         Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
         scene.region = surface.region;
+        scene.jumps = plan.document.jumps;
         for (const SolidChoice& choice : surface.solids) {
             for (std::size_t i = 0; i < scene.solids.size(); ++i) {
                 if (!choice.surface || static_cast<std::size_t>(*choice.surface) == i + 1)

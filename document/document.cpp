@@ -60,6 +60,7 @@ void keep_settings(Document& document, const Document& of) {
     document.stop = of.stop;
     document.shadows = of.shadows;
     document.antialias = of.antialias;
+    document.jumps = of.jumps;
     document.axes = of.axes;
     document.clip_box = of.clip_box;
     document.grid = of.grid;

@@ -59,6 +59,7 @@ struct Document {
     bool mark_undecided = false;
     bool shadows = false;
     bool antialias = false;
+    bool jumps = false;     ///< draws where f changes its sign in a jump, too
     bool axes = false;      ///< with ticks and numbers
     bool clip_box = false;  ///< its edges
     bool grid = false;      ///< on the box's floor

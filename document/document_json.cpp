@@ -61,10 +61,11 @@ Json json_of(const StopCriterion& stop) {
 }
 
 /// What is on or off in the field "look".
-constexpr std::array<std::pair<const char*, bool Document::*>, 7> look_switches{
+constexpr std::array<std::pair<const char*, bool Document::*>, 8> look_switches{
     {{"mark_undecided", &Document::mark_undecided},
      {"shadows", &Document::shadows},
      {"antialias", &Document::antialias},
+     {"jumps", &Document::jumps},
      {"axes", &Document::axes},
      {"clip_box", &Document::clip_box},
      {"grid", &Document::grid},

@@ -123,6 +123,15 @@ void draw_undecided(UiState& state) {
     draw_tooltip(
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
         "place where f jumps or ends. A larger d_stop decides more of them.");
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
+    const char* const jumps = "Jumps###jumps";
+    if (ImGui::CalcTextSize(jumps, nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <= room) {
+        ImGui::SameLine(0.0F, em(1.2F));
+        ImGui::Checkbox(jumps, &state.document.jumps);
+        draw_tooltip(
+            "Draw also where f changes its sign in a jump, as floor and if make it, without "
+            "a root.");
+    }
     if (!state.document.mark_undecided) return;
     constexpr std::array marks{std::pair(Mark::UndecidedDrawn, "something is drawn there"),
                                std::pair(Mark::UndecidedNotDrawn, "nothing is drawn there"),

@@ -85,8 +85,10 @@ void draw_figures(const UiState& state, const Palette& colors) {
         undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
     }
     add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
+    const std::size_t jumps = picture.counts.jumps;
+    if (jumps > 0) add_text(colors.quiet, grouped(jumps) + " at jumps");
     add_text(colors.quiet, view_scale(state));
-    const bool empty = picture.counts.certified + undecided == 0;
+    const bool empty = picture.counts.certified + undecided + jumps == 0;
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
 
@@ -124,8 +126,10 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
     const bool certified = is_proved(facts.certificate);
     const bool coarse = facts.certificate == Certificate::Coarse;
     add_text(colors.text, coordinates_text(facts.point, resolution), "");
+    const bool jump = facts.certificate == Certificate::Jump;
     add_text(certified ? colors.quiet : colors.warning, coarse      ? "certified, coarse"
                                                         : certified ? "certified"
+                                                        : jump      ? "jump in sign, no root"
                                                                     : "undecided");
     add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
     add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");

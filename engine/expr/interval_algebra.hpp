@@ -75,8 +75,8 @@ public:
         const Interval<Real> steps = switches_.outcomes(zeroset::floor_steps(range(a) / range(b)));
         return with_divisor(zeroset::mod(range(a), range(b), steps), a, b);
     }
-    Value min(In a, In b) { return total(minimum(range(a), range(b)), a, b); }
-    Value max(In a, In b) { return total(maximum(range(a), range(b)), a, b); }
+    Value min(In a, In b) { return chosen(minimum(range(a), range(b)), a, b, a, b); }
+    Value max(In a, In b) { return chosen(maximum(range(a), range(b)), a, b, b, a); }
 
     Value exp(In a) { return total(zeroset::exp(range(a)), a); }
     Value log(In a) { return composed(logarithm(Elementary::Log, range(a)), a.value); }
@@ -152,6 +152,21 @@ private:
     template <class... Operands>
     static Value total(const Interval<Real>& g, const Operands&... operands) {
         return composed(Value{g}, operands.value...);
+    }
+    /// The lesser or larger one of a and b; the other one's jumps do not matter. `if_less`: what it
+    /// is where a is less.
+    static Value chosen(const Interval<Real>& g, In a, In b, In if_less, In if_more) {
+        Value result = total(g, a, b);
+        if (!result.continuous) return result;
+        const Real zero = like(g.hi, 0.0);
+        const auto less = range(a).hi + range(b).neg_lo < zero;
+        const auto more = range(a).neg_lo + range(b).hi < zero;
+        const auto surely = [](const auto& taken, In of) {
+            return of.value.continuous ? both(taken, *of.value.continuous) : taken;
+        };
+        result.continuous =
+            either(*result.continuous, either(surely(less, if_less), surely(more, if_more)));
+        return result;
     }
     /// A number of these outcomes.
     Value jump(const Interval<Real>& outcomes, In a) {

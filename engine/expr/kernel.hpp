@@ -310,6 +310,8 @@ struct Kernel {
     /// Of functions whose zeros are zeros of f (engine/expr/root_witnesses.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
     bool defined_everywhere = false;  ///< for all values of the variables, surely
+    /// Of a function that is continuous only where f is defined; none: not known.
+    KernelFunction<RangeBatchOf<double>> domain;
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
     void range(const RangeBatchOf<double>& batch) const { range_double(batch); }

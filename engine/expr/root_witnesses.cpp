@@ -73,6 +73,32 @@ std::vector<Expr> root_witnesses(const Expr& f) {
     return witnesses;
 }
 
+std::optional<Expr> domain_witness(const Expr& f) {
+    ExprBuilder builder = nodes_of(f);
+    NodeFacts facts(builder);
+    std::optional<NodeId> sum;
+    const auto add = [&](NodeId term) { sum = sum ? builder.apply(Op::Add, *sum, term) : term; };
+    const auto square = [&](NodeId id) { return builder.apply(Op::IntPower, id, 0, 0, 2); };
+    const auto reciprocal = [&](NodeId id) {
+        return builder.apply(Op::Divide, builder.constant(1.0), id);
+    };
+    for (NodeId id = 0; id <= f.root(); ++id) {
+        if (!facts.is_partial(id)) continue;
+        const Node node = f.node(id);
+        if (node.op == Op::Where) return std::nullopt;
+        if (is_any_of(node.op, {Op::Atan2, Op::Angle, Op::AngleSin, Op::AngleCos})) {
+            add(reciprocal(builder.apply(Op::Add, square(node.a), square(node.b))));
+        } else if (is_any_of(node.op, {Op::Divide, Op::Mod, Op::Oriented})) {
+            add(reciprocal(node.b));
+        } else {
+            add(id);
+        }
+    }
+    if (!sum) return std::nullopt;
+    const auto names = f.parameters();
+    return builder.finish(*sum, {names.begin(), names.end()});
+}
+
 bool is_defined_everywhere(const Expr& f) {
     const ExprBuilder nodes = nodes_of(f);
     return NodeFacts(nodes).is_total(f.root());

@@ -2,6 +2,7 @@
 
 #include "engine/expr/expr.hpp"
 
+#include <optional>
 #include <vector>
 
 // f^2, -f max(f, g) and if(u < v, g, u - v) touch 0 or jump to it where one of their parts crosses
@@ -15,5 +16,9 @@ std::vector<Expr> root_witnesses(const Expr& f);
 
 /// Whether it is defined for all values of the variables; not seen for all that are.
 bool is_defined_everywhere(const Expr& f);
+
+/// A function such that f is defined wherever it is continuous: a sum of the operators of f that
+/// lack values, and of 1/(x^2 + y^2) for angles. Nothing where that cannot be told.
+std::optional<Expr> domain_witness(const Expr& f);
 
 }  // namespace zeroset

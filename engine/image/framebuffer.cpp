@@ -18,6 +18,7 @@ Framebuffer certificate_picture(const Framebuffer& frame) {
     constexpr std::uint32_t teal = 0xFFA09A1E;
     constexpr std::uint32_t amber = 0xFF1FA9F2;
     constexpr std::uint32_t red = 0xFF3B3BE0;
+    constexpr std::uint32_t violet = 0xFFD0659B;
     constexpr std::uint32_t black = 0xFF000000;
     Framebuffer picture = frame;
     picture.blank_rows.clear();
@@ -27,6 +28,7 @@ Framebuffer certificate_picture(const Framebuffer& frame) {
             case Certificate::Miss: picture.color[i] = black; break;
             case Certificate::Certified: picture.color[i] = green; break;
             case Certificate::Coarse: picture.color[i] = teal; break;
+            case Certificate::Jump: picture.color[i] = violet; break;
             case Certificate::Undecided: picture.color[i] = drawn ? amber : red; break;
         }
     }
@@ -43,6 +45,7 @@ CertificateCounts count_certificates(const Framebuffer& frame) {
                 ++counts.certified;
                 ++counts.coarse;
                 break;
+            case Certificate::Jump: ++counts.jumps; break;
             case Certificate::Undecided:
                 ++counts.undecided;
                 if (!std::isfinite(frame.depth[i])) ++counts.not_drawn;

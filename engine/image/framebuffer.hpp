@@ -12,6 +12,7 @@ enum class Certificate : std::uint8_t {
     Certified,  ///< one first root: opposite signs proved, everything before it rejected
     Undecided,  ///< may hold a root where the search stopped; drawn if depth is finite
     Coarse,     ///< as Certified, but in a bracket wider than asked for: numbers are no finer
+    Jump,       ///< no root: opposite signs proved on both sides of a jump, in front of any root
 };
 
 /// Whether a root is proved.
@@ -51,13 +52,14 @@ struct Framebuffer {
 };
 
 /// The certificates in colours: certified pixels green, teal where their bracket is coarse; undecided
-/// ones amber, or red where nothing is drawn; proved empty ones black.
+/// ones amber, or red where nothing is drawn; jumps violet; proved empty ones black.
 Framebuffer certificate_picture(const Framebuffer& frame);
 
 struct CertificateCounts {
     std::size_t certified = 0, undecided = 0, miss = 0;
     std::size_t coarse = 0;     ///< of the certified ones
     std::size_t not_drawn = 0;  ///< of the undecided ones, those that show nothing
+    std::size_t jumps = 0;
 };
 
 CertificateCounts count_certificates(const Framebuffer& frame);

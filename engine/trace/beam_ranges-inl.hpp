@@ -51,6 +51,11 @@ struct RangeBoxes {
     }
     /// Whether f is surely nowhere 0 in the box.
     [[nodiscard]] bool excludes_zero(std::size_t i) const { return neg_lo[i] < 0 || hi[i] < 0; }
+    /// Whether f is known to be of either sign, and nowhere 0.
+    [[nodiscard]] bool in_two_parts(std::size_t i) const {
+        constexpr Real nowhere = -std::numeric_limits<Real>::infinity();
+        return neg_lo[i] < 0 && hi[i] < 0 && hi[i] > nowhere;
+    }
     [[nodiscard]] BranchBits branches_of(std::size_t i) const {
         return {static_cast<std::uint32_t>(branches[i])};
     }
@@ -86,8 +91,14 @@ public:
     /// Looks at those boxes of the evaluated list piece by piece in which switches are open.
     void evaluate_pieces(const Kernel& kernel);
 
-    /// Whether f is surely nowhere 0 in the box.
-    [[nodiscard]] bool excludes_zero(std::size_t i) const { return boxes_.excludes_zero(i); }
+    /// Whether f is surely nowhere 0 in the box, nor of both signs where jumps are drawn.
+    [[nodiscard]] bool excludes_zero(std::size_t i) const {
+        return boxes_.excludes_zero(i) && !(frame_.scene.jumps && boxes_.in_two_parts(i));
+    }
+    /// |f| is not smaller in the box, where f surely has a sign.
+    [[nodiscard]] Real least_size(std::size_t i) const {
+        return std::max(-boxes_.neg_lo[i], -boxes_.hi[i]);
+    }
     /// +1 or -1 where f surely has that sign, else 0.
     [[nodiscard]] int sign(std::size_t i) const {
         return static_cast<int>(boxes_.neg_lo[i] < 0) - static_cast<int>(boxes_.hi[i] < 0);
@@ -148,7 +159,7 @@ void RangeList<Real>::evaluate(const KernelFunction<RangeBatchOf<Real>>& range) 
 template <class Real>
 void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
     constexpr int most_switches = 5;
-    if (kernel.switches == 0) return;
+    if (kernel.switches == 0 || frame_.scene.jumps) return;
     const auto is_open = [&](std::size_t i) {
         return boxes_.branches_of(i).outcomes() > 0 && !boxes_.excludes_zero(i);
     };

@@ -57,14 +57,15 @@ public:
 private:
     static constexpr std::size_t capacity = MarchMemory<Real>::capacity;
     /// How far around what is not cut any further signs are looked for: where the finest segments
-    /// are near what numbers tell apart, farther than those, too.
+    /// are near what numbers tell apart, farther than those, too, and where jumps are told from
+    /// poles.
     struct Margins {
         std::array<double, 3> sizes;
         std::size_t count;
     };
     [[nodiscard]] Margins margins_around(Real finest) const {
         const auto width = static_cast<double>(finest);
-        const double far = 16 * view_.depth_error();
+        const double far = std::max(16 * view_.depth_error(), frame_.scene.jumps ? 4 * width : 0.0);
         return {{0.0, width, far}, far > width ? 3U : 2U};
     }
     /// Newton's method wants slopes that differ by no more than this factor.
@@ -116,6 +117,10 @@ private:
     [[nodiscard]] std::optional<Crossing> crossing(const RangeList<Real>& ranges, std::size_t first,
                                                    const Rest<Real>& what, Real finest,
                                                    bool continuous) const;
+    /// How f goes where it changes its sign in a jump.
+    [[nodiscard]] std::optional<Trend> jump(const RangeList<Real>& ranges, std::size_t first) const;
+    /// Whether f surely is defined around it.
+    bool is_defined(const Rest<Real>& what, Real finest);
     /// Where a function crosses 0 whose zeros are zeros of f.
     std::optional<Crossing> witnessed(const Rest<Real>& what, Real finest, bool continuous);
     void push_around(RangeList<Real>& ranges, const Rest<Real>& rest, const Margins& margins) const;
@@ -456,7 +461,7 @@ void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecide
             const Kernel& kernel = *segments.front().kernel;
             if (kernel.switches > 0) {
                 find_cuts(count, settings.margin);
-                narrow_by_pieces(kernel, frustum, count, settings.finest);
+                if (!frame_.scene.jumps) narrow_by_pieces(kernel, frustum, count, settings.finest);
             }
             ask_ranges(segments);
             rests_.clear();

@@ -40,11 +40,30 @@ void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges, const Rest<Rea
 }
 
 template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::is_defined(const Rest<Real>& what, Real finest) {
+    if constexpr (std::is_same_v<Real, double>) {
+        const auto& domain = frame_.kernel.domain;
+        if (!domain) return false;
+        const Margins margins = margins_around(finest);
+        witness_ranges_.clear();
+        push_around(witness_ranges_, what, margins);
+        witness_ranges_.evaluate(domain);
+        for (std::size_t k = 0; k < margins.count; ++k) {
+            if (!witness_ranges_.continuous(3 * k)) return false;
+        }
+        return true;
+    } else {
+        return false;
+    }
+}
+
+template <class Real, class Cell>
 auto RayMarcher<Real, Cell>::witnessed(const Rest<Real>& what, Real finest, bool continuous)
     -> std::optional<Crossing> {
     if constexpr (std::is_same_v<Real, double>) {
         const Kernel& f = frame_.kernel;
-        if (!frame_.parts.empty() || !(continuous || f.defined_everywhere)) return std::nullopt;
+        if (!frame_.parts.empty() || f.witnesses.empty()) return std::nullopt;
+        if (!continuous && !f.defined_everywhere && !is_defined(what, finest)) return std::nullopt;
         for (const auto& witness : f.witnesses) {
             witness_ranges_.clear();
             push_around(witness_ranges_, what, margins_around(finest));
@@ -74,12 +93,32 @@ auto RayMarcher<Real, Cell>::crossing(const RangeList<Real>& ranges, std::size_t
         if (from < clip.enter_hi || to > clip.exit_lo) break;
         if (ranges.vanishes(box + 1) || ranges.vanishes(box + 2))
             return Crossing{Trend::Unknown, to - from};
-        if (!ranges.continuous(box) && !(k == 0 && continuous)) break;
+        if (!ranges.continuous(box) && !(k == 0 && continuous)) continue;
         // A sign holds for all of the bracket before, or behind, which has no root.
         if (before == 0) before = ranges.sign(box + 1);
         if (behind == 0) behind = ranges.sign(box + 2);
         if (before * behind < 0)
             return Crossing{before > 0 ? Trend::Falling : Trend::Rising, to - from};
+    }
+    return std::nullopt;
+}
+
+template <class Real, class Cell>
+std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
+                                                  std::size_t first) const {
+    if (!frame_.scene.jumps || ranges.continuous(first)) return std::nullopt;
+    // Each before the bracket, the next one behind it.
+    const std::array boxes{first + 1, first + 4, first + 7};
+    for (std::size_t k = 0; k + 1 < boxes.size(); ++k) {
+        const int before = ranges.sign(boxes[k]);
+        if (before * ranges.sign(boxes[k] + 1) >= 0) continue;
+        // Towards a pole f grows: half as far from it, it is twice as large.
+        constexpr Real much = static_cast<Real>(1.2);
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+            const Real near = ranges.least_size(boxes[k] + side);
+            if (!(near <= much * ranges.least_size(boxes[k + 1] + side))) return std::nullopt;
+        }
+        return before > 0 ? Trend::Falling : Trend::Rising;
     }
     return std::nullopt;
 }
@@ -108,6 +147,13 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
             if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
             found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
                                narrow ? Certificate::Certified : Certificate::Coarse, found->trend);
+            return std::nullopt;
+        }
+        const auto jumps = settings.certifies ? jump(ranges_, box) : std::nullopt;
+        if (jumps) {
+            const double middle =
+                0.5 * static_cast<double>(what.from) + 0.5 * static_cast<double>(what.to);
+            found_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
             return std::nullopt;
         }
         goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,

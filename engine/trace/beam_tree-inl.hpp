@@ -279,7 +279,7 @@ std::span<const CellRun> CellTree<Real>::judge(int pixels) {
         evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
     CellJudge<Real>(pixels).judge(*cells_);
     for (const CellRun& run : cells_->runs.all()) {
-        if (run.kernel->switches > 0) narrow_by_pieces(run, frustum, pixels);
+        if (run.kernel->switches > 0 && !frame_.scene.jumps) narrow_by_pieces(run, frustum, pixels);
         reject_by_ranges(run, pixels);
     }
     return cells_->runs.all();

@@ -3,6 +3,7 @@
 
 #include "engine/num/rounding.hpp"
 #include "engine/trace/beam_view.hpp"
+#include "engine/trace/jump_normals.hpp"
 #include "engine/trace/pixel_ray.hpp"
 #include "engine/trace/tracer.hpp"
 
@@ -123,10 +124,13 @@ public:
             hits.point_errors ? *hits.point_errors : errors_in(BeamView(frame, tile));
         tolerance_ = 4 * errors.bracket + 64 * errors.depth;
         tiny_ = 4 * errors.depth;
-        for (const TileHits::Point& point : hits.points)
-            seekers_.push_back(seeker(tile, point));
+        for (const TileHits::Point& point : hits.points) {
+            const bool jumps = hits.certificate[point.pixel] == Certificate::Jump;
+            (jumps ? jumps_ : seekers_).push_back(seeker(tile, point));
+        }
     }
     void run() {
+        take_jumps();
         polish();
         // Before the hit, where it is seen from, not farther than a pixel.
         for (int k = -8; k <= 0 && !seekers_.empty() && !frame_.stopped(); k += 2)
@@ -144,6 +148,8 @@ private:
         counters_.value += points.size();
         return values_.at(points);
     }
+    /// Those of the surfaces on which f jumps.
+    void take_jumps();
     /// Finds the roots through which f is known to go, and its gradients right before them.
     void polish();
     /// At a distance before the hit, in pixels.
@@ -168,6 +174,7 @@ private:
     PointValues values_;
     double tolerance_, tiny_;
     std::vector<Seeker> seekers_;  ///< those that have no gradient yet
+    std::vector<Seeker> jumps_;    ///< hits that are no roots
 };
 
 Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) const {
@@ -188,6 +195,22 @@ Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) co
             .hi = tolerance_,
             .next = -tiny_,
             .before = std::nullopt};
+}
+
+void GradientSearch::take_jumps() {
+    if (jumps_.empty()) return;
+    std::vector<JumpPlace> places;
+    for (const Seeker& seeker : jumps_)
+        places.push_back({seeker.start, seeker.direction, seeker.pixel_size, seeker.trend});
+    const auto values = [&](const std::vector<glm::dvec3>& points) {
+        std::vector<double> result;
+        for (const Sample& sample : ask(points))
+            result.push_back(sample.f);
+        return result;
+    };
+    const std::vector<glm::dvec3> normals = jump_normals(places, values);
+    for (std::size_t i = 0; i < jumps_.size(); ++i)
+        take(jumps_[i], normals[i]);
 }
 
 void GradientSearch::polish() {

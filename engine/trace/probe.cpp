@@ -167,7 +167,9 @@ std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) 
     const Sample sample = formula.at(facts.distance);
     facts.f = sample.f;
     const double length = glm::length(sample.gradient);
-    if (length > 0.0 && std::isfinite(length)) facts.normal = sample.gradient / length;
+    const bool along_normal = facts.certificate != Certificate::Jump;
+    if (along_normal && length > 0.0 && std::isfinite(length))
+        facts.normal = sample.gradient / length;
     return facts;
 }
 

@@ -40,6 +40,9 @@ struct Scene {
     std::vector<Solid> solids = {};          ///< of the surfaces; that of those beyond is Solid()
     Region region = {};
     Coloring coloring = {};  ///< over `colors`; with a range where one is needed
+    /// Whether places are drawn, too, where f changes its sign in a jump (engine/expr/switches.hpp).
+    /// By the tracer of beams.
+    bool jumps = false;
 };
 
 /// When the search along a ray stops [Knoll07, sec. 5.5].

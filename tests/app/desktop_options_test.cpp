@@ -54,6 +54,7 @@ TEST_F(SavedSession, GivesWayToTheCommandLine) {
     trace.d_stop = "9";
     trace.shadows = false;
     trace.antialias = true;
+    trace.jumps = true;
     const auto options = read_desktop_options(path_.string(), view, trace);
     ASSERT_TRUE(options);
     EXPECT_EQ(options->document.clip, Box::cube(5));
@@ -62,6 +63,7 @@ TEST_F(SavedSession, GivesWayToTheCommandLine) {
     EXPECT_EQ(options->document.stop.value, 9.0);
     EXPECT_FALSE(options->document.shadows);
     EXPECT_TRUE(options->document.antialias);
+    EXPECT_TRUE(options->document.jumps);
 }
 
 TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {

@@ -15,7 +15,7 @@ __all__ = ["BudgetTest", "DepthTest", "SignalTest", "UnwritableTest", "WrongInpu
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
               "frame_ms", "certified", "certified_coarse", "coarse_width", "undecided", "miss",
-              "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
+              "jumps", "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
               "evaluations"}
 
 
@@ -90,6 +90,16 @@ class RenderTest(ProgramTest):
         self.assertLessEqual(stats["certified"], hits)
         self.assertLessEqual(hits, stats["certified"] + stats["undecided"])
         self.assertEqual(self.files(), ["d.pfm", "s.json"])
+
+    def test_jumps_where_they_are_asked_for(self):
+        step = "if(x^2 + y^2 + z^2 < 1, -1, z + 3)"
+        self.assertEqual(self.stats(step, "--size", 32)["jumps"], 0)
+        drawn = self.stats(step, "--size", 32, "--jumps")
+        self.assertGreater(drawn["jumps"], 100)
+        self.assertEqual(drawn["certified"] + drawn["undecided"], 0)
+        done = run("render", step, "--jumps", "--tracer", "k-bisection", "--stats", "-")
+        self.assertEqual(done.code, 1)
+        self.assertIn("only the tracer beams finds jumps", done.err)
 
     def test_certificates_in_colours(self):
         """Green, amber, red and black pixels are as many as the statistics say."""

@@ -204,6 +204,7 @@ CertificateCounts middle_of(const Framebuffer& frame) {
             case Certificate::Coarse:
             case Certificate::Certified: ++counts.certified; break;
             case Certificate::Undecided: ++counts.undecided; break;
+            case Certificate::Jump: ++counts.jumps; break;
         }
     }
     return counts;
