@@ -51,8 +51,8 @@ struct Framebuffer {
     }
 };
 
-/// The certificates in colours: certified pixels green, teal where their bracket is coarse; undecided
-/// ones amber, or red where nothing is drawn; jumps violet; proved empty ones black.
+/// The certificates in colours: certified pixels green, teal where their bracket is coarse;
+/// undecided ones amber, or red where nothing is drawn; jumps violet; proved empty ones black.
 Framebuffer certificate_picture(const Framebuffer& frame);
 
 struct CertificateCounts {
