@@ -131,7 +131,8 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
                                                         : certified ? "certified"
                                                         : jump      ? "jump in sign, no root"
                                                                     : "undecided");
-    add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
+    if (facts.normal != glm::dvec3(0.0))
+        add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
     add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
 }

@@ -10,6 +10,7 @@
 
 #include "engine/num/scalar.hpp"
 #include "engine/trace/beam_cells-inl.hpp"
+#include "engine/trace/beam_cuts-inl.hpp"
 #include "engine/trace/beam_leaf-inl.hpp"
 #include "engine/trace/beam_rays-inl.hpp"
 #include "engine/trace/beam_rests-inl.hpp"

@@ -98,7 +98,7 @@ class RenderTest(ProgramTest):
         self.assertGreater(drawn["jumps"], 40)
         self.assertEqual(drawn["certified"] + drawn["undecided"], 0)
         done = run("render", step, "--jumps", "--tracer", "k-bisection", "--stats", "-")
-        self.assertEqual(done.code, 1)
+        self.assertEqual(done.code, 2)
         self.assertIn("only the tracer beams finds jumps", done.err)
 
     def test_certificates_in_colours(self):
