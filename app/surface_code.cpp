@@ -17,14 +17,14 @@ namespace {
 
 using Kernels = std::vector<Kernel>;
 
-// Of so many, most may be left out of what matters in a small cell: an interpreter of the rest may
-// be quicker than machine code of all.
+// Where there are so many, most may be left out in a small cell: an interpreter of the rest may be
+// quicker than machine code of all.
 constexpr std::size_t many_choices = 24;
 // Machine code of a node takes a sixteenth of the time that the interpreter takes for a step.
 constexpr double nodes_a_step = 16;
 // LLVM takes 1 ms for a node, 3 where it is thorough.
 constexpr std::size_t most_whole_nodes = 2'000;
-// Of the shapes of such parts; the rest is interpreted.
+// So many nodes of parts are compiled at most; the rest is interpreted.
 constexpr std::size_t most_part_nodes = 1'000;
 // Where code for the parts takes longer than this, in nodes, one picture is drawn sooner without:
 // 89 shapes of 971 nodes took 2 s for a frame of 0.2.
@@ -70,7 +70,7 @@ Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
     return kernel;
 }
 
-/// Of the surfaces that one picture or the first one was drawn of.
+/// Remembers the surfaces that code for one picture, or for a first one, was made for.
 ShapeMemory& shapes_seen() {
     static ShapeMemory instance;
     return instance;
@@ -92,8 +92,9 @@ std::expected<Kernel, jit::CompileError> whole_code(const Expr& surface,
 std::vector<bool> made_of_parts(std::span<const Expr> surfaces, const Box& region, CodeUse use) {
     std::vector<bool> result;
     for (const Expr& surface : surfaces) {
-        const bool soon = use == CodeUse::OnePicture && has_many_choices(surface);
-        result.push_back(soon || is_made_of_parts(surface, region));
+        // For one picture it is known already.
+        result.push_back(is_one(use) ? use == CodeUse::OnePicture && has_many_choices(surface)
+                                     : is_made_of_parts(surface, region));
     }
     return result;
 }

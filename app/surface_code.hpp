@@ -17,11 +17,11 @@
 
 namespace zeroset {
 
-/// What machine code is made for.
+/// The pictures that machine code is made for.
 enum class CodeUse : std::uint8_t {
     FirstPicture,  ///< that comes soon, and more
     OnePicture,    ///< soon, and no other: code that takes longer than it saves is not made
-    LongPicture,   ///< the same, where many choices take long even by machine code of their parts
+    LongPicture,   ///< as OnePicture, but of no parts: code of all is quicker and pays
     Pictures,      ///< many, as quick as can be
 };
 

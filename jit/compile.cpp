@@ -285,6 +285,7 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     const std::vector<Code> codes = codes_of(expr, pieces);
     Kernel kernel = interpret(expr);
     kernel.interpreted = false;
+    kernel.steps = 0;
     kernel.branches = has_branches(expr);
     kernel.shortener = nullptr;
     kernel.lane_multiple = static_cast<std::size_t>(vectors->in_float.lanes);

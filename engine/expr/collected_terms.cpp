@@ -7,18 +7,19 @@
 #include "engine/num/rounding.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
 namespace {
 
-/// Of shorter ones `tightened` knows better.
+/// Shorter formulas are left to `tightened`.
 constexpr std::size_t least_nodes = 500;
 constexpr std::size_t most_nodes = 20'000;
 constexpr std::size_t most_new_nodes = 8'000;
 /// Those that take the least time are measured.
 constexpr std::size_t most_measured = 6;
-/// What is estimated to take less than this share of the time surely does.
+/// A way pays if it is estimated to take less than this share of the time.
 constexpr double clearly = 0.7;
 
 /// The ways to write the whole formula as a polynomial in its variables.
@@ -44,16 +45,23 @@ std::vector<Expr> ways_to_write(const Expr& expr) {
 
 Expr with_collected_terms(const Expr& expr, const SampleRegion& region) {
     if (expr.nodes().size() < least_nodes || expr.nodes().size() > most_nodes) return expr;
-    std::vector<Expr> ways = ways_to_write(expr);
-    const double time = time_of_cell(expr);
-    std::erase_if(ways, [&](const Expr& way) { return time_of_cell(way) > clearly * time; });
+    const double most = clearly * time_of_cell(expr);
+    struct Way {
+        Expr form;
+        double time;
+    };
+    std::vector<Way> ways;
+    for (Expr& form : ways_to_write(expr)) {
+        const double time = time_of_cell(form);
+        if (time <= most) ways.push_back({std::move(form), time});
+    }
     if (ways.empty()) return expr;
-    std::ranges::sort(ways, {}, [](const Expr& way) { return time_of_cell(way); });
+    std::ranges::sort(ways, {}, &Way::time);
     ways.erase(ways.begin() + static_cast<std::ptrdiff_t>(std::min(ways.size(), most_measured)),
                ways.end());
-    const FormSample sample(ways.front(), region);
-    return *std::ranges::min_element(
-        ways, {}, [&](const Expr& way) { return time_of_cell(way) * sample.open(way); });
+    const FormSample sample(ways.front().form, region);
+    const auto measured = [&](const Way& way) { return way.time * sample.open(way.form); };
+    return std::ranges::min_element(ways, {}, measured)->form;
 }
 
 }  // namespace zeroset

@@ -310,7 +310,7 @@ struct Kernel {
     /// Of functions whose zeros are zeros of f (engine/expr/root_witnesses.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
     bool defined_everywhere = false;  ///< for all values of the variables, surely
-    /// Of a function that is continuous only where f is defined; none: not known.
+    /// Ranges of a function that is continuous only where f is defined; none: not known.
     KernelFunction<RangeBatchOf<double>> domain;
 
     void range(const RangeBatchOf<float>& batch) const { range_float(batch); }

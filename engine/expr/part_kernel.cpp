@@ -15,7 +15,7 @@ struct PartCode {
     const Part* part;
 };
 
-/// The same with what it points to.
+/// A PartCode that owns its shape and constants.
 struct OwnPartCode {
     explicit OwnPartCode(ShapedGraph shaped) : graph(std::move(shaped)) {}
     OwnPartCode(const OwnPartCode&) = delete;
@@ -49,7 +49,7 @@ void call_part(const void* code, const Batch* batch) {
     (part.shape->kernel.*function)(batch_of_part(part, *batch));
 }
 
-/// The same without waiting for code.
+/// As call_part, but never waits for code.
 template <auto function, class Batch>
 void call_part_meanwhile(const void* code, const Batch* batch) {
     const auto& part = *static_cast<const PartCode*>(code);

@@ -75,10 +75,9 @@ bool Polynomial::is_finite() const {
 }
 
 bool Polynomial::is_certain() const {
-    return std::ranges::all_of(terms_, [](const Term& term) {
-        const Interval<double>& a = term.coefficient;
-        return std::isfinite(a.neg_lo) && std::isfinite(a.hi) && !contains_zero(a);
-    });
+    return is_finite() && std::ranges::none_of(terms_, [](const Term& term) {
+               return contains_zero(term.coefficient);
+           });
 }
 
 std::vector<Coefficient> Polynomial::coefficients(int atom) const {

@@ -31,7 +31,7 @@ public:
     SkeletonReader(const Expr& expr, std::span<const Facts> facts)
         : expr_(expr), facts_(facts), place_(expr.nodes().size(), unplaced) {}
 
-    /// What a node is computed from; nothing where that has more nodes than `most_nodes`.
+    /// The nodes that a node is computed from; nothing where that has more nodes than `most_nodes`.
     std::optional<Skeleton> read(NodeId root, std::size_t most_nodes);
 
 private:
@@ -56,7 +56,7 @@ private:
     Skeleton part_;
 };
 
-/// Of the whole graph.
+/// Reads the whole graph.
 Skeleton skeleton_of(const Expr& expr);
 
 /// Whether places of skeletons of one shape hold different constants in some of them.

@@ -1,6 +1,5 @@
-// What is left on rays when their cells are as small as they get: roots where f crosses 0, or what
-// cannot be decided.
-// Included once for each instruction set, after Highway.
+// Rests: parts of rays that are left when their cells are as small as they get: roots where f
+// crosses 0, or what cannot be decided. Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BEAM_RESTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef ZEROSET_BEAM_RESTS_INL

@@ -3,14 +3,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace zeroset {
 namespace {
 
 constexpr std::size_t sides = 4;
-constexpr double reach_pixels =
-    8;  ///< before and behind; steeper surfaces are taken to face the eye
+/// Before and behind; steeper surfaces are taken to face the eye.
+constexpr double reach_pixels = 8;
 constexpr int halvings = 24;
 
 /// A parallel ray on which the change is looked for.

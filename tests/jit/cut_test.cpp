@@ -1,10 +1,9 @@
 #include "engine/expr/form_cells.hpp"
 #include "engine/expr/interpret.hpp"
-#include "engine/expr/interpret_code.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/num/rounding.hpp"
-#include "engine/num/sleef_lanes.hpp"
 #include "jit/compile.hpp"
+#include "tests/support/interpreter_codes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,12 +52,8 @@ struct CutBatch {
 std::vector<std::pair<std::string, Kernel>> kernels_of(std::string_view text) {
     const auto expr = parse(text);
     EXPECT_TRUE(expr) << text;
-    std::vector<std::pair<std::string, const InterpreterCode*>> codes{
-        {"16 bytes", &interpreter_code_16()}};
-    if (machine_has_avx2_fma()) codes.emplace_back("32 bytes", &interpreter_code_32());
-    if (machine_has_avx512()) codes.emplace_back("64 bytes", &interpreter_code_64());
     std::vector<std::pair<std::string, Kernel>> kernels;
-    for (const auto& [name, code] : codes) {
+    for (const auto& [name, code] : interpreter_codes()) {
         Kernel kernel = interpret(*expr);
         kernel.ray_form_float.call = code->ray_form_float;
         kernel.ray_form_double.call = code->ray_form_double;

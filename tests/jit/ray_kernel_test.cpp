@@ -1,9 +1,8 @@
 #include "engine/expr/interpret.hpp"
-#include "engine/expr/interpret_code.hpp"
 #include "engine/expr/parse.hpp"
 #include "engine/num/rounding.hpp"
-#include "engine/num/sleef_lanes.hpp"
 #include "jit/compile.hpp"
+#include "tests/support/interpreter_codes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,17 +79,13 @@ struct RayBatch {
 
 /// In registers of each width that this machine has.
 std::vector<std::pair<std::string, Kernel>> interpreters_of(const Expr& expr) {
-    std::vector<std::pair<std::string, const InterpreterCode*>> codes{
-        {"16 bytes", &interpreter_code_16()}};
-    if (machine_has_avx2_fma()) codes.emplace_back("32 bytes", &interpreter_code_32());
-    if (machine_has_avx512()) codes.emplace_back("64 bytes", &interpreter_code_64());
     std::vector<std::pair<std::string, Kernel>> kernels;
-    for (const auto& [name, code] : codes) {
+    for (const auto& [name, code] : interpreter_codes()) {
         Kernel kernel = interpret(expr);
         kernel.newton_float.call = code->newton_float;
         kernel.newton_double.call = code->newton_double;
         kernel.ray_value.call = code->ray_value;
-        kernels.emplace_back("interpreted in " + name, std::move(kernel));
+        kernels.emplace_back(name, std::move(kernel));
     }
     return kernels;
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/expr/interpret_code.hpp"
+#include "engine/num/sleef_lanes.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset::test {
+
+/// The interpreter in registers of each width that this machine has, with its name.
+inline std::vector<std::pair<std::string, const InterpreterCode*>> interpreter_codes() {
+    std::vector<std::pair<std::string, const InterpreterCode*>> codes{
+        {"interpreted in 16 bytes", &interpreter_code_16()}};
+    if (machine_has_avx2_fma())
+        codes.emplace_back("interpreted in 32 bytes", &interpreter_code_32());
+    if (machine_has_avx512()) codes.emplace_back("interpreted in 64 bytes", &interpreter_code_64());
+    return codes;
+}
+
+}  // namespace zeroset::test
