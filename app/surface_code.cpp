@@ -40,7 +40,7 @@ bool is_one(CodeUse use) { return use == CodeUse::OnePicture || use == CodeUse::
 std::size_t choices_in(const Expr& expr) {
     const auto is_choice = [](const Node& node) {
         return node.op == Op::Min || node.op == Op::Max || node.op == Op::If ||
-               node.op == Op::And || node.op == Op::Or;
+               node.op == Op::And || node.op == Op::Or || node.op == Op::SmoothMin;
     };
     return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
 }

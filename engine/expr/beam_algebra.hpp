@@ -4,6 +4,7 @@
 #include "engine/num/beam_angle.hpp"
 #include "engine/num/beam_log_sum.hpp"
 #include "engine/num/beam_polar.hpp"
+#include "engine/num/beam_smooth_min.hpp"
 #include "engine/num/fold.hpp"
 
 #include <optional>
@@ -33,6 +34,7 @@ public:
     using Value = BeamValue<Real>;
     using In = const Operand<Value>&;
     using Form = Beam<Real>;
+    using Mask = typename Value::Mask;
     using Box = Interval<Real>;
     using Slope = std::optional<SlopeBeam<Real>>;
 
@@ -214,6 +216,10 @@ public:
         result.slope = larger_one + form.share * (smaller_one + -larger_one);
         return result;
     }
+    Value smooth_min(In a, In b) {
+        const Form difference = a.value.f - b.value.f;
+        return blend(a, b, difference, blend_sides(difference.range()));
+    }
     Value oriented(In a, In b);
     Value sinh(In a) {
         const auto slope = [](const Box& x, const Box& /*g*/) { return zeroset::cosh(x); };
@@ -288,6 +294,19 @@ public:
         const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
         result.slope =
             select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
+        return result;
+    }
+    /// The smooth minimum; `difference`: a - b.
+    Value blend(In a, In b, const Form& difference, const BlendSides<Mask>& sides) {
+        Value result =
+            of(zeroset::smooth_min(a.value.f, b.value.f, difference, sides), std::nullopt, a, b);
+        if (!a.value.slope && !b.value.slope) return result;
+        kind_ = &a.value.f.r;
+        const SlopeBeam<Real> zero = no_slope();
+        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
+        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
+        const SlopeBeam<Real> blended = slope_b + blend_share(difference) * (slope_a + -slope_b);
+        result.slope = select(sides.first, slope_a, select(sides.second, slope_b, blended));
         return result;
     }
 

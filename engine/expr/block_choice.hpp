@@ -20,6 +20,10 @@ inline ChoiceBits choice_bits(unsigned first, unsigned second) {
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
 }
 
+inline ChoiceBits joined(const ChoiceBits& a, const ChoiceBits& b) {
+    return choice_bits(unsigned{a.first} | b.first, unsigned{a.second} | b.second);
+}
+
 /// Where one operand of min or max may stand for both, as in the band of values that matter: one
 /// above it leaves min to the other one, one below it max.
 template <class Lanes>
@@ -86,6 +90,18 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
     return kink;
 }
 
+/// The same value in both, where the other one is left out everywhere: copying is quicker than
+/// choosing lane by lane.
+template <class Lanes>
+bool copied(const ChoiceBits& bits, const Operand<BeamValue<Lanes>>& a,
+            const Operand<BeamValue<Lanes>>& b, BeamValue<Lanes>* place) {
+    constexpr unsigned all = (1U << Lanes::lanes) - 1U;
+    const bool first = (bits.first & all) == all;
+    if (!first && (bits.second & all) != all) return false;
+    new (place) BeamValue<Lanes>(first ? a.value : b.value);
+    return true;
+}
+
 /// Makes min or max of a and b in `place` and tells where it is one of them, or taken for it as
 /// `left_out` tells.
 template <class Lanes>
@@ -93,25 +109,35 @@ template <class Lanes>
                                          const Operand<BeamValue<Lanes>>& a,
                                          const Operand<BeamValue<Lanes>>& b,
                                          const ChoiceBits& left_out, BeamValue<Lanes>* place) {
-    using Value = BeamValue<Lanes>;
-    constexpr unsigned all = (1U << Lanes::lanes) - 1U;
-    ChoiceBits bits = left_out;
-    // Copying is quicker than choosing lane by lane.
-    const auto copied = [&] {
-        const bool first = (bits.first & all) == all;
-        if (!first && (bits.second & all) != all) return false;
-        new (place) Value(first ? a.value : b.value);
-        return true;
-    };
-    if (copied()) return bits;
+    if (copied(left_out, a, b, place)) return left_out;
     const Interval<Lanes> difference = (a.value.f - b.value.f).range();
-    const ChoiceBits more = choice_by_size(op, difference, a.value, b.value);
-    bits = choice_bits(bits.first | more.first, bits.second | more.second);
-    if (copied()) return bits;
+    const ChoiceBits bits = joined(left_out, choice_by_size(op, difference, a.value, b.value));
+    if (copied(bits, a, b, place)) return bits;
     const bool max = op == Op::Max;
     const auto kink =
         decided_kink(difference, max ? bits.first : bits.second, max ? bits.second : bits.first);
-    new (place) Value(algebra.larger(a, b, kink, max ? 1.0 : -1.0));
+    new (place) BeamValue<Lanes>(algebra.larger(a, b, kink, max ? 1.0 : -1.0));
+    return bits;
+}
+
+/// Makes the smooth minimum of a and b in `place` and tells where it is one of them, or taken for
+/// it as `left_out` tells.
+template <class Lanes>
+[[gnu::flatten]] ChoiceBits make_blend(BeamAlgebra<Lanes>& algebra,
+                                       const Operand<BeamValue<Lanes>>& a,
+                                       const Operand<BeamValue<Lanes>>& b,
+                                       const ChoiceBits& left_out, BeamValue<Lanes>* place) {
+    if (copied(left_out, a, b, place)) return left_out;
+    const Beam<Lanes> difference = a.value.f - b.value.f;
+    const auto [first, second] = blend_sides(difference.range());
+    const ChoiceBits by_size = choice_bits(first.bits & bits_of(b.value.everywhere),
+                                           second.bits & bits_of(a.value.everywhere));
+    const ChoiceBits bits = joined(left_out, by_size);
+    if (copied(bits, a, b, place)) return bits;
+    const unsigned only_second = bits.second & ~unsigned{bits.first};
+    new (place) BeamValue<Lanes>(
+        algebra.blend(a, b, difference,
+                      {BlockMask{bits.first}, BlockMask{static_cast<std::uint16_t>(only_second)}}));
     return bits;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/expr/log_sums.hpp"
 #include "engine/expr/plain_conditions.hpp"
 #include "engine/expr/polar_form.hpp"
+#include "engine/expr/smooth_minima.hpp"
 #include "engine/expr/tighten.hpp"
 
 #include <cstddef>
@@ -35,7 +36,8 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 }  // namespace
 
 Expr drawn_form(const Expr& expr, const SampleRegion& region) {
-    const Expr smooth = with_log_sums(plain_angles(with_folds(with_plain_conditions(expr))));
+    const Expr folded = with_folds(with_plain_conditions(expr));
+    const Expr smooth = with_smooth_minima(with_log_sums(plain_angles(folded)));
     const Expr short_form = with_collected_terms(smooth, region);
     const Expr plain = without_poles(without_small_differences(short_form), region);
     return polar_form(quicker(plain, tightened(plain, region), region));

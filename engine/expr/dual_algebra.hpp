@@ -4,6 +4,7 @@
 #include "engine/num/dual.hpp"
 #include "engine/num/fold.hpp"
 #include "engine/num/log_sum.hpp"
+#include "engine/num/smooth_min.hpp"
 
 namespace zeroset {
 
@@ -53,6 +54,7 @@ public:
     Value sinhc(In a) { return cardinal(Cardinal::Sinh, a.value); }
     Value atanc(In a) { return cardinal(Cardinal::Atan, a.value); }
     Value log_sum(In a, In b) { return zeroset::log_sum(a.value, b.value); }
+    Value smooth_min(In a, In b) { return zeroset::smooth_min(a.value, b.value); }
     Value oriented(In a, In b) { return zeroset::oriented(a.value, b.value.value); }
     Value sinh(In a) { return zeroset::sinh(a.value); }
     Value cosh(In a) { return zeroset::cosh(a.value); }

@@ -60,6 +60,7 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
         case Op::Oriented:
         case Op::Sinc:
         case Op::LogSum:
+        case Op::SmoothMin:
         case Op::Log:
         case Op::Log10:
         case Op::Log2: return false;

@@ -269,7 +269,8 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
     const auto choose = [&](BeamAlgebra<Lanes>& algebra, const Tape::Step& step, std::size_t i,
                             const auto& of, BeamValue<Lanes>* place) {
         const Op op = tape.node(step).op;
-        const bool extreme = op == Op::Min || op == Op::Max;
+        const bool blend = op == Op::SmoothMin;
+        const bool extreme = op == Op::Min || op == Op::Max || blend;
         const auto tell = [&](Tape::Index choice, const ChoiceBits& bits) {
             record->bits[i / Lanes::lanes * record->choices + choice] = bits;
         };
@@ -283,8 +284,12 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
             return false;
         }
         ChoiceBits left_out{};
-        if (record != nullptr) left_out = choice_by_band(op, of(0).value, of(1).value, step.band);
-        const ChoiceBits bits = make_extreme(algebra, op, of(0), of(1), left_out, place);
+        if (record != nullptr) {
+            const Band band{step.band.lo, step.band.hi + (blend ? 1 : 0)};
+            left_out = choice_by_band(op, of(0).value, of(1).value, band);
+        }
+        const ChoiceBits bits = blend ? make_blend(algebra, of(0), of(1), left_out, place)
+                                      : make_extreme(algebra, op, of(0), of(1), left_out, place);
         if (step.height > 0) narrow_to(step.height, *place);
         if (record == nullptr) return true;
         tell(step.choice, bits);

@@ -7,6 +7,7 @@
 #include "engine/num/log_sum.hpp"
 #include "engine/num/odd_root.hpp"
 #include "engine/num/periodic.hpp"
+#include "engine/num/smooth_min.hpp"
 #include "engine/num/steps.hpp"
 
 #include <optional>
@@ -111,6 +112,7 @@ public:
     Value sinhc(In a) { return total(cardinal(Cardinal::Sinh, range(a)), a); }
     Value atanc(In a) { return total(cardinal(Cardinal::Atan, range(a)), a); }
     Value log_sum(In a, In b) { return total(zeroset::log_sum(range(a), range(b)), a, b); }
+    Value smooth_min(In a, In b) { return total(zeroset::smooth_min(range(a), range(b)), a, b); }
     Value oriented(In a, In b) { return with_divisor(zeroset::oriented(a.value, range(b)), a, b); }
     Value sinh(In a) { return odd({odd_increasing(Elementary::Sinh, range(a))}, a); }
     Value cosh(In a) { return total(zeroset::cosh(range(a)), a); }

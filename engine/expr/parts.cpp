@@ -28,7 +28,8 @@ std::vector<NodeId> roots_of(const Expr& expr, std::span<const Facts> facts) {
     };
     for (NodeId id = 0; id < count; ++id) {
         if (facts[id].uniform) continue;
-        plain[id] = !is_choice(expr.node(id).op) && !is_switch(expr.node(id).op);
+        const Op op = expr.node(id).op;
+        plain[id] = !may_be_operand(op) && !is_switch(op);
         for_operands(id, [&](NodeId operand) { plain[id] = plain[id] && plain[operand]; });
     }
     std::vector<NodeId> roots;
@@ -81,6 +82,10 @@ const Real* joined(const PartShape& shape, std::span<const Real> own, const Real
 }  // namespace
 
 bool is_choice(Op op) { return op == Op::Min || op == Op::Max || op == Op::If || op == Op::Where; }
+
+bool may_be_operand(Op op) {
+    return is_choice(op) || op == Op::SmoothMin || op == Op::And || op == Op::Or;
+}
 
 bool is_alternative(Op choice, std::size_t k) {
     if (choice == Op::Where) return k == 0;

@@ -19,6 +19,9 @@ namespace zeroset {
 
 /// Whether the operator takes one of its operands and leaves others.
 bool is_choice(Op op);
+/// Whether it is one of its operands somewhere, and does not depend on the other there: choices,
+/// smooth minima and conditions.
+bool may_be_operand(Op op);
 /// Whether operand k of a choice is one of those that it may take.
 bool is_alternative(Op choice, std::size_t k);
 

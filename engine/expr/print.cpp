@@ -107,6 +107,7 @@ private:
                 if (node.op == Op::Oriented) return infix(node, pieces);
                 if (node.op == Op::Length) return length(node, pieces);
                 if (node.op == Op::LogSum) return log_sum(node, pieces);
+                if (node.op == Op::SmoothMin) return smooth_min(node, pieces);
                 if (node.op == Op::Fold) return fold(node, pieces);
                 if (node.op != Op::Angle) return cardinal(node, info, pieces);
                 break;
@@ -165,6 +166,11 @@ private:
 
     static int fold(const Node& node, std::vector<Piece>& pieces) {
         pieces = {{"abs(mod("}, {{}, node.a, Sum, true}, {" + 1, 2) - 1)"}};
+        return Atom;
+    }
+
+    static int smooth_min(const Node& node, std::vector<Piece>& pieces) {
+        pieces = {{"smin("}, {{}, node.a, Or, true}, {", "}, {{}, node.b, Or, true}, {", 1)"}};
         return Atom;
     }
 

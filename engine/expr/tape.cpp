@@ -18,9 +18,6 @@ using Step = Tape::Step;
 constexpr Index never = 0;           ///< no step needs it: the first step has no operands
 constexpr Index always = ~Index{0};  ///< needed to the end
 
-/// Where it may be one of its operands: conditions, too.
-bool may_be_operand(Op op) { return is_choice(op) || op == Op::And || op == Op::Or; }
-
 bool is_sum(Op op) { return op == Op::Add || op == Op::Subtract; }
 
 /// The step's operand that its value is, where the choice falls so; 0 is the first.
@@ -30,6 +27,13 @@ Index alternative(Op op, const Step& step, std::size_t which) {
 
 Band negative(const Band& band) { return {-band.hi, -band.lo}; }
 Band hull(const Band& a, const Band& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
+/// Of x, for that of c x with c > 0 in the interval.
+Band divided(const Band& band, const Interval<double>& c) {
+    const double least = -c.neg_lo;
+    const double most = c.hi;
+    const auto far = [](double end, double by) { return end / by + 0x1p-50 * std::abs(end / by); };
+    return {-far(-band.lo, band.lo < 0 ? least : most), far(band.hi, band.hi > 0 ? least : most)};
+}
 /// Of x, for that of x + c with c in the interval.
 Band moved_back(const Band& band, const Interval<double>& c) {
     const double lo = band.lo - c.hi;
@@ -230,6 +234,9 @@ Band Tape::band_of(const Step& step, std::size_t k) const {
     const Op op = node(step).op;
     if (is_choice(op)) return is_alternative(op, k) ? step.band : Band::everything();
     if (op == Op::Negate) return negative(step.band);
+    // One that is above hi + 1 has no part in a blend of at most hi.
+    if (op == Op::SmoothMin) return {step.band.lo, step.band.hi + 1};
+    if (op == Op::Multiply) return band_of_factor(step, k);
     if (!is_sum(op)) return Band::everything();
     const Band band = op == Op::Subtract && k == 1 ? negative(step.band) : step.band;
     const Step& operand = steps_[step.operands[k]];
@@ -243,6 +250,12 @@ Band Tape::band_of(const Step& step, std::size_t k) const {
     const Interval<double>& c = *facts(other).constant;
     const bool minus = op == Op::Subtract;
     return moved_back(band, minus ? -c : c);
+}
+
+Band Tape::band_of_factor(const Step& step, std::size_t k) const {
+    const auto& c = facts(steps_[step.operands[1 - k]]).constant;
+    if (!c || (c->neg_lo >= 0 && c->hi >= 0)) return Band::everything();
+    return c->neg_lo < 0 ? divided(step.band, *c) : negative(divided(step.band, -*c));
 }
 
 TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code)

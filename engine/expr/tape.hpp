@@ -18,10 +18,10 @@
 // choices (min, max, if, where) are known to fall the same way [Keeter20].
 //
 // Which operand of a min may go depends on what is made of the result. Where only the zeros of f
-// matter, one above 0 may. A smooth minimum is m - q with m = min(a, b) and q from 0 to d, 0 where
-// |a - b| >= k. Where it is at most U, m is at most U + d, and an operand above U + d + k has no
-// part in it: that may go, and q with it. So each value has a band in which it matters, wider from
-// one smooth minimum to the next inside it.
+// matter, one above 0 may. Another smooth minimum than SmoothMin is m - q with m = min(a, b) and q
+// from 0 to d, 0 where |a - b| >= k. Where it is at most U, m is at most U + d, and an operand
+// above U + d + k has no part in it: that may go, and q with it. So each value has a band in which
+// it matters, wider from one smooth minimum to the next inside it.
 
 namespace zeroset {
 
@@ -114,6 +114,7 @@ private:
     void mark_bands();
     /// Of operand k of the step.
     [[nodiscard]] Band band_of(const Step& step, std::size_t k) const;
+    [[nodiscard]] Band band_of_factor(const Step& step, std::size_t k) const;
 
     std::shared_ptr<const TapeGraph> graph_;
     std::vector<Step> steps_;

@@ -119,6 +119,13 @@ Reference log_sum(const MpfrNumber& a, const MpfrNumber& b) {
     return defined(computed(mpfr_max, a, b) + rest);
 }
 
+/// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0)
+MpfrNumber smooth_min(const MpfrNumber& a, const MpfrNumber& b) {
+    const MpfrNumber height = MpfrNumber(1.0) - computed(mpfr_abs, a - b);
+    const MpfrNumber lesser = computed(mpfr_min, a, b);
+    return height.sign() > 0 ? lesser - height * height / MpfrNumber(4.0) : lesser;
+}
+
 Reference integer_power(const MpfrNumber& a, int n) {
     MpfrNumber result;
     mpfr_pow_si(result.get(), a.get(), n, MPFR_RNDN);
@@ -194,6 +201,7 @@ Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, cons
         case Op::Atanc: return by_itself(mpfr_atan, a);
         case Op::Fold: return defined(fold(a));
         case Op::LogSum: return log_sum(a, b);
+        case Op::SmoothMin: return defined(smooth_min(a, b));
         case Op::Oriented:
             if (b.sign() == 0) return undefined();
             return defined(b.sign() < 0 ? -a : a);

@@ -63,7 +63,9 @@ INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
                          [](const auto& op) { return std::string(op_info(op.param).name); });
 
 /// Of operands that change differently: where they change alike, ln(e^x + e^y) does, too.
-TEST(LogSum, FormAndSlopeAreOfSecondOrder) {
+class BlendedOperands : public ::testing::TestWithParam<Op> {};
+
+TEST_P(BlendedOperands, FormAndSlopeAreOfSecondOrder) {
     const auto form = [](double d) {
         const UpwardRounding upward;
         BeamAlgebra<double> algebra;
@@ -71,14 +73,33 @@ TEST(LogSum, FormAndSlopeAreOfSecondOrder) {
         const Form x = variable(0.3, d);
         Form y = variable(0.6, -0.5 * d);
         y.slope->f.c = -0.5;
-        return apply(algebra, Node{.op = Op::LogSum}, {x, facts}, {y, facts}, {x, facts});
+        return apply(algebra, Node{.op = GetParam()}, {x, facts}, {y, facts}, {x, facts});
     };
     const Form coarse = form(0x1p-6);
     const Form fine = form(0x1p-8);
     EXPECT_GT(std::abs(*fine.f.f.k[2]), 0.0);
     EXPECT_GT(coarse.f.f.e, 1e-6);
     EXPECT_LT(fine.f.f.e, coarse.f.f.e / 14);
-    EXPECT_LT(fine.slope->f.e, coarse.slope->f.e / 14 + 1e-15);
+    EXPECT_LT(fine.slope->f.e, coarse.slope->f.e / 14 + 1e-14);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algebra, BlendedOperands, ::testing::Values(Op::LogSum, Op::SmoothMin),
+                         [](const auto& op) { return std::string(op_info(op.param).name); });
+
+/// It lies by no more than the width below the least operand, however many there are.
+TEST(SmoothMinimum, OfManyOperandsStaysNearTheLeast) {
+    const UpwardRounding upward;
+    BeamAlgebra<double> algebra;
+    const Facts facts{};
+    Form least = variable(0.0, 3.0);
+    for (int i = 0; i < 1000; ++i) {
+        const Form next = variable(0.01 * (i % 7), i % 2 == 0 ? 3.0 : -3.0);
+        least = apply(algebra, Node{.op = Op::SmoothMin}, {least, facts}, {next, facts},
+                      {least, facts});
+    }
+    EXPECT_LE(least.f.range().neg_lo, 4.0 + 1e-9);
+    EXPECT_GE(least.f.range().neg_lo, 3.0);
+    EXPECT_LE(least.f.range().hi, 3.1);
 }
 
 /// As they are used: for operands near 0.

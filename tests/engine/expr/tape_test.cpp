@@ -2,6 +2,7 @@
 
 #include "engine/expr/interpret.hpp"
 #include "engine/expr/parse.hpp"
+#include "engine/expr/smooth_minima.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_numbers.hpp"
 
@@ -104,13 +105,15 @@ std::string random_solid(RandomNumbers& random, int depth) {
     }
     const std::string a = random_solid(random, depth - 1);
     const std::string b = random_solid(random, depth - 1);
-    switch (random.below(7)) {
+    switch (random.below(9)) {
         case 0:
         case 1: return "min(" + a + ", " + b + ")";
         case 2: return "max(" + a + ", " + b + ")";
         case 3: return "max(" + a + ", -" + b + ")";
         case 4: return "if(x + y < " + number() + ", " + a + ", " + b + ")";
         case 5: return "min(" + a + ", sqrt(" + b + " + 0.3) - 0.4)";
+        case 6: return "smooth_union(" + a + ", " + b + ", 0.2)";
+        case 7: return "smooth_subtract(" + a + ", " + b + ", 0.3)";
         default: return "(min(" + a + ", " + b + ") - max(0.1 - |" + a + " - " + b + "|, 0)^2)";
     }
 }
@@ -188,6 +191,12 @@ struct Whole {
 struct InParts {
     static Kernel kernel(const std::string& text) { return interpret_with_parts(parsed(text)); }
 };
+/// With operators of their own for smooth unions and differences.
+struct Blended {
+    static Kernel kernel(const std::string& text) {
+        return interpret(with_smooth_minima(parsed(text)));
+    }
+};
 template <class Type, class Code>
 struct Way : Code {
     using Real = Type;
@@ -196,7 +205,7 @@ struct Way : Code {
 template <class Way>
 class ShortenedKernel : public testing::Test {};
 using Ways = testing::Types<Way<float, Whole>, Way<double, Whole>, Way<float, InParts>,
-                            Way<double, InParts>>;
+                            Way<double, InParts>, Way<float, Blended>, Way<double, Blended>>;
 TYPED_TEST_SUITE(ShortenedKernel, Ways);
 
 constexpr int formulas = 700;
@@ -244,14 +253,14 @@ TYPED_TEST(ShortenedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
 
 /// What the tape of a formula keeps of its choices in cells where u and v are about 0 and s is
 /// from -1 to 1.
-std::optional<std::size_t> choices_left(const std::string& text) {
+std::optional<std::size_t> choices_left(const Expr& expr) {
     RandomNumbers random(3);
     View<float> view(random);
     view.u.fill(0);
     view.v.fill(0);
     FormColumns<float> columns;
     const UpwardRounding upward;
-    const Kernel whole = interpret(parsed(text));
+    const Kernel whole = interpret(expr);
     ChoiceRecord record;
     whole.shortener->form(columns.batch(view), record);
     std::vector<std::size_t> all(cells);
@@ -262,6 +271,10 @@ std::optional<std::size_t> choices_left(const std::string& text) {
     if (kernel->shortener == nullptr) return 0;
     kernel->shortener->form(columns.batch(view), record);
     return record.choices;
+}
+
+std::optional<std::size_t> choices_left(const std::string& text) {
+    return choices_left(parsed(text));
 }
 
 TEST(Tape, LeavesOutWhatLosesEverywhere) {
@@ -307,6 +320,30 @@ TEST(Tape, LeavesOutWhatABlendDoesNotReach) {
     EXPECT_EQ(choices_left("max(z, x - 0.8) + 9max(0.3 - |z - (x - 0.8)|, 0)^2"), std::nullopt);
     // Not a blend: the width of its second part is that of other operands.
     EXPECT_EQ(choices_left("min(z, 0.9 + x) - max(0.5 - |z - (0.8 + x)|, 0)^2"), std::nullopt);
+}
+
+std::optional<std::size_t> blends_left(const std::string& text) {
+    return choices_left(with_smooth_minima(parsed(text)));
+}
+
+/// The operator of its own reaches as far as its width, and its ends are known exactly.
+TEST(Tape, LeavesOutWhatASmoothMinimumDoesNotReach) {
+    EXPECT_EQ(blends_left("smooth_union(z, 0.9 + x, 0.6)"), 0U);
+    EXPECT_EQ(blends_left("smooth_union(0.9 + x, z, 0.6)"), 0U);
+    EXPECT_EQ(blends_left("smooth_union(z, 0.9 + x, 0.8)"), std::nullopt);
+    EXPECT_EQ(blends_left("smooth_intersect(z, x - 0.9, 0.6)"), 0U);
+    EXPECT_EQ(blends_left("smooth_subtract(z, 0.9 + x, 0.6)"), 0U);
+    EXPECT_EQ(blends_left("smooth_union(z, 0.9 + x, 0.6) + y"), std::nullopt);
+    EXPECT_EQ(blends_left("smooth_union(z, 1.9 + x, 0.6) + y"), 0U);
+}
+
+/// However many there are before it: each may take something away, all of them less than the width.
+TEST(Tape, LeavesOutAllThatIsFarInAChainOfSmoothMinima) {
+    std::string far;
+    for (int i = 0; i < 100; ++i)
+        far += "2.3 + x^2 + (y - " + std::to_string(i) + ")^2, ";
+    EXPECT_EQ(blends_left("smooth_union(" + far + "z, 0.3)"), 0U);
+    EXPECT_EQ(blends_left("smooth_union(z, " + far + "0.3)"), 0U);
 }
 
 TEST(Tape, LeavesOutLessInsideABlend) {

@@ -200,6 +200,18 @@ MpfiEnclosure log_sum(In a, In b) {
                  a, b);
 }
 
+/// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0), which grows with each.
+MpfiEnclosure smooth_min(In a, In b) {
+    if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
+    const auto at = [](const Box& p, const Box& q) {
+        const Box height = maximum(Box(1.0) - computed(mpfi_abs, p - q), Box(0.0));
+        return minimum(p, q) - power(height, 2) / Box(4.0);
+    };
+    return total(hull(at(point_of(a.range.lo()), point_of(b.range.lo())),
+                      at(point_of(a.range.hi()), point_of(b.range.hi()))),
+                 a, b);
+}
+
 /// A condition from what it surely is: decided, it is continuous whatever its operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
@@ -290,6 +302,7 @@ MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
         case Op::Atanc: return cardinal(mpfi_atan, a);
         case Op::Fold: return fold(a);
         case Op::LogSum: return log_sum(a, b);
+        case Op::SmoothMin: return smooth_min(a, b);
         case Op::Oriented: return oriented(a, b);
         case Op::Sinh: return total(computed(mpfi_sinh, a.range), a);
         case Op::Cosh: return total(computed(mpfi_cosh, a.range), a);

@@ -112,6 +112,10 @@ MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDu
             const Box share_of_a = one_over(one + range_of(Op::Exp, y - x));
             return share_of_a * a.slope + (one - share_of_a) * b.slope;
         }
+        case Op::SmoothMin: {
+            const Box share_of_a = minimum(maximum((one - (x - y)) / Box(2.0), Box(0.0)), one);
+            return share_of_a * a.slope + (one - share_of_a) * b.slope;
+        }
         case Op::Oriented: return slope_of_choice(y.is_above(0), y.is_below(0), a.slope, -a.slope);
         case Op::Sinh: return range_of(Op::Cosh, x) * a.slope;
         case Op::Cosh: return range_of(Op::Sinh, x) * a.slope;

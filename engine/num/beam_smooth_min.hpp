@@ -1,0 +1,112 @@
+#pragma once
+
+#include "engine/num/beam_functions.hpp"
+#include "engine/num/smooth_min.hpp"
+
+// Beam forms of the blend min(a, b) - h^2/4, b + g(a - b), over any carrier, in upward rounding.
+
+namespace zeroset {
+
+/// Where the blend is one of its operands, or may be taken for it: nowhere both.
+template <class Mask>
+struct BlendSides {
+    Mask first, second;
+};
+
+template <class Real>
+auto blend_sides(const Interval<Real>& difference) {
+    const Real beyond = like(difference.hi, -1.0);
+    const auto second = difference.neg_lo <= beyond;
+    return BlendSides<std::remove_cvref_t<decltype(second)>>{difference.hi <= beyond, second};
+}
+
+/// -g(d) >= 0, rounded upward.
+template <class Real>
+Real blend_fall(const Real& d) {
+    const Real zero = like(d, 0.0);
+    const Real height = maximum(like(d, 1.0) - magnitude(d), zero);
+    return maximum(-d, zero) + like(d, 0.25) * height * height;
+}
+
+/// The share of a is (1 - d)/2 within [0, 1], for d = a - b.
+template <class Real>
+Real blend_share(const Real& d) {
+    const Real half = like(d, 0.5);
+    return maximum(minimum(half - half * d, like(d, 1.0)), like(d, 0.0));
+}
+
+/// g(d) = alpha d + rest.
+template <class Real>
+struct BlendLine {
+    Real alpha;           ///< from 0 to 1
+    Interval<Real> rest;  ///< over the range of d
+};
+
+/// For whatever alpha, g(d) - alpha d is at most -alpha (1 - alpha), and least at an end of the
+/// range. Where the whole range lies within [-1, 1], it is less by no more than a quarter of the
+/// square of the distance from the middle c, if alpha is g'(c).
+template <class Real>
+BlendLine<Real> blend_line(const Beam<Real>& difference, const Interval<Real>& range) {
+    const Real one = like(range.hi, 1.0);
+    const Real zero = like(range.hi, 0.0);
+    const Real quarter = like(range.hi, 0.25);
+    const Real lo = -range.neg_lo;
+    const Real fall_lo = blend_fall(lo);
+    const Real fall_hi = blend_fall(range.hi);
+    const auto inside = both(range.neg_lo <= one, range.hi <= one);
+    const Real secant = (fall_lo - fall_hi) / (range.hi + range.neg_lo);
+    const Real alpha = select(inside, blend_share(difference.f.c),
+                              maximum(minimum(secant, one), zero));  // 1 where NaN
+    const Real& d = difference.spread();
+    const Real most_below =
+        select(inside, fused(alpha, one - alpha, quarter * d * d),
+               larger_bound(fused(alpha, lo, fall_lo), fused(alpha, range.hi, fall_hi)));
+    return {alpha, {most_below, alpha * (alpha - one)}};
+}
+
+/// Of a - b.
+template <class Real, class Mask>
+Beam<Real> smooth_min(const Beam<Real>& a, const Beam<Real>& b, const Beam<Real>& difference,
+                      const BlendSides<Mask>& sides) {
+    const auto [alpha, rest] = blend_line(difference, difference.range());
+    const Affine<Real> shift = centred(rest);
+    Affine<Real> line = scaled(a.f, alpha) + scaled(b.f, like(alpha, 1.0) - alpha);
+    line.c = line.c + shift.c;
+    line.e = line.e + shift.e;
+    // In a chain of blends, the errors of lines add up; the ends of the ranges do not.
+    const Interval<Real> range = smooth_min(a.range(), b.range());
+    const Real deviation = zeroset::deviation(line);
+    const auto better = deviation + deviation <= range.neg_lo + range.hi;  // false where NaN
+    const Affine<Real> form = form_or_interval(better, line, range);
+    const Real size = larger_bound(a.size, b.size) + like(alpha, 1.0);
+    const Beam<Real> blend{form, fused(like(alpha, 4.0), size, larger_bound(a.r, b.r)), size};
+    return select(sides.first, a, select(sides.second, b, blend));
+}
+
+/// The share of a, g'(a - b).
+template <class Real>
+Beam<Real> blend_share(const Beam<Real>& difference) {
+    const Interval<Real> d = difference.range();
+    const Real half = like(d.hi, 0.5);
+    const Real zero = like(d.hi, 0.0);
+    const Real one = like(d.hi, 1.0);
+    const auto enclosed = [&](const Real& at_lo, const Real& at_hi) {
+        // (1 - d)/2 rounded upward, and d - 1 for what it is at least.
+        const Real least = minimum(maximum(half - half * at_lo, zero), one);
+        return Interval<Real>{-minimum(maximum(-(half * at_hi - half), zero), one), least};
+    };
+    const Interval<Real> slope = enclosed(-d.neg_lo, d.hi);
+    const auto inside = both(d.neg_lo <= one, d.hi <= one);
+    const Interval<Real> bend{half, select(inside, -half, zero)};
+    const FunctionBounds<Real> g{
+        .range = slope,
+        .slope = slope,
+        .curvature = bend,
+        .at_middle = slope,
+        .slope_at_middle = enclosed(difference.f.c, difference.f.c),
+        .rounding_ulp = 4.0,
+    };
+    return slope_of_curve(difference, g);
+}
+
+}  // namespace zeroset
