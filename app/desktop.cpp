@@ -216,7 +216,7 @@ void Desktop::show(const FormulaResult& result) {
                       (shown_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) shown_ = formula;
     colors_ = result.colors;
-    state_.parameters = result.reading.parameters;
+    state_.parameters = result.reading.program->parameters;
     state_.uses_w = shown_->uses_w();
     state_.note = note_of(shown_->code);
     session_.amend(

@@ -65,12 +65,10 @@ Formula interpreted(Formula formula) {
     return formula;
 }
 
-std::expected<Formula, InputError> prepared(std::string_view text, const Box& region, CodeUse use,
-                                            Interpreted first) {
-    const auto start = Clock::now();
-    auto program = read_formula(text);
-    if (!program) return std::unexpected(program.error());
-    Formula formula{.text = std::string(text), .program = std::move(*program), .region = region};
+std::expected<Formula, InputError> prepared(std::string_view text, Program program,
+                                            const Box& region, CodeUse use, Interpreted first,
+                                            Clock::time_point start) {
+    Formula formula{.text = std::string(text), .program = std::move(program), .region = region};
     for (const Expr& surface : formula.program.surfaces) {
         const Expr& drawn = formula.drawn.emplace_back(drawn_form(surface, sample_region(region)));
         const auto whole = unrestricted(drawn);
@@ -88,6 +86,14 @@ std::expected<Formula, InputError> prepared(std::string_view text, const Box& re
     }
     formula.compile_ms = ms_since(start);
     return formula;
+}
+
+std::expected<Formula, InputError> prepared(std::string_view text, const Box& region, CodeUse use,
+                                            Interpreted first) {
+    const auto start = Clock::now();
+    auto program = read_formula(text);
+    if (!program) return std::unexpected(program.error());
+    return prepared(text, std::move(*program), region, use, first, start);
 }
 
 }  // namespace
@@ -119,6 +125,12 @@ std::expected<Program, InputError> read_formula(std::string_view text) {
 
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
     return prepared(text, region, CodeUse::FirstPicture, Interpreted::UnlessCompiled);
+}
+
+std::expected<Formula, InputError> prepare_formula(std::string_view text, Program program,
+                                                   const Box& region) {
+    return prepared(text, std::move(program), region, CodeUse::FirstPicture,
+                    Interpreted::UnlessCompiled, Clock::now());
 }
 
 std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region) {

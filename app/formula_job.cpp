@@ -1,5 +1,6 @@
 #include "app/formula_job.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace zeroset {
@@ -13,7 +14,7 @@ public:
         FormulaResult result{std::move(sheet), std::move(reading), last_, choice};
         const std::string& text = result.reading.text;
         if (last_ == nullptr || last_->text != text || region_ != region) {
-            auto formula = prepare_formula(text, region);
+            auto formula = prepare_formula(text, *result.reading.program, region);
             if (!formula) {
                 result.formula = std::unexpected(formula.error());
                 return result;
@@ -48,6 +49,14 @@ private:
     std::shared_ptr<const ColorFormulas> colors_;  ///< for `last_`
     Box region_;
 };
+
+/// The first picture has so long all cores for itself, unless it is there sooner: a fifth of what
+/// LLVM takes for the formula.
+std::chrono::milliseconds head_start(const Formula& formula) {
+    constexpr std::size_t least = 30;
+    constexpr std::size_t most = 300;
+    return std::chrono::milliseconds(std::clamp(formula.nodes() / 5, least, most));
+}
 
 /// The result with machine code in place of the interpreter's.
 FormulaResult compiled(FormulaResult result) {
@@ -112,7 +121,7 @@ void FormulaJob::publish(FormulaResult result) {
         if (result.sheet == newest_ && result.choice == newest_choice_) {
             if (result.formula && (*result.formula)->code == CodeState::InterpretedFirst) {
                 interpreted_ = result;
-                compile_at_ = Clock::now() + head_start;
+                compile_at_ = Clock::now() + head_start(**result.formula);
             }
             finished_ = std::move(result);
         }

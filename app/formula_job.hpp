@@ -32,9 +32,6 @@ struct FormulaResult {
 /// that is new arrives twice: interpreted, and again when its machine code is ready.
 class FormulaJob {
 public:
-    /// The first picture has so long all cores for itself, unless it is there sooner.
-    static constexpr std::chrono::milliseconds head_start{30};
-
     /// `on_result` is called from the job's threads after each result.
     explicit FormulaJob(std::function<void()> on_result);
     ~FormulaJob();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <expected>
+#include <memory>
 #include <utility>
 
 namespace zeroset {
@@ -55,8 +56,7 @@ std::vector<std::string> texts_of(const Sheet& sheet) {
 
 /// The readings by row, and the row of each surface.
 void report_readings(const Sheet& sheet, ReadRows rows, SheetReading& result) {
-    result.parameters = std::move(rows.program.parameters);
-    for (Reading& reading : rows.program.readings) {
+    for (Reading& reading : std::exchange(rows.program.readings, {})) {
         const bool is_stand_in = !rows.has_surface && reading.kind == StatementKind::Surface;
         const std::size_t row = rows.joined.row_at(reading.offset);
         const int id = is_stand_in ? 0 : sheet[row].id;
@@ -66,6 +66,7 @@ void report_readings(const Sheet& sheet, ReadRows rows, SheetReading& result) {
         result.reports[id].readings.push_back(std::move(reading));
     }
     result.text = std::move(rows.joined.text);
+    result.program = std::make_shared<const Program>(std::move(rows.program));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,8 +38,8 @@ struct SheetReading {
     std::string text;               ///< what was read, for read_program; a surface at least
     std::vector<int> surface_rows;  ///< the row of each of its surfaces; 0: there is none, and
                                     ///< the text's one surface is not to be drawn
-    std::vector<std::string> parameters;
-    std::map<int, RowReport> reports;  ///< by row
+    std::shared_ptr<const Program> program;  ///< of the text; its readings are the reports'
+    std::map<int, RowReport> reports;        ///< by row
 };
 
 /// Reads sheets as they are edited. A row with an error does not keep the others from being read:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t first_argument =
     ProgramLimits::parameters;  // numbers of functions' arguments, as parameters
-constexpr std::size_t longest_readings = 4'000'000;  // of all definitions, bytes
+constexpr std::size_t longest_readings = 200'000;  // of all definitions, bytes
 
 /// What to type for a built-in value whose name means something else.
 std::string_view spelled_out(std::string_view name) {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace zeroset {
@@ -48,7 +49,7 @@ public:
             pending_.pop_back();
             if (text_.size() > longest_ || pending_.size() > most_pending()) return text_ + "...";
             if (piece.is_node) {
-                print(nodes_[piece.node], piece.least);
+                print(piece.node, piece.least);
             } else {
                 text_ += piece.text;
             }
@@ -69,9 +70,9 @@ private:
         bool is_node = false;
     };
 
-    void print(const Node& node, int least) {
+    void print(NodeId id, int least) {
         std::vector<Piece> pieces;
-        const int precedence = pieces_of(node, pieces);
+        const int precedence = pieces_of(id, pieces);
         if (precedence < least) {
             pieces.insert(pieces.begin(), Piece{"("});
             pieces.push_back({")"});
@@ -81,9 +82,13 @@ private:
     }
 
     /// The pieces of a node, and how tightly they bind.
-    int pieces_of(const Node& node, std::vector<Piece>& pieces) {
+    int pieces_of(NodeId id, std::vector<Piece>& pieces) {
+        const Node& node = nodes_[id];
         if (node.op == Op::Constant) {
-            pieces.push_back({constant(node)});
+            // Text of many operands names few numbers, again and again.
+            const auto [known, is_new] = constants_.try_emplace(id);
+            if (is_new) known->second = constant(node);
+            pieces.push_back({known->second});
             return pieces.back().text.starts_with('-') ? Sign : Atom;
         }
         if (node.op == Op::Variable) {
@@ -214,6 +219,7 @@ private:
     std::span<const std::string> parameters_;
     std::size_t longest_;
     std::vector<Piece> pending_;
+    std::unordered_map<NodeId, std::string> constants_;
     std::string text_;
 };
 
