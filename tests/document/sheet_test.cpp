@@ -33,7 +33,7 @@ protected:
 TEST_F(Sheets, ReportEachRow) {
     read({"a = 2", "f(u) = u^2", "", "f(x) + f(y) = a b", "# remark", "x = 1; y = 2"});
     EXPECT_EQ(reading_.surface_rows, (std::vector{4, 6, 6}));
-    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"b"}));
+    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"b"}));
     EXPECT_EQ(reading(1), "a = 2");
     EXPECT_EQ(reading(3), "");
     EXPECT_EQ(reading(5), "");
@@ -64,12 +64,12 @@ TEST_F(Sheets, LetTheLastGoodTextStandIn) {
     read({"a = 2 +", "x^2 + y^2 = a"});
     EXPECT_TRUE(error(1).unfinished);
     EXPECT_EQ(error(1).at, 7U);
-    EXPECT_TRUE(reading_.parameters.empty()) << "a is still a constant";
+    EXPECT_TRUE(reading_.program->parameters.empty()) << "a is still a constant";
     EXPECT_EQ(reading(1), "a = 2");
     EXPECT_EQ(reading_.surface_rows, std::vector{2});
     read({"a = 2 + b", "x^2 + y^2 = a"});
     EXPECT_FALSE(reading_.reports.at(1).error);
-    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"b"}));
+    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"b"}));
 }
 
 TEST_F(Sheets, LeaveOutALastGoodTextThatFitsNoMore) {
@@ -77,7 +77,7 @@ TEST_F(Sheets, LeaveOutALastGoodTextThatFitsNoMore) {
     read({"b = 2 +", "b = 3; x = a b"});
     EXPECT_TRUE(reading_.reports.at(1).error);
     EXPECT_EQ(reading_.surface_rows, std::vector{2});
-    EXPECT_TRUE(reading_.parameters.empty()) << "a = 2 stands in";
+    EXPECT_TRUE(reading_.program->parameters.empty()) << "a = 2 stands in";
     read({"b = 5 +", "x = * b"});
     EXPECT_TRUE(reading_.reports.at(1).error);
     EXPECT_EQ(error(2).at, 4U);
@@ -136,7 +136,7 @@ TEST_F(Sheets, TakeAListOfInstructionsInOneRow) {
     read({"a var-x\nb const 2\nc mul a b", "y = a"});
     EXPECT_EQ(reading(1), "x*2 = 0");
     EXPECT_EQ(reading_.surface_rows, (std::vector{1, 2}));
-    EXPECT_EQ(reading_.parameters, (std::vector<std::string>{"a"})) << "its names are its own";
+    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"a"})) << "its names are its own";
 }
 
 TEST_F(Sheets, DoNotGoOnInTheNextRow) {

@@ -74,7 +74,7 @@ inline void set_rows(UiState& state, const std::vector<std::string>& texts) {
     SheetReading reading = SheetReader().read(sheet);
     state.reports = std::move(reading.reports);
     state.surface_rows = reading.surface_rows;
-    state.parameters = reading.parameters;
+    state.parameters = reading.program->parameters;
     choose_colors(state.document, reading.surface_rows);
 }
 
