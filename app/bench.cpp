@@ -3,10 +3,10 @@
 #include "app/first_picture.hpp"
 #include "app/text.hpp"
 #include "app/timing.hpp"
-#include "engine/image/file.hpp"
-#include "engine/trace/floor.hpp"
-#include "engine/trace/parallel.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/base/parallel.hpp"
+#include "engine/export/file.hpp"
+#include "engine/render/floor.hpp"
+#include "engine/render/tracers.hpp"
 
 #include <nlohmann/json.hpp>
 

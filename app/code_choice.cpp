@@ -1,7 +1,7 @@
 #include "app/code_choice.hpp"
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/formula.hpp"
-#include "engine/trace/render_job.hpp"
+#include "engine/render/render_job.hpp"
 
 #include <atomic>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "app/color_formulas.hpp"
 
 #include "app/text.hpp"
-#include "engine/expr/derivatives.hpp"
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/differences/derivatives.hpp"
 #include "jit/compile.hpp"
 
 #include <cmath>

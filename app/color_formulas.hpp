@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/formula.hpp"
-#include "engine/expr/kernel.hpp"
-#include "engine/trace/coloring.hpp"
+#include "engine/kernel/kernel.hpp"
+#include "engine/scene/coloring.hpp"
 
 #include "document/look.hpp"
 

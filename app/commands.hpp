@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/options.hpp"
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include "app/desktop.hpp"
 #include "app/document_scene.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/extent.hpp"
+#include "engine/measure/extent.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/view_moves.hpp"
 #include "ui/window.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 
 #include "document/document.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
 #include "app/text.hpp"
-#include "engine/expr/drawn_form.hpp"
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/drawn_form.hpp"
 #include "jit/compile.hpp"
 
 #include <nlohmann/json.hpp>

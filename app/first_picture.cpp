@@ -4,7 +4,7 @@
 #include "app/document_scene.hpp"
 #include "app/formula_job.hpp"
 #include "app/timing.hpp"
-#include "engine/trace/render_job.hpp"
+#include "engine/render/render_job.hpp"
 #include "jit/compile.hpp"
 
 #include <algorithm>

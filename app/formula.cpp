@@ -3,10 +3,10 @@
 #include "app/sample_region.hpp"
 #include "app/text.hpp"
 #include "app/timing.hpp"
-#include "engine/expr/drawn_form.hpp"
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/root_witnesses.hpp"
-#include "engine/expr/unrestricted.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/root_witnesses.hpp"
+#include "engine/rewrite/unrestricted.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/surface_code.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,9 +1,9 @@
 #include "app/furnish.hpp"
 
-#include "engine/image/furniture_colors.hpp"
-#include "engine/image/label_font.hpp"
-#include "engine/trace/furnished.hpp"
-#include "engine/trace/furniture.hpp"
+#include "engine/annotate/furnished.hpp"
+#include "engine/annotate/furniture.hpp"
+#include "engine/annotate/furniture_colors.hpp"
+#include "engine/annotate/label_font.hpp"
 
 namespace zeroset {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 
 #include "document/document.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/gallery.hpp"
 
 #include "app/gallery_files.hpp"
-#include "engine/expr/nearest_word.hpp"
+#include "engine/language/vocabulary/nearest_word.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/formula.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 
 #include <expected>
 #include <optional>

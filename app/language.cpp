@@ -1,7 +1,7 @@
 #include "app/language.hpp"
 
 #include "app/commands.hpp"
-#include "engine/expr/functions.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 
 #include <iostream>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include "app/progress.hpp"
 #include "app/solid_options.hpp"
 #include "app/text.hpp"
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -6,7 +6,7 @@
 #include "app/solid_options.hpp"
 #include "app/text.hpp"
 #include "app/timing.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/render/tracers.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "app/formula.hpp"
 #include "app/look_options.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
 
 #include "document/document.hpp"
 

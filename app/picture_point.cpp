@@ -1,7 +1,7 @@
 #include "app/picture_point.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/trace/tolerance.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/scene/tolerance.hpp"
 
 #include "document/json_fields.hpp"
 #include <nlohmann/json.hpp>

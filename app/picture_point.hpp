@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/formula.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/probe.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/measure/probe.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/scene/scene.hpp"
 
 #include <cstddef>
 #include <optional>

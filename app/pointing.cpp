@@ -2,7 +2,7 @@
 
 #include "app/document_scene.hpp"
 #include "app/picture_point.hpp"
-#include "engine/trace/probe.hpp"
+#include "engine/measure/probe.hpp"
 #include "ui/picture_place.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/formula.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/scene/scene.hpp"
 #include "ui/ui_state.hpp"
 
 #include <glm/ext/vector_int2.hpp>

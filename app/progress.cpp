@@ -1,7 +1,7 @@
 #include "app/progress.hpp"
 
 #include "app/commands.hpp"
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 
 #include <pthread.h>
 #include <unistd.h>

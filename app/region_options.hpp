@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/options.hpp"
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
 
 namespace zeroset {
 

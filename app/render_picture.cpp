@@ -4,11 +4,11 @@
 #include "app/document_scene.hpp"
 #include "app/solid_options.hpp"
 #include "app/text.hpp"
-#include "engine/trace/color_range.hpp"
-#include "engine/trace/extent.hpp"
-#include "engine/trace/render.hpp"
-#include "engine/trace/shade.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/light/shade.hpp"
+#include "engine/measure/extent.hpp"
+#include "engine/render/color_range.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
 
 #include "document/framing.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/box_sample.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/rewrite/sample/box_sample.hpp"
+#include "engine/view/camera.hpp"
 
 #include <cstddef>
 

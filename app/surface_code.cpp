@@ -1,10 +1,10 @@
 #include "app/surface_code.hpp"
 
 #include "app/sample_region.hpp"
-#include "engine/expr/form_sample.hpp"
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/outer_choices.hpp"
-#include "engine/expr/shape_memory.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/interpret/shape_memory.hpp"
+#include "engine/rewrite/outer_choices.hpp"
+#include "engine/rewrite/sample/form_sample.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/expr/kernel.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/precision.hpp"
+#include "engine/kernel/kernel.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/view/camera.hpp"
 #include "jit/compile.hpp"
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include "app/thumbnail_cache.hpp"
 
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
+#include "engine/export/png.hpp"
 
 #include <array>
 #include <bit>

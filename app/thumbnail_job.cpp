@@ -3,7 +3,7 @@
 #include "app/formula.hpp"
 #include "app/gallery.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>

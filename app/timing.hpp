@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/render.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/render/render.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
 
 #include <chrono>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/palette.hpp"
+#include "engine/scene/palette.hpp"
 
 #include "document/document.hpp"
 

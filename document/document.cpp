@@ -1,6 +1,6 @@
 #include "document/document.hpp"
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
 
 #include "document/look.hpp"
 

@@ -1,6 +1,6 @@
 #include "document/document_json.hpp"
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include "document/json_fields.hpp"
 #include "document/look_json.hpp"

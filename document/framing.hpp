@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/extent.hpp"
+#include "engine/measure/extent.hpp"
 
 #include "document/document.hpp"
 

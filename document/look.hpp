@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/image/color_map.hpp"
-#include "engine/trace/coloring.hpp"
+#include "engine/scene/coloring.hpp"
 
 #include <glm/glm.hpp>
 

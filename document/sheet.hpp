@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,9 +1,9 @@
 #include "jit/compile.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/switches.hpp"
-#include "engine/num/rounding.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/algebra/switches.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/real/sleef.hpp"
 #include "jit/kernel_cache.hpp"
 #include "jit/orc.hpp"
 

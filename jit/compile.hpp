@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 
 #include <expected>
 #include <string>

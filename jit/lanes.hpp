@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/num/format.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/real/format.hpp"
+#include "engine/real/sleef.hpp"
 #include "jit/lower.hpp"
 
 #include <llvm/ADT/DenseMap.h>
@@ -10,7 +10,7 @@
 #include <array>
 #include <tuple>
 
-// The carrier that builds IR: the same operations as engine/num/scalar.hpp, each on a vector of
+// The carrier that builds IR: the same operations as engine/real/scalar.hpp, each on a vector of
 // floats or doubles. Private to jit/.
 //
 // Arithmetic is emitted as constrained intrinsics with dynamic rounding, so no pass may fold or
@@ -98,7 +98,7 @@ Lanes elementary(Elementary function, const Lanes& a, const Lanes& b);
 
 const Format& format_of(const Lanes& kind);
 
-/// See engine/expr/frustum.hpp: two more where products are rounded on their own.
+/// See engine/algebra/frustum.hpp: two more where products are rounded on their own.
 double ray_roundings(const Lanes& kind);
 
 }  // namespace zeroset::jit

@@ -1,8 +1,8 @@
 #include "jit/lower.hpp"
 
-#include "engine/expr/algebra.hpp"
-#include "engine/expr/frustum.hpp"
-#include "engine/expr/kernel.hpp"
+#include "engine/algebra/algebra.hpp"
+#include "engine/algebra/frustum.hpp"
+#include "engine/kernel/kernel.hpp"
 #include "jit/batch_function.hpp"
 #include "jit/contract.hpp"
 #include "jit/switch_lanes.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/num/format.hpp"
+#include "engine/real/format.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
-#include "engine/expr/switches.hpp"
+#include "engine/algebra/switches.hpp"
+#include "engine/kernel/kernel.hpp"
 #include "jit/batch_function.hpp"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "ui/axis_gizmo.hpp"
 
-#include "engine/image/furniture_colors.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/annotate/furniture_colors.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/fonts.hpp"
 #include "ui/label.hpp"
 #include "ui/side_panel.hpp"

@@ -1,6 +1,6 @@
 #include "ui/clip_handles.hpp"
 
-#include "engine/trace/pixel_ray.hpp"
+#include "engine/view/pixel_ray.hpp"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
+#include "engine/view/camera.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>

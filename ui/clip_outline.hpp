@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/clip_handles.hpp"
 
 #include <glm/ext/vector_double3.hpp>

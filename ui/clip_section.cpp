@@ -1,7 +1,7 @@
 #include "ui/clip_section.hpp"
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/icons.hpp"
 #include "ui/label.hpp"
 #include "ui/slider_row.hpp"

@@ -1,8 +1,8 @@
 #include "ui/furniture_layer.hpp"
 
-#include "engine/image/furniture_colors.hpp"
-#include "engine/trace/furnished.hpp"
-#include "engine/trace/furniture.hpp"
+#include "engine/annotate/furnished.hpp"
+#include "engine/annotate/furniture.hpp"
+#include "engine/annotate/furniture_colors.hpp"
 #include "ui/fonts.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_state.hpp"

@@ -1,6 +1,6 @@
 #include "ui/look_section.hpp"
 
-#include "engine/trace/coloring.hpp"
+#include "engine/scene/coloring.hpp"
 #include "ui/fonts.hpp"
 #include "ui/label.hpp"
 #include "ui/legend.hpp"

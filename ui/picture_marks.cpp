@@ -1,6 +1,6 @@
 #include "ui/picture_marks.hpp"
 
-#include "engine/trace/pixel_ray.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "ui/picture_place.hpp"
 #include "ui/picture_tag.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "engine/image/blend.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/shade.hpp"
+#include "engine/light/shade.hpp"
 #include "ui/gl.hpp"
 
 #include <GL/gl.h>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/coloring.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/probe.hpp"
+#include "engine/measure/probe.hpp"
+#include "engine/scene/coloring.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/clip_handles.hpp"
 #include "ui/dialogs.hpp"
 

@@ -1,7 +1,7 @@
 #include "ui/view_moves.hpp"
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/navigation.hpp"
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
 #include "ui/ui_state.hpp"
 #include "ui/viewport.hpp"
 

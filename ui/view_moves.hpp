@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/navigation.hpp"
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
 #include "ui/ui_state.hpp"
 
 #include <glm/ext/vector_double2.hpp>

@@ -1,8 +1,8 @@
 #include "ui/view_section.hpp"
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/extent.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/measure/extent.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/actions.hpp"
 #include "ui/label.hpp"
 #include "ui/slider_row.hpp"

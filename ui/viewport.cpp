@@ -1,7 +1,7 @@
 #include "ui/viewport.hpp"
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/navigation.hpp"
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
 #include "ui/clip_handle_layer.hpp"
 #include "ui/furniture_layer.hpp"
 #include "ui/picture_place.hpp"

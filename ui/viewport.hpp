@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/picture_tag.hpp"
 #include "ui/texture.hpp"
 #include "ui/ui_state.hpp"

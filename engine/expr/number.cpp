@@ -1,6 +1,6 @@
 #include "engine/expr/number.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <array>
 #include <charconv>

@@ -144,7 +144,7 @@ private:
     }
 
     /// Of a chain of lengths, the innermost first, whose operands stand the other way round
-    /// (engine/expr/polar_form.hpp).
+    /// (engine/rewrite/polar_form.hpp).
     int length(const Node& node, std::vector<Piece>& pieces) const {
         std::vector<NodeId> legs;
         const Node* inner = &node;

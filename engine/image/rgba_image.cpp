@@ -1,23 +1,11 @@
 #include "engine/image/rgba_image.hpp"
 
-#include "engine/image/png.hpp"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <memory>
 
 namespace zeroset {
 namespace {
-
-constexpr int largest_side = 4096;
 
 /// The mean of some pixels' colours.
 class Mean {
@@ -80,10 +68,6 @@ void spread_colors(RgbaImage& image) {
     }
 }
 
-struct FreePixels {
-    void operator()(stbi_uc* pixels) const { stbi_image_free(pixels); }
-};
-
 }  // namespace
 
 RgbaImage halved(const Framebuffer& frame) {
@@ -93,28 +77,6 @@ RgbaImage halved(const Framebuffer& frame) {
             image.pixels.push_back(pixel_of(frame, col, row));
     }
     spread_colors(image);
-    return image;
-}
-
-std::vector<std::byte> png_of(const RgbaImage& image) {
-    return encoded_png(image.pixels.data(), image.width, image.height, 4);
-}
-
-std::optional<RgbaImage> image_from_png(std::span<const std::byte> png) {
-    RgbaImage image;
-    int channels = 0;
-    const auto* const data = reinterpret_cast<const stbi_uc*>(png.data());
-    const int size = static_cast<int>(png.size());
-    if (stbi_info_from_memory(data, size, &image.width, &image.height, &channels) == 0 ||
-        std::max(image.width, image.height) > largest_side) {
-        return std::nullopt;
-    }
-    const std::unique_ptr<stbi_uc, FreePixels> pixels(
-        stbi_load_from_memory(data, size, &image.width, &image.height, &channels, 4));
-    if (pixels == nullptr) return std::nullopt;
-    image.pixels.resize(static_cast<std::size_t>(image.width) *
-                        static_cast<std::size_t>(image.height));
-    std::memcpy(image.pixels.data(), pixels.get(), image.pixels.size() * sizeof(std::uint32_t));
     return image;
 }
 

@@ -2,10 +2,7 @@
 
 #include "engine/image/framebuffer.hpp"
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 #include <vector>
 
 namespace zeroset {
@@ -23,11 +20,5 @@ struct RgbaImage {
 /// four, as opaque as they are many. Pixels without any next to drawn ones take those colours, so
 /// that a stretched picture has no fringe.
 RgbaImage halved(const Framebuffer& frame);
-
-/// As a PNG file; empty when the encoder fails.
-std::vector<std::byte> png_of(const RgbaImage& image);
-
-/// What a PNG file holds; nothing when it cannot be read or is larger than 4096 pixels a side.
-std::optional<RgbaImage> image_from_png(std::span<const std::byte> png);
 
 }  // namespace zeroset

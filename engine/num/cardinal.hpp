@@ -1,15 +1,15 @@
 #pragma once
 
 #include "engine/num/elementary.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/real/sleef.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 // sin(x)/x, sinh(x)/x and atan(x)/x, 1 at 0, over any carrier: what differences of sines, of
-// exponentials and of angles come to (engine/expr/differences.hpp). All are even and smooth; what
-// bounds their derivatives is tight near 0, where differences have them.
+// exponentials and of angles come to (engine/rewrite/differences/differences.hpp). All are even and
+// smooth; what bounds their derivatives is tight near 0, where differences have them.
 
 namespace zeroset {
 

@@ -2,8 +2,8 @@
 
 #include "engine/num/cardinal.hpp"
 #include "engine/num/polar.hpp"
-#include "engine/num/sleef.hpp"
 #include "engine/num/steps.hpp"
+#include "engine/real/sleef.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/num/enclosure.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/real/sleef.hpp"
 
 // Intervals of elementary functions over any carrier, in upward rounding. Library results are
 // taken in round-to-nearest and widened by their error bound. A partial function's range is the

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/num/scalar.hpp"
+#include "engine/real/scalar.hpp"
 
 #include <limits>
 
@@ -24,7 +24,7 @@
 //              comparison with NaN fails.
 //
 // Multiplication by choosing factors by sign follows [Lambov08]; where the structure of the
-// formula proves a factor not negative (engine/expr/facts.hpp) it needs 3 to 5 operations of 12.
+// formula proves a factor not negative (engine/algebra/facts.hpp) it needs 3 to 5 operations of 12.
 
 namespace zeroset {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/num/scalar.hpp"
+#include "engine/real/scalar.hpp"
 
 // Directions as complex numbers of size 1, over any carrier. Not rounded outward.
 

@@ -1,7 +1,7 @@
 #include "engine/trace/caps.hpp"
 
-#include "engine/num/rounding.hpp"
-#include "engine/num/scalar.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/real/scalar.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "engine/trace/frame_parts.hpp"
 
-#include "engine/expr/form_cells.hpp"
-#include "engine/num/scalar.hpp"
+#include "engine/kernel/form_cells.hpp"
+#include "engine/real/scalar.hpp"
 #include "engine/trace/beam_view.hpp"
 
 #include <algorithm>

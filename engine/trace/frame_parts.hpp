@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/least_of.hpp"
+#include "engine/kernel/least_of.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <span>

@@ -1,11 +1,11 @@
 // Gradients at hits: of the branch of f that vanishes there, and where that one is 0 or none, of
 // what is nearby.
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 #include "engine/trace/beam_view.hpp"
 #include "engine/trace/jump_normals.hpp"
-#include "engine/trace/pixel_ray.hpp"
 #include "engine/trace/tracer.hpp"
+#include "engine/view/pixel_ray.hpp"
 
 #include <algorithm>
 #include <array>

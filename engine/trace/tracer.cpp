@@ -1,8 +1,6 @@
 #include "engine/trace/tracer.hpp"
 
-#include "engine/expr/kernel.hpp"
-#include "engine/trace/beam_tracer.hpp"
-#include "engine/trace/k_bisection.hpp"
+#include "engine/kernel/kernel.hpp"
 
 #include <algorithm>
 
@@ -34,22 +32,6 @@ double place_error(const TraceFrame& frame) {
     if (frame.view.parallel())
         sizes += frame.view.pixel_at_look(frame.height) * (frame.width + frame.height);
     return 0x1p-46 * sizes;
-}
-
-std::span<const Tracer> tracers() {
-    static constexpr std::array table{
-        Tracer{"beams",
-               "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
-               trace_tile_beams, true, true},
-        Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
-               trace_tile_k_bisection},
-    };
-    return table;
-}
-
-const Tracer* find_tracer(std::string_view name) {
-    const auto found = std::ranges::find(tracers(), name, &Tracer::name);
-    return found == tracers().end() ? nullptr : &*found;
 }
 
 }  // namespace zeroset

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/scene.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/scene/scene.hpp"
 #include "engine/trace/time_limit.hpp"
 
 #include <array>
@@ -139,8 +139,8 @@ struct TileHits {
 /// stopped.
 void find_gradients(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters);
 
-/// A way to find the first root on each ray. A new tracer is a new row of `tracers()`: camera,
-/// kernels, shading and framebuffer are shared.
+/// A way to find the first root on each ray. A new tracer is a new row of `tracers()`
+/// (engine/render/tracers.hpp): camera, kernels, shading and framebuffer are shared.
 struct Tracer {
     std::string_view name;
     std::string_view about;  ///< one line
@@ -152,9 +152,5 @@ struct Tracer {
     bool shortens = false;
     bool takes_parts = false;  ///< knows of TraceFrame::parts
 };
-
-std::span<const Tracer> tracers();
-/// nullptr when there is no such tracer.
-const Tracer* find_tracer(std::string_view name);
 
 }  // namespace zeroset

@@ -1,6 +1,6 @@
 #include "app/formula.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <gtest/gtest.h>
 

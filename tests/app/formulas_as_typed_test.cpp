@@ -1,8 +1,8 @@
 #include "app/formula.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/view/camera.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>

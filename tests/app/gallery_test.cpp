@@ -1,6 +1,6 @@
 #include "app/gallery.hpp"
 
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "app/language.hpp"
 
 #include "app/formula.hpp"
-#include "engine/expr/functions.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 
 #include <gtest/gtest.h>
 

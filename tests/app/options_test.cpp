@@ -1,6 +1,6 @@
 #include "app/options.hpp"
 
-#include "engine/trace/tracer.hpp"
+#include "engine/render/tracers.hpp"
 
 #include <gtest/gtest.h>
 

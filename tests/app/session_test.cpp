@@ -4,7 +4,7 @@
 
 #include "app/document_files.hpp"
 #include "app/folders.hpp"
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 #include "tests/support/test_folder.hpp"
 
 #include "document/document_json.hpp"

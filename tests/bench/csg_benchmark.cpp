@@ -1,6 +1,6 @@
 #include "app/formula.hpp"
 #include "app/timing.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 #include "tests/support/csg_scenes.hpp"
 
 #include <chrono>

@@ -1,6 +1,6 @@
 #include "app/gallery.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 #include "jit/compile.hpp"
 #include "tests/bench/samples.hpp"
 

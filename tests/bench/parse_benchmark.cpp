@@ -1,4 +1,4 @@
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <benchmark/benchmark.h>
 

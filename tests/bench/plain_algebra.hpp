@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/operand.hpp"
+#include "engine/algebra/operand.hpp"
 #include "engine/num/interval.hpp"
 #include "jit/lanes.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/gallery.hpp"
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "tests/fuzz/language_target.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/expr/tighten.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/rewrite/polynomial/tighten.hpp"
 #include "jit/compile.hpp"
 #include "tests/support/kernel_batch.hpp"
 

@@ -2,7 +2,7 @@
 // dictionary. Each text is tried in a child process, so that a crash, too, is found, minimised and
 // written to a file.
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/fuzz/isolated.hpp"
 #include "tests/fuzz/language_target.hpp"
 #include "tests/fuzz/minimise.hpp"

@@ -1,7 +1,7 @@
 #include "jit/compile.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/jit/machine_code.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/random_numbers.hpp"

@@ -1,7 +1,7 @@
-#include "engine/expr/form_cells.hpp"
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/kernel/form_cells.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 #include "jit/compile.hpp"
 #include "tests/support/interpreter_codes.hpp"
 

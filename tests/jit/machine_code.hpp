@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/parse.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/sleef.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/random_expression.hpp"
 

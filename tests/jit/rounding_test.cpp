@@ -1,7 +1,7 @@
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "jit/compile.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/random_expression.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/kernel/kernel.hpp"
+#include "engine/view/camera.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "tests/oracle/form_inclusion.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 #include "engine/trace/beam_view.hpp"
 #include "tests/support/oracle/mpfi_evaluator.hpp"
 #include "tests/support/random_expression.hpp"

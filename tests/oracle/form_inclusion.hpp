@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 #include "tests/oracle/form_cells.hpp"
 #include "tests/oracle/kernel_inclusion.hpp"
 #include "tests/support/inclusion.hpp"

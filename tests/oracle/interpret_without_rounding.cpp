@@ -2,7 +2,7 @@
 // place of the engine's own choice of code; the checks of forms must find it wrong.
 
 #include "engine/num/beam.hpp"
-#include "engine/num/block.hpp"
+#include "engine/real/block.hpp"
 
 namespace zeroset {
 
@@ -17,7 +17,7 @@ Block<double> form_rounding(const Block<double>& /*kind*/) {
 
 }  // namespace zeroset
 
-#include "engine/expr/interpret-inl.hpp"
+#include "engine/interpret/interpret-inl.hpp"
 
 namespace zeroset {
 

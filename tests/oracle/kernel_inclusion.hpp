@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 #include "tests/oracle/shrink.hpp"
 #include "tests/support/inclusion.hpp"
 #include "tests/support/oracle/mpfi_interval.hpp"

@@ -1,7 +1,7 @@
 #include "tests/oracle/kernel_inclusion.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/by_pieces.hpp"
 #include "tests/support/compiled.hpp"
 #include "tests/support/parts.hpp"

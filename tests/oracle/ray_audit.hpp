@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Every tracer against the oracles, ray by ray, on the gallery and on random surfaces: the test of
 // the same name at any size. Exits with 1 if a tracer says something false.
 
-#include "engine/trace/tracer.hpp"
+#include "engine/render/tracers.hpp"
 #include "tests/oracle/ray_audit.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
 #include "tests/support/oracle/subdivision_oracle.hpp"

@@ -1,4 +1,4 @@
-#include "engine/trace/tracer.hpp"
+#include "engine/render/tracers.hpp"
 #include "tests/oracle/ray_audit.hpp"
 
 #include <gtest/gtest.h>

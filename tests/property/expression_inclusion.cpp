@@ -1,7 +1,7 @@
 #include "tests/property/expression_inclusion.hpp"
 
-#include "engine/expr/facts.hpp"
-#include "engine/expr/interpret.hpp"
+#include "engine/algebra/facts.hpp"
+#include "engine/interpret/interpret.hpp"
 #include "tests/support/random_expression.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "tests/property/operator_inclusion.hpp"
 
-#include "engine/expr/algebra.hpp"
-#include "engine/num/block.hpp"
+#include "engine/algebra/algebra.hpp"
+#include "engine/real/block.hpp"
 #include "tests/support/op_names.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/facts.hpp"
+#include "engine/algebra/facts.hpp"
 #include "engine/expr/op.hpp"
 #include "tests/support/inclusion.hpp"
 #include "tests/support/random_numbers.hpp"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Fails on an #include against the arrows between the rooms of the house.
+"""Fails on an #include against the arrows between the rooms of the house (rooms.txt).
 
-    engine <- jit        engine <- document <- ui        all of them <- app        tests -> all
+A room may include itself, the rooms that its row lists and, where a row lists one that has rooms
+inside, those. Arrows make no circle.
 
 LLVM is for jit/ alone, window libraries (ImGui, GLFW, OpenGL, EGL) for ui/ alone; tests may use
 both. Other rooms see of jit/ its public header only, and that one must not lead to LLVM.
@@ -13,14 +14,6 @@ import re
 import sys
 from pathlib import Path
 
-MAY_INCLUDE = {
-    "engine": {"engine"},
-    "jit": {"engine", "jit"},
-    "document": {"engine", "document"},
-    "ui": {"engine", "document", "ui"},
-    "app": {"engine", "document", "jit", "ui", "app"},
-    "tests": {"engine", "document", "jit", "ui", "app", "tests"},
-}
 PUBLIC_JIT_HEADER = "jit/compile.hpp"
 LIBRARIES = {
     # name: (headers, rooms that may include them)
@@ -32,6 +25,37 @@ LIBRARIES = {
 }
 SUFFIXES = {".c", ".cc", ".cpp", ".def", ".h", ".hpp", ".inc", ".inl", ".ipp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
+
+
+def rooms_of(root):
+    """Of each room in ROOT/rooms.txt, the rooms that it may include."""
+    lines = (root / "rooms.txt").read_text(encoding="utf-8").splitlines()
+    rows = [line.split("|") for line in lines if line.strip() and not line.startswith("#")]
+    return {row[0].strip(): row[1].split() for row in rows}
+
+
+def room_of(rooms, path):
+    """The innermost room that a path lies in, or None."""
+    folder = path.rpartition("/")[0]
+    while folder and folder not in rooms:
+        folder = folder.rpartition("/")[0]
+    return folder or None
+
+
+def is_inside(room, others):
+    return any(room == other or room.startswith(other + "/") for other in others)
+
+
+def circle(rooms):
+    """Rooms that lead to each other, as a text, or None."""
+
+    def search(room, path):
+        if room in path:
+            return " -> ".join([*path[path.index(room):], room])
+        inner = (search(other, [*path, room]) for other in rooms[room] if other in rooms)
+        return next((found for found in inner if found), None)
+
+    return next((found for room in rooms if (found := search(room, []))), None)
 
 
 def includes_of(path):
@@ -65,25 +89,29 @@ def leads_to_llvm(graph, header, seen=None):
     )
 
 
-def objection(graph, source, header):
+def objection(rooms, graph, source, header):
     """Why `source` may not include `header`, or None."""
-    room, target = source.split("/")[0], header.split("/")[0]
+    room, target = room_of(rooms, source), room_of(rooms, header)
+    if room is None:
+        return "this file lies in no room of rooms.txt"
+    part = room.split("/")[0]
     library = library_of(header)
-    if library and room not in LIBRARIES[library][1]:
+    if library and part not in LIBRARIES[library][1]:
         return f"{room}/ may not include {library} headers"
     if source == PUBLIC_JIT_HEADER and leads_to_llvm(graph, header):
         return "the public header of jit/ must not lead to LLVM"
-    if target in MAY_INCLUDE and target not in MAY_INCLUDE[room]:
+    if target and target != room and not is_inside(target, rooms[room]):
         return f"{room}/ may not include {target}/"
     if target == "jit" and room == "app" and header != PUBLIC_JIT_HEADER:
         return f"app/ may include of jit/ only {PUBLIC_JIT_HEADER}"
     return None
 
 
-def include_graph(root):
+def include_graph(root, rooms):
     """For each source file of the rooms, its includes with their line numbers."""
     files = [
-        path for room in MAY_INCLUDE for path in sorted((root / room).rglob("*"))
+        path for part in dict.fromkeys(room.split("/")[0] for room in rooms)
+        for path in sorted((root / part).rglob("*"))
         if path.suffix in SUFFIXES and path.is_file()
     ]
     return {
@@ -95,14 +123,16 @@ def include_graph(root):
 
 
 def violations(root):
-    graph = include_graph(root)
+    rooms = rooms_of(root)
+    graph = include_graph(root, rooms)
     if not graph:
         return [f"{root}: no source files here"]
-    return [
+    found = circle(rooms)
+    return ([f"rooms.txt: a circle: {found}"] if found else []) + [
         f"{source}:{number}: {reason}: {header}"
         for source, includes in graph.items()
         for number, header in includes
-        if (reason := objection(graph, source, header))
+        if (reason := objection(rooms, graph, source, header))
     ]
 
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 
 namespace zeroset::test {
 

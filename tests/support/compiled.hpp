@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
 #include "jit/compile.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/expr/op.hpp"
-#include "engine/num/format.hpp"
-#include "engine/num/sleef.hpp"
+#include "engine/real/format.hpp"
+#include "engine/real/sleef.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -43,7 +43,7 @@ inline Op op_of(Elementary function) {
 #define ZEROSET_SLEEF(id, arity, name, accuracy, float_ulp, float_overflow, double_ulp, \
                       double_overflow)                                                  \
     #id,
-#include "engine/num/sleef_functions.def"
+#include "engine/real/sleef_functions.def"
 #undef ZEROSET_SLEEF
     };
     return std::ranges::find(operators(), names[static_cast<std::size_t>(function)], &OpInfo::name)
@@ -59,7 +59,7 @@ const std::vector<Function<Real>>& functions() {
     {Elementary::id, op_of(Elementary::id), #name, ZEROSET_CLOSE_##arity(name)},
 #define ZEROSET_CLOSE_1(name) [](W a, W) { return std::name(a); }
 #define ZEROSET_CLOSE_2(name) [](W a, W b) { return std::name(a, b); }
-#include "engine/num/sleef_functions.def"
+#include "engine/real/sleef_functions.def"
 #undef ZEROSET_SLEEF
 #undef ZEROSET_CLOSE_1
 #undef ZEROSET_CLOSE_2

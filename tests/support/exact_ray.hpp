@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/num/interval.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <cfenv>

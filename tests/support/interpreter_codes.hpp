@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/interpret_code.hpp"
-#include "engine/num/sleef_lanes.hpp"
+#include "engine/interpret/interpret_code.hpp"
+#include "engine/real/sleef_lanes.hpp"
 
 #include <string>
 #include <utility>

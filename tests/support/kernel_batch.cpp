@@ -1,6 +1,6 @@
 #include "tests/support/kernel_batch.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <bit>
 #include <cmath>

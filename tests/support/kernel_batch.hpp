@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
+#include "engine/kernel/kernel.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "tests/support/parts.hpp"
 
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/expr/kernel.hpp"
-#include "engine/expr/parts.hpp"
+#include "engine/interpret/parts.hpp"
+#include "engine/kernel/kernel.hpp"
 
 namespace zeroset::test {
 

@@ -1,7 +1,7 @@
 #include "ui/clip_handle_layer.hpp"
 
-#include "engine/image/furniture_colors.hpp"
-#include "engine/trace/pixel_ray.hpp"
+#include "engine/annotate/furniture_colors.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/viewport.hpp"
 

@@ -1,7 +1,7 @@
 #include "ui/clip_handles.hpp"
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/pixel_ray.hpp"
+#include "engine/view/camera.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "ui/clip_outline.hpp"
 
 #include <gtest/gtest.h>

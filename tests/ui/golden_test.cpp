@@ -2,6 +2,7 @@
 // tests/ui/goldens, each the window's mean colours in squares. ZEROSET_WRITE_GOLDENS=1 writes them
 // anew; look at the window itself then, with `zeroset ui-shot`.
 
+#include "engine/export/png.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "tests/ui/panels.hpp"

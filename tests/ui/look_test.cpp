@@ -2,7 +2,7 @@
 
 #include "document/look.hpp"
 
-#include "engine/trace/pixel_ray.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/clipboard.hpp"
 #include "ui/legend.hpp"

@@ -3,7 +3,7 @@
 // The panels on a window that nobody sees, for each look they can have.
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 #include "ui/offscreen_window.hpp"
 #include "ui/screen.hpp"
 #include "ui/side_panel.hpp"

@@ -1,6 +1,7 @@
 // zeroset ui-shot: the same window, without a display, as a file.
 
 #include "app/commands.hpp"
+#include "engine/export/png.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "tests/support/test_folder.hpp"
 #include "ui/offscreen_window.hpp"

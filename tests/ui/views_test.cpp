@@ -1,7 +1,7 @@
 // Other views: by keys, by the gizmo of the axes, by a double click; and how the view gets there.
 
-#include "engine/trace/camera.hpp"
-#include "engine/trace/navigation.hpp"
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/axis_gizmo.hpp"
 #include "ui/status_panel.hpp"

@@ -1,7 +1,7 @@
-#include "engine/expr/beam_algebra.hpp"
+#include "engine/algebra/beam_algebra.hpp"
 
-#include "engine/expr/algebra.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/algebra/algebra.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/op_names.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "engine/expr/collected_terms.hpp"
+#include "engine/rewrite/polynomial/collected_terms.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "engine/expr/derivatives.hpp"
+#include "engine/rewrite/differences/derivatives.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 

@@ -1,8 +1,8 @@
-#include "engine/expr/differences.hpp"
+#include "engine/rewrite/differences/differences.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"

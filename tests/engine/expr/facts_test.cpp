@@ -1,6 +1,6 @@
-#include "engine/expr/facts.hpp"
+#include "engine/algebra/facts.hpp"
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "engine/expr/least_of.hpp"
+#include "engine/kernel/least_of.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_numbers.hpp"
 

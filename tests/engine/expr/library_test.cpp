@@ -1,8 +1,8 @@
 // The functions of library.def against plain arithmetic.
 
-#include "engine/expr/functions.hpp"
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/language/vocabulary/functions.hpp"
 #include "tests/support/library_references.hpp"
 #include "tests/support/random_numbers.hpp"
 

@@ -1,6 +1,6 @@
 // What a hostile text asks for is refused: at once, in one line, without a deep stack.
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "engine/expr/log_sums.hpp"
+#include "engine/rewrite/log_sums.hpp"
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>

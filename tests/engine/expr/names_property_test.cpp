@@ -1,11 +1,11 @@
 // Names of any length, made at random: once a text defines one it is never split, and the text says
 // the same as with a letter in its place.
 
-#include "engine/expr/foreign.hpp"
-#include "engine/expr/functions.hpp"
-#include "engine/expr/parse.hpp"
 #include "engine/expr/spelling.hpp"
-#include "engine/expr/words.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/language/vocabulary/foreign.hpp"
+#include "engine/language/vocabulary/functions.hpp"
+#include "engine/language/words/words.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>

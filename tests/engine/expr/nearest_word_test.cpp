@@ -1,4 +1,4 @@
-#include "engine/expr/nearest_word.hpp"
+#include "engine/language/vocabulary/nearest_word.hpp"
 
 #include <gtest/gtest.h>
 

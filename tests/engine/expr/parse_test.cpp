@@ -1,6 +1,6 @@
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
-#include "engine/expr/interpret.hpp"
+#include "engine/interpret/interpret.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/random_numbers.hpp"
 

@@ -1,7 +1,7 @@
-#include "engine/expr/parts.hpp"
+#include "engine/interpret/parts.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_expression.hpp"

@@ -1,7 +1,7 @@
-#include "engine/expr/plain_conditions.hpp"
+#include "engine/rewrite/plain_conditions.hpp"
 
-#include "engine/expr/parse.hpp"
-#include "engine/expr/switches.hpp"
+#include "engine/algebra/switches.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"

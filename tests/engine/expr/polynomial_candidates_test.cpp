@@ -1,7 +1,7 @@
-#include "engine/expr/polynomial_candidates.hpp"
+#include "engine/rewrite/polynomial/polynomial_candidates.hpp"
 
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "engine/expr/polynomial.hpp"
+#include "engine/rewrite/polynomial/polynomial.hpp"
 
-#include "engine/expr/parse.hpp"
-#include "engine/expr/polynomial_form.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/rewrite/polynomial/polynomial_form.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "engine/expr/expr.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
 

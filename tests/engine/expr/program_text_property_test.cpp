@@ -1,7 +1,7 @@
 // Formulas as programs write them, made at random, read as the same graph as in the language's own
 // signs: operators of logic, choices, remainders, remarks, lines.
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 //
 // Lines that start with # and empty lines between the cases mean nothing.
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "engine/expr/root_witnesses.hpp"
+#include "engine/rewrite/root_witnesses.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <gtest/gtest.h>
 

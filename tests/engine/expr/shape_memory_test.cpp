@@ -1,7 +1,7 @@
-#include "engine/expr/shape_memory.hpp"
+#include "engine/interpret/shape_memory.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/kernel_batch.hpp"
 
 #include <gtest/gtest.h>

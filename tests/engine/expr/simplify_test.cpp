@@ -1,7 +1,7 @@
 #include "engine/expr/simplify.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // A formula typed in many ways reads as the same graph: random spacing, products without a sign,
 // Unicode, LaTeX.
 
-#include "engine/expr/parse.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>

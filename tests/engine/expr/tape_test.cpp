@@ -1,8 +1,8 @@
-#include "engine/expr/tape.hpp"
+#include "engine/interpret/tape.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/expr/smooth_minima.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/rewrite/smooth_minima.hpp"
 #include "tests/support/parts.hpp"
 #include "tests/support/random_numbers.hpp"
 

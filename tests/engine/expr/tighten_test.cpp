@@ -1,9 +1,9 @@
-#include "engine/expr/tighten.hpp"
+#include "engine/rewrite/polynomial/tighten.hpp"
 
-#include "engine/expr/interpret.hpp"
 #include "engine/expr/number.hpp"
-#include "engine/expr/parse.hpp"
 #include "engine/expr/simplify.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/support/inclusion.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"

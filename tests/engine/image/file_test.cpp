@@ -1,4 +1,4 @@
-#include "engine/image/file.hpp"
+#include "engine/export/file.hpp"
 
 #include "tests/support/test_folder.hpp"
 

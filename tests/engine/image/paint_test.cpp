@@ -1,4 +1,4 @@
-#include "engine/image/paint.hpp"
+#include "engine/annotate/paint.hpp"
 
 #include <gtest/gtest.h>
 

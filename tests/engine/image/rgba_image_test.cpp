@@ -1,5 +1,7 @@
 #include "engine/image/rgba_image.hpp"
 
+#include "engine/export/png.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "engine/num/elementary.hpp"
 #include "engine/num/enclosure.hpp"
 #include "engine/num/periodic.hpp"
-#include "engine/num/rounding.hpp"
 #include "engine/num/steps.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "engine/num/block.hpp"
+#include "engine/real/block.hpp"
 
-#include "engine/expr/algebra.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/algebra/algebra.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/op_names.hpp"
 #include "tests/support/real_types.hpp"
 

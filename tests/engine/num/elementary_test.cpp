@@ -1,6 +1,6 @@
 #include "engine/num/elementary.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/elementary_functions.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_numbers.hpp"

@@ -2,8 +2,8 @@
 
 #include "engine/num/odd_root.hpp"
 #include "engine/num/periodic.hpp"
-#include "engine/num/rounding.hpp"
 #include "engine/num/steps.hpp"
+#include "engine/real/rounding.hpp"
 
 #include <gtest/gtest.h>
 

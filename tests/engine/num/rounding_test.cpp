@@ -1,6 +1,6 @@
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 
-#include "engine/num/scalar.hpp"
+#include "engine/real/scalar.hpp"
 #include "tests/support/host_control.hpp"
 
 #include <gtest/gtest.h>

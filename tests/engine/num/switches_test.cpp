@@ -1,9 +1,9 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/block.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "engine/num/elementary.hpp"
 #include "engine/num/periodic.hpp"
-#include "engine/num/rounding.hpp"
+#include "engine/real/block.hpp"
+#include "engine/real/rounding.hpp"
 #include "tests/support/real_types.hpp"
 
 #include <gtest/gtest.h>
@@ -94,7 +94,7 @@ TYPED_TEST(Switches, OfEveryFunctionLeaveUpward) {
         EXPECT_TRUE(rounds_upward());                                                   \
         expect_third();                                                                 \
     }
-#include "engine/num/sleef_functions.def"
+#include "engine/real/sleef_functions.def"
 #undef ZEROSET_SLEEF
 #undef ZEROSET_CALL_1
 #undef ZEROSET_CALL_2

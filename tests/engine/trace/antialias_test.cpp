@@ -1,4 +1,4 @@
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/render/render.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "engine/trace/caps.hpp"
 
-#include "engine/expr/unrestricted.hpp"
 #include "engine/num/interval.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
+#include "engine/rewrite/unrestricted.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>

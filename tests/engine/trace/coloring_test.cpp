@@ -1,10 +1,10 @@
-#include "engine/trace/coloring.hpp"
+#include "engine/scene/coloring.hpp"
 
-#include "engine/expr/derivatives.hpp"
-#include "engine/expr/interpret.hpp"
-#include "engine/trace/color_range.hpp"
-#include "engine/trace/pixel_ray.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/render/color_range.hpp"
+#include "engine/render/render.hpp"
+#include "engine/rewrite/differences/derivatives.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/trace/precision.hpp"
-#include "engine/trace/render.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
+#include "engine/scene/precision.hpp"
 #include "tests/support/exact_ray.hpp"
 #include "tests/support/mpfr_number.hpp"
 

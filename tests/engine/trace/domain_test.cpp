@@ -1,5 +1,5 @@
-#include "engine/expr/drawn_form.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
+#include "engine/rewrite/drawn_form.hpp"
 #include "tests/engine/trace/domain_scenes.hpp"
 #include "tests/engine/trace/rays.hpp"
 

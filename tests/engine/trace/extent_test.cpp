@@ -1,4 +1,4 @@
-#include "engine/trace/extent.hpp"
+#include "engine/measure/extent.hpp"
 
 #include "tests/engine/trace/rays.hpp"
 

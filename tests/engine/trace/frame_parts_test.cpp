@@ -1,7 +1,7 @@
 #include "engine/trace/frame_parts.hpp"
 
-#include "engine/num/rounding.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/render/render.hpp"
 #include "tests/engine/trace/rays.hpp"
 #include "tests/support/csg_scenes.hpp"
 

@@ -1,8 +1,8 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/render/render.hpp"
 #include "engine/trace/jump_normals.hpp"
-#include "engine/trace/pixel_ray.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/view/pixel_ray.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "engine/trace/navigation.hpp"
+#include "engine/view/navigation.hpp"
 
 #include <gtest/gtest.h>
 

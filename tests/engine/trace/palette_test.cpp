@@ -1,4 +1,4 @@
-#include "engine/trace/palette.hpp"
+#include "engine/scene/palette.hpp"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>

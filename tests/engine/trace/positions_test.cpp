@@ -1,5 +1,5 @@
-#include "engine/num/rounding.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/render/tracers.hpp"
 #include "tests/support/exact_ray.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_numbers.hpp"

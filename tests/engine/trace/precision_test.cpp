@@ -1,6 +1,6 @@
-#include "engine/trace/precision.hpp"
+#include "engine/scene/precision.hpp"
 
-#include "engine/trace/camera.hpp"
+#include "engine/view/camera.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "engine/trace/probe.hpp"
+#include "engine/measure/probe.hpp"
 
-#include "engine/trace/render.hpp"
-#include "engine/trace/tolerance.hpp"
+#include "engine/render/render.hpp"
+#include "engine/scene/tolerance.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "engine/trace/scene.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/render/tracers.hpp"
+#include "engine/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "engine/image/paint.hpp"
-#include "engine/trace/floor.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/annotate/paint.hpp"
+#include "engine/render/floor.hpp"
+#include "engine/render/render.hpp"
 #include "tests/engine/trace/rays.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
 
-#include "engine/num/rounding.hpp"
+#include "engine/real/rounding.hpp"
 #include "engine/trace/beam_view.hpp"
 #include "tests/engine/trace/rays.hpp"
 #include "tests/support/random_numbers.hpp"

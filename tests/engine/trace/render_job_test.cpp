@@ -1,7 +1,7 @@
-#include "engine/trace/render_job.hpp"
+#include "engine/render/render_job.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 #include "tests/engine/trace/hooked_kernel.hpp"
 
 #include <gtest/gtest.h>

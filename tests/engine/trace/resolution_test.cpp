@@ -1,4 +1,4 @@
-#include "engine/trace/resolution.hpp"
+#include "engine/render/resolution.hpp"
 
 #include <gtest/gtest.h>
 

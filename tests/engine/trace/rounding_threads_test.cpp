@@ -1,8 +1,8 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/num/rounding.hpp"
-#include "engine/trace/parallel.hpp"
-#include "engine/trace/render.hpp"
+#include "engine/base/parallel.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/render/render.hpp"
 #include "tests/support/host_control.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 
 #define parallel_for parallel_for_jthread
 #define core_count core_count_jthread
-#include "engine/trace/parallel_jthread.cpp"
+#include "engine/base/parallel_jthread.cpp"
 #undef parallel_for
 #undef core_count
 

@@ -1,7 +1,7 @@
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
-#include "engine/trace/render.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
 
 #include <gtest/gtest.h>
 

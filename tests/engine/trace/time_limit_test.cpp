@@ -1,4 +1,4 @@
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
 #include "engine/trace/turns.hpp"
 #include "tests/engine/trace/hooked_kernel.hpp"
 #include "tests/engine/trace/rays.hpp"

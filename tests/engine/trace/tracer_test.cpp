@@ -1,6 +1,5 @@
-#include "engine/trace/tracer.hpp"
-
-#include "engine/trace/render.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
 #include "tests/engine/trace/closed_forms.hpp"
 #include "tests/engine/trace/rays.hpp"
 

@@ -1,7 +1,7 @@
 #include "tests/support/oracle/random_surface.hpp"
 
-#include "engine/expr/interpret.hpp"
-#include "engine/expr/parse.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/language/parse.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/region.hpp"
+#include "engine/scene/region.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,0 +1,321 @@
+#include "engine/annotate/furniture.hpp"
+
+#include "engine/view/image_plane.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Ticks are at least about so far apart, and labels this far from their axis, in em.
+constexpr double tick_distance_em = 4.5;
+constexpr double label_offset_em = 1.1;
+constexpr double tick_length_em = 0.3;
+constexpr double name_offset_em = 1.0;
+constexpr double label_height_em = 1.0;
+constexpr double label_gap_em = 0.35;
+/// Squares of the grid along the box's longest edge, at most.
+constexpr double most_squares = 16.0;
+
+const char* const minus_sign = "\xE2\x88\x92";
+
+struct Segment {
+    glm::dvec3 from, to;
+
+    [[nodiscard]] glm::dvec3 at(double t) const { return from + t * (to - from); }
+};
+
+/// The part [from, to] of the parameters 0 to 1.
+struct Part {
+    double from = 0.0, to = 1.0;
+
+    /// Leaves where the linear function with these values at 0 and 1 is not below 0.
+    void clip(double at_0, double at_1) {
+        if (at_0 < 0 && at_1 < 0) to = -1.0;
+        const double root = at_0 / (at_0 - at_1);
+        if (at_0 < 0 && at_1 >= 0) from = std::max(from, root);
+        if (at_0 >= 0 && at_1 < 0) to = std::min(to, root);
+    }
+    [[nodiscard]] bool empty() const { return !(from < to); }
+};
+
+struct Rectangle {
+    glm::dvec2 lo, hi;
+
+    [[nodiscard]] bool meets(const Rectangle& other) const {
+        return lo.x < other.hi.x && other.lo.x < hi.x && lo.y < other.hi.y && other.lo.y < hi.y;
+    }
+};
+
+class Furnisher {
+public:
+    Furnisher(const FurnitureView& view, const Framebuffer& shown)
+        : view_(view), plane_(view.camera, view.width, view.height), shown_(shown) {}
+
+    void add_grid();
+    void add_clip_box();
+    void add_axes();
+    Furniture take() { return std::move(made_); }
+
+private:
+    [[nodiscard]] Part visible_part(const Segment& segment) const;
+    [[nodiscard]] bool is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const;
+    void add_line(const Segment& segment, FurnitureKind kind);
+    void add_axis(int axis);
+    void add_ticks(int axis, const Segment& segment, const Part& part);
+    void add_tick(int axis, const Segment& segment, double value, double step);
+    void add_name(int axis, const Segment& segment, const Part& part);
+    void add_label(FurnitureLabel label);
+    [[nodiscard]] Segment axis_segment(int axis) const;
+    [[nodiscard]] glm::dvec2 direction_at(const Segment& segment, const glm::dvec3& point) const;
+
+    const FurnitureView& view_;
+    ImagePlane plane_;
+    const Framebuffer& shown_;
+    Furniture made_;
+    std::vector<Rectangle> taken_;  ///< by labels
+};
+
+FurnitureKind kind_of_axis(int axis) { return static_cast<FurnitureKind>(axis); }
+
+Part Furnisher::visible_part(const Segment& segment) const {
+    const glm::dvec3 from = plane_.homogeneous(segment.from);
+    const glm::dvec3 to = plane_.homogeneous(segment.to);
+    const double aspect = static_cast<double>(view_.width) / view_.height;
+    const double nearest = 1e-6 * plane_.view().half_height * plane_.view().look_distance;
+    Part part;
+    part.clip(from.z - nearest, to.z - nearest);
+    for (const double sign : {-1.0, 1.0}) {
+        part.clip(aspect * from.z + sign * from.x, aspect * to.z + sign * to.x);
+        part.clip(from.z + sign * from.y, to.z + sign * to.y);
+    }
+    return part;
+}
+
+bool Furnisher::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const {
+    if (shown_.width == 0) return false;
+    const auto scaled = [](double at, int from, int to) {
+        return std::clamp(static_cast<int>(at * to / from), 0, to - 1);
+    };
+    const int col = scaled(pixel.x, view_.width, shown_.width);
+    const int row = scaled(pixel.y, view_.height, shown_.height);
+    const auto depth = static_cast<double>(shown_.depth[shown_.index(col, row)]);
+    // Depths change by about this much from pixel to pixel; and they are floats.
+    const double distance = plane_.distance(point);
+    const double slack = 2.0 * plane_.homogeneous(point).z / shown_.height;
+    return distance > depth + slack + 1e-6 * std::abs(depth);
+}
+
+/// As pieces of which each is hidden or not, found pixel by pixel.
+void Furnisher::add_line(const Segment& segment, FurnitureKind kind) {
+    const Part part = visible_part(segment);
+    if (part.empty()) return;
+    const Segment seen{segment.at(part.from), segment.at(part.to)};
+    const glm::dvec3 start = plane_.homogeneous(seen.from);
+    const glm::dvec3 end = plane_.homogeneous(seen.to);
+    const glm::dvec2 from = plane_.pixel(start);
+    const glm::dvec2 to = plane_.pixel(end);
+    const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to))));
+    std::optional<bool> hidden;
+    for (int i = 0; i < steps; ++i) {
+        const double s = (i + 0.5) / steps;
+        // Even steps in the image are uneven ones in the world.
+        const double t = s * start.z / (s * start.z + (1.0 - s) * end.z);
+        const bool now = is_hidden(seen.at(t), glm::mix(from, to, s));
+        if (hidden != now) {
+            const glm::dvec2 here = glm::mix(from, to, static_cast<double>(i) / steps);
+            if (hidden) made_.lines.back().to = here;
+            made_.lines.push_back({here, to, kind, now});
+        }
+        hidden = now;
+    }
+}
+
+void Furnisher::add_clip_box() {
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto place = [&](int bits) {
+            glm::dvec3 point;
+            for (int i = 0; i < 3; ++i)
+                point[i] = (bits >> i & 1) != 0 ? view_.clip.hi[i] : view_.clip.lo[i];
+            return point;
+        };
+        for (int axis = 0; axis < 3; ++axis) {
+            const int other = corner | 1 << axis;
+            if (other != corner) add_line({place(corner), place(other)}, FurnitureKind::ClipBox);
+        }
+    }
+}
+
+/// The values at lo, at all multiples of the step between, and at hi.
+std::vector<double> stops(double lo, double hi, double step) {
+    std::vector<double> values{lo};
+    for (double k = std::floor(lo / step) + 1; k * step < hi; ++k)
+        values.push_back(k * step);
+    values.push_back(hi);
+    return values;
+}
+
+void Furnisher::add_grid() {
+    const glm::dvec3 size = glm::abs(view_.up);
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    const double level = view_.up[axis] > 0 ? view_.clip.lo[axis] : view_.clip.hi[axis];
+    const double step = tick_step(view_.clip.size() / most_squares);
+    for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
+        for (const double value : stops(view_.clip.lo[across], view_.clip.hi[across], step)) {
+            Segment line{view_.clip.lo, view_.clip.hi};
+            line.from[axis] = line.to[axis] = level;
+            line.from[across] = line.to[across] = value;
+            add_line(line, FurnitureKind::Grid);
+        }
+    }
+}
+
+Segment Furnisher::axis_segment(int axis) const {
+    const glm::dvec3 through = glm::clamp(glm::dvec3(0.0), view_.clip.lo, view_.clip.hi);
+    Segment segment{through, through};
+    segment.from[axis] = view_.clip.lo[axis];
+    segment.to[axis] = view_.clip.hi[axis];
+    return segment;
+}
+
+/// Of the segment in the image, length 1.
+glm::dvec2 Furnisher::direction_at(const Segment& segment, const glm::dvec3& point) const {
+    const glm::dvec3 place = plane_.homogeneous(point);
+    const glm::dvec3 along = plane_.homogeneous(segment.to) - plane_.homogeneous(segment.from);
+    const glm::dvec2 turn(along.x * place.z - place.x * along.z,
+                          place.y * along.z - along.y * place.z);
+    const double length = glm::length(turn);
+    return length > 0 ? turn / length : glm::dvec2(1, 0);
+}
+
+void Furnisher::add_axes() {
+    for (int axis = 0; axis < 3; ++axis) {
+        const Segment segment = axis_segment(axis);
+        add_line(segment, kind_of_axis(axis));
+        add_name(axis, segment, visible_part(segment));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        const Segment segment = axis_segment(axis);
+        add_ticks(axis, segment, visible_part(segment));
+    }
+}
+
+void Furnisher::add_name(int axis, const Segment& segment, const Part& part) {
+    if (part.empty() || part.to < 1.0) return;
+    const glm::dvec2 end = plane_.pixel(plane_.homogeneous(segment.to));
+    const glm::dvec2 away = name_offset_em * view_.em * direction_at(segment, segment.to);
+    add_label({end + away, std::string(1, static_cast<char>('x' + axis)), kind_of_axis(axis),
+               is_hidden(segment.to, end)});
+}
+
+void Furnisher::add_ticks(int axis, const Segment& segment, const Part& part) {
+    if (part.empty()) return;
+    const glm::dvec3 from = segment.at(part.from);
+    const glm::dvec3 to = segment.at(part.to);
+    const double length_px =
+        glm::distance(plane_.pixel(plane_.homogeneous(from)), plane_.pixel(plane_.homogeneous(to)));
+    const double ticks = length_px / (tick_distance_em * view_.em);
+    if (!(ticks >= 1.0)) return;
+    const double step = tick_step((to[axis] - from[axis]) / ticks);
+    for (double k = std::ceil(from[axis] / step); k * step <= to[axis]; ++k)
+        add_tick(axis, segment, k * step, step);
+}
+
+void Furnisher::add_tick(int axis, const Segment& segment, double value, double step) {
+    glm::dvec3 point = segment.from;
+    point[axis] = value;
+    const auto pixel = plane_.pixel_of(point);
+    if (!pixel) return;
+    const glm::dvec2 along = direction_at(segment, point);
+    // Labels are below what runs across the image, left of what runs up.
+    glm::dvec2 aside(-along.y, along.x);
+    const bool across = std::abs(along.x) >= std::abs(along.y);
+    if (across ? aside.y < 0 : aside.x > 0) aside = -aside;
+    const FurnitureKind kind = kind_of_axis(axis);
+    const bool hidden = is_hidden(point, *pixel);
+    const glm::dvec2 half = 0.5 * tick_length_em * view_.em * aside;
+    made_.lines.push_back({*pixel - half, *pixel + half, kind, hidden});
+    const std::string text = tick_text(value, step);
+    const double reach =
+        label_offset_em + std::abs(aside.x) * 0.5 * std::max(label_width_em(text) - 1.0, 0.0);
+    add_label({*pixel + reach * view_.em * aside, text, kind, hidden});
+}
+
+/// Unless there is no room.
+void Furnisher::add_label(FurnitureLabel label) {
+    const glm::dvec2 half =
+        0.5 * view_.em *
+        glm::dvec2(label_width_em(label.text) + label_gap_em, label_height_em + label_gap_em);
+    const Rectangle place{label.middle - half, label.middle + half};
+    const bool inside = place.lo.x >= 0 && place.lo.y >= 0 && place.hi.x <= view_.width &&
+                        place.hi.y <= view_.height;
+    const auto meets = [&](const Rectangle& other) { return place.meets(other); };
+    if (!inside || std::ranges::any_of(taken_, meets)) return;
+    taken_.push_back(place);
+    made_.labels.push_back(std::move(label));
+}
+
+}  // namespace
+
+Furniture make_furniture(const FurnitureView& view, const FurnitureChoice& choice,
+                         const Framebuffer& shown) {
+    Furnisher furnisher(view, shown);
+    if (choice.grid) furnisher.add_grid();
+    if (choice.clip_box) furnisher.add_clip_box();
+    if (choice.axes) furnisher.add_axes();
+    return furnisher.take();
+}
+
+double tick_step(double length) {
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= length * (1.0 - 1e-9)) return factor * power;
+    }
+    return 10.0 * power;
+}
+
+std::string tick_text(double value, double step) {
+    constexpr double most = 1e6;
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    const double size = std::abs(value);
+    std::array<char, 64> digits{};
+    if (size < 0.5 * step) return "0";
+    if (size >= most || (decimals > 5 && size < 1e-3)) {
+        const int more = static_cast<int>(std::floor(std::log10(size) + 1e-9)) -
+                         static_cast<int>(std::floor(std::log10(step) + 1e-9));
+        std::snprintf(digits.data(), digits.size(), "%.*e", std::clamp(more, 0, 16), size);
+    } else {
+        std::snprintf(digits.data(), digits.size(), "%.*f", std::min(decimals, 17), size);
+    }
+    return (value < 0 ? minus_sign : "") + std::string(digits.data());
+}
+
+double label_width_em(const std::string& text) {
+    double width = 0.0;
+    for (const char letter : text) {
+        const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
+        if (continues) continue;
+        const bool wide = letter == '+' || letter == minus_sign[0];
+        width += letter == '.' ? 0.318 : letter == '-' ? 0.361 : wide ? 0.838 : 0.636;
+    }
+    return width;
+}
+
+double line_width_em(FurnitureKind kind) {
+    switch (kind) {
+        case FurnitureKind::AxisX:
+        case FurnitureKind::AxisY:
+        case FurnitureKind::AxisZ: return 0.115;
+        case FurnitureKind::ClipBox: return 0.09;
+        case FurnitureKind::Grid: return 0.08;
+    }
+    return 0.0;
+}
+
+}  // namespace zeroset

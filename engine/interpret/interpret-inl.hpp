@@ -1,0 +1,345 @@
+// The interpreter's loops over blocks of lanes, for registers of some bytes. Included by one
+// translation unit for each, which has included the standard library before.
+
+#pragma once
+
+#include "engine/algebra/algebra.hpp"
+#include "engine/algebra/frustum.hpp"
+#include "engine/interpret/block_choice.hpp"
+#include "engine/interpret/interpret_code.hpp"
+#include "engine/interpret/part_values.hpp"
+#include "engine/interpret/tape.hpp"
+#include "engine/real/block.hpp"
+
+#include <cstring>
+#include <new>
+#include <type_traits>
+
+namespace zeroset {
+namespace {
+
+static_assert(batch_multiple * sizeof(float) % block_bytes == 0);
+
+template <class Lanes, class Real>
+Lanes load(const Real* lanes) {
+    Lanes block;
+    std::memcpy(&block, lanes, sizeof block);
+    return block;
+}
+template <class Real, std::size_t bytes>
+void store(Real* lanes, const Block<Real, bytes>& block) {
+    std::memcpy(lanes, &block, sizeof block);
+}
+
+/// All ones where the mask holds.
+template <class Real>
+void store(ContinuityMask<Real>* items, const std::optional<BlockMask>& mask, bool if_absent) {
+    const unsigned bits = mask ? mask->bits : (if_absent ? ~0U : 0U);
+    const auto all_ones = static_cast<ContinuityMask<Real>>(-1);
+    for (std::size_t lane = 0; lane < Block<Real>::lanes; ++lane)
+        items[lane] = (bits >> lane & 1U) != 0 ? all_ones : 0U;
+}
+
+/// What the algebra of a block asks and tells about switches, from and to the batch's arrays.
+template <class Real, std::size_t bytes>
+class BlockBoard final : public SwitchBoard<Block<Real, bytes>> {
+public:
+    using Word = ContinuityMask<Real>;
+    using Lanes = Block<Real, bytes>;
+
+    BlockBoard(const HeldSwitches<Real>& held, Word* branches, Real* cut_from = nullptr,
+               Real* cut_to = nullptr)
+        : held_(held), branches_(branches), cut_from_(cut_from), cut_to_(cut_to) {}
+
+    /// The block that begins with this item.
+    void begin(std::size_t item) {
+        item_ = item;
+        bits_.fill(0);
+        cut_ = {Lanes::splat(std::numeric_limits<Real>::infinity()),
+                Lanes::splat(-std::numeric_limits<Real>::infinity())};
+    }
+    void end() const {
+        if (branches_ != nullptr) std::ranges::copy(bits_, branches_ + item_);
+        if (cut_from_ == nullptr) return;
+        store(cut_from_ + item_, cut_.from);
+        store(cut_to_ + item_, cut_.to);
+    }
+    std::optional<HeldAt<Block<Real, bytes>>> held(SwitchIndex index) override;
+    void report(SwitchIndex index, const BlockMask& two, const BlockMask& three) override;
+    void report_kink(const BlockMask& may_be) override {
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            bits_[lane] |= may_be.bits >> lane & BranchBits::kink;
+    }
+    [[nodiscard]] bool wants_cuts() const override { return cut_from_ != nullptr; }
+    void report_cut(const BlockMask& open, const Lanes& at, const Lanes& aside) override {
+        cut_ = first_cut(cut_, open, at, aside);
+    }
+
+private:
+    static constexpr std::size_t lanes = Block<Real>::lanes;
+
+    HeldSwitches<Real> held_;
+    Word* branches_;
+    Real* cut_from_;
+    Real* cut_to_;
+    Cut<Lanes> cut_;
+    std::size_t item_ = 0;
+    std::array<Word, lanes> bits_{};
+};
+
+template <class Real, std::size_t bytes>
+std::optional<HeldAt<Block<Real, bytes>>> BlockBoard<Real, bytes>::held(SwitchIndex index) {
+    if (held_.words == nullptr) return std::nullopt;
+    const Word* const words = held_.words + index / switches_a_word<Real> * held_.stride + item_;
+    const std::size_t shift = held_bits * (index % switches_a_word<Real>);
+    std::array<unsigned, 1U << held_bits> at{};
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        at[words[lane] >> shift & (at.size() - 1)] |= 1U << lane;
+    const auto mask = [&](unsigned lanes_of_code) {
+        return BlockMask{static_cast<std::uint16_t>(lanes_of_code)};
+    };
+    const auto number = [](double value) { return like(Block<Real, bytes>(), value); };
+    const unsigned second = at[held_code(1, 2)] | at[held_code(1, 3)];
+    const unsigned third = at[held_code(2, 3)];
+    return HeldAt<Block<Real, bytes>>{
+        mask(at[held_code(0, 2)] | at[held_code(1, 2)]),
+        mask(at[held_code(0, 3)] | at[held_code(1, 3)] | third),
+        select(mask(third), number(2), select(mask(second), number(1), number(0)))};
+}
+
+template <class Real, std::size_t bytes>
+void BlockBoard<Real, bytes>::report(SwitchIndex index, const BlockMask& two,
+                                     const BlockMask& three) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const unsigned more = (two.bits >> lane & 1U) + 2 * (three.bits >> lane & 1U);
+        const bool first = BranchBits{static_cast<std::uint32_t>(bits_[lane])}.outcomes() == 0;
+        if (more == 0 || !first) continue;
+        bits_[lane] |= static_cast<Word>(more) << BranchBits::more_outcomes_shift |
+                       static_cast<Word>(index) << BranchBits::switch_shift;
+    }
+}
+
+/// Takes the place of a board where an algebra knows no switches.
+struct NoBoard {
+    void begin(std::size_t /*item*/) {}
+    void end() const {}
+};
+
+template <class Algebra, class Board>
+Algebra algebra_with(Board& board) {
+    if constexpr (std::is_constructible_v<Algebra, Board*>) {
+        return Algebra(&board);
+    } else {
+        return Algebra();
+    }
+}
+
+/// Makes choices as other operators are made.
+struct NoChoices {
+    template <class Algebra, class Values, class Value>
+    bool operator()(Algebra& /*algebra*/, const Tape::Step& /*step*/, std::size_t /*item*/,
+                    const Values& /*of*/, Value* /*place*/) const {
+        return false;
+    }
+};
+
+/// Evaluates the tape over `size` items by blocks of some lanes. `leaf(node, facts, item)` makes
+/// the value of a variable or a constant subexpression, for a uniform one whatever the item;
+/// `part(shape, part, item)` that of a part; `finish(root, item)` takes the results.
+/// `board` is told of switches. `choose(algebra, step, item, operand, place)`, with a function that
+/// gives operands, is asked for choices that are not uniform; it answers whether it made them in
+/// their place.
+template <class Algebra, std::size_t lanes, class Board, class Leaf, class OfPart, class Finish,
+          class Choose = NoChoices>
+void interpret_blocks(const Tape& tape, std::size_t size, Board&& board, Leaf leaf, OfPart part,
+                      Finish finish, Choose choose = {}) {
+    using Value = typename Algebra::Value;
+    static_assert(std::is_trivially_destructible_v<Value>);
+    auto algebra = algebra_with<Algebra>(board);
+    static_assert(alignof(Value) <= Scratch::alignment);
+    const Scratch scratch(tape.slots() * sizeof(Value));
+    auto* const values = static_cast<Value*>(scratch.data());
+    const std::span<const Tape::Step> steps = tape.steps();
+    const Parts& parts = tape.graph()->parts;
+    const auto compute = [&](const Tape::Step& step, std::size_t item) {
+        const Node& node = tape.node(step);
+        const Facts& facts = tape.facts(step);
+        Value* const value = values + step.slot;
+        const auto operand = [&](std::size_t k) {
+            const Tape::Step& of = steps[step.operands[k]];
+            return Operand<Value>{values[of.slot], tape.facts(of)};
+        };
+        // Made in its place, which no operand has: copying would cost as much as computing.
+        if (const std::uint32_t index = tape.part(step); index != Parts::none) {
+            const Part& of = parts.parts[index];
+            new (value) Value(part(parts.shapes[of.shape], of, item));
+            return;
+        }
+        if (is_leaf(node, facts)) {
+            new (value) Value(leaf(node, facts, item));
+            return;
+        }
+        if (step.choice != Tape::no_choice && choose(algebra, step, item, operand, value)) return;
+        enter_switch(algebra, step.own_switch);
+        const int operands = arity(node.op);
+        new (value) Value(apply(algebra, node, operand(0), operand(operands < 2 ? 0 : 1),
+                                operand(operands < 3 ? 0 : 2)));
+    };
+    for (const Tape::Step& step : steps.first(tape.uniform_steps()))
+        compute(step, 0);
+    const auto varying = steps.subspan(tape.uniform_steps());
+    for (std::size_t item = 0; item < size; item += lanes) {
+        board.begin(item);
+        for (const Tape::Step& step : varying)
+            compute(step, item);
+        board.end();
+        finish(values[tape.root().slot], item);
+    }
+}
+
+template <class Real, std::size_t bytes>
+void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
+    using Lanes = Block<Real, bytes>;
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Enclosure<Lanes> {
+        if (facts.constant) {
+            const auto box = facts.constant_box<Real>();
+            return {{Lanes::splat(box.neg_lo), Lanes::splat(box.hi)}};
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v < 3) return {{load<Lanes>(batch->neg_lo[v] + i), load<Lanes>(batch->hi[v] + i)}};
+        return {{Lanes::splat(batch->uniforms[2 * (v - 3)]),
+                 Lanes::splat(batch->uniforms[2 * (v - 3) + 1])}};
+    };
+    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
+        return part_range<Real, bytes>(shape, part, *batch, i);
+    };
+    const auto finish = [&](const Enclosure<Lanes>& f, std::size_t i) {
+        const Interval<Lanes> range = answer(f);
+        store(batch->f_neg_lo + i, range.neg_lo);
+        store(batch->f_hi + i, range.hi);
+        store<Real>(batch->continuous + i, conjunction(f.everywhere, f.continuous), true);
+    };
+    interpret_blocks<IntervalAlgebra<Lanes>, Lanes::lanes>(
+        *static_cast<const Tape*>(code), batch->size,
+        BlockBoard<Real, bytes>(batch->held, batch->branches), leaf, of_part, finish);
+}
+
+/// `record`: of how choices fall; then the form may be that of a function with the same signs and
+/// zeros.
+template <class Real, std::size_t bytes>
+void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_rays,
+                     ChoiceRecord* record) {
+    using Lanes = Block<Real, bytes>;
+    const auto view = frustum_lanes<Lanes>(
+        [&](std::size_t index) { return Lanes::splat(batch->frustum[index]); });
+    const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> BeamValue<Lanes> {
+        if (facts.constant) {
+            return constant_form<Lanes>(facts, Real{}, [](Real x) { return Lanes::splat(x); });
+        }
+        const auto v = static_cast<std::size_t>(node.number);
+        if (v >= 3) {
+            return uniform_form<Lanes>({Lanes::splat(batch->uniforms[2 * (v - 3)]),
+                                        Lanes::splat(batch->uniforms[2 * (v - 3) + 1])});
+        }
+        return coordinate<Lanes>(view,
+                                 {load<Lanes>(batch->u + i), load<Lanes>(batch->v + i),
+                                  load<Lanes>(batch->s + i), load<Lanes>(batch->s_radius + i)},
+                                 v);
+    };
+    BlockBoard<Real, bytes> board(batch->held, batch->branches, batch->cut_from, batch->cut_to);
+    const auto of_part = [&](const PartShape& shape, const Part& part, std::size_t i) {
+        BeamValue<Lanes> value;
+        board.report_kink(part_form<Real, bytes>(shape, part, *batch, i, on_rays, value));
+        return value;
+    };
+    const auto finish = [&](const BeamValue<Lanes>& f, std::size_t i) {
+        const FormResult<Lanes> result = form_result(f);
+        store(batch->c + i, result.c);
+        for (std::size_t k = 0; k < 3; ++k)
+            store(batch->k[k] + i, result.k[k]);
+        store(batch->e + i, result.e);
+        store(batch->r + i, result.r);
+        store(batch->slope_neg_lo + i, result.slope.neg_lo);
+        store(batch->slope_hi + i, result.slope.hi);
+        store<Real>(batch->continuous + i, result.continuous, true);
+        std::optional<BlockMask> nowhere = result.somewhere;
+        if (nowhere) nowhere = no(*nowhere);
+        store<Real>(batch->nowhere + i, nowhere, false);
+    };
+    const auto choose = [&](BeamAlgebra<Lanes>& algebra, const Tape::Step& step, std::size_t i,
+                            const auto& of, BeamValue<Lanes>* place) {
+        const Op op = tape.node(step).op;
+        const bool blend = op == Op::SmoothMin;
+        const bool extreme = op == Op::Min || op == Op::Max || blend;
+        const auto tell = [&](Tape::Index choice, const ChoiceBits& bits) {
+            record->bits[i / Lanes::lanes * record->choices + choice] = bits;
+        };
+        if (!extreme) {
+            if (record == nullptr) return false;
+            if (op == Op::And || op == Op::Or) {
+                tell(step.choice, choice_by_logic(op, of(0).value, of(1).value));
+            } else {
+                tell(step.choice, choice_by_condition(op, of(op == Op::If ? 0 : 1).value));
+            }
+            return false;
+        }
+        ChoiceBits left_out{};
+        if (record != nullptr) {
+            const Band band{step.band.lo, step.band.hi + (blend ? 1 : 0)};
+            left_out = choice_by_band(op, of(0).value, of(1).value, band);
+        }
+        const ChoiceBits bits = blend ? make_blend(algebra, of(0), of(1), left_out, place)
+                                      : make_extreme(algebra, op, of(0), of(1), left_out, place);
+        if (step.height > 0) narrow_to(step.height, *place);
+        if (record == nullptr) return true;
+        tell(step.choice, bits);
+        if (step.tells != Tape::no_choice) tell(step.tells, left_out);
+        return true;
+    };
+    interpret_blocks<BeamAlgebra<Lanes>, Lanes::lanes>(tape, batch->size, board, leaf, of_part,
+                                                       finish, choose);
+}
+
+template <class Real, std::size_t bytes>
+void interpret_form(const void* code, const FormBatchOf<Real>* batch) {
+    interpret_cells<Real, bytes>(*static_cast<const Tape*>(code), batch, false, nullptr);
+}
+
+template <class Real, std::size_t bytes>
+void interpret_ray_form(const void* code, const FormBatchOf<Real>* batch) {
+    interpret_cells<Real, bytes>(*static_cast<const Tape*>(code), batch, true, nullptr);
+}
+
+template <class Real, std::size_t bytes>
+void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord& record) {
+    interpret_cells<Real, bytes>(tape, &batch, false, &record);
+}
+
+}  // namespace
+}  // namespace zeroset
+
+#include "engine/interpret/interpret_points-inl.hpp"
+
+namespace zeroset {
+namespace {
+
+template <std::size_t bytes>
+constexpr InterpreterCode interpreter_code_of() {
+    return {.range_float = interpret_range<float, bytes>,
+            .value_float = interpret_gradient<float, bytes>,
+            .form_float = interpret_form<float, bytes>,
+            .ray_form_float = interpret_ray_form<float, bytes>,
+            .newton_float = interpret_newton<float, bytes>,
+            .record_float = record_form<float, bytes>,
+            .range_double = interpret_range<double, bytes>,
+            .value_double = interpret_gradient<double, bytes>,
+            .form_double = interpret_form<double, bytes>,
+            .ray_form_double = interpret_ray_form<double, bytes>,
+            .newton_double = interpret_newton<double, bytes>,
+            .record_double = record_form<double, bytes>,
+            .ray_value = interpret_ray_value<bytes>,
+            .point_double = interpret_value<double, bytes>};
+}
+
+}  // namespace
+}  // namespace zeroset

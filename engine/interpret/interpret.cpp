@@ -1,0 +1,176 @@
+#include "engine/interpret/interpret.hpp"
+
+#include "engine/algebra/algebra.hpp"
+#include "engine/algebra/facts.hpp"
+#include "engine/interpret/interpret_code.hpp"
+#include "engine/interpret/tape.hpp"
+#include "engine/kernel/float_check.hpp"
+#include "engine/kernel/least_of.hpp"
+#include "engine/kernel/unowned.hpp"
+#include "engine/real/block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+class TapeShortener : public Shortener {
+public:
+    explicit TapeShortener(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
+
+    void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const override {
+        make_room(batch, record);
+        interpreter_code().record_float(*tape_, batch, record);
+    }
+    void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const override {
+        make_room(batch, record);
+        interpreter_code().record_double(*tape_, batch, record);
+    }
+    [[nodiscard]] std::shared_ptr<const Kernel> shortened(
+        const ChoiceRecord& record, std::span<const std::size_t> cells) const override;
+
+private:
+    template <class Real>
+    void make_room(const FormBatchOf<Real>& batch, ChoiceRecord& record) const {
+        record.lanes = block_bytes / sizeof(Real);
+        record.choices = tape_->choices();
+        record.bits.resize(batch.size / record.lanes * record.choices);
+    }
+
+    std::shared_ptr<const Tape> tape_;
+};
+
+void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
+    const InterpreterCode& code = interpreter_code();
+    kernel.range_float = {code.range_float, tape};
+    kernel.value_float = {code.value_float, tape};
+    kernel.form_float = {code.form_float, tape};
+    kernel.ray_form_float = {code.ray_form_float, tape};
+    kernel.range_double = {code.range_double, tape};
+    kernel.value_double = {code.value_double, tape};
+    kernel.form_double = {code.form_double, tape};
+    kernel.ray_form_double = {code.ray_form_double, tape};
+    kernel.newton_float = {code.newton_float, tape};
+    kernel.newton_double = {code.newton_double, tape};
+    kernel.ray_value = {code.ray_value, tape};
+    kernel.has_double = true;
+    kernel.interpreted = true;
+    kernel.steps = tape->steps().size();
+    kernel.switches = tape->graph()->switch_count;
+    kernel.branches = true;
+}
+
+/// A tape and its kernel in one piece: thousands are made for a frame.
+struct TapeKernel {
+    explicit TapeKernel(Tape code) : tape(std::move(code)), shortener(unowned(tape)) {
+        set_code(kernel, unowned(tape));
+        if (tape.choices() > 0) kernel.shortener = unowned<Shortener>(shortener);
+    }
+    TapeKernel(const TapeKernel&) = delete;
+    TapeKernel& operator=(const TapeKernel&) = delete;
+    ~TapeKernel() = default;
+
+    Tape tape;
+    TapeShortener shortener;
+    Kernel kernel;
+};
+
+std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& record,
+                                                       std::span<const std::size_t> cells) const {
+    auto tape = tape_->shortened(record, cells);
+    if (!tape) return nullptr;
+    const auto& graph = tape->graph();
+    if (const auto part = tape->part(tape->root()); part != Parts::none)
+        return {graph, &graph->part_kernels[part]};
+    const auto made = std::make_shared<const TapeKernel>(std::move(*tape));
+    return {made, &made->kernel};
+}
+
+/// Nothing where there are not several.
+std::optional<LeastOf> operands_of_least(const std::shared_ptr<const TapeGraph>& graph) {
+    const std::vector<NodeId> nodes = graph->least_of();
+    if (nodes.size() < 2) return std::nullopt;
+    std::vector<const Kernel*> kernels;
+    std::vector<std::shared_ptr<const void>> owners{graph};
+    for (const NodeId node : nodes) {
+        if (const auto part = graph->parts.of_node[node]; part != Parts::none) {
+            kernels.push_back(&graph->part_kernels[part]);
+            continue;
+        }
+        const auto made = std::make_shared<const TapeKernel>(Tape(graph, node));
+        kernels.push_back(&made->kernel);
+        owners.push_back(made);
+    }
+    return std::optional<LeastOf>(std::in_place, std::move(kernels), std::move(owners));
+}
+
+/// Of a whole formula.
+class WholeShortener final : public TapeShortener {
+public:
+    explicit WholeShortener(const std::shared_ptr<const Tape>& tape)
+        : TapeShortener(tape), least_of_(operands_of_least(tape->graph())) {}
+
+    [[nodiscard]] const LeastOf* least_of() const override {
+        return least_of_ ? &*least_of_ : nullptr;
+    }
+
+private:
+    std::optional<LeastOf> least_of_;
+};
+
+/// Whether the operator takes usual numbers out of the range of float.
+bool may_leave_range(const Node& node) {
+    constexpr int high_power = 6;
+    constexpr double large = 1e12;
+    const auto unusual = [](double x) {
+        const double size = std::abs(x);
+        return size > large || (size > 0.0 && size < 1.0 / large);
+    };
+    if (node.op == Op::Constant) return unusual(node.lo) || unusual(node.hi);
+    if (node.op == Op::IntPower) return node.number >= high_power;
+    return node.op == Op::Exp || node.op == Op::Sinh || node.op == Op::Cosh;
+}
+
+}  // namespace
+
+Kernel interpret(const Expr& expr) { return interpret(expr, facts_of(expr), {}); }
+
+Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
+    Kernel kernel;
+    kernel.parameters.assign(expr.parameters().begin(), expr.parameters().end());
+    kernel.uses_w = expr.uses_variable(variable_w);
+    const auto tape = std::make_shared<const Tape>(
+        std::make_shared<const TapeGraph>(expr, std::move(facts), std::move(parts)));
+    set_code(kernel, tape);
+    if (std::ranges::any_of(expr.nodes(), may_leave_range))
+        kernel.float_check = std::make_shared<const FloatCheck>(kernel);
+    if (tape->choices() > 0) kernel.shortener = std::make_shared<WholeShortener>(tape);
+    return kernel;
+}
+
+PointFunction interpret_points(const Expr& expr) {
+    return {interpreter_code().point_double,
+            std::make_shared<const Tape>(
+                std::make_shared<const TapeGraph>(expr, facts_of(expr), Parts{}))};
+}
+
+Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
+                      std::span<const double> parameters) {
+    const std::vector<Facts> facts = facts_of(expr);
+    DualAlgebra<double> algebra;
+    const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<double> {
+        if (fact.constant) return {fact.middle, {}};
+        const auto v = static_cast<std::size_t>(node.number);
+        const std::size_t p = v - at.size();
+        const double given = p < parameters.size() ? parameters[p] : 1.0;
+        Dual<double> variable{v < at.size() ? at[v] : given, {}};
+        if (v < 3) variable.slope.set(v, 1.0);
+        return variable;
+    };
+    return evaluate(expr, facts, algebra, leaf, [] {});
+}
+
+}  // namespace zeroset

@@ -1,0 +1,99 @@
+#include "engine/interpret/part_kernel.hpp"
+
+#include "engine/interpret/interpret.hpp"
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Shape and constants, at an address that does not change.
+struct PartCode {
+    const PartShape* shape;
+    const Part* part;
+};
+
+/// A PartCode that owns its shape and constants.
+struct OwnPartCode {
+    explicit OwnPartCode(ShapedGraph shaped) : graph(std::move(shaped)) {}
+    OwnPartCode(const OwnPartCode&) = delete;
+    OwnPartCode& operator=(const OwnPartCode&) = delete;
+    ~OwnPartCode() = default;
+
+    ShapedGraph graph;
+    PartCode code{&graph.shape, &graph.part};
+};
+
+template <class Batch>
+constexpr bool over_points =
+    requires(const Batch& batch) { batch.gradient; } || std::is_same_v<Batch, RayValueBatch>;
+
+/// The batch with the part's uniforms.
+template <class Batch>
+Batch batch_of_part(const PartCode& code, const Batch& batch) {
+    Batch own = batch;
+    if constexpr (over_points<Batch>) {
+        own.uniforms = point_uniforms(*code.shape, *code.part, batch.uniforms);
+    } else {
+        own.uniforms = box_uniforms(*code.shape, *code.part, batch.uniforms);
+    }
+    return own;
+}
+
+/// Calls the function of the shape's kernel.
+template <auto function, class Batch>
+void call_part(const void* code, const Batch* batch) {
+    const auto& part = *static_cast<const PartCode*>(code);
+    (part.shape->kernel.*function)(batch_of_part(part, *batch));
+}
+
+/// As call_part, but never waits for code.
+template <auto function, class Batch>
+void call_part_meanwhile(const void* code, const Batch* batch) {
+    const auto& part = *static_cast<const PartCode*>(code);
+    const auto& of_shape = part.shape->kernel.*function;
+    const Batch own = batch_of_part(part, *batch);
+    (of_shape.meanwhile != nullptr ? of_shape.meanwhile : of_shape.call)(of_shape.code.get(), &own);
+}
+
+template <auto function, class Batch>
+void set(KernelFunction<Batch> Kernel::* /*which*/, Kernel& kernel,
+         const std::shared_ptr<const PartCode>& code) {
+    kernel.*function = {call_part<function, Batch>, code, call_part_meanwhile<function, Batch>};
+}
+
+/// The functions, and what is to be known of them.
+void set_code(Kernel& kernel, const std::shared_ptr<const PartCode>& code) {
+    const auto put = [&]<auto... functions>() { (set<functions>(functions, kernel, code), ...); };
+    put.template operator()<&Kernel::range_float, &Kernel::value_float, &Kernel::form_float,
+                            &Kernel::ray_form_float, &Kernel::newton_float, &Kernel::ray_value,
+                            &Kernel::range_double, &Kernel::value_double, &Kernel::form_double,
+                            &Kernel::ray_form_double, &Kernel::newton_double>();
+    const Kernel& of_shape = code->shape->kernel;
+    kernel.has_double = of_shape.has_double;
+    kernel.branches = of_shape.branches;
+}
+
+}  // namespace
+
+Kernel kernel_of_shape(const Expr& expr, ShapedGraph graph) {
+    Kernel kernel = interpret(expr);
+    const auto own = std::make_shared<const OwnPartCode>(std::move(graph));
+    kernel.lane_multiple = own->graph.shape.kernel.lane_multiple;
+    kernel.interpreted = false;
+    kernel.steps = 0;
+    kernel.shortener = nullptr;
+    set_code(kernel, {own, &own->code});
+    return kernel;
+}
+
+Kernel kernel_of_part(const Parts& parts, std::uint32_t part) {
+    const Part& of = parts.parts[part];
+    Kernel kernel;
+    set_code(kernel, std::make_shared<const PartCode>(PartCode{&parts.shapes[of.shape], &of}));
+    return kernel;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "engine/algebra/facts.hpp"
+#include "engine/algebra/switches.hpp"
+#include "engine/interpret/parts.hpp"
+#include "engine/kernel/kernel.hpp"
+#include "engine/num/interval.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+// Straight-line code of a graph for an interpreter, and shorter code that does the same where
+// choices (min, max, if, where) are known to fall the same way [Keeter20].
+//
+// Which operand of a min may go depends on what is made of the result. Where only the zeros of f
+// matter, one above 0 may. Another smooth minimum than SmoothMin is m - q with m = min(a, b) and q
+// from 0 to d, 0 where |a - b| >= k. Where it is at most U, m is at most U + d, and an operand
+// above U + d + k has no part in it: that may go, and q with it. So each value has a band in which
+// it matters, wider from one smooth minimum to the next inside it.
+
+namespace zeroset {
+
+/// A graph with what is known of its nodes and with its parts that have code of their own, shared
+/// by all tapes made of it.
+struct TapeGraph {
+    TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code);
+    TapeGraph(const TapeGraph&) = delete;
+    TapeGraph& operator=(const TapeGraph&) = delete;
+    ~TapeGraph() = default;
+
+    Expr expr;
+    std::vector<Facts> facts;           ///< of parts: what their code keeps to
+    std::vector<SwitchIndex> switches;  ///< of each node
+    std::size_t switch_count = 0;
+    Parts parts;
+    std::vector<Kernel> part_kernels;  ///< of each part; they live as long as this
+
+    /// Nothing is computed before it: it is taken from outside, or a part.
+    [[nodiscard]] bool is_first(NodeId id) const;
+    /// The nodes of which the root is the least; the root where it is no min.
+    [[nodiscard]] std::vector<NodeId> least_of() const;
+};
+
+/// Of a value outside of it only the side matters on which it is.
+struct Band {
+    double lo, hi;
+
+    static constexpr Band everything() { return {-infinity, infinity}; }
+    /// Of a value that nobody asks for.
+    static constexpr Band nothing() { return {everything().hi, everything().lo}; }
+    [[nodiscard]] constexpr bool empty() const { return lo > hi; }
+};
+
+/// Immutable.
+class Tape {
+public:
+    using Index = std::uint32_t;
+    static constexpr Index no_choice = ~Index{0};
+
+    /// Computes a node. Its value goes to a slot that none of its operands has.
+    struct Step {
+        NodeId node;
+        Index slot;
+        std::array<Index, 3> operands;  ///< earlier steps, as many as the operator has
+        Index choice = no_choice;       ///< its place in a ChoiceRecord
+        /// Of the min in a smooth minimum m - q, or the max in a smooth maximum: the place where it
+        /// tells which operand is left out as it is outside the band.
+        Index tells = no_choice;
+        /// Of the max(k - |a - b|, 0) in its q: that place. It is 0 where an operand is left out.
+        Index heeds = no_choice;
+        /// Its place among the switches of the graph; that of a condition whose place it took.
+        SwitchIndex own_switch = no_switch;
+        double reach = 0;   ///< of the smooth minimum or maximum: k + d, else 0
+        double height = 0;  ///< of the max(k - |a - b|, 0): k, else 0
+        Band band = Band::everything();
+    };
+
+    explicit Tape(std::shared_ptr<const TapeGraph> graph);
+    /// Of what a node of the graph computes.
+    Tape(std::shared_ptr<const TapeGraph> graph, NodeId root);
+
+    /// The tape for cells of a batch of which `record` tells; nothing where it would not be
+    /// shorter. On whatever part of space these cells cover it computes a function with the same
+    /// signs and zeros, and beside the zeros the same one.
+    [[nodiscard]] std::optional<Tape> shortened(const ChoiceRecord& record,
+                                                std::span<const std::size_t> cells) const;
+
+    [[nodiscard]] std::span<const Step> steps() const { return steps_; }
+    /// So many steps at the front are the same for a whole batch; they keep their slots.
+    [[nodiscard]] std::size_t uniform_steps() const { return uniform_; }
+    [[nodiscard]] Index slots() const { return slots_; }
+    [[nodiscard]] std::size_t choices() const { return choices_; }
+    /// The last step is the root.
+    [[nodiscard]] const Step& root() const { return steps_.back(); }
+    [[nodiscard]] const Node& node(const Step& step) const { return graph_->expr.node(step.node); }
+    [[nodiscard]] const Facts& facts(const Step& step) const { return graph_->facts[step.node]; }
+    /// The part that the step computes, or Parts::none.
+    [[nodiscard]] std::uint32_t part(const Step& step) const {
+        return graph_->parts.of_node[step.node];
+    }
+    [[nodiscard]] const std::shared_ptr<const TapeGraph>& graph() const { return graph_; }
+
+private:
+    class Builder;
+    class Reduction;
+    Tape() = default;
+    /// Marks the smooth minimum or maximum that ends with a step.
+    void mark_blend(Index sum);
+    void mark_bands();
+    /// Of operand k of the step.
+    [[nodiscard]] Band band_of(const Step& step, std::size_t k) const;
+    [[nodiscard]] Band band_of_factor(const Step& step, std::size_t k) const;
+
+    std::shared_ptr<const TapeGraph> graph_;
+    std::vector<Step> steps_;
+    std::size_t uniform_ = 0;
+    Index slots_ = 0;
+    std::size_t choices_ = 0;
+    bool sums_ = false;  ///< there are sums, which are shorter where a choice leaves a summand 0
+};
+
+}  // namespace zeroset

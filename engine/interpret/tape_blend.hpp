@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/interpret/tape.hpp"
+
+#include <optional>
+
+namespace zeroset {
+
+/// A smooth minimum m - q or q - m, or a smooth maximum m + q, of a and b: m is their min or max,
+/// and q is at least 0 and made of max(k - |a - b|, 0), with which it vanishes.
+struct Blend {
+    Tape::Index extreme;  ///< the step m
+    Tape::Index hat;      ///< max(k - |a - b|, 0)
+    double height;        ///< an upper bound of k
+    double reach;         ///< of k + q
+};
+
+/// What the step, a sum or difference, ends.
+std::optional<Blend> blend_of(const Tape& tape, const Tape::Step& sum);
+
+}  // namespace zeroset

@@ -1,0 +1,91 @@
+#include "engine/kernel/float_check.hpp"
+
+#include "engine/real/rounding.hpp"
+#include "engine/real/scalar.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t boxes = 64;
+static_assert(boxes % batch_multiple == 0);
+/// Of the box's edges.
+constexpr double box_edge = 0x1p-10;
+/// Where doubles tell that f is not 0 and floats do not, in so many boxes, floats do not suffice.
+constexpr std::size_t most_untold = boxes / 16;
+
+/// Points spread evenly in the unit cube [Roberts18].
+std::array<double, 3> place(std::size_t i) {
+    constexpr std::array steps{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+    std::array<double, 3> at{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double x = 0.5 + static_cast<double>(i) * steps[k];
+        at[k] = x - std::floor(x);
+    }
+    return at;
+}
+
+/// Which boxes f surely has no zero in, by ranges of this type.
+template <class Real>
+std::array<bool, boxes> excluded(const KernelFunction<RangeBatchOf<Real>>& range,
+                                 const std::array<double, 3>& lo, const std::array<double, 3>& hi,
+                                 const Uniforms& uniforms) {
+    std::array<std::array<Real, boxes>, 3> neg_begin;
+    std::array<std::array<Real, boxes>, 3> end;
+    for (std::size_t i = 0; i < boxes; ++i) {
+        const std::array<double, 3> at = place(i);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double edge = hi[k] - lo[k];
+            const double begin = lo[k] + (1.0 - box_edge) * edge * at[k];
+            neg_begin[k][i] = upper_end(Real{}, -begin);
+            end[k][i] = upper_end(Real{}, begin + box_edge * edge);
+        }
+    }
+    std::array<Real, boxes> f_neg_lo;
+    std::array<Real, boxes> f_hi;
+    std::array<ContinuityMask<Real>, boxes> continuous;
+    range(RangeBatchOf<Real>{
+        .size = boxes,
+        .neg_lo = {neg_begin[0].data(), neg_begin[1].data(), neg_begin[2].data()},
+        .hi = {end[0].data(), end[1].data(), end[2].data()},
+        .uniforms = uniforms.boxes<Real>(),
+        .f_neg_lo = f_neg_lo.data(),
+        .f_hi = f_hi.data(),
+        .continuous = continuous.data()});
+    std::array<bool, boxes> result{};
+    for (std::size_t i = 0; i < boxes; ++i)
+        result[i] = f_neg_lo[i] < 0 || f_hi[i] < 0;
+    return result;
+}
+
+}  // namespace
+
+FloatCheck::FloatCheck(const Kernel& ranges)
+    : in_float_(ranges.range_float), in_double_(ranges.range_double) {}
+
+bool FloatCheck::measured(const std::array<double, 3>& lo, const std::array<double, 3>& hi,
+                          const Uniforms& uniforms) const {
+    const UpwardRounding upward;
+    const auto by_float = excluded(in_float_, lo, hi, uniforms);
+    const auto by_double = excluded(in_double_, lo, hi, uniforms);
+    std::size_t untold = 0;
+    for (std::size_t i = 0; i < boxes; ++i)
+        untold += by_double[i] && !by_float[i] ? 1U : 0U;
+    return untold <= most_untold;
+}
+
+bool FloatCheck::suffices(const std::array<double, 3>& lo, const std::array<double, 3>& hi,
+                          const Uniforms& uniforms) const {
+    const std::scoped_lock lock(mutex_);
+    if (known_ && lo_ == lo && hi_ == hi && uniforms_ == uniforms.neg_lo_hi_double)
+        return suffices_;
+    lo_ = lo;
+    hi_ = hi;
+    uniforms_ = uniforms.neg_lo_hi_double;
+    known_ = true;
+    return suffices_ = measured(lo, hi, uniforms);
+}
+
+}  // namespace zeroset

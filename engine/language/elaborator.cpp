@@ -1,0 +1,367 @@
+// From a text's statements to surfaces.
+
+#include "engine/language/elaborator.hpp"
+
+#include "engine/expr/simplify.hpp"
+#include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/foreign.hpp"
+#include "engine/language/words/words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t first_argument =
+    ProgramLimits::parameters;                     // numbers of functions' arguments, as parameters
+constexpr std::size_t longest_readings = 200'000;  // of all definitions, bytes
+
+/// What to type for a built-in value whose name means something else.
+std::string_view spelled_out(std::string_view name) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> spellings{
+        {{"r", "sqrt(x^2 + y^2 + z^2)"},
+         {"rho", "sqrt(x^2 + y^2)"},
+         {"theta", "atan2(y, x)"},
+         {"phi", "acos(z/sqrt(x^2 + y^2 + z^2))"},
+         {"t", "w"},
+         {"w", "t"},
+         {"e", "exp(1)"},
+         {"pi", "acos(-1)"},
+         {"tau", "2 acos(-1)"},
+         {"golden", "(1 + sqrt 5)/2"}}};
+    for (const auto& [built_in, spelling] : spellings) {
+        if (built_in == name) return spelling;
+    }
+    return {};
+}
+
+constexpr std::string_view no_surface = "a condition alone is no surface";
+constexpr std::string_view no_surface_hint =
+    "type = for its boundary, or put it behind a surface and a comma: x^2 + y^2 = 1, z < 1";
+
+}  // namespace
+
+std::expected<Program, ParseError> Elaborator::program() {
+    if (!error_) error_ = error_for_parametric();
+    if (error_ || !build_statements()) return std::unexpected(*error_);
+    if (surfaces_.empty() && !without_surface_.empty())
+        return std::unexpected(no_place_error(without_surface_.front()));
+    if (surfaces_.empty()) {
+        return std::unexpected(ParseError{tree_.statements.back().offset,
+                                          "there is no surface yet, only definitions",
+                                          hint_without_surface(), true});
+    }
+    return result();
+}
+
+/// tann(x) = y defines tann; another name may have been meant.
+std::string Elaborator::hint_without_surface() {
+    const Definition* const last = table_.of_statement(tree_.statements.size() - 1);
+    const bool is_function = last != nullptr && last->is_function;
+    if (is_function && !last->is_certain && last->name.size() > 2) {
+        const std::string hint = hint_for_unknown(last->name);
+        if (hint.starts_with("did you mean")) return "this defines " + last->name + "; " + hint;
+    }
+    if (is_function && last->arguments == std::vector<std::string>{"x", "y", "z"})
+        return "type " + last->name + "(x, y, z) = 0 on the next line";
+    return "type an equation such as x^2 + y^2 + z^2 = 1 on the next line";
+}
+
+std::expected<Expr, ParseError> Elaborator::formula() {
+    if (error_) return std::unexpected(*error_);
+    if (tree_.statements.size() > 1) {
+        fail(tree_.statements[1].offset, "there is a second statement", "type one formula");
+        return std::unexpected(*error_);
+    }
+    refuses_undefined_ = false;
+    const Number root = equation(tree_.statements.front());
+    if (!root) return std::unexpected(*error_);
+    return builder_.finish(*root, parameters_);
+}
+
+std::expected<Expr, ParseError> Elaborator::last_value() {
+    if (error_) return std::unexpected(*error_);
+    statement_ = tree_.statements.size() - 1;
+    const StatementSyntax& statement = tree_.statements.back();
+    if (is_condition(tree_[statement.relation].kind) || !statement.restrictions.empty()) {
+        fail(statement.offset, "an expression is needed here, no equation and no condition",
+             "type a value such as x^2 + y^2");
+        return std::unexpected(*error_);
+    }
+    const Number root = number(statement.relation, nullptr);
+    if (!root) return std::unexpected(*error_);
+    return builder_.finish(*root, parameters_);
+}
+
+/// x = ..., y = ... and z = ..., each of u and v: no three surfaces.
+std::optional<ParseError> Elaborator::error_for_parametric() {
+    std::array<bool, 3> given{};
+    std::array<bool, 2> used{};
+    for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+        const Syntax& relation = tree_[tree_.statements[i].relation];
+        if (relation.kind != SyntaxKind::Compare || relation.marks != "=") continue;
+        const Syntax& left = tree_[relation.operands[0]];
+        const std::size_t axis = std::string_view("xyz").find(left.text);
+        if (left.text.size() != 1 || axis > 2) continue;
+        if (left.kind == SyntaxKind::Call && left.operands.size() == 2) used = {true, true};
+        bool uses_axis = false;
+        for (const NameUse& use : table_.uses(i)) {
+            const std::string& name = tree_[use.at].text;
+            const bool is_free = use.at != relation.operands[0] && table_.meant(use, i) == nullptr;
+            uses_axis = uses_axis || (is_free && (name == "x" || name == "y" || name == "z"));
+            used[0] = used[0] || (is_free && name == "u");
+            used[1] = used[1] || (is_free && name == "v");
+        }
+        given.at(axis) = given.at(axis) || !uses_axis;
+    }
+    const auto all = [](const auto& flags) { return std::ranges::all_of(flags, std::identity{}); };
+    if (!all(given) || !all(used)) return std::nullopt;
+    return ParseError{tree_.statements.front().offset,
+                      "x, y and z given by u and v are a parametric surface, which is not read",
+                      "type one equation in x, y and z"};
+}
+
+bool Elaborator::build_statements() {
+    for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
+        if (table_.of_statement(i) == nullptr && !build_surface(i)) return false;
+    }
+    for (const bool functions : {true, false}) {
+        for (Definition& definition : table_.all()) {
+            const bool stands = table_.of_statement(definition.statement) == &definition;
+            if (!stands || definition.is_function != functions) continue;
+            if (!build_definition(definition) && !note_unreadable(definition)) return false;
+        }
+    }
+    return surfaces_.empty() || std::ranges::all_of(without_surface_, [&](std::size_t i) {
+               return keep_without_surface(i);
+           });
+}
+
+/// A definition that no surface needs, or a function that has a value only for the arguments it is
+/// called with, is no error where there is a surface.
+bool Elaborator::note_unreadable(const Definition& definition) {
+    if (surfaces_.empty() || !error_) return false;
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!definition.is_called) {
+        notes_.add(offset, "no surface needs this, and it is not read: " + error_->reason +
+                               (error_->hint.empty() ? "" : "; " + error_->hint));
+    }
+    readings_[definition.statement] = {
+        definition.is_function ? StatementKind::Function : StatementKind::Value, offset,
+        definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
+    error_.reset();
+    return true;
+}
+
+bool Elaborator::build_surface(std::size_t index) {
+    statement_ = index;
+    const Number root = equation(tree_.statements[index]);
+    if (!root) return false;
+    if (defines_nothing_else(index, *root)) {
+        without_surface_.push_back(index);
+        return true;
+    }
+    return add_surface(index, *root);
+}
+
+/// Whether a statement such as e = 3 or r = sqrt(x^2 + y^2 + z^2), whose name nothing uses, is no
+/// surface.
+bool Elaborator::defines_nothing_else(std::size_t statement, NodeId root) const {
+    const StatementSyntax& syntax = tree_.statements[statement];
+    const Syntax& relation = tree_[syntax.relation];
+    if (relation.kind != SyntaxKind::Compare || relation.marks != "=") return false;
+    if (!syntax.restrictions.empty()) return false;
+    const Syntax& left = tree_[relation.operands[0]];
+    if (left.kind != SyntaxKind::Name) return false;
+    if (!uses_space(root)) return true;
+    const Node& node = builder_.node(root);
+    const bool is_axis = left.text == "x" || left.text == "y" || left.text == "z";
+    return is_built_in_value(left.text) && !is_axis && node.op == Op::Subtract &&
+           node.a == node.b && tree_.statements.size() > 1;
+}
+
+bool Elaborator::keep_without_surface(std::size_t statement) {
+    statement_ = statement;
+    const Syntax& relation = tree_[tree_.statements[statement].relation];
+    const Number value = number(relation.operands[1], nullptr);
+    if (!value) return false;
+    readings_[statement] = {StatementKind::Value, tree_.statements[statement].offset,
+                            tree_[relation.operands[0]].text + " = " +
+                                builder_.text(*value, parameters_, longest_definition())};
+    return true;
+}
+
+Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
+    const Syntax& relation = tree_[statement.relation];
+    Number f;
+    if (relation.kind == SyntaxKind::Compare && relation.marks == "=") {
+        const Number left = number(relation.operands[0], nullptr);
+        const Number right = left ? number(relation.operands[1], nullptr) : std::nullopt;
+        if (!right) return std::nullopt;
+        f = make_subtract(builder_, *left, *right);
+        if (!done(*f, relation.offset)) return std::nullopt;
+    } else if (relation.kind == SyntaxKind::Compare && relation.marks.contains('=')) {
+        return fail(relation.offset, "an equation and an inequality in one",
+                    "put the inequality behind a comma: x^2 + y^2 = 1, z < 1");
+    } else if (relation.kind == SyntaxKind::Compare && relation.marks == "n") {
+        return fail(relation.offset, std::string(no_surface),
+                    "compare with = for the surface where both sides are equal");
+    } else if (is_condition(relation.kind)) {
+        return fail(relation.offset, std::string(no_surface), std::string(no_surface_hint));
+    } else {
+        f = expression(statement.relation);
+    }
+    if (!f) return std::nullopt;
+    return restricted(*f, statement);
+}
+
+/// A statement without "=".
+Elaborator::Number Elaborator::expression(SyntaxId id) {
+    const Built value = build(id, nullptr);
+    if (!value) return std::nullopt;
+    if (!value->condition) return value->id;
+    return fail(tree_[id].offset, std::string(no_surface), std::string(no_surface_hint));
+}
+
+Elaborator::Number Elaborator::restricted(NodeId f, const StatementSyntax& statement) {
+    Number all;
+    for (const SyntaxId id : statement.restrictions) {
+        const Syntax& syntax = tree_[id];
+        const bool equates = syntax.kind == SyntaxKind::Compare &&
+                             syntax.marks.find_first_of("=e") != std::string::npos;
+        if (equates) {
+            return fail(syntax.offset, "behind a comma stands an inequality, not an equation",
+                        "for a second surface type ';' instead of the comma");
+        }
+        const Number one = condition(id, nullptr, Numbers::Refused);
+        if (!one) return std::nullopt;
+        all = all ? make_call(builder_, Op::And, *all, *one) : *one;
+        if (!done(*all, syntax.offset)) return std::nullopt;
+    }
+    if (!all) return f;
+    if (refuses_undefined_ && never_holds(*all)) {
+        return fail(tree_[statement.restrictions.front()].offset, "this never holds");
+    }
+    return make_call(builder_, Op::Where, f, *all);
+}
+
+bool Elaborator::never_holds(NodeId condition) const {
+    const auto& constant = facts_[condition].constant;
+    return constant && constant->hi <= 0;
+}
+
+bool Elaborator::uses_space(NodeId root) const { return !facts_[root].uniform; }
+
+ParseError Elaborator::no_place_error(std::size_t statement) const {
+    const bool capital = parameter_index_.contains("X") || parameter_index_.contains("Y") ||
+                         parameter_index_.contains("Z");
+    const StatementSyntax& syntax = tree_.statements[statement];
+    std::string hint = "type an equation such as x^2 + y^2 + z^2 = 1";
+    if (capital) hint = "write them as small letters";
+    if (parameter_index_.contains("p")) hint = "write the point p as x, y, z: length(x, y, z)";
+    if (syntax.leading_sign != '\0')
+        hint = std::string("to go on with the line above end that with ") + syntax.leading_sign;
+    return {syntax.offset, "there is no x, y or z in it, so it is no surface", hint};
+}
+
+bool Elaborator::add_surface(std::size_t statement, NodeId root) {
+    const Node& top = builder_.node(root);
+    if (!uses_space(top.op == Op::Where ? top.a : root)) {
+        if (!error_) error_ = no_place_error(statement);
+        return false;
+    }
+    if (top.op == Op::Where && never_holds(top.b)) {
+        fail(tree_.statements[statement].offset, "its condition never holds");
+        return false;
+    }
+    if (surfaces_.size() == ProgramLimits::surfaces) {
+        fail(tree_.statements[statement].offset,
+             "there are more than " + std::to_string(ProgramLimits::surfaces) + " surfaces");
+        return false;
+    }
+    surfaces_.push_back({statement, root});
+    return true;
+}
+
+/// The readings of many definitions share their length.
+std::size_t Elaborator::longest_definition() {
+    const std::size_t count = std::max<std::size_t>(table_.all().size(), 1);
+    return std::clamp<std::size_t>(longest_readings / count, 20, 2'000);
+}
+
+bool Elaborator::build_definition(Definition& definition) {
+    statement_ = definition.statement;
+    const auto text = definition.is_function ? function_text(definition) : value_text(definition);
+    if (!text) return false;
+    readings_[definition.statement] = {
+        definition.is_function ? StatementKind::Function : StatementKind::Value,
+        tree_.statements[definition.statement].offset, *text};
+    return true;
+}
+
+std::optional<std::string> Elaborator::value_text(Definition& definition) {
+    const Syntax& relation = tree_[tree_.statements[definition.statement].relation];
+    if (!defined_value(definition, tree_[relation.operands[0]])) return std::nullopt;
+    note_built_in(definition);
+    return definition.name + " = " +
+           builder_.text(definition.value->id, parameters_, longest_definition());
+}
+
+/// A built-in name that means something else than ever.
+void Elaborator::note_built_in(const Definition& definition) {
+    const std::string& name = definition.name;
+    if (!is_built_in_value(name) || built_in(name)->id == definition.value->id) return;
+    notes_.add(tree_.statements[definition.statement].offset,
+               name + " is this value in all statements; for the built-in " + name + " type " +
+                   std::string(spelled_out(name)));
+}
+
+/// The function's reading, its arguments taken as parameters of their own.
+std::optional<std::string> Elaborator::function_text(Definition& definition) {
+    std::vector<NodeId> arguments;
+    std::string text = definition.name + "(";
+    for (const std::string& argument : definition.arguments) {
+        const std::size_t number = first_argument + arguments.size();
+        arguments.push_back(builder_.variable(variable_w + 1 + static_cast<int>(number)));
+        text += (text.ends_with('(') ? "" : ", ") + argument;
+    }
+    const std::size_t offset = tree_.statements[definition.statement].offset;
+    if (!arguments.empty() && !done(arguments.back(), offset)) return std::nullopt;
+    const Built value = function_value(definition, arguments);
+    if (!value) return std::nullopt;
+    std::vector<std::string> names = parameters_;
+    names.resize(first_argument);
+    names.insert(names.end(), definition.arguments.begin(), definition.arguments.end());
+    return text + ") = " + builder_.text(value->id, names, longest_definition());
+}
+
+std::expected<Program, ParseError> Elaborator::result() {
+    std::ranges::sort(surfaces_, {}, &Surface::statement);
+    Program program;
+    std::size_t nodes = 0;
+    // A text of many surfaces shares the time for the readings.
+    const std::size_t longest = std::min<std::size_t>(longest_text, 1'000'000 / surfaces_.size());
+    for (const Surface& surface : surfaces_) {
+        Expr expr = builder_.finish(surface.root, parameters_);
+        nodes += expr.nodes().size();
+        if (nodes > ProgramLimits::nodes) {
+            fail(tree_.statements[surface.statement].offset,
+                 "the surfaces up to here have more than " + std::to_string(ProgramLimits::nodes) +
+                     " operations");
+            return std::unexpected(*error_);
+        }
+        readings_[surface.statement] = {StatementKind::Surface,
+                                        tree_.statements[surface.statement].offset,
+                                        equation_text(expr, longest)};
+        program.surfaces.push_back(std::move(expr));
+    }
+    for (auto& [statement, reading] : readings_)
+        program.readings.push_back(std::move(reading));
+    notes_.hand_over(program.readings);
+    program.parameters = std::move(parameters_);
+    return program;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,151 @@
+#pragma once
+
+#include "engine/algebra/facts.hpp"
+#include "engine/language/elaborator_definitions.hpp"
+#include "engine/language/parse.hpp"
+#include "engine/language/syntax/syntax.hpp"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Private to parse.hpp: from trees of names to one graph.
+
+namespace zeroset {
+
+class Elaborator {
+public:
+    /// What stands at `counted_end` or behind makes no definition of what is before it.
+    explicit Elaborator(const SyntaxTree& tree, std::size_t counted_end = std::string_view::npos)
+        : tree_(tree), notes_(tree.notes), table_(tree, counted_end, notes_) {
+        error_ = table_.error();
+    }
+
+    std::expected<Program, ParseError> program();
+    /// The last statement, an expression.
+    std::expected<Expr, ParseError> last_value();
+    /// The only statement, an equation or an expression; its constants may be undefined.
+    std::expected<Expr, ParseError> formula();
+
+private:
+    using Value = BuiltValue;
+    using Built = std::optional<Value>;  ///< without a value: `error_` says why
+    using Number = std::optional<NodeId>;
+
+    /// A name of a function's argument, of a sum's index or of a value in a function's body.
+    struct Binding {
+        std::string_view name;
+        Value value;
+        const Binding* outer;
+    };
+    using Call = std::pair<const Definition*, std::vector<NodeId>>;
+    struct CallHash {
+        std::size_t operator()(const Call& call) const;
+    };
+    struct Surface {
+        std::size_t statement;
+        NodeId root;
+    };
+
+    // elaborator.cpp: statements
+    bool build_statements();
+    bool build_surface(std::size_t statement);
+    [[nodiscard]] std::optional<ParseError> error_for_parametric();
+    [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
+    bool keep_without_surface(std::size_t statement);
+    Number equation(const StatementSyntax& statement);
+    Number expression(SyntaxId id);
+    Number restricted(NodeId f, const StatementSyntax& statement);
+    bool build_definition(Definition& definition);
+    bool note_unreadable(const Definition& definition);
+    std::string hint_without_surface();
+    bool add_surface(std::size_t statement, NodeId root);
+    [[nodiscard]] bool uses_space(NodeId root) const;
+    [[nodiscard]] bool never_holds(NodeId condition) const;
+    [[nodiscard]] ParseError no_place_error(std::size_t statement) const;
+    std::optional<std::string> value_text(Definition& definition);
+    void note_built_in(const Definition& definition);
+    std::optional<std::string> function_text(Definition& definition);
+    std::expected<Program, ParseError> result();
+    [[nodiscard]] std::size_t longest_definition();
+
+    // elaborator_value.cpp: expressions
+    Built build(SyntaxId id, const Binding* scope);
+    Number number(SyntaxId id, const Binding* scope);
+    Built literal(const Syntax& syntax);
+    Built name(const Syntax& syntax, const Binding* scope);
+    Built built_in(std::string_view name);
+    Built parameter(const std::string& name, std::size_t offset);
+    void note_capital(const std::string& name, std::size_t offset);
+    Built defined_value(Definition& definition, const Syntax& syntax);
+    bool settle(Definition& definition);
+    Built unknown(const Syntax& name);
+    Built negated(const Syntax& syntax, const Binding* scope);
+    Built power(const Syntax& syntax, const Binding* scope);
+    Built sum(const Syntax& syntax, const Binding* scope);
+    Built product(const Syntax& syntax, const Binding* scope);
+    bool is_zero_by_name(SyntaxId id, NodeId divisor);
+    Built with_local_value(const Syntax& syntax, const Binding* scope);
+    Built last_of_list(const Syntax& syntax);
+
+    // elaborator_condition.cpp: what is true or false
+    /// What a number is where a condition is wanted.
+    enum class Numbers : std::uint8_t { Refused, TrueUnlessZero };
+    Number condition(SyntaxId id, const Binding* scope, Numbers numbers);
+    Number number_of(const Value& value, std::size_t offset);
+    Number condition_of(const Value& value, std::size_t offset);
+    Built compare(const Syntax& syntax, const Binding* scope);
+    Number compared(char mark, const Value& left, const Value& right, std::size_t offset);
+    Number equality(const Value& left, const Value& right, std::size_t offset);
+    Number same_truth(const Value& condition, const Value& other);
+    Built connected(const Syntax& syntax, Op op, const Binding* scope);
+    Built cases(const Syntax& syntax, const Binding* scope);
+
+    // elaborator_call.cpp: functions
+    Built call(const Syntax& syntax, const Binding* scope);
+    Built repeated(const Syntax& syntax, const Binding* scope);
+    Built defined_call(const Syntax& syntax, const Binding* scope);
+    Built function_value(Definition& definition, const std::vector<NodeId>& arguments);
+    Built library_call(const Syntax& syntax, const Binding* scope);
+    Built kept_value(const Syntax& syntax, const Binding* scope);
+    struct Complaint {
+        std::string reason;
+        std::string hint;
+    };
+    std::optional<double> whole_number(SyntaxId id, const Binding* scope,
+                                       const Complaint& otherwise);
+    [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
+    std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
+
+    /// The node as a value, unless the graph is too large or holds a constant that is no number.
+    Built done(NodeId id, std::size_t offset, bool condition = false);
+    [[nodiscard]] bool divides_by_zero(const Node& node) const;
+    std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
+
+    const SyntaxTree& tree_;
+    Notes notes_;
+    DefinitionTable table_;
+    ExprBuilder builder_;
+    std::vector<Facts> facts_;  ///< of the builder's nodes
+    std::unordered_map<std::string, std::size_t> parameter_index_;
+    std::vector<std::string> parameters_;
+    std::unordered_map<Call, Value, CallHash> calls_;
+    std::unordered_map<SyntaxId, Value> earlier_;  ///< of lists
+    std::map<double, NodeId> kept_;                ///< by psh
+    std::optional<std::size_t> library_offset_;    ///< of the call whose body is being built
+    std::vector<Surface> surfaces_;
+    std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 that nothing uses
+    std::map<std::size_t, Reading> readings_;   ///< by statement
+    std::optional<ParseError> error_;
+    std::size_t statement_ = 0;  ///< whose names are looked up
+    bool refuses_undefined_ = true;
+    int depth_ = 0;
+    std::size_t steps_ = 0;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,206 @@
+// From calls of functions to nodes: built-in ones, those of the text, sums.
+
+#include "engine/expr/simplify.hpp"
+#include "engine/expr/spelling.hpp"
+#include "engine/language/elaborator.hpp"
+#include "engine/language/words/words.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace zeroset {
+namespace {
+
+constexpr double max_terms = 10'000;
+constexpr double largest_bound = 1e15;  // i + 1 is another number
+
+}  // namespace
+
+Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
+    if (syntax.function == nullptr) return defined_call(syntax, scope);
+    if (syntax.function->repeats()) return repeated(syntax, scope);
+    if (syntax.function->is_of_library()) return library_call(syntax, scope);
+    const std::optional<Composed> composed = syntax.function->composed;
+    if (composed == Composed::Keep || composed == Composed::Kept) return kept_value(syntax, scope);
+    const std::optional<Op> op = syntax.function->op;
+    std::vector<NodeId> arguments;
+    for (const SyntaxId id : syntax.operands) {
+        const std::size_t place = arguments.size();
+        if (library_offset_ && op == Op::If && place == 1) {
+            if (const auto truth = known_truth(arguments[0]))
+                return build(syntax.operands[*truth ? 1 : 2], scope);
+        }
+        const bool is_condition = (op == Op::If && place == 0) || (op == Op::Where && place == 1);
+        const Number argument =
+            is_condition ? condition(id, scope, Numbers::TrueUnlessZero) : number(id, scope);
+        if (!argument) return std::nullopt;
+        arguments.push_back(*argument);
+    }
+    return done(make_function(builder_, *syntax.function, arguments), syntax.offset);
+}
+
+/// Whether a condition holds that does not depend on anything. No answer: it depends.
+std::optional<bool> Elaborator::known_truth(NodeId condition) const {
+    const auto& constant = facts_[condition].constant;
+    if (!constant || constant->neg_lo != -constant->hi) return std::nullopt;
+    return constant->hi != 0;
+}
+
+std::optional<std::vector<NodeId>> Elaborator::numbers(std::span<const SyntaxId> ids,
+                                                       const Binding* scope) {
+    std::vector<NodeId> values;
+    for (const SyntaxId id : ids) {
+        const Number value = number(id, scope);
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+    }
+    return values;
+}
+
+/// A function of library.def: its body with the arguments, and with no name of the text.
+Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* scope) {
+    const LibraryFunction& function = tree_.library.at(syntax.function);
+    const auto arguments = numbers(syntax.operands, scope);
+    if (!arguments) return std::nullopt;
+    std::vector<Binding> names;
+    names.reserve(arguments->size());
+    for (std::size_t i = 0; i < arguments->size(); ++i) {
+        names.push_back(
+            {function.arguments[i], {(*arguments)[i], false}, i == 0 ? nullptr : &names[i - 1]});
+    }
+    const auto outer = library_offset_;
+    library_offset_ = outer.value_or(syntax.offset);
+    const Built value = build(function.body, &names.back());
+    library_offset_ = outer;
+    return value;
+}
+
+/// psh(i, a), which is 1 and keeps a, and csd(i), which is what was kept last.
+Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* scope) {
+    const std::string name(syntax.function->name);
+    const auto index =
+        whole_number(syntax.operands[0], scope,
+                     {"the first argument of " + name + " is a whole number", "type 0, 1, ..."});
+    if (!index) return std::nullopt;
+    if (syntax.function->composed == Composed::Keep) {
+        const Number value = number(syntax.operands[1], scope);
+        if (!value) return std::nullopt;
+        kept_.insert_or_assign(*index, *value);
+        return done(builder_.constant(1.0), syntax.offset);
+    }
+    const auto kept = kept_.find(*index);
+    if (kept != kept_.end()) return Value{kept->second, false};
+    return fail(syntax.offset, "csd reads what no psh before it keeps",
+                "type psh(i, a) for the same i before it");
+}
+
+/// The exact value of a bound or an index.
+std::optional<double> Elaborator::whole_number(SyntaxId id, const Binding* scope,
+                                               const Complaint& otherwise) {
+    const Number value = number(id, scope);
+    if (!value) return std::nullopt;
+    const std::optional<double> exact = exact_value(builder_, *value);
+    const bool is_whole =
+        exact && *exact == std::floor(*exact) && std::abs(*exact) <= largest_bound;
+    if (is_whole) return exact;
+    return fail(tree_[id].offset, otherwise.reason, otherwise.hint);
+}
+
+/// sum(f, i, m, n) and its kin, written out.
+Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scope) {
+    const std::string name(syntax.function->name);
+    const Syntax& index = tree_[syntax.operands[1]];
+    if (index.kind != SyntaxKind::Name) {
+        return fail(index.offset, "the second argument of " + name + " is a name",
+                    "for example " + name + "(x^i, i, 1, 5)");
+    }
+    std::optional<double> bounds[2];
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string rule = library_offset_ ? "the number of parts here is a whole number"
+                                                 : "the bounds of " + name + " are whole numbers";
+        const std::string hint =
+            library_offset_ ? "type one, such as 8" : "for example " + name + "(x^i, i, 1, 5)";
+        bounds[i] = whole_number(syntax.operands[2 + i], scope, {rule, hint});
+        if (!bounds[i]) return std::nullopt;
+    }
+    if (*bounds[1] - *bounds[0] >= max_terms) {
+        return fail(syntax.offset, name + " has more than 10 000 terms", "use fewer");
+    }
+    const Composed kind = *syntax.function->composed;
+    const auto joined = [&](NodeId a, NodeId b) {
+        if (kind == Composed::Sum) return make_add(builder_, a, b);
+        if (kind == Composed::Product) return make_multiply(builder_, a, b);
+        return make_call(builder_, kind == Composed::Least ? Op::Min : Op::Max, a, b);
+    };
+    const bool is_empty = *bounds[1] < *bounds[0];
+    if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
+        return fail(syntax.offset, name + " has no terms", "let m be at most n");
+    NodeId total = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0);
+    for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
+        const Binding binding{index.text, {builder_.constant(i), false}, scope};
+        if (!done(binding.value.id, index.offset)) return std::nullopt;
+        const Number term = number(syntax.operands[0], &binding);
+        if (!term) return std::nullopt;
+        const bool first = i == *bounds[0];
+        total = first ? *term : joined(total, *term);
+        if (!done(total, syntax.offset)) return std::nullopt;
+    }
+    return done(total, syntax.offset);
+}
+
+Elaborator::Built Elaborator::defined_call(const Syntax& syntax, const Binding* scope) {
+    Definition* const definition = table_.function(syntax.text, statement_);
+    if (definition == nullptr) {
+        return fail(syntax.offset, quoted(syntax.text) + " is not a function",
+                    "define it, as in " + syntax.text + "(u, v) = u^2 + v^2");
+    }
+    const std::size_t wanted = definition->arguments.size();
+    if (syntax.operands.size() != wanted) {
+        return fail(syntax.offset, syntax.text + " takes " + std::to_string(wanted) +
+                                       (wanted == 1 ? " argument, not " : " arguments, not ") +
+                                       std::to_string(syntax.operands.size()));
+    }
+    std::vector<NodeId> arguments;
+    for (const SyntaxId id : syntax.operands) {
+        const Number argument = number(id, scope);
+        if (!argument) return std::nullopt;
+        arguments.push_back(*argument);
+    }
+    if (definition->in_progress) {
+        return fail(syntax.offset, quoted(syntax.text) + " is defined by itself",
+                    "write the terms out, or use sum or prod");
+    }
+    definition->is_called = true;
+    return function_value(*definition, arguments);
+}
+
+std::size_t Elaborator::CallHash::operator()(const Call& call) const {
+    std::size_t hash = std::hash<const Definition*>()(call.first);
+    for (const NodeId argument : call.second) {
+        hash = (hash ^ argument) * 0x9e3779b97f4a7c15ULL;
+        hash ^= hash >> 29U;
+    }
+    return hash;
+}
+
+Elaborator::Built Elaborator::function_value(Definition& definition,
+                                             const std::vector<NodeId>& arguments) {
+    const auto [entry, is_new] = calls_.try_emplace(Call{&definition, arguments}, Value{0, false});
+    Value& known = entry->second;
+    if (!is_new) return known;
+    std::vector<Binding> scope;
+    scope.reserve(arguments.size());
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        scope.push_back(
+            {definition.arguments[i], {arguments[i], false}, i == 0 ? nullptr : &scope[i - 1]});
+    }
+    definition.in_progress = true;
+    const std::size_t outer = std::exchange(statement_, definition.statement);
+    const Built value = build(definition.body, scope.empty() ? nullptr : &scope.back());
+    statement_ = outer;
+    definition.in_progress = false;
+    if (value) known = *value;
+    return value;
+}
+
+}  // namespace zeroset

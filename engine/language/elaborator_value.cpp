@@ -1,0 +1,309 @@
+// From a tree's expressions to nodes.
+
+#include "engine/expr/constants.hpp"
+#include "engine/expr/number.hpp"
+#include "engine/expr/simplify.hpp"
+#include "engine/expr/spelling.hpp"
+#include "engine/language/elaborator.hpp"
+#include "engine/language/vocabulary/foreign.hpp"
+#include "engine/language/words/words.hpp"
+
+#include <cassert>
+
+namespace zeroset {
+namespace {
+
+constexpr double largest_number = 1e300;
+constexpr int max_depth = 5000;  // of trees within calls within trees
+constexpr int deep = 500;        // from here on values are known before they are looked up
+constexpr std::size_t max_steps = 10'000'000;  // takes below two seconds
+
+std::string why_undefined(const Node& node) {
+    if (node.op == Op::Divide) return "a division by 0";
+    if (node.op == Op::Mod) return "mod(a, 0)";
+    if (node.op == Op::Where) return "its condition never holds";
+    return std::string(op_info(node.op).spelling) + " outside its domain";
+}
+
+}  // namespace
+
+bool Elaborator::divides_by_zero(const Node& node) const {
+    if (node.op != Op::Divide && node.op != Op::Mod) return false;
+    const auto& divisor = facts_[node.b].constant;
+    return divisor && divisor->neg_lo == 0 && divisor->hi == 0;
+}
+
+std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
+    offset = library_offset_.value_or(offset);
+    if (!error_) error_ = ParseError{offset, std::move(reason), std::move(hint)};
+    return std::nullopt;
+}
+
+Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition) {
+    if (builder_.size() > ProgramLimits::nodes) {
+        return fail(offset, "the formula has more than " + std::to_string(ProgramLimits::nodes) +
+                                " operations");
+    }
+    for (auto next = static_cast<NodeId>(facts_.size()); next < builder_.size(); ++next) {
+        facts_.push_back(facts_of_node(builder_.node(next), facts_));
+        const Node& node = builder_.node(next);
+        if (refuses_undefined_ && (facts_.back().undefined || divides_by_zero(node))) {
+            return fail(offset, "this is not a number: " + why_undefined(node));
+        }
+    }
+    return Value{id, condition};
+}
+
+Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
+    struct Level {
+        int& depth;
+        explicit Level(int& d) : depth(d) { ++depth; }
+        ~Level() { --depth; }
+    };
+    const Level level(depth_);
+    const Syntax& syntax = tree_[id];
+    if (depth_ > max_depth) return fail(syntax.offset, "the definitions are nested too deep");
+    if (++steps_ > max_steps) {
+        return fail(syntax.offset, "the sums and functions here ask for too many operations",
+                    "use fewer terms");
+    }
+    switch (syntax.kind) {
+        case SyntaxKind::Number: return literal(syntax);
+        case SyntaxKind::Name: return name(syntax, scope);
+        case SyntaxKind::Negate: return negated(syntax, scope);
+        case SyntaxKind::Sum: return sum(syntax, scope);
+        case SyntaxKind::Product: return product(syntax, scope);
+        case SyntaxKind::Power: return power(syntax, scope);
+        case SyntaxKind::Call: return call(syntax, scope);
+        case SyntaxKind::Compare: return compare(syntax, scope);
+        case SyntaxKind::And: return connected(syntax, Op::And, scope);
+        case SyntaxKind::Or: return connected(syntax, Op::Or, scope);
+        case SyntaxKind::Not: {
+            const Number a = condition(syntax.operands[0], scope, Numbers::TrueUnlessZero);
+            return a ? done(make_call(builder_, Op::Not, *a, 0), syntax.offset, true)
+                     : std::nullopt;
+        }
+        case SyntaxKind::Cases: return cases(syntax, scope);
+        case SyntaxKind::Let: return with_local_value(syntax, scope);
+        case SyntaxKind::List: return last_of_list(syntax);
+        case SyntaxKind::Earlier: return earlier_.at(syntax.operands[0]);
+    }
+    return std::nullopt;
+}
+
+Elaborator::Number Elaborator::number(SyntaxId id, const Binding* scope) {
+    const Built value = build(id, scope);
+    return value ? number_of(*value, tree_[id].offset) : std::nullopt;
+}
+
+Elaborator::Built Elaborator::literal(const Syntax& syntax) {
+    const NumberEnclosure number = enclose_number(syntax.text);
+    if (number.hi > largest_number) {
+        return fail(syntax.offset, "the number " + quoted(syntax.text) + " is too large",
+                    "stay below 1e300");
+    }
+    return done(builder_.constant(number.lo, number.hi), syntax.offset);
+}
+
+Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
+    for (const Binding* binding = scope; binding != nullptr; binding = binding->outer) {
+        ++steps_;
+        if (binding->name == syntax.text) return binding->value;
+    }
+    Definition* const definition =
+        library_offset_ ? nullptr : table_.value(syntax.text, statement_);
+    if (definition != nullptr) return defined_value(*definition, syntax);
+    if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
+    return unknown(syntax);
+}
+
+/// A parameter, or what is wrong with the name.
+Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
+    const std::string& name = syntax.text;
+    if (const Definition* const function = table_.function(name, statement_)) {
+        std::string call = name + "(";
+        for (const std::string& argument : function->arguments)
+            call += (call.ends_with('(') ? "" : ", ") + argument;
+        return fail(syntax.offset, quoted(name) + " is a function", "type " + call + ")");
+    }
+    if (is_parameter_name(name)) return parameter(name, syntax.offset);
+    if (auto foreign = error_for_foreign(name, syntax.offset)) {
+        return fail(foreign->offset, std::move(foreign->reason), std::move(foreign->hint));
+    }
+    return fail(syntax.offset, quoted(name) + " is not known", hint_for_unknown(name));
+}
+
+Elaborator::Built Elaborator::built_in(std::string_view name) {
+    const auto variable = [&](int index) { return builder_.variable(index); };
+    const auto radius = [&](int dimensions) {
+        NodeId squares = make_power(builder_, variable(0), builder_.constant(2.0));
+        for (int i = 1; i < dimensions; ++i) {
+            squares = make_add(builder_, squares,
+                               make_power(builder_, variable(i), builder_.constant(2.0)));
+        }
+        return make_call(builder_, Op::Sqrt, squares);
+    };
+    const auto value = [&]() -> NodeId {
+        if (name == "x" || name == "y" || name == "z") return variable(name[0] - 'x');
+        if (name == "w" || name == "t") return variable(variable_w);
+        if (name == "r") return radius(3);
+        if (name == "rho") return radius(2);
+        if (name == "theta") return make_call(builder_, Op::Atan2, variable(1), variable(0));
+        if (name == "phi") {
+            return make_call(builder_, Op::Acos, make_divide(builder_, variable(2), radius(3)));
+        }
+        for (const NamedConstant& known : named_constants) {
+            if (name == known.name) return builder_.constant(known.value.lo, known.value.hi);
+        }
+        assert(name == "golden");
+        const NodeId root5 = make_call(builder_, Op::Sqrt, builder_.constant(5.0));
+        return make_divide(builder_, make_add(builder_, builder_.constant(1.0), root5),
+                           builder_.constant(2.0));
+    };
+    return Value{value(), false};
+}
+
+Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t offset) {
+    const auto [entry, is_new] = parameter_index_.try_emplace(name, parameters_.size());
+    if (is_new) {
+        if (parameters_.size() == ProgramLimits::parameters) {
+            return fail(offset, "there are more than " + std::to_string(ProgramLimits::parameters) +
+                                    " parameters");
+        }
+        parameters_.push_back(name);
+        note_capital(name, offset);
+    }
+    return done(builder_.variable(variable_w + 1 + static_cast<int>(entry->second)), offset);
+}
+
+/// X and E are parameters here, but the coordinate and 2.718... elsewhere.
+void Elaborator::note_capital(const std::string& name, std::size_t offset) {
+    const bool is_axis = name == "X" || name == "Y" || name == "Z";
+    if (!is_axis && name != "E") return;
+    notes_.add(offset, name + " is a parameter; for " +
+                           (is_axis ? "the coordinate type " : "2.718... type ") +
+                           in_small_letters(name));
+}
+
+Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
+    if (definition.value) return definition.value;
+    if (definition.in_progress) {
+        if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
+        return fail(syntax.offset, quoted(syntax.text) + " is defined by itself");
+    }
+    definition.in_progress = true;
+    if (depth_ > deep && !settle(definition)) return std::nullopt;
+    const std::size_t outer = std::exchange(statement_, definition.statement);
+    definition.value = build(definition.body, nullptr);
+    statement_ = outer;
+    definition.in_progress = false;
+    return definition.value;
+}
+
+/// Makes all values known that a definition needs, the innermost first: a long chain of definitions
+/// takes no deep stack.
+bool Elaborator::settle(Definition& definition) {
+    struct Visit {
+        Definition* of;
+        std::size_t next;
+    };
+    std::vector<Visit> stack{{&definition, 0}};
+    definition.settled = true;
+    while (!stack.empty()) {
+        const auto uses = table_.uses(stack.back().of->statement);
+        if (stack.back().next < uses.size()) {
+            const NameUse& use = uses[stack.back().next++];
+            Definition* const needed = table_.meant(use, stack.back().of->statement);
+            if (needed == nullptr || needed->settled) continue;
+            needed->settled = true;
+            stack.push_back({needed, 0});
+            continue;
+        }
+        Definition& known = *stack.back().of;
+        stack.pop_back();
+        if (known.is_function || &known == &definition || known.in_progress) continue;
+        const Syntax& relation = tree_[tree_.statements[known.statement].relation];
+        if (!defined_value(known, tree_[relation.operands[0]])) return false;
+    }
+    return true;
+}
+
+Elaborator::Built Elaborator::negated(const Syntax& syntax, const Binding* scope) {
+    const Number a = number(syntax.operands[0], scope);
+    return a ? done(make_negate(builder_, *a), syntax.offset) : std::nullopt;
+}
+
+Elaborator::Built Elaborator::power(const Syntax& syntax, const Binding* scope) {
+    const Number a = number(syntax.operands[0], scope);
+    const Number b = a ? number(syntax.operands[1], scope) : std::nullopt;
+    return b ? done(make_power(builder_, *a, *b), syntax.offset) : std::nullopt;
+}
+
+Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
+    Number total = number(syntax.operands[0], scope);
+    for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
+        const Number term = number(syntax.operands[i], scope);
+        if (!term) return std::nullopt;
+        total = syntax.marks[i - 1] == '+' ? make_add(builder_, *total, *term)
+                                           : make_subtract(builder_, *total, *term);
+        if (!done(*total, tree_[syntax.operands[i]].offset)) return std::nullopt;
+    }
+    if (!total) return std::nullopt;
+    return Value{*total, false};
+}
+
+Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope) {
+    Number total = number(syntax.operands[0], scope);
+    for (std::size_t i = 1; total && i < syntax.operands.size(); ++i) {
+        const Number factor = number(syntax.operands[i], scope);
+        if (!factor) return std::nullopt;
+        const std::size_t offset = tree_[syntax.operands[i]].offset;
+        switch (syntax.marks[i - 1]) {
+            case '*': total = make_multiply(builder_, *total, *factor); break;
+            case '/':
+                if (is_zero_by_name(syntax.operands[i], *factor)) return std::nullopt;
+                total = make_divide(builder_, *total, *factor);
+                break;
+            default:
+                total = make_call(builder_, Op::Mod, *total, *factor);
+                notes_.add(offset,
+                           "a % b is mod(a, b), from 0 up to b; for the remainder of C, with "
+                           "the sign of a, type fmod(a, b)");
+        }
+        if (!done(*total, offset)) return std::nullopt;
+    }
+    if (!total) return std::nullopt;
+    return Value{*total, false};
+}
+
+/// Whether a divisor is a name whose value is 0; the error says so.
+bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
+    const Syntax& syntax = tree_[id];
+    const auto& constant = facts_[divisor].constant;
+    const bool is_zero = constant && constant->neg_lo == 0 && constant->hi == 0;
+    if (!refuses_undefined_ || syntax.kind != SyntaxKind::Name || !is_zero) return false;
+    fail(syntax.offset, "this is not a number: a division by 0, as " + syntax.text + " is 0",
+         "give " + syntax.text + " another value");
+    return true;
+}
+
+/// A name with a value in what follows it, in a function's body.
+Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
+    const Built value = build(syntax.operands[0], scope);
+    if (!value) return value;
+    const Binding binding{syntax.text, *value, scope};
+    return build(syntax.operands[1], &binding);
+}
+
+/// The values of a list, each known once and for all, so that a long list takes no deep stack.
+Elaborator::Built Elaborator::last_of_list(const Syntax& syntax) {
+    Built last;
+    for (const SyntaxId id : syntax.operands) {
+        last = build(id, nullptr);
+        if (!last) return last;
+        earlier_.insert_or_assign(id, *last);
+    }
+    return last;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,83 @@
+#include "engine/language/parse.hpp"
+
+#include "engine/language/elaborator.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+ParseError unknown_parameter(const std::string& name, std::span<const std::string> parameters) {
+    std::string known = "the formula has none";
+    if (!parameters.empty()) known = "the formula's are";
+    for (const std::string& parameter : parameters)
+        known += " " + parameter;
+    return {0, "there is no parameter '" + name + "'", known};
+}
+
+/// The graph with its parameters numbered as these are.
+std::expected<Expr, ParseError> renumbered(const Expr& expr,
+                                           std::span<const std::string> parameters) {
+    constexpr int first = variable_w + 1;
+    ExprBuilder builder;
+    std::vector<NodeId> copies;
+    for (const Node& node : expr.nodes()) {
+        if (node.op == Op::Constant) {
+            copies.push_back(builder.constant(node.lo, node.hi));
+            continue;
+        }
+        if (node.op != Op::Variable || node.number < first) {
+            const auto copy = [&](NodeId id) { return id < copies.size() ? copies[id] : 0; };
+            copies.push_back(node.op == Op::Variable
+                                 ? builder.variable(node.number)
+                                 : builder.apply(node.op, copy(node.a), copy(node.b), copy(node.c),
+                                                 node.number));
+            continue;
+        }
+        const std::string& name = expr.parameters()[static_cast<std::size_t>(node.number - first)];
+        const auto found = std::ranges::find(parameters, name);
+        if (found == parameters.end()) return std::unexpected(unknown_parameter(name, parameters));
+        copies.push_back(builder.variable(first + static_cast<int>(found - parameters.begin())));
+    }
+    return builder.finish(copies.back(), {parameters.begin(), parameters.end()});
+}
+
+}  // namespace
+
+std::expected<Program, ParseError> read_program(std::string_view text) {
+    const auto tree = read_syntax(text);
+    if (!tree) return std::unexpected(tree.error());
+    return Elaborator(*tree).program();
+}
+
+std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
+                                           std::span<const std::string> parameters) {
+    // Alone first: it must be one statement, whatever the program goes on with.
+    const auto alone = read_syntax(expression);
+    if (!alone) return std::unexpected(alone.error());
+    if (alone->statements.size() > 1) {
+        return std::unexpected(ParseError{alone->statements[1].offset,
+                                          "there is a second expression", "type one of them"});
+    }
+    std::string text(program);
+    text += "\n;\n";
+    const std::size_t begin = text.size();
+    text += expression;
+    const auto tree = read_syntax(text, begin);
+    auto value = tree ? Elaborator(*tree, begin).last_value() : std::unexpected(tree.error());
+    if (!value) {
+        ParseError error = value.error();
+        error.offset -= std::min(error.offset, begin);
+        return std::unexpected(error);
+    }
+    return renumbered(*value, parameters);
+}
+
+std::expected<Expr, ParseError> parse(std::string_view text) {
+    const auto tree = read_syntax(text);
+    if (!tree) return std::unexpected(tree.error());
+    return Elaborator(*tree).formula();
+}
+
+}  // namespace zeroset

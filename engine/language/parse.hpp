@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "engine/language/vocabulary/reading.hpp"
+
+#include <expected>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace zeroset {
+
+/// What a text says. Surfaces share the numbering of the parameters.
+struct Program {
+    std::vector<Expr> surfaces;  ///< f of f = 0, restricted by Op::Where; at least one
+    std::vector<Reading> readings;
+    std::vector<std::string> parameters;  ///< single letters without a definition
+};
+
+/// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded
+/// whatever it says.
+std::expected<Program, ParseError> read_program(std::string_view text);
+
+/// Reads an expression with the functions and values of a program (its text, which can be read) and
+/// with its parameters, in their order; others are an error. Offsets are of the expression.
+std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
+                                           std::span<const std::string> parameters);
+
+/// Reads the one formula of a text, which may also be constant, even undefined (1/0).
+std::expected<Expr, ParseError> parse(std::string_view text);
+
+}  // namespace zeroset

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/language/words/lexer.hpp"
+#include "engine/language/words/words_defined.hpp"
+
+#include <vector>
+
+namespace zeroset {
+
+/// Leaves out the f of numbers such as 0.5f, as programs write them, unless the text has an f of
+/// its own.
+std::vector<Token> without_float_suffixes(std::vector<Token> tokens, const DefinedNames& defined,
+                                          Notes& notes);
+
+}  // namespace zeroset

@@ -1,0 +1,160 @@
+#pragma once
+
+#include "engine/language/syntax/syntax.hpp"
+#include "engine/language/words/words_defined.hpp"
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// Private to the reading of syntax: recursive descent, a function for each rule of the grammar in
+// resources/docs/language.md.
+
+namespace zeroset {
+
+class SyntaxParser {
+public:
+    /// Without a value: `error_` says why. An error in each value would make the stack of a deeply
+    /// nested formula several times as large.
+    using Parsed = std::optional<SyntaxId>;
+
+    SyntaxParser(std::vector<Token> tokens, const DefinedNames& defined, Notes notes)
+        : tokens_(std::move(tokens)), defined_(defined) {
+        tree_.notes = std::move(notes);
+    }
+
+    std::expected<SyntaxTree, ParseError> text();
+
+private:
+    using Rule = Parsed (SyntaxParser::*)();
+    using List = std::optional<std::vector<SyntaxId>>;
+
+    /// A name in the body of a function as programs write it.
+    struct LocalValue {
+        std::string name;
+        std::size_t offset;
+        SyntaxId value;
+    };
+
+    /// One more nesting while it lives. Every recursion passes power() or part().
+    struct Level {
+        explicit Level(int& depth) : depth_(depth) { ++depth_; }
+        ~Level() { --depth_; }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+
+    private:
+        int& depth_;
+    };
+
+    // syntax_statement.cpp
+    bool statement();
+    void skip_label();
+    bool part_of_statement(bool is_certain, std::size_t offset);
+    bool skip_type_words();
+    [[nodiscard]] bool declares_more() const;
+    Parsed relation_of_statement(bool is_certain);
+    SyntaxId with_equation_outside(SyntaxId root);
+    bool restrictions_in_braces(StatementSyntax& statement);
+    [[nodiscard]] bool starts_program_function() const;
+    Parsed program_function();
+    [[nodiscard]] bool starts_pov_function() const;
+    Parsed pov_function();
+    Parsed block();
+    bool local_value(std::vector<LocalValue>& locals);
+
+    // syntax_instructions.cpp
+    Parsed instructions();
+    Parsed instruction(const NameMap<SyntaxId>& known);
+    Parsed instruction_value(const Token& word, const NameMap<SyntaxId>& known);
+    Parsed instruction_number();
+
+    // syntax_parser.cpp: operators
+    Parsed choice();
+    Parsed logic();
+    Parsed both();
+    Parsed negation();
+    Parsed relation();
+    Parsed sum();
+    Parsed product();
+    [[nodiscard]] bool is_derivative() const;
+    Parsed signed_power();
+    Parsed negated();
+    Parsed power();
+    Parsed joined_by(std::string_view word, SyntaxKind kind, Rule rule);
+    /// The mark of a comparison, or 0.
+    [[nodiscard]] char comparison() const;
+    [[nodiscard]] bool starts_factor() const;
+    [[nodiscard]] bool restricts() const;
+
+    // syntax_operand.cpp
+    Parsed operand();
+    Parsed name(const Token& token);
+    Parsed group(const Token& opener);
+    Parsed cases(const Token& opener, SyntaxId condition);
+    [[nodiscard]] bool is_list() const;
+    Parsed absolute(const Token& opener);
+    Parsed floor_or_ceil(const Token& opener);
+    Parsed fraction();
+    Parsed radical(const Token& token);
+    Parsed part();
+    Parsed call(const Token& token, const Function& function);
+    std::vector<SyntaxId> in_order_of_atan2(const Token& token, std::vector<SyntaxId> values);
+    Parsed call_of_text(const Token& token);
+    bool skip_to_list();
+    List arguments_of(const Token& token, const Function& function);
+    List arguments();
+    Parsed bare_argument();
+    Parsed with_exponent(SyntaxId call, const Token& token, const Function& function,
+                         SyntaxId exponent);
+    Parsed superscript();
+    [[nodiscard]] bool starts_bare_factor() const;
+
+    // syntax_errors.cpp
+    [[nodiscard]] static ParseError wrong_count(const Token& token, const Function& function,
+                                                std::size_t count);
+    /// Why `name(a, b)` is no call.
+    [[nodiscard]] ParseError no_function(const Token& name) const;
+    bool close(const Token& opener);
+    std::nullopt_t refuse(ParseError error);
+    std::nullopt_t fail(const Token& at, std::string reason, std::string hint = {});
+    [[nodiscard]] ParseError missing_operand() const;
+    [[nodiscard]] ParseError surplus() const;
+    /// Whether `further` levels more are allowed; an error if not.
+    bool may_nest(int further = 0);
+
+    SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
+                 std::string_view marks = {}, std::string_view text = {});
+    SyntaxId add_call(const Function& function, std::size_t offset, std::vector<SyntaxId> operands);
+    void add_library_function(const Function& function, std::size_t offset);
+
+    [[nodiscard]] const Token& next() const { return tokens_[at_]; }
+    [[nodiscard]] bool next_is(std::string_view symbol) const {
+        return next().kind == TokenKind::Symbol && next().text == symbol;
+    }
+    [[nodiscard]] bool next_is_one_of(std::initializer_list<std::string_view> symbols) const;
+    [[nodiscard]] bool next_is_word(std::string_view word) const {
+        return next().kind == TokenKind::Name && next().text == word;
+    }
+    [[nodiscard]] bool at_break() const {
+        return next().kind == TokenKind::Break || next().kind == TokenKind::End;
+    }
+    const Token& take() { return tokens_[next().kind == TokenKind::End ? at_ : at_++]; }
+    /// The typed text of the token before.
+    [[nodiscard]] std::string before() const { return std::string(tokens_[at_ - 1].text); }
+
+    std::vector<Token> tokens_;
+    const DefinedNames& defined_;
+    SyntaxTree tree_;
+    std::optional<ParseError> error_;
+    std::size_t at_ = 0;
+    std::size_t statement_start_ = 0;  ///< index of its first token
+    int depth_ = 0;                    ///< of nested operands
+    int brackets_ = 0;                 ///< open ones
+    int bars_ = 0;                     ///< open |, since the last open bracket
+};
+
+}  // namespace zeroset

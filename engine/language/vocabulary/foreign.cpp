@@ -1,0 +1,115 @@
+#include "engine/language/vocabulary/foreign.hpp"
+
+#include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/functions.hpp"
+#include "engine/language/vocabulary/nearest_word.hpp"
+#include "engine/language/vocabulary/words_vocabulary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+
+std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset) {
+    const std::string word = in_small_letters(name);
+    const auto is_one_of = [&](std::initializer_list<std::string_view> words) {
+        return std::ranges::find(words, word) != words.end();
+    };
+    if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
+                   "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
+        return ParseError{offset, "vectors are not read: " + quoted(name),
+                          "write their components as numbers of their own"};
+    }
+    constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
+    const bool is_noise =
+        std::ranges::any_of(parts, [&](std::string_view part) { return word.contains(part); }) ||
+        is_one_of({"f_agate", "f_bozo", "f_bumps", "f_crackle", "f_dents", "f_granite",
+                   "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
+                   "f_wrinkles"});
+    if (is_noise) {
+        return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
+                          "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
+    }
+    if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
+        return ParseError{offset, "iterations are not read: " + quoted(name) + " repeats a step",
+                          "type a formula that does without it"};
+    }
+    if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
+        return ParseError{offset, quoted(name) + " of POV-Ray gives a colour or a vector",
+                          "type a formula that gives a number"};
+    }
+    if (word == "for") {
+        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
+                          "put a condition behind a comma: z = x^2, x > 0"};
+    }
+    if (word == "def" || word == "lambda") {
+        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
+                          "define the function as f(x, y, z) = x^2 + y^2 - z"};
+    }
+    if (is_one_of({"while", "return", "void", "else", "struct", "uniform", "import"})) {
+        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
+                          "type its formulas, each on a line of its own"};
+    }
+    if (is_one_of({"contourplot3d", "plot3d", "implicitplot3d", "implicitplot", "implicit_plot3d",
+                   "fimplicit3", "fimplicit", "isosurface", "parametricplot3d", "show",
+                   "manipulate"})) {
+        return ParseError{offset, quoted(name) + " is a command of another program",
+                          "type only the equation in it"};
+    }
+    return std::nullopt;
+}
+
+std::string hint_for_unknown(std::string_view name) {
+    std::vector<std::string_view> words = function_spellings();
+    constexpr std::size_t shortest_of_library = 5;  // f_r is near to any short name
+    std::erase_if(words, [&](std::string_view word) {
+        return name.size() < shortest_of_library && find_function(word)->is_of_library();
+    });
+    words.insert(words.end(), built_in_values().begin(), built_in_values().end());
+    if (const auto meant = meant_word(name, words))
+        return "did you mean " + std::string(*meant) + "?";
+    // A letter before a known name: a coefficient that nothing else mentions.
+    const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
+    if (coefficient || name.size() == 2) {
+        return "for a product type " + std::string(name.substr(0, 1)) + "*" +
+               std::string(name.substr(1));
+    }
+    constexpr std::size_t longest_shown = 24;
+    if (name.size() > longest_shown) return "type a product with *";
+    return "define it, as in " + std::string(name) + " = 2, or type a product with *";
+}
+
+std::string hint_for_sign(char32_t code) {
+    constexpr char32_t wide = 0xFF01 - '!';  // + the ASCII character
+    static constexpr std::array<std::pair<std::u32string_view, std::string_view>, 7> hints{
+        {{U"\"'`“”„‘’«»", "leave quotation marks out; a derivative is typed as its formula"},
+         {U"±∓", "type two equations, one with + and one with -"},
+         {U"°", "type radians(90) for 90 degrees"},
+         {U"∑Σ∏", "type sum(f, i, 1, 5) or prod(f, i, 1, 5), written out"},
+         {U"∫∂∇", "integrals and derivatives are not read; type their formulas"},
+         {U"∞", "type a large number"},
+         {U"∈∉⊂∀∃", "type a condition such as -1 < x < 1 behind a comma"}}};
+    for (const auto& [signs, hint] : hints) {
+        if (signs.contains(code)) return std::string(hint);
+    }
+    if (code > wide + ' ' && code < wide + 0x7F)
+        return std::string("it is a wide sign; type ") + static_cast<char>(code - wide);
+    if (code >= 0x0400 && code < 0x0500) return "it is a Cyrillic letter; type the Latin one";
+    return "type + - * / ^ ( ) and names such as x, y, z, sqrt";
+}
+
+ParseError error_for_part(std::string_view part, std::size_t offset) {
+    constexpr std::array<std::string_view, 8> colours{"hf",    "gray", "grey",   "red",
+                                                      "green", "blue", "filter", "transmit"};
+    if (std::ranges::find(colours, part) != colours.end()) {
+        return {offset, "." + std::string(part) + " is a part of a colour, which is not read",
+                "type a formula that gives a number"};
+    }
+    return {offset, "vectors and their parts are not read",
+            "write the components as numbers of their own"};
+}
+
+}  // namespace zeroset

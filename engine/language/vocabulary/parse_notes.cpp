@@ -1,0 +1,31 @@
+#include "engine/language/vocabulary/parse_notes.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t most_notes = 100'000;       // of a text
+constexpr std::size_t most_notes_of_reading = 8;  // each different
+
+}  // namespace
+
+void Notes::add(std::size_t offset, std::string text) {
+    if (notes_.size() < most_notes) notes_.push_back({offset, std::move(text)});
+}
+
+void Notes::hand_over(std::vector<Reading>& readings) {
+    if (readings.empty()) return;
+    std::ranges::stable_sort(notes_, {}, &Note::offset);
+    for (Note& note : notes_) {
+        const auto next = std::ranges::upper_bound(readings, note.offset, {}, &Reading::offset);
+        Reading& reading = next == readings.begin() ? *next : *std::prev(next);
+        const bool known = std::ranges::find(reading.notes, note.text) != reading.notes.end();
+        if (known || reading.notes.size() == most_notes_of_reading) continue;
+        reading.notes.push_back(std::move(note.text));
+    }
+    notes_.clear();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,287 @@
+#include "engine/language/words/lexer.hpp"
+
+#include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/foreign.hpp"
+#include "engine/language/vocabulary/parse_notes.hpp"
+#include "engine/language/words/lexer_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '~' || c == '$'; }
+
+/// Length of the decimal literal at `start`: 12, .5, 1.5e+2. An "e" without digits after it is
+/// not part of the number.
+std::size_t number_length(std::string_view text, std::size_t start) {
+    std::size_t end = start + run_length(text, start, is_digit);
+    // LaTeX writes a decimal comma as {,}.
+    const bool comma =
+        end + 3 < text.size() && text.substr(end, 3) == "{,}" && is_digit(text[end + 3]);
+    if (comma) {
+        end += 3 + run_length(text, end + 3, is_digit);
+    } else if (end < text.size() && text[end] == '.') {
+        end += 1 + run_length(text, end + 1, is_digit);
+    }
+    if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+        const bool sign = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-');
+        const std::size_t digits = end + (sign ? 2 : 1);
+        const std::size_t length = run_length(text, digits, is_digit);
+        if (length > 0) end = digits + length;
+    }
+    return end - start;
+}
+
+}  // namespace
+
+std::expected<std::vector<Token>, ParseError> Lexer::tokens() {
+    while (at_ < text_.size()) {
+        if (const Done done = step(); !done) return std::unexpected(done.error());
+    }
+    push(TokenKind::End, {}, 0);
+    return std::move(tokens_);
+}
+
+Done Lexer::step() {
+    const char c = peek();
+    if (at_ == macro_end_) {
+        macro_end_ = std::string_view::npos;
+        push(TokenKind::Symbol, ":=", 0);
+        return {};
+    }
+    if (may_negate()) {
+        push(TokenKind::Symbol, "~", 1);
+        return {};
+    }
+    if (is_space(c)) {
+        ++at_;
+        return {};
+    }
+    // x.^2 of MATLAB is meant value by value, as all is here.
+    if (c == '.' && (peek(1) == '^' || peek(1) == '*' || peek(1) == '/')) {
+        ++at_;
+        return {};
+    }
+    if (starts_remark()) return remark();
+    line_start_ = c == '\n' || c == '\v';
+    if (c == '&' && peek(1) == '&') {
+        push(TokenKind::Name, "and", 2);
+    } else if (line_start_ || c == ';') {
+        push(TokenKind::Break, text_.substr(at_, 1), 1);
+    } else if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
+        const std::size_t length = number_length(text_, at_);
+        push(TokenKind::Number, text_.substr(at_, length), length);
+    } else if (is_letter(c) || c == '_' || is_greek(code_point_at(text_, at_).code)) {
+        if (!identifier()) return other_character();
+    } else if (c == '\\') {
+        return command();
+    } else if (std::string_view("+-*/%^()[]{}|&,=<>:!?").contains(c) ||
+               (c == '@' && peek(1) == '(')) {
+        symbol();
+    } else {
+        return other_character();
+    }
+    return {};
+}
+
+bool Lexer::starts_remark() const {
+    const char c = peek();
+    return c == '#' || (c == '%' && line_start_) ||
+           (c == '/' && (peek(1) == '/' || peek(1) == '*'));
+}
+
+/// Up to the end of the line, or from /* to */.
+Done Lexer::remark() {
+    if (declaration()) return {};
+    if (peek() == '/' && peek(1) == '*') {
+        const std::size_t end = text_.find("*/", at_ + 2);
+        if (end == std::string_view::npos) {
+            return std::unexpected(
+                ParseError{at_, "this remark is not closed", "add */ where it ends", true});
+        }
+        const bool has_lines = text_.substr(at_, end - at_).contains('\n');
+        at_ = end + 2;
+        if (line_start_ && has_lines) push(TokenKind::Break, "\n", 0);
+        return {};
+    }
+    if (peek() == '/') note_short_remark();
+    at_ += run_length(text_, at_, [](char c) { return c != '\n' && c != '\v'; });
+    return {};
+}
+
+/// #declare and #local, as POV-Ray writes a definition, #define as C does.
+bool Lexer::declaration() {
+    for (const std::string_view word : {"#declare", "#local", "#define"}) {
+        if (!text_.substr(at_).starts_with(word) || is_letter(peek(word.size()))) continue;
+        if (word == "#define" && !find_end_of_macro(at_ + word.size())) return false;
+        push(TokenKind::Name, "declare", word.size());
+        return true;
+    }
+    return false;
+}
+
+/// Where the name of a macro and its arguments end, which start at `at`: there stands no "=". False
+/// where nothing follows.
+bool Lexer::find_end_of_macro(std::size_t at) {
+    at = std::min(text_.find_first_not_of(" \t", at), text_.size());
+    const std::size_t length = name_length(text_, at);
+    std::size_t end = at + length;
+    if (text_.substr(end).starts_with('(')) end = text_.find_first_of(")(#\n", end + 1);
+    if (length == 0 || end >= text_.size()) return false;
+    if (text_[end] == ')') ++end;
+    const std::size_t value = text_.find_first_not_of(" \t\r", end);
+    if (value == std::string_view::npos || text_[value] == '\n') return false;
+    if (text_.substr(value).starts_with("//")) return false;
+    macro_end_ = end;
+    return true;
+}
+
+/// The "~" of ~(x < 1) is Python's "not"; elsewhere, and beside commands, it is a space of LaTeX.
+bool Lexer::may_negate() const {
+    if (peek() != '~' || peek(1) != '(' || is_latex_ || tokens_.empty()) return false;
+    const Token& last = tokens_.back();
+    return is_connective(last) || is_symbol(last, {"(", "[", "{", "|", "&", ",", "?"});
+}
+
+/// x//2 may have been meant as a quotient without its fraction.
+void Lexer::note_short_remark() {
+    const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
+    const char before = at_ > 0 ? text_[at_ - 1] : ' ';
+    if (!is_part(before) && before != ')') return;
+    if (!is_part(peek(2)) && peek(2) != '(') return;
+    notes_.add(at_ - 1, "what stands behind // is a remark; for a whole quotient type floor(a/b)");
+}
+
+/// An ASCII operator; "**" is "^".
+void Lexer::symbol() {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> pairs{
+        {{"===", "=="},
+         {"!==", "!="},
+         {"**", "^"},
+         {"==", "=="},
+         {":=", ":="},
+         {"<=", "<="},
+         {">=", ">="},
+         {"=<", "<="},
+         {"!=", "!="},
+         {"<>", "!="}}};
+    for (const auto& [typed, meaning] : pairs) {
+        if (text_.substr(at_).starts_with(typed))
+            return push(TokenKind::Symbol, meaning, typed.size());
+    }
+    push(TokenKind::Symbol, text_.substr(at_, 1), 1);
+}
+
+void Lexer::push_sign(const Sign& sign, std::size_t length) {
+    if (sign.text.empty()) {
+        at_ += length;
+    } else if (sign.kind == TokenKind::Name) {
+        name(sign.text, length);
+    } else {
+        push(sign.kind, sign.text, length);
+    }
+}
+
+/// A run of raised digits. Its token's text is the run as typed; the parser reads it.
+void Lexer::superscript() {
+    std::size_t length = 0;
+    while (at_ + length < text_.size()) {
+        const CodePoint point = code_point_at(text_, at_ + length);
+        if (superscript_digit(point.code) == '\0') break;
+        length += point.length;
+    }
+    push(TokenKind::Superscript, text_.substr(at_, length), length);
+}
+
+Done Lexer::other_character() {
+    const CodePoint point = code_point_at(text_, at_);
+    if (superscript_digit(point.code) != '\0') {
+        superscript();
+        return {};
+    }
+    if (const std::optional<Sign> sign = sign_of(point.code)) {
+        push_sign(*sign, point.length);
+        return {};
+    }
+    std::string hint = hint_for_sign(point.code);
+    if (peek() == '_') hint = "a subscript stands right behind a letter: c_1, c_{12}";
+    const bool behind_value =
+        !tokens_.empty() && tokens_.back().end() == at_ &&
+        (tokens_.back().kind == TokenKind::Name || is_symbol(tokens_.back(), {")"}));
+    if (peek() == '.' && behind_value && is_letter(peek(1))) {
+        const std::size_t length = run_length(text_, at_ + 1, is_letter);
+        return std::unexpected(error_for_part(text_.substr(at_ + 1, length), at_));
+    }
+    const bool printable = point.length > 1 || (peek() > ' ' && peek() < '\x7F');
+    const std::string shown =
+        printable ? quoted(text_.substr(at_, point.length))
+                  : "the byte " + std::to_string(static_cast<unsigned char>(peek()));
+    return std::unexpected(ParseError{at_, shown + " has no meaning here", hint});
+}
+
+Done Lexer::command() {
+    const std::size_t letters = run_length(text_, at_ + 1, is_letter);
+    const std::string_view word = text_.substr(at_ + 1, letters);
+    if (letters == 0) {  // one sign: \\ is a line end, \{ a brace, \, and \( nothing
+        const char sign = peek(1);
+        if (sign == '\\') {
+            push(TokenKind::Break, "\n", 2);
+        } else if (sign == '{' || sign == '}') {
+            push(TokenKind::Symbol, text_.substr(at_ + 1, 1), 2);
+        } else {
+            at_ = std::min(at_ + 2, text_.size());
+        }
+        return {};
+    }
+    const std::size_t length = 1 + letters;
+    const char next = peek(length);
+    if ((word == "left" || word == "right") && (next == '|' || next == '.')) {
+        if (next == '.') {
+            at_ += length + 1;
+        } else {
+            push(TokenKind::Symbol, word == "left" ? "(|" : "|)", length + 1);
+        }
+        return {};
+    }
+    if (word == "begin" || word == "end") {
+        at_ += length + run_length(text_, at_ + length, [](char c) { return c != '}'; });
+        at_ = std::min(at_ + 1, text_.size());
+        return {};
+    }
+    const std::optional<Sign> sign = sign_of_command(word);
+    if (!sign) {
+        return std::unexpected(ParseError{
+            at_, "the LaTeX command " + quoted(text_.substr(at_, length)) + " is not known here",
+            "leave it out or type its meaning"});
+    }
+    if (sign->text.empty() && word_in_braces(at_ + length)) return {};
+    push_sign(*sign, length);
+    return {};
+}
+
+bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols) {
+    return token.kind == TokenKind::Symbol &&
+           std::ranges::find(symbols, token.text) != symbols.end();
+}
+
+bool is_connective(const Token& token) {
+    return token.kind == TokenKind::Name && (token.text == "and" || token.text == "or");
+}
+
+bool adjacent(const Token& first, const Token& second) { return first.end() == second.offset; }
+
+std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
+                                                       const DefinedNames* defined, Notes& notes) {
+    auto tokens = Lexer(text, defined, notes).tokens();
+    if (!tokens) return tokens;
+    tokens = with_plain_functions(std::move(*tokens));
+    return without_inner_line_ends(std::move(*tokens), notes);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,129 @@
+// Functions without a name of their own, as MATLAB, Python, Maple and JavaScript define them.
+
+#include "engine/language/words/lexer.hpp"
+#include "engine/language/words/words_defined.hpp"
+
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// What stands before a function's body.
+struct Header {
+    std::span<const Token> name;  ///< one token, or none
+    std::span<const Token> arguments;
+    std::size_t length;  ///< tokens up to the body
+};
+
+class FunctionReader {
+public:
+    explicit FunctionReader(std::vector<Token> tokens) : tokens_(std::move(tokens)) {}
+
+    std::vector<Token> read() {
+        for (std::size_t at = 0; at < tokens_.size(); ++at) {
+            bool starts = out_.empty() || out_.back().kind == TokenKind::Break;
+            while (starts && !is_word(at, "def") && is_type_word(tokens_[at].text) &&
+                   is_name(at + 1))
+                out_.push_back(tokens_[at++]);
+            const auto header = starts ? header_at(at) : std::nullopt;
+            if (header) {
+                write(*header, tokens_[at + header->length].offset);
+                at += header->length;
+                starts = false;
+            }
+            out_.push_back(tokens_[at]);
+        }
+        return std::move(out_);
+    }
+
+private:
+    [[nodiscard]] bool is_name(std::size_t at) const {
+        return at < tokens_.size() && tokens_[at].kind == TokenKind::Name;
+    }
+    [[nodiscard]] bool is(std::size_t at, std::string_view symbol) const {
+        return at < tokens_.size() && is_symbol(tokens_[at], {symbol});
+    }
+    [[nodiscard]] bool is_word(std::size_t at, std::string_view word) const {
+        return is_name(at) && tokens_[at].text == word;
+    }
+    [[nodiscard]] std::span<const Token> part(std::size_t begin, std::size_t end) const {
+        return std::span(tokens_).subspan(begin, end - begin);
+    }
+    /// The end of the names at `at` with commas between.
+    [[nodiscard]] std::size_t end_of_names(std::size_t at) const {
+        if (!is_name(at)) return at;
+        ++at;
+        while (is(at, ",") && is_name(at + 1))
+            at += 2;
+        return at;
+    }
+    /// -> or =>
+    [[nodiscard]] bool is_arrow(std::size_t at) const {
+        return (is(at, "-") || is(at, "=")) && is(at + 1, ">") &&
+               adjacent(tokens_[at], tokens_[at + 1]);
+    }
+
+    [[nodiscard]] std::optional<Header> header_at(std::size_t at) const {
+        if (is_word(at, "def") && is_name(at + 1)) return python_header(at + 1);
+        const bool assigns = is_name(at) && (is(at + 1, "=") || is(at + 1, ":="));
+        const auto header = assigns ? unnamed_header(at + 2) : std::nullopt;
+        if (!header && is_name(at) && is(at + 1, "(") && is(at + 2, ")") && is(at + 3, ":"))
+            return Header{{}, {}, 4};  // F(): of K3DSurf
+        if (!header) return handle_header(at, at);
+        return Header{part(at, at + 1), header->arguments, header->length + 2};
+    }
+    /// def f(x, y): return
+    [[nodiscard]] std::optional<Header> python_header(std::size_t name) const {
+        const std::size_t end = end_of_names(name + 2);
+        if (!is(name + 1, "(") || !is(end, ")") || !is(end + 1, ":")) return std::nullopt;
+        std::size_t body = end + 2;
+        while (body < tokens_.size() && tokens_[body].kind == TokenKind::Break)
+            ++body;
+        if (!is_word(body, "return")) return std::nullopt;
+        return Header{part(name, name + 1), part(name + 2, end), body + 2 - name};
+    }
+    /// @(x, y)
+    [[nodiscard]] std::optional<Header> handle_header(std::size_t at, std::size_t begin) const {
+        const std::size_t end = end_of_names(at + 2);
+        if (!is(at, "@") || !is(at + 1, "(") || !is(end, ")")) return std::nullopt;
+        return Header{{}, part(at + 2, end), end + 1 - begin};
+    }
+    /// @(x, y), lambda x, y:, (x, y) -> and x ->
+    [[nodiscard]] std::optional<Header> unnamed_header(std::size_t at) const {
+        if (auto handle = handle_header(at, at)) return handle;
+        if (is_word(at, "lambda")) {
+            const std::size_t end = end_of_names(at + 1);
+            if (is(end, ":")) return Header{{}, part(at + 1, end), end + 1 - at};
+        }
+        if (is_name(at) && is_arrow(at + 1)) return Header{{}, part(at, at + 1), 3};
+        const std::size_t end = end_of_names(at + 1);
+        if (!is(at, "(") || !is(end, ")") || !is_arrow(end + 1)) return std::nullopt;
+        return Header{{}, part(at + 1, end), end + 3 - at};
+    }
+
+    /// As name(arguments) :=; without a name the body stands alone.
+    void write(const Header& header, std::size_t body) {
+        if (header.name.empty()) return;
+        const auto symbol = [&](std::string_view text, std::size_t offset) {
+            out_.push_back({TokenKind::Symbol, text, {}, offset, 0});
+        };
+        out_.push_back(header.name[0]);
+        symbol("(", header.name[0].end());
+        out_.insert(out_.end(), header.arguments.begin(), header.arguments.end());
+        symbol(")", body);
+        symbol(":=", body);
+    }
+
+    std::vector<Token> tokens_;
+    std::vector<Token> out_;
+};
+
+}  // namespace
+
+std::vector<Token> with_plain_functions(std::vector<Token> tokens) {
+    return FunctionReader(std::move(tokens)).read();
+}
+
+}  // namespace zeroset

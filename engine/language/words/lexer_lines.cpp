@@ -1,0 +1,98 @@
+// Where the lines of a text go on with each other.
+
+#include "engine/language/vocabulary/parse_notes.hpp"
+#include "engine/language/words/lexer.hpp"
+
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Whether a statement cannot begin with this token. "%" at the start of a line begins a remark.
+bool goes_on(const Token& token) {
+    return token.kind == TokenKind::Superscript || is_connective(token) ||
+           is_symbol(token, {"*", "/", "^", ")", "]", "}", ",", "=", "==", ":=", "<", ">",
+                             "<=", ">=", "!=", "|)", "&", "?"});
+}
+
+/// Whether a statement cannot end with this token.
+bool wants_more(const Token& token) {
+    return is_connective(token) ||
+           is_symbol(token, {"+", "-", "*", "/", "%", "^", ",", "=", "==", ":=", "<", ">",
+                             "<=", ">=", "!=", "!", "&", "?"});
+}
+
+class LineJoiner {
+public:
+    LineJoiner(std::vector<Token> tokens, Notes& notes)
+        : tokens_(std::move(tokens)), notes_(notes) {}
+
+    std::vector<Token> joined() {
+        for (std::size_t i = 0; i < tokens_.size(); ++i) {
+            if (!is_line_end(tokens_[i]) || (!joins(i) && !joins_sign(i))) take(tokens_[i]);
+        }
+        tokens_.resize(kept_);
+        return std::move(tokens_);
+    }
+
+private:
+    static bool is_line_end(const Token& token) {
+        return token.kind == TokenKind::Break && token.text != ";";
+    }
+    void take(const Token& token) {
+        if (is_symbol(token, {"(", "[", "{"})) ++open_;
+        if (is_symbol(token, {")", "]", "}"}) && open_ > 0) --open_;
+        if (is_symbol(token, {"=", "==", ":="})) has_equals_ = true;
+        if (is_symbol(token, {"?"})) ++choices_;
+        if (token.kind == TokenKind::Break) {
+            open_ = 0;
+            choices_ = 0;
+            has_equals_ = false;
+        }
+        tokens_[kept_++] = token;
+    }
+    /// Whether the statement goes on behind the line end `at`.
+    [[nodiscard]] bool joins(std::size_t at) const {
+        const Token& next = tokens_[at + 1];
+        if (open_ > 0 || kept_ == 0) return true;
+        const Token& last = tokens_[kept_ - 1];
+        if (last.kind == TokenKind::Break || wants_more(last) || goes_on(next)) return true;
+        const bool between_values = is_symbol(last, {":"}) || is_symbol(next, {":"});
+        return between_values && choices_ > 0;
+    }
+    /// Whether the line behind `at` starts with a sign and goes on.
+    bool joins_sign(std::size_t at) {
+        const Token& next = tokens_[at + 1];
+        if (!is_symbol(next, {"+", "-"})) return false;
+        const bool within_row = tokens_[at].text == "\v";
+        const bool joins = within_row ? !has_equals_ || !equation_starts(at + 1)
+                                      : !has_equals_ && is_symbol(next, {"+"});
+        if (joins && (has_equals_ || !within_row)) {
+            notes_.add(next.offset,
+                       "this line goes on with the one above; to part them put ; between");
+        }
+        return joins;
+    }
+    /// Whether an "=" stands between `at` and the next break.
+    [[nodiscard]] bool equation_starts(std::size_t at) const {
+        while (tokens_[at].kind != TokenKind::Break && tokens_[at].kind != TokenKind::End) {
+            if (is_symbol(tokens_[at++], {"=", "==", ":="})) return true;
+        }
+        return false;
+    }
+
+    std::vector<Token> tokens_;
+    Notes& notes_;
+    std::size_t kept_ = 0;     ///< of the tokens, at their start
+    int open_ = 0;             ///< brackets
+    int choices_ = 0;          ///< "?" in the statement so far
+    bool has_equals_ = false;  ///< in the statement so far
+};
+
+}  // namespace
+
+std::vector<Token> without_inner_line_ends(std::vector<Token> tokens, Notes& notes) {
+    return LineJoiner(std::move(tokens), notes).joined();
+}
+
+}  // namespace zeroset

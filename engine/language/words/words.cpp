@@ -1,0 +1,221 @@
+#include "engine/language/words/words.hpp"
+
+#include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/functions.hpp"
+#include "engine/language/vocabulary/nearest_word.hpp"
+#include "engine/language/vocabulary/parse_notes.hpp"
+#include "engine/language/words/signs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace zeroset {
+namespace {
+
+constexpr std::string_view pi_of_c = "M_PI";
+
+/// Whether the token is one ASCII letter, or a Greek one.
+bool is_single(const Token& token) {
+    return token.kind == TokenKind::Name && (token.text.size() == 1 || !is_letter(token.text[0]));
+}
+
+/// log and 10 right behind it are one name.
+bool makes_name_with(const Token& word, const Token& number) {
+    if (number.kind != TokenKind::Number || !adjacent(word, number)) return false;
+    const std::string joined = std::string(word.text) + std::string(number.text);
+    return word.subscript.empty() && find_function(joined) != nullptr;
+}
+
+/// The name as it is known, if capital letters alone make it another one: Sin, PI, AND.
+std::string_view known_spelling(std::string_view name) {
+    const std::string lower = in_small_letters(name);
+    if (const Function* const function = find_function(lower)) return function->name;
+    for (const std::string_view value : built_in_values()) {
+        if (value == lower) return value;
+    }
+    for (const std::string_view word : {"and", "or", "not"}) {
+        if (word == lower) return word;
+    }
+    return {};
+}
+
+/// Sin[ and the like.
+bool calls_as_mathematica(const Token& name, const Token& bracket) {
+    if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
+    const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
+    return capital && find_function(in_small_letters(name.text)) != nullptr;
+}
+
+/// Whether a word of programs stands where one belongs: float a, return a, = function(a). It is no
+/// product of its letters.
+bool is_program_word(std::span<const Token> tokens, std::size_t at) {
+    const Token& word = tokens[at];
+    if (word.kind != TokenKind::Name || !word.subscript.empty() || at + 1 == tokens.size())
+        return false;
+    const auto behind = [&](std::initializer_list<std::string_view> symbols) {
+        return at > 0 && is_symbol(tokens[at - 1], symbols);
+    };
+    const bool starts = at == 0 || tokens[at - 1].kind == TokenKind::Break || behind({"{"});
+    if (word.text == "function")
+        return behind({"=", ":="}) || (starts && is_symbol(tokens[at + 1], {"{"}));
+    if (word.text == "return") return starts || behind({"}"});
+    const bool behind_word = at > 0 && is_type_word(tokens[at - 1].text);
+    return is_type_word(word.text) && tokens[at + 1].kind == TokenKind::Name &&
+           (starts || behind_word || behind({"(", ","}));
+}
+
+bool is_number(std::string_view subscript) {
+    return !subscript.empty() && std::ranges::all_of(subscript, is_digit);
+}
+
+/// c_1a is c_1*a, although it looks like one name.
+void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
+    const bool plain = letter.text.size() == 1 && letter.subscript.empty();
+    if (!plain || is_built_in_value(letter.text)) return;
+    const std::string name = full_name(subscripted);
+    const std::string typed = name + std::string(letter.text);
+    notes.add(subscripted.offset, typed + " is read as " + name + "*" + std::string(letter.text) +
+                                      "; to make it one name define it, as in " + typed + " = 2");
+}
+
+}  // namespace
+
+std::string full_name(const Token& token) {
+    std::string name(token.text);
+    return token.subscript.empty() ? name : name + "_" + subscript_text(token);
+}
+
+std::string subscript_text(const Token& token) {
+    const std::string text = plain_name(token.subscript);
+    return text.starts_with('_') ? text.substr(1) : text;
+}
+
+bool is_parameter_name(std::string_view name) {
+    const std::size_t bar = std::min(name.find('_'), name.size());
+    const std::string_view letter = name.substr(0, bar);
+    const bool has_more = name.substr(bar).find('_', 1) != std::string_view::npos;
+    if (letter.empty() || has_more || name == pi_of_c) return false;
+    return letter.size() == 1 || code_point_at(letter, 0).length == letter.size();
+}
+
+Words::Words(std::span<const Token> tokens, const DefinedNames& defined) : defined_(defined) {
+    for (const Token& token : tokens) {
+        if (token.kind == TokenKind::Name && token.text.size() == 1)
+            vocabulary_.add_letter(token.text[0]);
+    }
+    for (const std::string& word : defined.words())
+        vocabulary_.add_word(word);
+    for (std::size_t i = 0; i + 1 < tokens.size() && !is_mathematica_; ++i)
+        is_mathematica_ = calls_as_mathematica(tokens[i], tokens[i + 1]);
+}
+
+/// Whether the token is one name already.
+bool Words::stays_whole(const Token& token) const {
+    if (token.kind != TokenKind::Name || is_single(token)) return true;
+    if (!is_letter(token.text[0])) return true;
+    const std::string name = full_name(token);
+    return is_built_in(name) || vocabulary_.knows_word(name) || defined_.find(name, token.offset) ||
+           (token.text == "log" && !token.subscript.empty());
+}
+
+void Words::push_name(const Token& token, std::vector<Token>& out, Notes& notes) const {
+    if (is_mathematica_ && token.text == "E" && token.subscript.empty() &&
+        !defined_.defines_value("E")) {
+        out.push_back(token);
+        out.back().text = "e";
+        notes.add(token.offset, "E is e = 2.718..., as in Mathematica");
+    } else if (stays_whole(token)) {
+        out.push_back(token);
+    } else if (const std::string_view known = known_spelling(full_name(token)); !known.empty()) {
+        out.push_back(token);
+        out.back().text = known;
+        out.back().subscript = {};
+    } else {
+        push_pieces(token, out, notes);
+    }
+    Token& last = out.back();
+    if (last.text == "M" && full_name(last) == pi_of_c) {
+        last.text = "pi";
+        last.subscript = {};
+    }
+}
+
+void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& notes) const {
+    const std::string_view run = token.text;
+    std::vector<std::size_t> lengths = vocabulary_.pieces(run, !token.subscript.empty());
+    const Function* const function = lengths.empty() ? capital_function(run, lengths) : nullptr;
+    if (lengths.empty()) {
+        out.push_back(token);
+        return;
+    }
+    if (function != nullptr) {
+        notes.add(token.offset, std::string(run) + " is read as " + std::string(function->name) +
+                                    " " + std::string(run.substr(lengths[0])));
+    }
+    std::size_t at = 0;
+    for (const std::size_t length : lengths) {
+        out.push_back({TokenKind::Name, run.substr(at, length), {}, token.offset + at, length});
+        if (at == 0 && function != nullptr) out.back().text = function->name;
+        at += length;
+    }
+    out.back().subscript = token.subscript;
+    out.back().length = token.end() - out.back().offset;
+}
+
+/// The function at the start of a run such as Siny, and the lengths of the run's pieces.
+const Function* Words::capital_function(std::string_view run,
+                                        std::vector<std::size_t>& lengths) const {
+    constexpr std::size_t longest = 64;
+    if (run.size() > longest || run[0] < 'A' || run[0] > 'Z') return nullptr;
+    std::string small(run);
+    small[0] = static_cast<char>(small[0] + ('a' - 'A'));
+    std::vector<std::size_t> found = vocabulary_.pieces(small, false);
+    if (found.empty() || found[0] < 2) return nullptr;
+    const Function* const function = find_function(std::string_view(small).substr(0, found[0]));
+    if (function != nullptr) lengths = std::move(found);
+    return function;
+}
+
+/// Whether letters that make no name and what stands right behind them are one unknown name: vec3.
+bool Words::joins_unknown_name(const Token& token, const std::vector<Token>& out) const {
+    if (out.empty() || !adjacent(out.back(), token)) return false;
+    const Token& last = out.back();
+    const bool unknown = last.kind == TokenKind::Name && last.subscript.empty() &&
+                         last.length == last.text.size() && !stays_whole(last);
+    return unknown && token.length == token.text.size() &&
+           ((token.kind == TokenKind::Number && is_number(token.text)) ||
+            token.kind == TokenKind::Name);
+}
+
+std::vector<Token> Words::split(std::span<const Token> tokens, Notes& notes) const {
+    std::vector<Token> out;
+    out.reserve(tokens.size());
+    for (const Token& token : tokens) {
+        if (!out.empty() && makes_name_with(out.back(), token)) {
+            Token& word = out.back();
+            word.text = find_function(std::string(word.text) + std::string(token.text))->name;
+            word.length += token.length;
+            continue;
+        }
+        if (joins_unknown_name(token, out)) {
+            Token& word = out.back();
+            word.length += token.length;
+            word.text = {word.text.data(), word.length};
+            continue;
+        }
+        const std::size_t size = out.size();
+        if (is_program_word(tokens, static_cast<std::size_t>(&token - tokens.data()))) {
+            out.push_back(token);
+            continue;
+        }
+        push_name(token, out, notes);
+        const bool behind_subscript = token.kind == TokenKind::Name && size > 0 &&
+                                      is_number(out[size - 1].subscript) &&
+                                      adjacent(out[size - 1], token);
+        if (behind_subscript) note_product(out[size - 1], out[size], notes);
+    }
+    return out;
+}
+
+}  // namespace zeroset

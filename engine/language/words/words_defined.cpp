@@ -1,0 +1,213 @@
+#include "engine/language/words/words_defined.hpp"
+
+#include "engine/expr/spelling.hpp"
+#include "engine/language/vocabulary/functions.hpp"
+#include "engine/language/vocabulary/parse_notes.hpp"
+#include "engine/language/words/signs.hpp"
+#include "engine/language/words/words_candidates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::array<std::string_view, 16> type_words{
+    "float", "double", "int",   "real",   "const",   "let",  "var",   "val",
+    "def",   "auto",   "local", "static", "declare", "lowp", "highp", "mediump"};
+
+/// Whether a name is one letter, which is never split.
+bool is_letter_name(std::string_view name) {
+    return name.size() == 1 || code_point_at(name, 0).length == name.size();
+}
+
+/// The factors with "*" between them, but "sin x" where one is a function.
+std::string product_of(const std::vector<std::string>& factors) {
+    constexpr std::size_t longest = 40;
+    std::string product;
+    bool follows_function = false;
+    for (const std::string& factor : factors) {
+        if (product.size() > longest) return product + "...";
+        if (!product.empty()) product += follows_function ? ' ' : '*';
+        product += factor;
+        follows_function = find_function(factor) != nullptr;
+    }
+    return product;
+}
+
+}  // namespace
+
+bool is_type_word(std::string_view word) {
+    return std::ranges::find(type_words, word) != type_words.end();
+}
+
+bool is_plain_name(std::string_view run) {
+    return std::ranges::all_of(run, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
+}
+
+std::string plain_name(std::string_view run) {
+    std::string name;
+    bool lowered = false;
+    for (std::size_t at = 0; at < run.size();) {
+        const CodePoint point = code_point_at(run, at);
+        const char digit = subscript_digit(point.code);
+        if (digit != '\0') {
+            if (!lowered) name += '_';
+            name += digit;
+        } else if (const auto sign = point.length > 1 ? sign_of(point.code) : std::nullopt) {
+            name += sign->text;
+        } else if (run[at] != '{' && run[at] != '}') {
+            name += run[at];
+        }
+        lowered = digit != '\0';
+        at += point.length;
+    }
+    return name;
+}
+
+std::optional<std::string_view> DefinedNames::find(std::string_view run, std::size_t offset) const {
+    if (const auto known = find_plain(words_, run); known != words_.end()) return *known;
+    const auto next = std::ranges::upper_bound(scopes_, offset, {}, &Scope::begin);
+    if (next == scopes_.begin() || std::prev(next)->end <= offset) return std::nullopt;
+    const NameSet& names = std::prev(next)->names;
+    if (const auto known = find_plain(names, run); known != names.end()) return *known;
+    return std::nullopt;
+}
+
+bool DefinedNames::takes(std::string_view name, std::size_t arguments) const {
+    const auto function = functions_.find(name);
+    return function != functions_.end() && function->second.contains(arguments);
+}
+
+/// Decides which of the statements that look like definitions are some.
+class DefinitionSearch {
+public:
+    DefinitionSearch(const Candidates& candidates, DefinedNames& result, Notes& notes)
+        : candidates_(candidates), result_(result), notes_(notes) {}
+
+    void run() {
+        for (const Candidate& candidate : candidates_.all()) {
+            const bool defines =
+                candidate.is_function ? defines_function(candidate) : defines_value(candidate);
+            if (defines) add(candidate);
+        }
+        for (const Candidate& candidate : candidates_.all())
+            add_scope(candidate);
+    }
+
+private:
+    void add(const Candidate& candidate) {
+        if (candidate.is_function) {
+            result_.functions_[candidate.name].insert(candidate.arguments.size());
+        } else {
+            result_.values_.insert(candidate.name);
+        }
+        if (!is_letter_name(candidate.name) && !is_built_in_value(candidate.name))
+            result_.words_.insert(candidate.name);
+    }
+    void add_scope(const Candidate& candidate) {
+        DefinedNames::Scope scope{candidate.begin, candidate.end, {}};
+        for (const auto& names : {candidate.arguments, candidate.indices}) {
+            for (const std::string& name : names) {
+                const bool is_free = !is_built_in_value(name) && !is_logic_word(name);
+                if (is_free && !is_letter_name(name)) scope.names.insert(name);
+            }
+        }
+        if (!scope.names.empty()) result_.scopes_.push_back(std::move(scope));
+    }
+
+    [[nodiscard]] bool defines_value(const Candidate& candidate) const;
+    [[nodiscard]] bool defines_product(const Candidate& candidate,
+                                       const std::vector<std::string>& factors) const;
+    [[nodiscard]] bool defines_function(const Candidate& candidate) const;
+
+    const Candidates& candidates_;
+    DefinedNames& result_;
+    Notes& notes_;
+};
+
+bool DefinitionSearch::defines_value(const Candidate& candidate) const {
+    const std::string& name = candidate.name;
+    if (name.empty() || name == "x" || name == "y" || name == "z" || is_logic_word(name)) {
+        return false;
+    }
+    if (candidate.is_certain || is_letter_name(name)) return true;
+    if (is_built_in_value(name)) return false;  // decided where all statements are known
+    if (const Function* const function = find_function(name)) {
+        const NameUses uses = candidates_.uses(name);
+        const bool elementary = function->op && function->takes(1);  // sin = 2 is a slip
+        return uses.all > uses.calls || !elementary;
+    }
+    const std::vector<std::string> factors = candidates_.factors(name);
+    return factors.size() < 2 || defines_product(candidate, factors);
+}
+
+/// Whether cx = 0.1 defines cx, though it could be a product: where another statement uses cx, or
+/// the product would be no surface, or nothing else has the letter c.
+bool DefinitionSearch::defines_product(const Candidate& candidate,
+                                       const std::vector<std::string>& factors) const {
+    const auto is_xyz = [](const std::string& factor) {
+        return factor == "x" || factor == "y" || factor == "z" || is_digit(factor[0]) ||
+               find_function(factor) != nullptr;
+    };
+    const bool is_letter_known = std::ranges::any_of(factors, [&](const std::string& factor) {
+        return !is_built_in(factor) && candidates_.is_known_factor(factor);
+    });
+    const std::string& name = candidate.name;
+    const bool used = candidates_.uses(name).all > 0;
+    const bool of_places_only = std::ranges::all_of(factors, is_xyz);  // xy = 1
+    if (!used && (of_places_only || !candidates_.is_constant(candidate))) return false;
+    const bool is_no_surface = std::ranges::none_of(factors, is_place);
+    const bool defines = used || is_no_surface || (!is_letter_known && candidates_.has_equations());
+    const bool is_plain =
+        defines ? (used || is_no_surface) && !is_letter_known && !of_places_only : is_letter_known;
+    if (is_plain) return defines;
+    const std::string product = product_of(factors);
+    notes_.add(candidate.begin, defines
+                                    ? name + " is a name of its own here; otherwise type " + product
+                                    : name + " is read as " + product +
+                                          " here; to define the name type " + name + " := ...");
+    return defines;
+}
+
+bool DefinitionSearch::defines_function(const Candidate& candidate) const {
+    const std::string& name = candidate.name;
+    if (candidate.is_certain) return true;
+    const bool is_log = name.starts_with("log_") && is_digit(name[4]);
+    if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y
+    if (is_letter_name(name) && !is_built_in_value(name)) return true;
+    const NameUses uses = candidates_.uses(name);
+    const auto is_coordinate = [](const std::string& argument) {
+        return is_place(argument) || argument == "t" || argument == "w";
+    };
+    if (is_place(name)) {
+        const bool called = uses.calls > 0;
+        if (!called && std::ranges::all_of(candidate.arguments, is_coordinate)) {
+            result_.places_.insert(candidate.name_offset);
+            notes_.add(candidate.begin,
+                       "read as " + name + " = ...; for the product type " + name + "*(...)");
+            return false;
+        }
+        return called || candidate.arguments.size() > 1;
+    }
+    if (is_built_in_value(name)) return uses.calls > 0 || candidate.arguments.size() > 1;
+    if (find_function(name) != nullptr) {
+        return uses.calls > 0 && candidates_.depends_on_arguments_only(candidate);
+    }
+    if (candidate.arguments.size() > 1 || uses.calls > 0) return true;
+    const std::vector<std::string> factors = candidates_.factors(name);
+    if (factors.size() < 2) return true;
+    const bool is_formula = std::ranges::all_of(factors, is_coordinate) ||
+                            std::ranges::any_of(factors, [](const std::string& factor) {
+                                return find_function(factor) != nullptr;
+                            });
+    return !is_formula;
+}
+
+DefinedNames::DefinedNames(std::span<const Token> tokens, std::size_t counted_end, Notes& notes) {
+    const Candidates candidates(tokens, counted_end);
+    DefinitionSearch(candidates, *this, notes).run();
+}
+
+}  // namespace zeroset

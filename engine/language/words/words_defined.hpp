@@ -1,0 +1,69 @@
+#pragma once
+
+#include "engine/language/vocabulary/words_vocabulary.hpp"
+#include "engine/language/words/lexer.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Which names a text defines: found before anything else, so that they are never split.
+
+namespace zeroset {
+
+/// Whether the word stands before a definition in some programming language: float, const, let.
+bool is_type_word(std::string_view word);
+
+/// The name as it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
+std::string plain_name(std::string_view run);
+/// Whether the run is a plain name as it stands.
+bool is_plain_name(std::string_view run);
+/// Where the plain name of a run stands in a set or map of names.
+template <class Names>
+auto find_plain(Names& names, std::string_view run) {
+    return is_plain_name(run) ? names.find(run) : names.find(plain_name(run));
+}
+
+class DefinedNames {
+public:
+    /// The definitions among tokens in which each run of letters, digits and "_" is one name. What
+    /// stands at `counted_end` or behind does not count as a use of a name.
+    DefinedNames(std::span<const Token> tokens, std::size_t counted_end, Notes& notes);
+
+    /// The name that the run at `offset` is, if it is one of more than a letter.
+    [[nodiscard]] std::optional<std::string_view> find(std::string_view run,
+                                                       std::size_t offset) const;
+    [[nodiscard]] bool defines_value(std::string_view name) const { return values_.contains(name); }
+    [[nodiscard]] bool defines_function(std::string_view name) const {
+        return functions_.contains(name);
+    }
+    /// Whether a defined function of this name takes so many arguments.
+    [[nodiscard]] bool takes(std::string_view name, std::size_t arguments) const;
+    /// Whether the name at `offset` starts an equation such as z(x, y) = x y, which means z = x y.
+    [[nodiscard]] bool is_place_with_arguments(std::size_t offset) const {
+        return places_.contains(offset);
+    }
+    [[nodiscard]] const NameSet& words() const { return words_; }
+
+private:
+    friend class DefinitionSearch;
+
+    /// Names of arguments and indices, known in one statement only.
+    struct Scope {
+        std::size_t begin;  ///< in bytes of the text
+        std::size_t end;
+        NameSet names;
+    };
+
+    NameSet words_;  ///< those of more than a letter
+    NameSet values_;
+    NameMap<std::set<std::size_t>> functions_;  ///< with the numbers of arguments they take
+    std::set<std::size_t> places_;
+    std::vector<Scope> scopes_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,198 @@
+#include "engine/measure/extent.hpp"
+
+#include "engine/kernel/kernel.hpp"
+#include "engine/real/rounding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// Of the longest edge of what is found: a cell that small may still hold a surface.
+constexpr double finest = 1.0 / 64.0;
+constexpr std::size_t most_cells = 200'000;
+/// Cells of one face that are halved at a time: those are enough to settle most faces.
+constexpr std::size_t cells_at_once = 64;
+/// Cells smaller than their coordinates times this are enclosed in double.
+constexpr double finest_in_float = 0x1p-16;
+
+/// What f is over cells, in one type.
+template <class Real>
+class CellRanges {
+public:
+    explicit CellRanges(std::size_t cells)
+        : size_((cells + batch_multiple - 1) / batch_multiple * batch_multiple),
+          numbers_(8 * size_),
+          continuous_(size_) {}
+
+    /// In upward rounding.
+    void set(std::size_t i, const Box& cell) {
+        for (int axis = 0; axis < 3; ++axis) {
+            ends(axis)[i] = static_cast<Real>(-cell.lo[axis]);
+            ends(axis + 3)[i] = static_cast<Real>(cell.hi[axis]);
+        }
+    }
+    void evaluate(const Kernel& kernel, const Uniforms& uniforms) {
+        kernel.range(RangeBatchOf<Real>{size_,
+                                        {ends(0), ends(1), ends(2)},
+                                        {ends(3), ends(4), ends(5)},
+                                        uniforms.boxes<Real>(),
+                                        ends(6),
+                                        ends(7),
+                                        continuous_.data()});
+    }
+    [[nodiscard]] bool may_vanish(std::size_t i) const {
+        return !(numbers_[6 * size_ + i] < 0 || numbers_[7 * size_ + i] < 0);
+    }
+
+private:
+    Real* ends(int array) { return numbers_.data() + static_cast<std::size_t>(array) * size_; }
+
+    std::size_t size_;
+    std::vector<Real> numbers_;  ///< -lo of x, y, z, hi of x, y, z, f's -lo and hi
+    std::vector<ContinuityMask<Real>> continuous_;
+};
+
+/// Of each cell, whether one of the surfaces may be in it. In upward rounding, which must not be
+/// left to the caller's optimizer.
+template <class Real>
+[[gnu::noinline]] std::vector<bool> may_hold_surface(const Scene& scene,
+                                                     const std::vector<Box>& cells) {
+    CellRanges<Real> ranges(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        ranges.set(i, cells[i]);
+    std::vector<bool> may(cells.size(), false);
+    for (const Kernel& surface : scene.surfaces) {
+        ranges.evaluate(surface, scene.uniforms);
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            may[i] = may[i] || ranges.may_vanish(i);
+    }
+    return may;
+}
+
+bool needs_double(const Box& cell) {
+    double reach = 0.0;
+    for (int i = 0; i < 3; ++i)
+        reach = std::max({reach, std::abs(cell.lo[i]), std::abs(cell.hi[i])});
+    return cell.size() < finest_in_float * reach;
+}
+
+void push_octants(const Box& cell, std::vector<Box>& out) {
+    const glm::dvec3 middle = cell.centre();
+    for (int octant = 0; octant < 8; ++octant) {
+        Box& part = out.emplace_back(cell);
+        for (int i = 0; i < 3; ++i)
+            ((octant >> i & 1) != 0 ? part.lo : part.hi)[i] = middle[i];
+    }
+}
+
+/// Halves the cells at the faces of their bounding box until each face has a small one.
+class ExtentSearch {
+public:
+    ExtentSearch(const Scene& scene, const Box& domain) : scene_(scene) { keep({domain}); }
+    std::optional<Box> run(const TimeLimit& limit) {
+        while (!cells_.empty() && seen_ < most_cells && !limit.over() && halve_faces()) {
+        }
+        if (cells_.empty()) return std::nullopt;
+        return bounds();
+    }
+
+private:
+    [[nodiscard]] Box bounds() const {
+        Box box = cells_.front();
+        for (const Box& cell : cells_) {
+            box.lo = glm::min(box.lo, cell.lo);
+            box.hi = glm::max(box.hi, cell.hi);
+        }
+        return box;
+    }
+
+    void keep(const std::vector<Box>& cells) {
+        seen_ += cells.size();
+        const bool in_double = std::ranges::any_of(cells, needs_double);
+        const UpwardRounding upward;
+        const std::vector<bool> may = in_double ? may_hold_surface<double>(scene_, cells)
+                                                : may_hold_surface<float>(scene_, cells);
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (may[i]) cells_.push_back(cells[i]);
+        }
+    }
+
+    /// Marks cells to be halved; none where one of the face's cells is small.
+    void pick_from_face(const Box& all, int axis, bool upper, std::vector<bool>& picked) const {
+        const double small = finest * all.size();
+        std::vector<std::size_t> at_face;
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            const Box& cell = cells_[i];
+            const bool touches =
+                upper ? cell.hi[axis] == all.hi[axis] : cell.lo[axis] == all.lo[axis];
+            if (!touches) continue;
+            if (cell.hi[axis] - cell.lo[axis] <= small) return;
+            at_face.push_back(i);
+        }
+        // The smallest first: one of them may settle the face.
+        const std::size_t count = std::min(at_face.size(), cells_at_once);
+        std::ranges::partial_sort(at_face, at_face.begin() + static_cast<std::ptrdiff_t>(count), {},
+                                  [this](std::size_t i) { return cells_[i].size(); });
+        for (std::size_t i = 0; i < count; ++i)
+            picked[at_face[i]] = true;
+    }
+
+    /// Whether there was something to halve.
+    bool halve_faces() {
+        const Box all = bounds();
+        std::vector<bool> picked(cells_.size(), false);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const bool upper : {false, true})
+                pick_from_face(all, axis, upper, picked);
+        }
+        std::vector<Box> halves;
+        std::vector<Box> rest;
+        for (std::size_t i = 0; i < cells_.size(); ++i) {
+            picked[i] ? push_octants(cells_[i], halves) : rest.push_back(cells_[i]);
+        }
+        if (halves.empty()) return false;
+        cells_.swap(rest);
+        keep(halves);
+        return true;
+    }
+
+    const Scene& scene_;
+    std::vector<Box> cells_;  ///< in which a surface may be
+    std::size_t seen_ = 0;
+};
+
+bool strictly_inside(const Box& box, const Box& domain) {
+    return glm::all(glm::greaterThan(box.lo, domain.lo)) &&
+           glm::all(glm::lessThan(box.hi, domain.hi));
+}
+
+}  // namespace
+
+std::optional<Box> enclosing_box(const Scene& scene, const Box& domain, const TimeLimit& limit) {
+    return ExtentSearch(scene, domain).run(limit);
+}
+
+Extent find_extent(const Scene& scene, const TimeLimit& limit) {
+    const double half = 0.5 * extent_reach * scene.clip.size();
+    const glm::dvec3 centre = scene.clip.centre();
+    const Box domain{centre - half, centre + half};
+    Extent extent;
+    const std::optional<Box> all = enclosing_box(scene, domain, limit);
+    if (!all) return extent;
+    if (strictly_inside(*all, domain)) extent.whole = all;
+    extent.inside = enclosing_box(scene, scene.clip, limit);
+    for (double factor = 2.0; !extent.inside && !extent.reached && factor <= extent_reach;
+         factor *= 2.0) {
+        const Box larger = scaled(scene.clip, factor);
+        if (enclosing_box(scene, larger, limit)) extent.reached = larger;
+    }
+    return extent;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "engine/real/format.hpp"
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+// The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) asks of its carrier,
+// for float and double; format_of (engine/real/format.hpp) is one of them. jit/lanes.hpp has the
+// same for vectors of an IR under construction. The two must agree to the bit: each comment names
+// the machine instruction's meaning that they share.
+
+namespace zeroset {
+
+/// `value` as the type of the first argument; `value` must be representable in it.
+inline float like(float /*kind*/, double value) { return static_cast<float>(value); }
+inline double like(double /*kind*/, double value) { return value; }
+
+/// The smallest float that is not below `value`, in any rounding mode.
+inline float float_above(double value) {
+    const auto near = static_cast<float>(value);
+    if (static_cast<double>(near) >= value) return near;
+    return std::nextafter(near, std::numeric_limits<float>::infinity());
+}
+
+/// The least enclosure's end in a carrier's type: not below `value`.
+inline float upper_end(float /*kind*/, double value) { return float_above(value); }
+inline double upper_end(double /*kind*/, double value) { return value; }
+
+/// The second argument where the two are equal or unordered (x86 MAXPS, MINPS).
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real maximum(Real a, Real b) {
+    return a > b ? a : b;
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real minimum(Real a, Real b) {
+    return a < b ? a : b;
+}
+
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real select(bool condition, Real if_true, Real if_false) {
+    return condition ? if_true : if_false;
+}
+
+/// `if_set` where the sign bit of x is set, -0 and all (x86 BLENDVPS).
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real select_negative(Real x, Real if_set, Real if_clear) {
+    return std::signbit(x) ? if_set : if_clear;
+}
+
+template <class Real>
+    requires std::is_floating_point_v<Real>
+bool unordered(Real a, Real b) {
+    return std::isunordered(a, b);
+}
+
+/// Rounded in the current mode.
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real square_root(Real a) {
+    return std::sqrt(a);
+}
+/// a b + c, rounded once or twice.
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real fused(Real a, Real b, Real c) {
+    return a * b + c;
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real magnitude(Real a) {
+    return std::fabs(a);
+}
+template <class Real>
+    requires std::is_floating_point_v<Real>
+Real round_down(Real a) {
+    return std::floor(a);
+}
+
+inline bool both(bool a, bool b) { return a && b; }
+inline bool either(bool a, bool b) { return a || b; }
+inline bool no(bool a) { return !a; }
+/// Whether the masks are known to be the same.
+inline bool identical(bool a, bool b) { return a == b; }
+
+}  // namespace zeroset

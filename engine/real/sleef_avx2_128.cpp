@@ -1,0 +1,17 @@
+#include "engine/real/rounding.hpp"
+#include "engine/real/sleef_lanes.hpp"
+
+#include <immintrin.h>
+#include <sleef.h>
+
+#define LOOKUP sleef_avx2_128
+
+#define REAL float
+#define VECTOR __m128
+#define NAME(name, accuracy) Sleef_finz_##name##f4_##accuracy##avx2128
+#include "engine/real/sleef_lanes.inc"
+
+#define REAL double
+#define VECTOR __m128d
+#define NAME(name, accuracy) Sleef_finz_##name##d2_##accuracy##avx2128
+#include "engine/real/sleef_lanes.inc"

@@ -1,0 +1,17 @@
+#include "engine/real/rounding.hpp"
+#include "engine/real/sleef_lanes.hpp"
+
+#include <immintrin.h>
+#include <sleef.h>
+
+#define LOOKUP sleef_plain
+
+#define REAL float
+#define VECTOR float
+#define NAME(name, accuracy) Sleef_cinz_##name##f1_##accuracy##purec
+#include "engine/real/sleef_lanes.inc"
+
+#define REAL double
+#define VECTOR double
+#define NAME(name, accuracy) Sleef_cinz_##name##d1_##accuracy##purec
+#include "engine/real/sleef_lanes.inc"

@@ -1,0 +1,287 @@
+#include "engine/render/render.hpp"
+
+#include "engine/base/parallel.hpp"
+#include "engine/image/blend.hpp"
+#include "engine/light/shade.hpp"
+#include "engine/light/shadow.hpp"
+#include "engine/light/tile_colors.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/render/tracers.hpp"
+#include "engine/trace/caps.hpp"
+#include "engine/trace/frame_kernels.hpp"
+#include "engine/trace/frame_parts.hpp"
+#include "engine/trace/nearest.hpp"
+#include "engine/trace/tile_grid.hpp"
+#include "engine/trace/turns.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// What a thread keeps from tile to tile.
+struct Workspace {
+    std::vector<TileHits> hits;  ///< of each surface
+    NearestSurfaces nearest;
+    CapFinder caps;
+    std::vector<PartInView> parts;
+    Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
+};
+
+/// How far a tile came.
+enum class TileState : std::uint8_t {
+    Waiting,  ///< nothing is drawn
+    Cut,      ///< some of its rays were not searched to their end
+    Rough,    ///< shadows or smooth edges are missing
+    Finished,
+};
+
+/// nullptr where the surface is not known as a union.
+std::unique_ptr<FrameParts> parts_of(const TraceFrame& surface) {
+    const Shortener* const shortener = surface.kernel.shortener.get();
+    const LeastOf* const least_of = shortener == nullptr ? nullptr : shortener->least_of();
+    if (least_of == nullptr || !surface.scene.region.is_whole()) return nullptr;
+    return std::make_unique<FrameParts>(surface, *least_of);
+}
+
+/// A scene at one resolution, tile by tile.
+class TilePainter {
+public:
+    TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings, int width,
+                int height);
+    /// In upward rounding.
+    TileState paint(Tile tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
+                    Counters& counters) const;
+
+private:
+    /// Fills workspace.hits with what each surface shows.
+    void trace(Tile tile, const TimeLimit& limit, Workspace& workspace, Counters& counters) const;
+    /// Surface i by its parts, with what is left to find of gradients; false where that cannot be.
+    bool trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                     Counters& counters) const;
+    /// Surface i.
+    void trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                       Workspace& workspace, Counters& counters) const;
+
+    /// Surface i with the kernel for the tile.
+    [[nodiscard]] TraceFrame frame_of(std::size_t i, const Tile& tile,
+                                      const TimeLimit& limit) const {
+        const TraceFrame& whole = surfaces_[i];
+        const Kernel& kernel = kernels_[i] == nullptr ? whole.kernel : kernels_[i]->of(tile);
+        return {whole.scene, kernel,      whole.view,      whole.width, whole.height,
+                whole.stop,  whole.depth, whole.precision, limit};
+    }
+
+    const Tracer& tracer_;
+    bool shadows_;
+    std::vector<TraceFrame> surfaces_;
+    std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
+    std::vector<std::unique_ptr<FrameParts>> parts_;      ///< nullptr: not by parts
+    std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
+};
+
+TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
+                         int width, int height)
+    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        surfaces_.push_back(
+            trace_frame(scene, scene.surfaces[i], view, width, height, settings.stop));
+        if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
+    }
+    for (const TraceFrame& surface : surfaces_) {
+        const bool pays = tracer_.shortens || surface.kernel.interpreted;
+        kernels_.push_back(
+            pays && surface.kernel.shortener ? std::make_unique<FrameKernels>(surface) : nullptr);
+        parts_.push_back(tracer_.takes_parts ? parts_of(surface) : nullptr);
+    }
+}
+
+bool TilePainter::trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                              Workspace& workspace, Counters& counters) const {
+    if (parts_[i] == nullptr || !parts_[i]->list(tile, workspace.parts)) return false;
+    if (workspace.parts.empty()) return true;
+    TraceFrame frame = surfaces_[i];
+    frame.parts = workspace.parts;
+    frame.limit = limit;
+    tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
+    find_gradients(frame, tile, workspace.hits[i], counters);
+    return true;
+}
+
+void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
+                                Workspace& workspace, Counters& counters) const {
+    TileHits& hits = workspace.hits[i];
+    hits.clear();
+    if (limit.over()) return hits.leave_undecided(tile);
+    if (trace_parts(i, tile, limit, workspace, counters)) return;
+    const TraceFrame frame = frame_of(i, tile, limit);
+    if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
+    CapFinder& caps = workspace.caps;
+    caps.fill(frame, solid_signs_[i], counters);
+    Tile before_caps = tile;
+    before_caps.limits = caps.limits(tile.limits);
+    tracer_.trace_tile(frame, before_caps, hits, counters);
+    caps.put(hits);
+}
+
+void TilePainter::trace(Tile tile, const TimeLimit& limit, Workspace& workspace,
+                        Counters& counters) const {
+    const bool several = surfaces_.size() > 1;
+    workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
+    if (several) workspace.nearest.clear();
+    if (!solid_signs_.empty()) workspace.caps.enter(surfaces_.front(), tile);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        trace_surface(i, tile, limit, workspace, counters);
+        if (!several || limit.cancelled()) return;
+        workspace.nearest.add(workspace.hits[i], static_cast<std::uint8_t>(i));
+        tile.limits = workspace.nearest.limits();
+    }
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));
+}
+
+TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& workspace,
+                             const Canvas& out, Counters& counters) const {
+    trace(tile, limit, workspace, counters);
+    if (limit.cancelled()) return TileState::Waiting;
+    const bool cut = limit.over();  // a tile that was finished just before counts as cut, too
+    const auto hits = std::span(workspace.hits).first(surfaces_.size());
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!hits[i].points.empty())
+            find_gradients(frame_of(i, tile, limit), tile, hits[i], counters);
+    }
+    if (shadows_) find_shadows(surfaces_, limit, tile, hits, counters);
+    for (std::size_t i = 0; i < hits.size(); ++i)
+        find_colors(surfaces_[i], i, tile, hits[i], counters);
+    if (limit.cancelled()) return TileState::Waiting;
+    draw_tile(surfaces_, hits, tile, out);
+    return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
+}
+
+std::uint64_t pixels_in(const Tile& tile) {
+    return static_cast<std::uint64_t>(tile.cols) * static_cast<std::uint64_t>(tile.rows);
+}
+
+std::uint64_t undecided_in(const Framebuffer& frame, const Tile& tile) {
+    std::uint64_t count = 0;
+    for (int row = tile.row; row < tile.row + tile.rows; ++row) {
+        const auto first =
+            frame.certificate.begin() + static_cast<std::ptrdiff_t>(frame.index(tile.col, row));
+        count += static_cast<std::uint64_t>(
+            std::count(first, first + tile.cols, Certificate::Undecided));
+    }
+    return count;
+}
+
+/// A frame, at twice its resolution besides where it is antialiased.
+class FramePainter {
+public:
+    FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                 Framebuffer& out, const RenderWatch& watch)
+        : view_(camera),
+          painter_(scene, view_, settings, out.width, out.height),
+          out_(out),
+          watch_(watch) {
+        if (settings.antialias)
+            fine_painter_.emplace(scene, view_, settings, 2 * out.width, 2 * out.height);
+    }
+    /// `blank_rows`: the tile's of the picture. In upward rounding.
+    TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                    std::uint64_t& blank_rows, Counters& counters) const;
+
+private:
+    /// Into workspace.fine; whether all of it came to its end.
+    bool paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                    Counters& counters) const;
+
+    ViewFrame view_;
+    TilePainter painter_;
+    std::optional<TilePainter> fine_painter_;
+    Framebuffer& out_;
+    const RenderWatch& watch_;
+};
+
+bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                              Counters& counters) const {
+    const Canvas canvas{workspace.fine, 2 * tile.col, 2 * tile.row, 2 * out_.height};
+    for (int row = 0; row < 2 * tile.rows; row += tile_size) {
+        for (int col = 0; col < 2 * tile.cols; col += tile_size) {
+            const Tile part{canvas.col + col, canvas.row + row,
+                            std::min(tile_size, 2 * tile.cols - col),
+                            std::min(tile_size, 2 * tile.rows - row)};
+            const TileState state = fine_painter_->paint(part, limit, workspace, canvas, counters);
+            if (state != TileState::Finished) return false;
+        }
+    }
+    return true;
+}
+
+TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                              std::uint64_t& blank_rows, Counters& counters) const {
+    const Canvas canvas{out_, 0, 0, out_.height, &blank_rows};
+    const TileState state = painter_.paint(tile, limit, workspace, canvas, counters);
+    if (state != TileState::Finished) return state;
+    const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};
+    if (fine_painter_) {
+        if (!paint_fine(tile, limit, workspace, counters)) return TileState::Rough;
+        blank_rows = 0;
+        blend_finer(workspace.fine, pixels, out_);
+    }
+    if (watch_.on_tile) watch_.on_tile(pixels);
+    return TileState::Finished;
+}
+
+}  // namespace
+
+Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                      Framebuffer& frame, const RenderWatch& watch) {
+    assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
+    assert(scene.surfaces.size() <= max_surfaces);
+    const NearestRounding nearest;  // the view does not depend on the caller's mode
+    const FramePainter painter(scene, camera, settings, frame, watch);
+    const TileGrid grid(frame.width, frame.height);
+    frame.blank_rows.resize(grid.size());
+    const int threads = settings.threads > 0 ? settings.threads : core_count();
+    Turns turns(grid.size(), threads, watch.limit, watch.first_turn);
+    std::vector<TileState> states(grid.size(), TileState::Waiting);
+    std::vector<std::size_t> open(grid.size());
+    std::iota(open.begin(), open.end(), std::size_t{0});
+    std::mutex mutex;
+    Counters total;
+    std::atomic<bool> again = true;
+    while (again.exchange(false) && !open.empty() && !watch.limit.cancelled()) {
+        turns.begin(open.size());
+        parallel_for(open.size(), settings.threads, [&](std::size_t i) {
+            thread_local Workspace workspace;
+            const std::size_t tile = open[i];
+            const auto turn = turns.take(tile);
+            if (!turn) return;
+            const UpwardRegisters upward;
+            Counters counters;
+            std::uint64_t blank_rows = frame.blank_rows[tile];  // others write beside it
+            states[tile] = painter.paint(grid.tile(tile), *turn, workspace, blank_rows, counters);
+            frame.blank_rows[tile] = blank_rows;
+            if (states[tile] != TileState::Finished) again = true;
+            const std::scoped_lock lock(mutex);
+            total += counters;
+        });
+        std::erase_if(open, [&](std::size_t i) { return states[i] == TileState::Finished; });
+    }
+    for (const std::size_t i : open) {
+        const Tile tile = grid.tile(i);
+        if (states[i] == TileState::Cut) total.cut_pixels += undecided_in(frame, tile);
+        if (states[i] == TileState::Rough) total.rough_pixels += pixels_in(tile);
+    }
+    return total;
+}
+
+}  // namespace zeroset

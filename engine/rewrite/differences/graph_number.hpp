@@ -1,0 +1,128 @@
+#pragma once
+
+#include "engine/expr/simplify.hpp"
+#include "engine/real/format.hpp"
+#include "engine/real/sleef.hpp"
+
+#include <cmath>
+
+// The carrier that builds a graph: the operations that engine/num/dual.hpp asks of one, so that the
+// rules of differentiation that kernels apply to numbers make formulas, too. Private to
+// derivatives.cpp.
+
+namespace zeroset {
+
+struct GraphNumber {
+    ExprBuilder* builder;
+    NodeId id;
+};
+
+/// A condition.
+struct GraphMask {
+    ExprBuilder* builder;
+    NodeId id;
+};
+
+inline const Format& format_of(const GraphNumber& /*kind*/) { return double_format; }
+
+/// NaN has no node; it stands in values only, which are those of the nodes differentiated.
+inline GraphNumber like(const GraphNumber& kind, double value) {
+    return std::isnan(value) ? kind : GraphNumber{kind.builder, kind.builder->constant(value)};
+}
+
+inline GraphNumber operator+(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, make_add(*a.builder, a.id, b.id)};
+}
+inline GraphNumber operator-(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, make_subtract(*a.builder, a.id, b.id)};
+}
+inline GraphNumber operator*(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, make_multiply(*a.builder, a.id, b.id)};
+}
+inline GraphNumber operator/(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, make_divide(*a.builder, a.id, b.id)};
+}
+inline GraphNumber operator-(const GraphNumber& a) {
+    return {a.builder, make_negate(*a.builder, a.id)};
+}
+
+inline GraphMask operator<(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, a.builder->apply(Op::Less, a.id, b.id)};
+}
+inline GraphMask operator>(const GraphNumber& a, const GraphNumber& b) { return b < a; }
+inline GraphMask operator<=(const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, a.builder->apply(Op::LessEqual, a.id, b.id)};
+}
+inline GraphMask operator>=(const GraphNumber& a, const GraphNumber& b) { return b <= a; }
+inline GraphMask either(const GraphMask& a, const GraphMask& b) {
+    return {a.builder, make_call(*a.builder, Op::Or, a.id, b.id)};
+}
+/// Graphs leave out what is no number: whatever is computed with it is none, either.
+inline GraphMask unordered(const GraphNumber& a, const GraphNumber& /*b*/) {
+    return {a.builder, a.builder->constant(0.0)};
+}
+
+inline GraphNumber select(const GraphMask& condition, const GraphNumber& if_true,
+                          const GraphNumber& if_false) {
+    ExprBuilder& builder = *condition.builder;
+    const bool never = condition.id == builder.constant(0.0);
+    if (never || if_true.id == if_false.id) return if_false;
+    return {&builder, builder.apply(Op::If, condition.id, if_true.id, if_false.id)};
+}
+inline GraphNumber select_negative(const GraphNumber& x, const GraphNumber& if_set,
+                                   const GraphNumber& if_clear) {
+    return select(x < like(x, 0.0), if_set, if_clear);
+}
+
+inline GraphNumber square_root(const GraphNumber& a) {
+    return {a.builder, make_call(*a.builder, Op::Sqrt, a.id)};
+}
+inline GraphNumber magnitude(const GraphNumber& a) {
+    return {a.builder, make_call(*a.builder, Op::Abs, a.id)};
+}
+inline GraphNumber round_down(const GraphNumber& a) {
+    return {a.builder, make_call(*a.builder, Op::Floor, a.id)};
+}
+/// A graph keeps an infinite derivative.
+inline GraphNumber at_most_steep(const GraphNumber& derivative) { return derivative; }
+inline GraphNumber point_power(const GraphNumber& a, int n) {
+    return {a.builder, make_int_power(*a.builder, a.id, n)};
+}
+inline GraphNumber point_odd_root(const GraphNumber& size, int n) {
+    return {size.builder, make_root(*size.builder, size.id, n)};
+}
+
+/// The operator of a function that is taken from a library.
+constexpr Op op_of(Elementary function) {
+    switch (function) {
+        case Elementary::Sin: return Op::Sin;
+        case Elementary::Cos: return Op::Cos;
+        case Elementary::Tan: return Op::Tan;
+        case Elementary::Asin: return Op::Asin;
+        case Elementary::Acos: return Op::Acos;
+        case Elementary::Atan: return Op::Atan;
+        case Elementary::Atan2: return Op::Atan2;
+        case Elementary::Exp: return Op::Exp;
+        case Elementary::Log: return Op::Log;
+        case Elementary::Log10: return Op::Log10;
+        case Elementary::Log2: return Op::Log2;
+        case Elementary::Cbrt: return Op::OddRoot;
+        case Elementary::Sinh: return Op::Sinh;
+        case Elementary::Cosh: return Op::Cosh;
+        case Elementary::Tanh: return Op::Tanh;
+        case Elementary::Asinh: return Op::Asinh;
+        case Elementary::Acosh: return Op::Acosh;
+        case Elementary::Atanh: return Op::Atanh;
+    }
+    return Op::Constant;
+}
+
+inline GraphNumber elementary(Elementary function, const GraphNumber& a) {
+    if (function == Elementary::Cbrt) return point_odd_root(a, 3);
+    return {a.builder, make_call(*a.builder, op_of(function), a.id)};
+}
+inline GraphNumber elementary(Elementary function, const GraphNumber& a, const GraphNumber& b) {
+    return {a.builder, make_call(*a.builder, op_of(function), a.id, b.id)};
+}
+
+}  // namespace zeroset

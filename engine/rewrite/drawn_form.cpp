@@ -1,0 +1,46 @@
+#include "engine/rewrite/drawn_form.hpp"
+
+#include "engine/rewrite/clear_poles.hpp"
+#include "engine/rewrite/differences/differences.hpp"
+#include "engine/rewrite/folds.hpp"
+#include "engine/rewrite/log_sums.hpp"
+#include "engine/rewrite/plain_conditions.hpp"
+#include "engine/rewrite/polar_form.hpp"
+#include "engine/rewrite/polynomial/collected_terms.hpp"
+#include "engine/rewrite/polynomial/tighten.hpp"
+#include "engine/rewrite/sample/form_sample.hpp"
+#include "engine/rewrite/smooth_minima.hpp"
+
+#include <cstddef>
+
+namespace zeroset {
+namespace {
+
+/// Larger formulas are not measured.
+constexpr std::size_t most_nodes = 500;
+/// What is estimated to take less than this share of the time surely does.
+constexpr double clearly = 0.9;
+
+/// The tightened formula, unless beams are surely traced faster through the one as it was: that
+/// has other enclosures than interval arithmetic, and the operators that make these tighter may
+/// cost more than they save.
+Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
+    const double time = time_of_cell(expr);
+    const double time_of_tight = time_of_cell(tight);
+    if (time_of_tight <= time || tight.nodes().size() > most_nodes) return tight;
+    const FormSample sample(expr, region);
+    const bool saves = time * sample.open() < clearly * time_of_tight * sample.open(tight);
+    return saves ? expr : tight;
+}
+
+}  // namespace
+
+Expr drawn_form(const Expr& expr, const SampleRegion& region) {
+    const Expr folded = with_folds(with_plain_conditions(expr));
+    const Expr smooth = with_smooth_minima(with_log_sums(plain_angles(folded)));
+    const Expr short_form = with_collected_terms(smooth, region);
+    const Expr plain = without_poles(without_small_differences(short_form), region);
+    return polar_form(quicker(plain, tightened(plain, region), region));
+}
+
+}  // namespace zeroset

@@ -1,0 +1,107 @@
+#include "engine/rewrite/root_witnesses.hpp"
+
+#include "engine/algebra/node_facts.hpp"
+#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/simplify.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t most_witnesses = 4;
+
+/// The nodes of a graph with their ids.
+ExprBuilder nodes_of(const Expr& f) {
+    ExprBuilder nodes;
+    rebuild(nodes, f, [](ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
+        return builder.apply(node.op, a, b, c, node.number);
+    });
+    return nodes;
+}
+
+bool is_same(const ExprBuilder& builder, NodeId a, NodeId b) {
+    if (a == b) return true;
+    const auto x = exact_fraction(builder, a);
+    const auto y = x ? exact_fraction(builder, b) : std::nullopt;
+    return y && x->p == y->p && x->q == y->q;
+}
+
+bool is_difference(const ExprBuilder& f, NodeId id, NodeId u, NodeId v) {
+    const Node& node = f.node(id);
+    if (node.op == Op::Negate) return is_difference(f, node.a, u, v);
+    return node.op == Op::Subtract && ((is_same(f, node.a, u) && is_same(f, node.b, v)) ||
+                                       (is_same(f, node.a, v) && is_same(f, node.b, u)));
+}
+
+/// What a choice is where the sides of its comparison are equal, if it is their difference.
+std::optional<NodeId> at_equality(const ExprBuilder& f, const Node& choice) {
+    const Node& condition = f.node(choice.a);
+    if (condition.op != Op::Less && condition.op != Op::LessEqual) return std::nullopt;
+    const NodeId taken = condition.op == Op::Less ? choice.c : choice.b;
+    const bool vanishes = is_difference(f, taken, condition.a, condition.b);
+    return vanishes ? std::optional(taken) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Expr> root_witnesses(const Expr& f) {
+    const ExprBuilder nodes = nodes_of(f);
+    std::vector<NodeId> open{f.root()};
+    std::vector<NodeId> found;
+    while (!open.empty() && found.size() < most_witnesses) {
+        const NodeId id = open.back();
+        const Node& node = f.node(id);
+        open.pop_back();
+        if (node.op == Op::Multiply) {
+            open.insert(open.end(), {node.b, node.a});
+        } else if (is_any_of(node.op, {Op::Negate, Op::Abs, Op::OddRoot, Op::Divide}) ||
+                   (node.op == Op::IntPower && node.number > 0)) {
+            open.push_back(node.a);
+        } else if (node.op == Op::If && at_equality(nodes, node)) {
+            open.push_back(*at_equality(nodes, node));
+        } else if (node.op != Op::Constant && id != f.root() &&
+                   std::ranges::find(found, id) == found.end()) {
+            found.push_back(id);
+        }
+    }
+    std::vector<Expr> witnesses;
+    const auto names = f.parameters();
+    for (const NodeId id : found)
+        witnesses.push_back(nodes.finish(id, {names.begin(), names.end()}));
+    return witnesses;
+}
+
+std::optional<Expr> domain_witness(const Expr& f) {
+    ExprBuilder builder = nodes_of(f);
+    NodeFacts facts(builder);
+    std::optional<NodeId> sum;
+    const auto add = [&](NodeId term) { sum = sum ? builder.apply(Op::Add, *sum, term) : term; };
+    const auto square = [&](NodeId id) { return builder.apply(Op::IntPower, id, 0, 0, 2); };
+    const auto reciprocal = [&](NodeId id) {
+        return builder.apply(Op::Divide, builder.constant(1.0), id);
+    };
+    for (NodeId id = 0; id <= f.root(); ++id) {
+        if (!facts.is_partial(id)) continue;
+        const Node node = f.node(id);
+        if (node.op == Op::Where) return std::nullopt;
+        if (is_any_of(node.op, {Op::Atan2, Op::Angle, Op::AngleSin, Op::AngleCos})) {
+            add(reciprocal(builder.apply(Op::Add, square(node.a), square(node.b))));
+        } else if (is_any_of(node.op, {Op::Divide, Op::Mod, Op::Oriented})) {
+            add(reciprocal(node.b));
+        } else {
+            add(id);
+        }
+    }
+    if (!sum) return std::nullopt;
+    const auto names = f.parameters();
+    return builder.finish(*sum, {names.begin(), names.end()});
+}
+
+bool is_defined_everywhere(const Expr& f) {
+    const ExprBuilder nodes = nodes_of(f);
+    return NodeFacts(nodes).is_total(f.root());
+}
+
+}  // namespace zeroset

@@ -1,0 +1,25 @@
+#include "engine/scene/region.hpp"
+
+#include <cmath>
+
+namespace zeroset {
+
+double size_of(const Section& section) { return std::abs(section.offset); }
+
+double size_of(const Ball& ball) { return glm::length(ball.centre) + ball.radius; }
+
+Section make_section(const glm::dvec3& normal, double offset, bool cap) {
+    const double length = glm::length(normal);
+    return {normal / length, offset / length, cap};
+}
+
+bool cuts(const Section& section, const Box& box) {
+    constexpr double error = 0x1p-48;  // above the rounding of the few operations here
+    const glm::dvec3 farthest =
+        glm::mix(box.lo, box.hi, glm::greaterThan(section.normal, glm::dvec3(0.0)));
+    const glm::dvec3 size = glm::max(glm::abs(box.lo), glm::abs(box.hi));
+    const double spare = error * glm::dot(glm::abs(section.normal), size);
+    return glm::dot(section.normal, farthest) > section.offset + spare;
+}
+
+}  // namespace zeroset

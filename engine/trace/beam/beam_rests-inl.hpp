@@ -1,0 +1,193 @@
+// Rests: parts of rays that are left when their cells are as small as they get: roots where f
+// crosses 0, or what cannot be decided. Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_BEAM_RESTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_RESTS_INL
+#undef ZEROSET_BEAM_RESTS_INL
+#else
+#define ZEROSET_BEAM_RESTS_INL
+#endif
+
+#include "engine/trace/beam/beam_rays-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::look_around(Real finest) {
+    if (rests_.empty()) return;
+    ranges_.clear();
+    const Margins margins = margins_around(finest);
+    for (const Rest<Real>& rest : rests_)
+        push_around(ranges_, rest, margins);
+    ranges_.evaluate(*rests_.front().segment.kernel);
+    ranges_.evaluate_pieces(*rests_.front().segment.kernel);
+}
+
+template <class Real, class Cell>
+void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges, const Rest<Real>& rest,
+                                         const Margins& margins) const {
+    const auto from = static_cast<double>(rest.from);
+    const auto to = static_cast<double>(rest.to);
+    const auto push = [&](double s, double t) { ranges.push(rest.segment.pixel, s, t); };
+    for (std::size_t k = 0; k < margins.count; ++k) {
+        const double margin = margins.sizes[k];
+        push(from - margin, to + margin);
+        push(from - margin, from - margin);
+        push(to + margin, to + margin);
+    }
+}
+
+template <class Real, class Cell>
+bool RayMarcher<Real, Cell>::is_defined(const Rest<Real>& what, Real finest) {
+    if constexpr (std::is_same_v<Real, double>) {
+        const auto& domain = frame_.kernel.domain;
+        if (!domain) return false;
+        const Margins margins = margins_around(finest);
+        witness_ranges_.clear();
+        push_around(witness_ranges_, what, margins);
+        witness_ranges_.evaluate(domain);
+        for (std::size_t k = 0; k < margins.count; ++k) {
+            if (!witness_ranges_.continuous(3 * k)) return false;
+        }
+        return true;
+    } else {
+        return false;
+    }
+}
+
+template <class Real, class Cell>
+auto RayMarcher<Real, Cell>::witnessed(const Rest<Real>& what, Real finest, bool continuous)
+    -> std::optional<Crossing> {
+    if constexpr (std::is_same_v<Real, double>) {
+        const Kernel& f = frame_.kernel;
+        if (!frame_.parts.empty() || f.witnesses.empty()) return std::nullopt;
+        if (!continuous && !f.defined_everywhere && !is_defined(what, finest)) return std::nullopt;
+        for (const auto& witness : f.witnesses) {
+            witness_ranges_.clear();
+            push_around(witness_ranges_, what, margins_around(finest));
+            witness_ranges_.evaluate(witness);
+            if (auto found = crossing(witness_ranges_, 0, what, finest, false)) {
+                found->trend = Trend::Unknown;
+                return found;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+template <class Real, class Cell>
+auto RayMarcher<Real, Cell>::crossing(const RangeList<Real>& ranges, std::size_t first,
+                                      const Rest<Real>& what, Real finest, bool continuous) const
+    -> std::optional<Crossing> {
+    const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
+                                         view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
+    const Margins margins = margins_around(finest);
+    int before = 0;
+    int behind = 0;
+    for (std::size_t k = 0; k < margins.count; ++k) {
+        const std::size_t box = first + 3 * k;
+        const double from = static_cast<double>(what.from) - margins.sizes[k];
+        const double to = static_cast<double>(what.to) + margins.sizes[k];
+        if (from < clip.enter_hi || to > clip.exit_lo) break;
+        if (ranges.vanishes(box + 1) || ranges.vanishes(box + 2))
+            return Crossing{Trend::Unknown, to - from};
+        if (!ranges.continuous(box) && !(k == 0 && continuous)) continue;
+        // A sign holds for all of the bracket before, or behind, which has no root.
+        if (before == 0) before = ranges.sign(box + 1);
+        if (behind == 0) behind = ranges.sign(box + 2);
+        if (before * behind < 0)
+            return Crossing{before > 0 ? Trend::Falling : Trend::Rising, to - from};
+    }
+    return std::nullopt;
+}
+
+template <class Real, class Cell>
+std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
+                                                  std::size_t first) const {
+    if (!frame_.scene.jumps || ranges.continuous(first)) return std::nullopt;
+    // Each before the bracket, the next one behind it.
+    const std::array boxes{first + 1, first + 4, first + 7};
+    for (std::size_t k = 0; k + 1 < boxes.size(); ++k) {
+        const int before = ranges.sign(boxes[k]);
+        if (before * ranges.sign(boxes[k] + 1) >= 0) continue;
+        // Towards a pole f grows: half as far from it, it is twice as large.
+        constexpr Real much = static_cast<Real>(1.2);
+        for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+            const Real near = ranges.least_size(boxes[k] + side);
+            if (!(near <= much * ranges.least_size(boxes[k + 1] + side))) return std::nullopt;
+        }
+        return before > 0 ? Trend::Falling : Trend::Rising;
+    }
+    return std::nullopt;
+}
+
+template <class Real, class Cell>
+template <class Undecided>
+std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
+                                                            const MarchSettings<Real>& settings,
+                                                            Undecided undecided) {
+    const Rest<Real>& what = rests_[rest];
+    const std::size_t box = 3 * margins_around(settings.finest).count * rest;
+    Segment<Real> segment = what.segment;
+    bool goes_on = true;
+    if (!ranges_.excludes_zero(box)) {
+        const bool continuous = what.continuous || ranges_.continuous(box);
+        std::optional<Crossing> found;
+        if (settings.certifies) {
+            found = crossing(ranges_, box, what, settings.finest, what.continuous);
+            if (!found) found = witnessed(what, settings.finest, continuous);
+        }
+        if (found) {
+            const auto from = static_cast<double>(what.from);
+            const auto to = static_cast<double>(what.to);
+            // Four of the finest cells, as certified_width promises.
+            const bool narrow = found->width <= 4 * static_cast<double>(settings.finest);
+            if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
+            found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
+                               narrow ? Certificate::Certified : Certificate::Coarse, found->trend);
+            return std::nullopt;
+        }
+        const auto jumps = settings.certifies ? jump(ranges_, box) : std::nullopt;
+        if (jumps) {
+            const double middle =
+                0.5 * static_cast<double>(what.from) + 0.5 * static_cast<double>(what.to);
+            found_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
+            return std::nullopt;
+        }
+        goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
+                                          what.to - what.from, segment.kernel},
+                            continuous);
+    }
+    if (!goes_on || !go_behind(segment)) return std::nullopt;
+    return segment;
+}
+
+template <class Real, class Cell>
+template <class Undecided>
+void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
+                                    const MarchSettings<Real>& settings, Undecided undecided) {
+    for (std::size_t first = 0, end = 0; first < doubts.size(); first = end) {
+        rests_.clear();
+        for (; end < doubts.size() && doubts[end].kernel == doubts[first].kernel; ++end) {
+            const Doubt& doubt = doubts[end];
+            const auto from = static_cast<Real>(doubt.from);
+            const auto to = static_cast<Real>(doubt.to);
+            rests_.push_back(
+                {{doubt.pixel, false, from, to, to - from, doubt.kernel}, from, to, true});
+        }
+        if (frame_.stopped()) {
+            for (const Rest<Real>& rest : rests_)
+                undecided(rest.segment, false);
+            continue;
+        }
+        look_around(settings.finest);
+        for (std::size_t rest = 0; rest < rests_.size(); ++rest)
+            decide(rest, settings, undecided);
+    }
+}
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
