@@ -229,6 +229,7 @@ int run(int argc, char** argv) {
         "Without a subcommand it opens the window.",
         "zeroset"};
     app.require_subcommand(0, 1);
+    app.set_version_flag("--version", "zeroset " ZEROSET_VERSION, "print the version and end");
     std::string equation;
     ViewText view;
     TraceText trace;
@@ -254,8 +255,8 @@ int run(int argc, char** argv) {
     const CLI::App* const bench_app = add_bench(app, bench);
     try {
         app.parse(protected_arguments(argc, argv));
-    } catch (const CLI::CallForHelp& help) {
-        return app.exit(help);
+    } catch (const CLI::Success& answer) {  // --help and --version
+        return app.exit(answer);
     } catch (const CLI::ParseError& error) {
         return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
     }

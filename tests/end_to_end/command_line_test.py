@@ -309,6 +309,9 @@ class GalleryTest(ProgramTest):
 
 
 class HelpTest(ProgramTest):
+    def test_version_is_one_line(self):
+        self.assertRegex(self.run_ok("--version").out, r"\Azeroset \d+\.\d+\.\d+\n\Z")
+
     def test_help_names_every_subcommand(self):
         text = self.run_ok("--help").out
         for word in ("render", "gallery", "explain", "bench", "EQUATION"):
