@@ -84,6 +84,30 @@ configure() {
     cp -- "$root/CMakePresets.json" "$dir/configured_presets.json"
 }
 
+# Says every half minute how far the build is whose output goes to a log.
+tell_progress() {
+    local log=$1 step
+    # Whoever waits for the end of this script's output does not wait for the pause.
+    while sleep 30 >/dev/null 2>&1; do
+        step=$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1 || true)
+        [[ -z $step ]] || say "built ${step:1:-1}"
+    done
+}
+
+# Runs ninja, its output in a log of which only what is no progress is shown when it fails.
+build_telling_progress() {
+    local log=$1 teller result=0
+    shift
+    : >"$log"
+    tell_progress "$log" &
+    teller=$!
+    NINJA_STATUS='[%f/%t] ' "$@" >"$log" 2>&1 </dev/null || result=$?
+    kill "$teller" 2>/dev/null || true
+    wait "$teller" 2>/dev/null || true
+    ((result == 0)) || grep -v '^\[[0-9]*/[0-9]*\]' "$log" >&2 || true
+    return "$result"
+}
+
 # Builds a target of a preset, on all cores; silent when there is nothing to do.
 configure_and_build() {
     local preset=$1 target=$2 minutes=$3 dir=$root/build/$1
@@ -95,6 +119,6 @@ configure_and_build() {
         die "cmake failed; its output is above and in $dir/build.log"
     [[ $("${ninja[@]}" -f "$dir/build.ninja" -n "$target") == *"no work to do"* ]] && return
     say "building (first time takes about $minutes minutes)…"
-    quietly "$dir/build.log" "${ninja[@]}" --quiet "$target" ||
+    build_telling_progress "$dir/build.log" "${ninja[@]}" "$target" ||
         die "the build failed; its output is above and in $dir/build.log"
 }
