@@ -71,7 +71,7 @@ std::expected<Formula, InputError> interpreted_formula(std::string_view text, co
 /// Text to a formula for a first picture: interpreted, unless there is machine code of an equal
 /// one already. Its forms are the tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
-/// The same of a text that was read.
+/// A formula for a first picture, as above, of a text that was read to `program` already.
 std::expected<Formula, InputError> prepare_formula(std::string_view text, Program program,
                                                    const Box& region);
 

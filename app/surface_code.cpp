@@ -38,11 +38,11 @@ constexpr std::size_t patient_nodes = 30'000'000;
 bool is_one(CodeUse use) { return use == CodeUse::OnePicture || use == CodeUse::LongPicture; }
 
 std::size_t choices_in(const Expr& expr) {
-    const auto is_choice = [](const Node& node) {
-        return node.op == Op::Min || node.op == Op::Max || node.op == Op::If ||
-               node.op == Op::And || node.op == Op::Or || node.op == Op::SmoothMin;
+    // A restriction leaves nothing else to evaluate.
+    const auto chooses = [](const Node& node) {
+        return may_be_operand(node.op) && node.op != Op::Where;
     };
-    return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), is_choice));
+    return static_cast<std::size_t>(std::ranges::count_if(expr.nodes(), chooses));
 }
 
 jit::CompileOptions options_for(CodeUse use, Precision precision, const Expr& surface) {

@@ -205,16 +205,12 @@ public:
         const Kink<Real> kink = kink_of((a.value.f - b.value.f).range());
         const auto first = a.value.f.f.c >= b.value.f.f.c;
         const LogSumBeam<Real> form = zeroset::log_sum(a.value.f, b.value.f, first, kink);
-        Value result = of(form.sum, std::nullopt, a, b);
-        if (!a.value.slope && !b.value.slope) return result;
-        kind_ = &a.value.f.r;
-        const SlopeBeam<Real> zero = no_slope();
-        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
-        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
-        const SlopeBeam<Real> larger_one = select(first, slope_a, slope_b);
-        const SlopeBeam<Real> smaller_one = select(first, slope_b, slope_a);
-        result.slope = larger_one + form.share * (smaller_one + -larger_one);
-        return result;
+        const auto slope = [&](const SlopeBeam<Real>& slope_a, const SlopeBeam<Real>& slope_b) {
+            const SlopeBeam<Real> larger_one = select(first, slope_a, slope_b);
+            const SlopeBeam<Real> smaller_one = select(first, slope_b, slope_a);
+            return larger_one + form.share * (smaller_one + -larger_one);
+        };
+        return of(form.sum, joined_slope(a, b, slope), a, b);
     }
     Value smooth_min(In a, In b) {
         const Form difference = a.value.f - b.value.f;
@@ -284,30 +280,24 @@ public:
     /// The larger one, or the smaller for `sign` -1; `kink` is that of a - b.
     Value larger(In a, In b, const Kink<Real>& kink, double sign) {
         report(kink);
-        Value result = of(zeroset::larger(a.value.f, b.value.f, kink, sign), std::nullopt, a, b);
-        if (!a.value.slope && !b.value.slope) return result;
-        kind_ = &a.value.f.r;
-        const SlopeBeam<Real> zero = no_slope();
-        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
-        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
-        const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
-        const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
-        result.slope =
-            select(kink.above, if_above, select(kink.below, if_below, hull(slope_a, slope_b)));
-        return result;
+        const Form form = zeroset::larger(a.value.f, b.value.f, kink, sign);
+        const auto slope = [&](const SlopeBeam<Real>& slope_a, const SlopeBeam<Real>& slope_b) {
+            const SlopeBeam<Real>& if_above = sign > 0 ? slope_a : slope_b;
+            const SlopeBeam<Real>& if_below = sign > 0 ? slope_b : slope_a;
+            return select(kink.above, if_above,
+                          select(kink.below, if_below, hull(slope_a, slope_b)));
+        };
+        return of(form, joined_slope(a, b, slope), a, b);
     }
     /// The smooth minimum; `difference`: a - b.
     Value blend(In a, In b, const Form& difference, const BlendSides<Mask>& sides) {
-        Value result =
-            of(zeroset::smooth_min(a.value.f, b.value.f, difference, sides), std::nullopt, a, b);
-        if (!a.value.slope && !b.value.slope) return result;
-        kind_ = &a.value.f.r;
-        const SlopeBeam<Real> zero = no_slope();
-        const SlopeBeam<Real>& slope_a = a.value.slope ? *a.value.slope : zero;
-        const SlopeBeam<Real>& slope_b = b.value.slope ? *b.value.slope : zero;
-        const SlopeBeam<Real> blended = slope_b + blend_share(difference) * (slope_a + -slope_b);
-        result.slope = select(sides.first, slope_a, select(sides.second, slope_b, blended));
-        return result;
+        const Form form = zeroset::smooth_min(a.value.f, b.value.f, difference, sides);
+        const auto slope = [&](const SlopeBeam<Real>& slope_a, const SlopeBeam<Real>& slope_b) {
+            const SlopeBeam<Real> blended =
+                slope_b + blend_share(difference) * (slope_a + -slope_b);
+            return select(sides.first, slope_a, select(sides.second, slope_b, blended));
+        };
+        return of(form, joined_slope(a, b, slope), a, b);
     }
 
 private:
@@ -324,6 +314,13 @@ private:
     static Box middle(In a) { return point(a.value.f.f.c); }
 
     SlopeBeam<Real> no_slope() { return {{number(0), {}, number(0)}, number(0)}; }
+    /// A slope made of those of a and b, of which an absent one is 0; absent where both are.
+    Slope joined_slope(In a, In b, auto join) {
+        if (!a.value.slope && !b.value.slope) return std::nullopt;
+        kind_ = &a.value.f.r;
+        const SlopeBeam<Real> zero = no_slope();
+        return join(a.value.slope ? *a.value.slope : zero, b.value.slope ? *b.value.slope : zero);
+    }
     static Slope negated(const Slope& a) {
         if (!a) return a;
         return -*a;

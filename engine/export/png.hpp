@@ -16,7 +16,7 @@ std::vector<std::byte> encoded_png(const void* pixels, int width, int height, in
 /// As a PNG file; empty when the encoder fails.
 std::vector<std::byte> png_of(const RgbaImage& image);
 
-/// What a PNG file holds; nothing when it cannot be read or is larger than 4096 pixels a side.
+/// The picture in a PNG file; nothing when it cannot be read or is larger than 4096 pixels a side.
 std::optional<RgbaImage> image_from_png(std::span<const std::byte> png);
 
 }  // namespace zeroset

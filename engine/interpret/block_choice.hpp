@@ -90,8 +90,8 @@ Kink<Lanes> decided_kink(const Interval<Lanes>& difference, unsigned above, unsi
     return kink;
 }
 
-/// The same value in both, where the other one is left out everywhere: copying is quicker than
-/// choosing lane by lane.
+/// Copies a or b to `place` if the other one is left out in all lanes, and tells whether it did:
+/// quicker than choosing lane by lane.
 template <class Lanes>
 bool copied(const ChoiceBits& bits, const Operand<BeamValue<Lanes>>& a,
             const Operand<BeamValue<Lanes>>& b, BeamValue<Lanes>* place) {

@@ -285,7 +285,7 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
         }
         ChoiceBits left_out{};
         if (record != nullptr) {
-            const Band band{step.band.lo, step.band.hi + (blend ? 1 : 0)};
+            const Band band = band_of_alternative(op, step.band);
             left_out = choice_by_band(op, of(0).value, of(1).value, band);
         }
         const ChoiceBits bits = blend ? make_blend(algebra, of(0), of(1), left_out, place)

@@ -27,14 +27,14 @@ Index alternative(Op op, const Step& step, std::size_t which) {
 
 Band negative(const Band& band) { return {-band.hi, -band.lo}; }
 Band hull(const Band& a, const Band& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
-/// Of x, for that of c x with c > 0 in the interval.
+/// The band of x, from that of c x with c > 0 in the interval.
 Band divided(const Band& band, const Interval<double>& c) {
     const double least = -c.neg_lo;
     const double most = c.hi;
     const auto far = [](double end, double by) { return end / by + 0x1p-50 * std::abs(end / by); };
     return {-far(-band.lo, band.lo < 0 ? least : most), far(band.hi, band.hi > 0 ? least : most)};
 }
-/// Of x, for that of x + c with c in the interval.
+/// The band of x, from that of x + c with c in the interval.
 Band moved_back(const Band& band, const Interval<double>& c) {
     const double lo = band.lo - c.hi;
     const double hi = band.hi + c.neg_lo;
@@ -234,8 +234,7 @@ Band Tape::band_of(const Step& step, std::size_t k) const {
     const Op op = node(step).op;
     if (is_choice(op)) return is_alternative(op, k) ? step.band : Band::everything();
     if (op == Op::Negate) return negative(step.band);
-    // One that is above hi + 1 has no part in a blend of at most hi.
-    if (op == Op::SmoothMin) return {step.band.lo, step.band.hi + 1};
+    if (op == Op::SmoothMin) return band_of_alternative(op, step.band);
     if (op == Op::Multiply) return band_of_factor(step, k);
     if (!is_sum(op)) return Band::everything();
     const Band band = op == Op::Subtract && k == 1 ? negative(step.band) : step.band;

@@ -56,6 +56,12 @@ struct Band {
     [[nodiscard]] constexpr bool empty() const { return lo > hi; }
 };
 
+/// The band of an operand that min, max or a smooth minimum may take, from that of the result: an
+/// operand above hi + 1 has no part in a smooth minimum of at most hi.
+constexpr Band band_of_alternative(Op op, const Band& band) {
+    return op == Op::SmoothMin ? Band{band.lo, band.hi + 1} : band;
+}
+
 /// Immutable.
 class Tape {
 public:

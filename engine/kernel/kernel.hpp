@@ -308,7 +308,7 @@ struct Kernel {
     bool interpreted = false;                    ///< else machine code
     std::size_t steps = 0;  ///< that the interpreter takes for an item; 0: machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
-    /// Of functions whose zeros are zeros of f (engine/rewrite/root_witnesses.hpp).
+    /// Ranges of functions whose zeros are zeros of f (engine/rewrite/root_witnesses.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
     bool defined_everywhere = false;  ///< for all values of the variables, surely
     /// Ranges of a function that is continuous only where f is defined; none: not known.

@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What a text says. Surfaces share the numbering of the parameters.
+/// A text as it was understood. Surfaces share the numbering of the parameters.
 struct Program {
     std::vector<Expr> surfaces;  ///< f of f = 0, restricted by Op::Where; at least one
     std::vector<Reading> readings;

@@ -64,7 +64,7 @@ BlendLine<Real> blend_line(const Beam<Real>& difference, const Interval<Real>& r
     return {alpha, {most_below, alpha * (alpha - one)}};
 }
 
-/// Of a - b.
+/// The smooth minimum; `difference`: a - b.
 template <class Real, class Mask>
 Beam<Real> smooth_min(const Beam<Real>& a, const Beam<Real>& b, const Beam<Real>& difference,
                       const BlendSides<Mask>& sides) {
@@ -90,10 +90,9 @@ Beam<Real> blend_share(const Beam<Real>& difference) {
     const Real half = like(d.hi, 0.5);
     const Real zero = like(d.hi, 0.0);
     const Real one = like(d.hi, 1.0);
-    const auto enclosed = [&](const Real& at_lo, const Real& at_hi) {
-        // (1 - d)/2 rounded upward, and d - 1 for what it is at least.
-        const Real least = minimum(maximum(half - half * at_lo, zero), one);
-        return Interval<Real>{-minimum(maximum(-(half * at_hi - half), zero), one), least};
+    // From (1 - hi)/2 to (1 - lo)/2.
+    const auto enclosed = [&](const Real& lo, const Real& hi) {
+        return Interval<Real>{maximum(minimum(half * hi - half, zero), -one), blend_share(lo)};
     };
     const Interval<Real> slope = enclosed(-d.neg_lo, d.hi);
     const auto inside = both(d.neg_lo <= one, d.hi <= one);

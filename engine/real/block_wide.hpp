@@ -1,7 +1,7 @@
 #pragma once
 
-// What engine/real/block.hpp asks of registers of 32 and 64 bytes. Included by it, where the
-// translation unit has them.
+// The operations on registers of 32 and 64 bytes that engine/real/block.hpp needs. It includes this
+// where the translation unit has them.
 
 #if ZEROSET_BLOCK_BYTES == 32
 namespace zeroset::detail {

@@ -247,6 +247,7 @@ std::optional<NodeId> Finder::mixed_extreme(Op op, NodeId mix, NodeId h, NodeId 
 }
 
 std::optional<NodeId> Finder::mix_and_bump(Op op, NodeId mix, NodeId bump) {
+    if (builder_.node(mix).op != Op::Add) return std::nullopt;
     const auto q = product(bump);
     if (!q || q->factors.size() != 2 || !is_positive(q->constant)) return std::nullopt;
     for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {

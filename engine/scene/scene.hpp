@@ -25,7 +25,7 @@ enum class SolidSide : std::uint8_t {
 
 struct Solid {
     SolidSide side = SolidSide::Automatic;
-    /// Of f without what restricts it (engine/rewrite/unrestricted.hpp), if it is restricted: it
+    /// The value of f without its restriction (engine/rewrite/unrestricted.hpp), if it has one: it
     /// tells the side where f itself is not defined.
     KernelFunction<ValueBatchOf<float>> unrestricted = {};
 };

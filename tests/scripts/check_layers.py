@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Fails on an #include against the arrows between the rooms of the house (rooms.txt).
 
-A room may include itself, the rooms that its row lists and, where a row lists one that has rooms
-inside, those. Arrows make no circle.
+A room may include itself and the rooms that its row lists; a folder that is no room stands for all
+rooms inside it. Arrows make no circle.
 
 LLVM is for jit/ alone, window libraries (ImGui, GLFW, OpenGL, EGL) for ui/ alone; tests may use
 both. Other rooms see of jit/ its public header only, and that one must not lead to LLVM.
@@ -12,6 +12,7 @@ Usage: check_layers.py ROOT. Prints file:line: reason for each violation, then e
 
 import re
 import sys
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 PUBLIC_JIT_HEADER = "jit/compile.hpp"
@@ -42,20 +43,21 @@ def room_of(rooms, path):
     return folder or None
 
 
-def is_inside(room, others):
-    return any(room == other or room.startswith(other + "/") for other in others)
+def seen_from(rooms, room):
+    """The rooms that a room may include; a folder that is no room stands for those inside it."""
+    return [
+        other for arrow in rooms[room] for other in rooms
+        if other == arrow or (arrow not in rooms and other.startswith(arrow + "/"))
+    ]
 
 
 def circle(rooms):
     """Rooms that lead to each other, as a text, or None."""
-
-    def search(room, path):
-        if room in path:
-            return " -> ".join([*path[path.index(room):], room])
-        inner = (search(other, [*path, room]) for other in rooms[room] if other in rooms)
-        return next((found for found in inner if found), None)
-
-    return next((found for room in rooms if (found := search(room, []))), None)
+    try:
+        TopologicalSorter({room: seen_from(rooms, room) for room in rooms}).prepare()
+    except CycleError as error:
+        return " -> ".join(reversed(error.args[1]))
+    return None
 
 
 def includes_of(path):
@@ -100,7 +102,7 @@ def objection(rooms, graph, source, header):
         return f"{room}/ may not include {library} headers"
     if source == PUBLIC_JIT_HEADER and leads_to_llvm(graph, header):
         return "the public header of jit/ must not lead to LLVM"
-    if target and target != room and not is_inside(target, rooms[room]):
+    if target and target != room and target not in seen_from(rooms, room):
         return f"{room}/ may not include {target}/"
     if target == "jit" and room == "app" and header != PUBLIC_JIT_HEADER:
         return f"app/ may include of jit/ only {PUBLIC_JIT_HEADER}"

@@ -13,6 +13,7 @@ ROOMS = """# room | arrows | what for
 engine/expr | | graphs
 engine/trace | engine/expr | pictures
 engine/trace/beam | engine/trace | a tracer
+engine/trace/k | engine/trace | another one
 jit | engine | code
 ui | engine | panels
 app | engine jit ui | the program
@@ -24,6 +25,7 @@ CLEAN = {
     "engine/expr/op.def": "",
     "engine/expr/expr.hpp": '#include <vector>\n#include "op.def"\n',
     "engine/trace/beam/leaf.hpp": '#include "engine/trace/scene.hpp"\n',
+    "engine/trace/k/packet.hpp": '#include "engine/trace/scene.hpp"\n',
     "engine/trace/scene.hpp": '#include "engine/expr/expr.hpp"\n// #include "ui/window.hpp"\n',
     "jit/compile.hpp": '#include "engine/expr/expr.hpp"\n#include "jit/lanes.hpp"\n',
     "jit/lanes.hpp": '#include "jit/compile.hpp"\n',  # a cycle must not trap the checker
@@ -50,6 +52,7 @@ VIOLATIONS = [
     ("engine/expr/a.cpp", '"engine/trace/scene.hpp"', "expr/ may not include engine/trace/"),
     ("engine/trace/a.cpp", '"beam/leaf.hpp"', "trace/ may not include engine/trace/beam/"),
     ("engine/trace/beam/a.cpp", '"engine/expr/op.def"', "beam/ may not include engine/expr/"),
+    ("engine/trace/beam/a.cpp", '"engine/trace/k/packet.hpp"', "may not include engine/trace/k/"),
     ("engine/a.cpp", "<vector>", "in no room"),
     ("jit/a.cpp", '"ui/window.hpp"', "jit/ may not include ui/"),
     ("jit/a.cpp", '"app/session.hpp"', "jit/ may not include app/"),
@@ -106,6 +109,9 @@ class CheckLayers(unittest.TestCase):
         result = check(CLEAN | {"rooms.txt": rooms})
         self.assertEqual(result.returncode, 1)
         self.assertIn("a circle: engine/expr -> engine/trace/beam -> engine/trace", result.stdout)
+        through_a_folder = ROOMS.replace("engine/expr | |", "engine/expr | jit |")
+        result = check(CLEAN | {"rooms.txt": through_a_folder})
+        self.assertIn("a circle: engine/expr -> jit -> engine/trace/beam", result.stdout)
 
     def test_tree_without_sources_fails(self):
         self.assertEqual(check({"rooms.txt": ROOMS}).returncode, 1)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-// What reading a text tells of it: how a statement was understood, or what is wrong.
+// Readings and errors: how a statement was understood, or why a text could not be.
 
 namespace zeroset {
 
