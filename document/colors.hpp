@@ -1,8 +1,7 @@
 #pragma once
 
-#include "engine/scene/palette.hpp"
-
 #include "document/document.hpp"
+#include "engine/scene/palette.hpp"
 
 #include <cstddef>
 #include <cstdint>

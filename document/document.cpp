@@ -124,6 +124,14 @@ std::vector<std::string> rows_of(std::string_view text) {
     return rows;
 }
 
+Document document_of_text(std::string_view text) {
+    Document document;
+    for (const std::string& row : rows_of(text))
+        document.statements.emplace_back().text = row;
+    if (document.statements.empty()) document.statements.emplace_back();
+    return renumbered(std::move(document), 1);
+}
+
 JoinedRows::JoinedRows(const std::vector<std::string>& rows) {
     for (const std::string& row : rows) {
         if (!begins.empty()) text += between_rows;

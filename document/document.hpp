@@ -1,9 +1,8 @@
 #pragma once
 
+#include "document/look.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
-
-#include "document/look.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -94,6 +93,9 @@ bool same_work(const Document& a, const Document& b);
 /// Rows for a text of one or more statements: one for each. A text that cannot be read becomes a
 /// row a line.
 std::vector<std::string> rows_of(std::string_view text);
+
+/// A document whose rows are those of a text, numbered from 1; at least one row.
+Document document_of_text(std::string_view text);
 
 /// The rows as one text for read_program, in which no statement goes on in the next row, but a line
 /// that starts with a sign goes on with the line before it in its row.

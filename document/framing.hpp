@@ -1,8 +1,7 @@
 #pragma once
 
-#include "engine/measure/extent.hpp"
-
 #include "document/document.hpp"
+#include "engine/measure/extent.hpp"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 # Writes OUTPUT, a C++ source that holds the text of each of FILES as a string literal.
-set(source "#include \"app/gallery_files.hpp\"\n\nnamespace zeroset {\n\n")
+set(source "#include \"pipeline/gallery_files.hpp\"\n\nnamespace zeroset {\n\n")
 string(APPEND source "std::span<const std::string_view> gallery_files() {\n")
 string(APPEND source "    static constexpr std::string_view files[] = {\n")
 foreach(file IN LISTS FILES)

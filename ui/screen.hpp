@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/texture.hpp"
-#include "ui/ui_state.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/window/texture.hpp"
 
 #include <cstdint>
 

@@ -8,7 +8,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iostream>
 #include <mutex>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -143,6 +145,13 @@ std::expected<void, FileError> write_pfm(const fs::path& path, const Framebuffer
         out += row_bytes;
     }
     return write_file(path, bytes);
+}
+
+std::expected<void, FileError> write_text(const std::string& path, const std::string& text) {
+    if (path != "-") return write_file(path, std::as_bytes(std::span(text)));
+    std::cout << text << std::flush;
+    if (!std::cout) return std::unexpected(FileError{"cannot write to standard output"});
+    return {};
 }
 
 }  // namespace zeroset

@@ -32,4 +32,7 @@ std::expected<void, FileError> write_png(const std::filesystem::path& path,
 std::expected<void, FileError> write_pfm(const std::filesystem::path& path,
                                          const Framebuffer& frame);
 
+/// To a file, or to standard output for "-".
+std::expected<void, FileError> write_text(const std::string& path, const std::string& text);
+
 }  // namespace zeroset

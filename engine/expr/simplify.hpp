@@ -23,8 +23,8 @@ NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b);
 NodeId make_int_power(ExprBuilder& builder, NodeId a, int n);
 /// The real root of degree n: odd and at least 3.
 NodeId make_root(ExprBuilder& builder, NodeId a, int n);
-/// A function or condition of op.def. sin and cos of sums with integer multiples of atan2 lose the cut of
-/// atan2.
+/// A function or condition of op.def. sin and cos of sums with integer multiples of atan2 lose the
+/// cut of atan2.
 NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b = 0, NodeId c = 0);
 
 /// p / q in lowest terms, q > 0.

@@ -1,6 +1,6 @@
-#include "app/formula.hpp"
-#include "app/timing.hpp"
+#include "app/cli/timing.hpp"
 #include "engine/view/camera.hpp"
+#include "pipeline/formula.hpp"
 #include "tests/support/csg_scenes.hpp"
 
 #include <chrono>

@@ -1,7 +1,7 @@
-#include "app/gallery.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
 #include "jit/compile.hpp"
+#include "pipeline/gallery.hpp"
 #include "tests/bench/samples.hpp"
 
 #include <benchmark/benchmark.h>

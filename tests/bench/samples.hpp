@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/gallery.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "pipeline/gallery.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,10 +1,10 @@
-#include "app/gallery.hpp"
 #include "engine/algebra/algebra.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
 #include "jit/batch_function.hpp"
 #include "jit/compile.hpp"
 #include "jit/orc.hpp"
+#include "pipeline/gallery.hpp"
 #include "tests/bench/plain_algebra.hpp"
 #include "tests/bench/samples.hpp"
 

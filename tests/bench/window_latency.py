@@ -7,7 +7,7 @@ Drives surfaces of the gallery (without names: those from the papers) on an X di
   fps        pictures a second while dragging
   key        median and largest latency of a key that changes the formula, compilation included, ms
   idle       processor time at rest, percent of one core over 10 s (or --idle SECONDS; 0: none)
-What a latency is says app/latency_log.hpp: OpenGL's time is left out, as it is software's here.
+What a latency is says app/desktop/latency_log.hpp: OpenGL's time is left out, as it is software's here.
 """
 
 import argparse

@@ -1,7 +1,8 @@
 #include "document/look.hpp"
 
-#include "document/document_json.hpp"
 #include "document/history.hpp"
+#include "document/json/document_json.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>

@@ -136,7 +136,8 @@ TEST_F(Sheets, TakeAListOfInstructionsInOneRow) {
     read({"a var-x\nb const 2\nc mul a b", "y = a"});
     EXPECT_EQ(reading(1), "x*2 = 0");
     EXPECT_EQ(reading_.surface_rows, (std::vector{1, 2}));
-    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"a"})) << "its names are its own";
+    EXPECT_EQ(reading_.program->parameters, (std::vector<std::string>{"a"}))
+        << "its names are its own";
 }
 
 TEST_F(Sheets, DoNotGoOnInTheNextRow) {

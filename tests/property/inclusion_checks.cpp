@@ -3,6 +3,7 @@
 // cores. The same seed makes the same checks
 // whatever the number of threads. Exits with 1 if a range does not hold.
 
+#include "app/cli/report.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "jit/compile.hpp"
 #include "tests/oracle/form_inclusion.hpp"

@@ -16,9 +16,7 @@ double remainder_of(double a, double b) {
     const double rest = std::fmod(a, b);
     return rest < 0 ? rest + b : rest;
 }
-double triangle(double a) {
-    return 2 * abs(a - std::round(a));
-}
+double triangle(double a) { return 2 * abs(a - std::round(a)); }
 double square(double a) { return a * a; }
 double cube(double a) { return a * square(a); }
 

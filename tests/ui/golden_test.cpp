@@ -6,7 +6,7 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "tests/ui/panels.hpp"
-#include "ui/legend.hpp"
+#include "ui/picture/legend.hpp"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>

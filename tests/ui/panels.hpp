@@ -2,18 +2,19 @@
 
 // The panels on a window that nobody sees, for each look they can have.
 
-#include "engine/image/framebuffer.hpp"
-#include "engine/view/camera.hpp"
-#include "ui/offscreen_window.hpp"
-#include "ui/screen.hpp"
-#include "ui/side_panel.hpp"
-#include "ui/texture.hpp"
-#include "ui/theme.hpp"
-#include "ui/ui_state.hpp"
-#include "ui/window.hpp"
-
 #include "document/colors.hpp"
 #include "document/sheet.hpp"
+#include "engine/image/framebuffer.hpp"
+#include "engine/view/camera.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/panels/side_panel.hpp"
+#include "ui/screen.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/window/offscreen_window.hpp"
+#include "ui/window/texture.hpp"
+#include "ui/window/window.hpp"
+
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>

@@ -3,7 +3,7 @@
 #include "engine/num/interval.hpp"
 #include "engine/render/render.hpp"
 #include "engine/rewrite/unrestricted.hpp"
-#include "tests/engine/trace/rays.hpp"
+#include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 
 #include "engine/real/rounding.hpp"
 #include "engine/render/render.hpp"
-#include "tests/engine/trace/rays.hpp"
 #include "tests/support/csg_scenes.hpp"
+#include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,220 @@
+#include "app/cli/bench_suite.hpp"
+#include "app/cli/commands.hpp"
+#include "app/cli/first_picture.hpp"
+#include "app/cli/report.hpp"
+#include "app/cli/timing.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/base/parallel.hpp"
+#include "engine/base/text.hpp"
+#include "engine/export/file.hpp"
+#include "engine/render/floor.hpp"
+#include "engine/render/tracers.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BenchPlan {
+    std::vector<BenchItem> items;
+    std::vector<TraceSettings> settings;  ///< one for each tracer
+    Size size{};
+    int repeats = 5;
+    double budget_s = default_budget_s;  ///< of a frame
+};
+
+/// What the window at its first size draws: with the panel.
+constexpr const char* size_in_window = "902x773";
+
+/// An error for an option that --first-picture would leave unheard.
+std::optional<InputError> check_first_picture(const BenchCommand& command) {
+    const std::string has = "--first-picture has ";
+    if (command.json) return InputError{has + "no --json; leave it out, the table is printed"};
+    if (command.budget) return InputError{has + "no --budget; leave it out"};
+    if (command.tracers && command.tracers->contains(','))
+        return InputError{has + "one --tracer; type " + std::string(tracers().front().name)};
+    return std::nullopt;
+}
+
+OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
+    BenchPlan plan;
+    if (const auto wrong = command.first_picture ? check_first_picture(command) : std::nullopt)
+        return std::unexpected(*wrong);
+    const std::string usual = command.first_picture ? size_in_window : "512";
+    const auto size = read_size("--size", command.size.value_or(usual));
+    if (!size) return std::unexpected(size.error());
+    plan.size = *size;
+    if (command.repeat) {
+        const auto repeats = read_integer("--repeat", *command.repeat, 1, 10'000);
+        if (!repeats) return std::unexpected(repeats.error());
+        plan.repeats = *repeats;
+    }
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    plan.budget_s = *budget;
+    std::string names = command.tracers.value_or(std::string(tracers().front().name));
+    for (std::size_t begin = 0; begin <= names.size();) {
+        const std::size_t end = std::min(names.find(',', begin), names.size());
+        TraceText text;
+        text.tracer = names.substr(begin, end - begin);
+        text.d_stop = command.d_stop.value_or(command.first_picture ? "14" : "10");
+        text.threads = command.threads;
+        const auto settings = read_trace_settings(text);
+        if (!settings) return std::unexpected(settings.error());
+        plan.settings.push_back(*settings);
+        begin = end + 1;
+    }
+    if (!command.suite) {
+        plan.items = command.first_picture ? whole_gallery() : gallery_suite();
+        return plan;
+    }
+    auto items = suite_of_file(*command.suite);
+    if (!items) return std::unexpected(items.error());
+    plan.items = std::move(*items);
+    return plan;
+}
+
+struct BenchCell {
+    FrameTiming timing;
+    double compile_ms = 0.0;
+    double floor_ms = 0.0;  ///< see KnownFrame
+    double range_per_ray = 0.0, form_per_ray = 0.0, value_per_ray = 0.0;
+    CertificateCounts counts;
+};
+
+OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
+                                const TraceSettings& settings) {
+    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
+    auto formula = compile_formula(item.surface.equation, item.surface.clip);
+    if (!formula) return std::unexpected(formula.error());
+    const Precision precision =
+        wanted_precision(make_scene(*formula, item.surface.clip, item.surface.w, {}),
+                         ViewFrame(camera), settings.stop);
+    if (!formula->has_code(precision)) formula = with_double(*formula);
+    const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
+    Framebuffer frame(plan.size.width, plan.size.height);
+    BenchCell cell;
+    cell.timing = time_frames(scene, camera, settings, frame, {plan.repeats, true}, [&] {
+        const TimeLimit limit{.until =
+                                  until_after(std::chrono::steady_clock::now(), plan.budget_s)};
+        return RenderWatch{.limit = limit, .on_tile = {}};
+    });
+    if (cell.timing.counters.is_cut()) {
+        std::cerr << "zeroset: " << item.name << ": the budget of " << short_number(plan.budget_s)
+                  << " s is spent; --budget SECONDS gives more\n";
+    }
+    cell.compile_ms = formula->compile_ms;
+    const KnownFrame known(scene, camera, settings, frame);
+    cell.floor_ms = time_repeats(plan.repeats, [&] { known.draw(frame); }).median_ms;
+    const auto rays = static_cast<double>(frame.color.size());
+    cell.range_per_ray = static_cast<double>(cell.timing.counters.range) / rays;
+    cell.form_per_ray = static_cast<double>(cell.timing.counters.form) / rays;
+    cell.value_per_ray = static_cast<double>(cell.timing.counters.value) / rays;
+    cell.counts = count_certificates(frame);
+    return cell;
+}
+
+Json json_of(const BenchCell& cell) {
+    return {{"frame_ms",
+             {{"median", cell.timing.median_ms},
+              {"min", cell.timing.min_ms},
+              {"max", cell.timing.max_ms},
+              {"repeats", cell.timing.repeats}}},
+            {"compile_ms", cell.compile_ms},
+            {"floor_ms", cell.floor_ms},
+            {"times_floor", cell.timing.median_ms / cell.floor_ms},
+            {"range_per_ray", cell.range_per_ray},
+            {"form_per_ray", cell.form_per_ray},
+            {"value_per_ray", cell.value_per_ray},
+            {"certified", cell.counts.certified},
+            {"undecided", cell.counts.undecided},
+            {"miss", cell.counts.miss}};
+}
+
+void print_heading(const BenchPlan& plan) {
+    std::printf(
+        "%dx%d, %d repeats, medians; cells: boxes and beams evaluated per ray; floor: times "
+        "what f and its gradient take once for each pixel that is hit\n%-20s",
+        plan.size.width, plan.size.height, plan.repeats, "surface");
+    for (const TraceSettings& settings : plan.settings) {
+        std::printf(" %14s ms      fps  floor    cells compile ms", settings.tracer.c_str());
+    }
+    std::printf("\n");
+}
+
+void print_cell(const BenchCell& cell) {
+    std::printf(" %17.3f %8.1f %6.1f %8.2f %10.1f", cell.timing.median_ms,
+                1000.0 / cell.timing.median_ms, cell.timing.median_ms / cell.floor_ms,
+                cell.range_per_ray + cell.form_per_ray, cell.compile_ms);
+}
+
+}  // namespace
+
+int run_bench(const BenchCommand& command) {
+    const auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    if (command.first_picture) {
+        return print_first_pictures(
+            {plan->items, plan->settings.front(), plan->size, plan->repeats});
+    }
+    if (command.json && command.json != "-") {
+        if (auto writable = check_writable(*command.json); !writable) {
+            return report_run_time(writable.error().message);
+        }
+    }
+    const bool table = command.json != "-";
+    if (table) print_heading(*plan);
+    Json surfaces = Json::array();
+    std::vector<double> log_sums(plan->settings.size(), 0.0);
+    std::vector<double> log_floors(plan->settings.size(), 0.0);
+    for (const BenchItem& item : plan->items) {
+        Json row{{"name", item.name}};
+        if (table) std::printf("%-20s", item.name.c_str());
+        for (std::size_t i = 0; i < plan->settings.size(); ++i) {
+            const auto cell = measure(item, *plan, plan->settings[i]);
+            if (!cell) return report(cell.error());
+            if (table) print_cell(*cell);
+            log_sums[i] += std::log(cell->timing.median_ms);
+            log_floors[i] += std::log(cell->timing.median_ms / cell->floor_ms);
+            row[plan->settings[i].tracer] = json_of(*cell);
+        }
+        if (table) std::printf("\n");
+        std::fflush(stdout);
+        surfaces.push_back(std::move(row));
+    }
+    Json means = Json::object();
+    Json floors = Json::object();
+    if (table) std::printf("%-20s", "geometric mean");
+    for (std::size_t i = 0; i < plan->settings.size(); ++i) {
+        const double mean = std::exp(log_sums[i] / static_cast<double>(plan->items.size()));
+        means[plan->settings[i].tracer] = mean;
+        const double times_floor =
+            std::exp(log_floors[i] / static_cast<double>(plan->items.size()));
+        floors[plan->settings[i].tracer] = times_floor;
+        if (table) std::printf(" %17.3f %8.1f %6.1f %19s", mean, 1000.0 / mean, times_floor, "");
+    }
+    if (table) std::printf("\n");
+    if (!command.json) return exit_ok;
+    const int threads = plan->settings.front().threads;
+    const std::string text = Json{{"width", plan->size.width},
+                                  {"height", plan->size.height},
+                                  {"threads", threads > 0 ? threads : core_count()},
+                                  {"d_stop", plan->settings.front().stop.value},
+                                  {"geometric_mean_ms", means},
+                                  {"geometric_mean_times_floor", floors},
+                                  {"surfaces", surfaces}}
+                                 .dump(2) +
+                             "\n";
+    const auto written = write_text(*command.json, text);
+    return written ? exit_ok : report_run_time(written.error().message);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,73 @@
+#include "app/cli/bench_suite.hpp"
+
+#include "pipeline/gallery.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The library's message without its own heading "[json.exception...] ".
+std::string plain_message(const std::exception& error) {
+    const std::string_view text = error.what();
+    const std::size_t end = text.find("] ");
+    return std::string(end == std::string_view::npos ? text : text.substr(end + 2));
+}
+
+}  // namespace
+
+std::vector<BenchItem> gallery_suite() {
+    std::vector<BenchItem> items;
+    for (const GalleryItem& item : gallery()) {
+        if (item.group != suite_group) continue;
+        items.push_back(
+            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x), {}}});
+    }
+    return items;
+}
+
+std::vector<BenchItem> whole_gallery() {
+    std::vector<BenchItem> items;
+    for (const GalleryItem& item : gallery())
+        items.push_back({item.name, {item.equation, item.clip, item.w, item.camera, {}}});
+    return items;
+}
+
+OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) return wrong_input("--suite " + path + ": the file cannot be read");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    std::vector<BenchItem> items;
+    try {
+        const Json json = Json::parse(text);
+        const Json& view = json.at("camera");
+        const auto direction = view.at("direction").get<std::array<double, 3>>();
+        for (const Json& surface : json.at("surfaces")) {
+            const double domain = surface.at("domain");
+            Camera camera;
+            camera.eye = view.at("distance").get<double>() * domain *
+                         glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
+            camera.fov_rad = glm::radians(view.at("fov").get<double>());
+            items.push_back(
+                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera, {}}});
+        }
+    } catch (const nlohmann::json::exception& error) {
+        return wrong_input("--suite " + path +
+                           ": it must be {\"camera\": {\"direction\", \"distance\", \"fov\"}, "
+                           "\"surfaces\": [{\"name\", \"f\", \"domain\"}]}; " +
+                           plain_message(error));
+    }
+    return items;
+}
+
+}  // namespace zeroset

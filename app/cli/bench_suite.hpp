@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/cli/options/options.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <string>
+#include <vector>
+
+namespace zeroset {
+
+/// A surface that is timed.
+struct BenchItem {
+    std::string name;
+    Surface surface;
+};
+
+/// The gallery's surfaces of the papers, all seen from the default direction.
+std::vector<BenchItem> gallery_suite();
+
+/// All of the gallery, as the window shows them.
+std::vector<BenchItem> whole_gallery();
+
+/// The surfaces of a JSON file: {"camera": {direction, distance, fov}, "surfaces": [{name, f,
+/// domain}]}; w is 0.5.
+OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path);
+
+}  // namespace zeroset

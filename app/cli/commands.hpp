@@ -1,0 +1,63 @@
+#pragma once
+
+#include "app/cli/options/options.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
+// what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).
+
+namespace zeroset {
+
+struct RenderCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string size = "1024x1024";
+    std::optional<std::string> output, depth, certificate, stats, repeat, budget;
+    std::vector<std::string> probes;  ///< COL,ROW of each
+    bool no_legend = false;
+};
+int run_render(const RenderCommand& command);
+
+struct ExplainCommand {
+    std::string equation;
+    std::optional<std::string> at;
+    std::vector<std::string> set;  ///< NAME=VALUE of parameters
+    bool ir = false, assembly = false, json = false;
+};
+int run_explain(const ExplainCommand& command);
+
+struct BenchCommand {
+    std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
+    bool first_picture = false;  ///< times edits in place of frames
+};
+int run_bench(const BenchCommand& command);
+
+struct GalleryCommand {
+    bool names = false;
+    bool json = false;
+};
+int run_gallery(const GalleryCommand& command);
+
+/// Prints the page of the formula language as Markdown.
+int run_language();
+
+/// Draws the window, with its picture finished, into a file; needs no display.
+struct UiShotCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string size = "1280x800";
+    std::string scale = "1";
+    std::string theme = "dark";
+    std::string output;
+    std::optional<std::string> pointer;
+    bool mark_undecided = false;
+    std::vector<std::string> actions;  ///< names of what is done first
+};
+int run_ui_shot(const UiShotCommand& command);
+
+}  // namespace zeroset

@@ -1,0 +1,250 @@
+#include "app/cli/first_picture.hpp"
+
+#include "app/cli/commands.hpp"
+#include "app/cli/report.hpp"
+#include "app/cli/timing.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/render/render_job.hpp"
+#include "jit/compile.hpp"
+#include "pipeline/document_scene.hpp"
+#include "pipeline/formula_job.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+#include <vector>
+
+// From an edit to pixels by the jobs that the window has, without panels and OpenGL.
+
+namespace zeroset {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How long an edit took to show.
+struct EditTimes {
+    double formula_ms = 0.0;  ///< until there is code to draw with
+    double picture_ms = 0.0;  ///< until the first picture
+    double machine_ms = 0.0;  ///< until there is machine code
+    int width = 0, height = 0;
+    std::size_t nodes = 0;  ///< of what is drawn
+};
+
+Sheet sheet_of(const Document& document) {
+    Sheet sheet;
+    for (const Statement& statement : document.statements)
+        sheet.push_back({statement.id, statement.text});
+    return sheet;
+}
+
+/// The window's jobs, and the thread that would be the window's.
+class Editor {
+public:
+    explicit Editor(const FirstPicturePlan& plan) : plan_(plan) {}
+
+    /// Puts the document's text in place of the last one.
+    OrInputError<EditTimes> edit(const Document& document);
+    /// Until the picture is complete or a person might have gone on typing, and whatever comes next
+    /// is no motion.
+    void rest();
+
+private:
+    void wake() {
+        const std::scoped_lock lock(mutex_);
+        ++calls_;
+        woken_.notify_one();
+    }
+    void wait() {
+        std::unique_lock lock(mutex_);
+        woken_.wait(lock, [this] { return calls_ != seen_; });
+        seen_ = calls_;
+    }
+    std::uint64_t submit_picture(const Document& document, const FormulaResult& result, bool again);
+
+    const FirstPicturePlan& plan_;
+    std::mutex mutex_;
+    std::condition_variable woken_;
+    int calls_ = 0, seen_ = 0;
+    FormulaJob formulas_{[this] { wake(); }};  // the jobs end before what they wake
+    RenderJob pictures_{[this] { wake(); }};
+};
+
+std::uint64_t Editor::submit_picture(const Document& document, const FormulaResult& result,
+                                     bool again) {
+    RenderRequest request;
+    request.scene = document_scene(**result.formula, document, result.reading.surface_rows);
+    const double aspect = static_cast<double>(plan_.size.width) / plan_.size.height;
+    request.camera = document.camera.value_or(default_camera(document.clip, aspect, document.up));
+    request.settings = plan_.settings;
+    request.width = plan_.size.width;
+    request.height = plan_.size.height;
+    request.preview = is_preview(**result.formula);
+    request.again = again;
+    return pictures_.submit(std::move(request));
+}
+
+OrInputError<EditTimes> Editor::edit(const Document& document) {
+    const auto start = Clock::now();
+    EditTimes times;
+    bool machine = false;
+    std::optional<std::uint64_t> first;
+    const Sheet sheet = sheet_of(document);
+    formulas_.submit(sheet, document.clip, document.coloring);
+    while (times.width == 0 || !machine) {
+        wait();
+        const auto result = formulas_.take();
+        if (result && result->sheet == sheet) {
+            if (!result->formula) return std::unexpected(result->formula.error());
+            const Formula& formula = **result->formula;
+            const std::uint64_t request = submit_picture(document, *result, first.has_value());
+            if (!first) times.formula_ms = ms_since(start);
+            if (!first) first = request;
+            times.nodes = formula.nodes();
+            machine = formula.code != CodeState::InterpretedFirst;
+            if (machine) times.machine_ms = ms_since(start);
+        }
+        const auto picture = pictures_.take();
+        if (!picture || !first || picture->request < *first || times.width > 0) continue;
+        times.picture_ms = ms_since(start);
+        times.width = picture->frame->width;
+        times.height = picture->frame->height;
+        formulas_.drawn();
+    }
+    return times;
+}
+
+void Editor::rest() {
+    const auto start = Clock::now();
+    constexpr auto longest = std::chrono::milliseconds(400);
+    constexpr auto shortest = std::chrono::milliseconds(150);
+    while (Clock::now() - start < longest && (pictures_.busy() || Clock::now() - start < shortest))
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+}
+
+bool same_shape(const Program& a, const Program& b) {
+    const auto same_node = [](const Node& x, const Node& y) {
+        return x.op == y.op && x.number == y.number && x.a == y.a && x.b == y.b && x.c == y.c;
+    };
+    const auto same_graph = [&](const Expr& x, const Expr& y) {
+        return std::ranges::equal(x.nodes(), y.nodes(), same_node);
+    };
+    return std::ranges::equal(a.surfaces, b.surfaces, same_graph);
+}
+
+/// The text with one of its numbers a little larger, so that the formula has the same shape;
+/// nothing where there is none such.
+std::optional<std::string> with_other_number(const std::string& text, const std::string& digits) {
+    const auto whole = read_program(text);
+    if (!whole) return std::nullopt;
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t end = text.size(); end > 0; --end) {
+        if (!is_digit(text[end - 1]) || (end < text.size() && is_digit(text[end]))) continue;
+        std::size_t begin = end;
+        while (begin > 0 && (is_digit(text[begin - 1]) || text[begin - 1] == '.'))
+            --begin;
+        const bool has_point = text.substr(begin, end - begin).find('.') != std::string::npos;
+        std::string other = text;
+        other.insert(end, has_point ? digits : "." + digits);
+        const auto read = read_program(other);
+        if (read && same_shape(*whole, *read)) return other;
+    }
+    return std::nullopt;
+}
+
+struct Medians {
+    EditTimes text;
+    std::optional<double> number_ms;  ///< of an edit of a number
+};
+
+double median(std::vector<double> times) {
+    std::ranges::sort(times);
+    return times[times.size() / 2];
+}
+
+Document document_with(const BenchItem& item, const std::string& text) {
+    Surface surface = item.surface;
+    surface.equation = text;
+    return document_of(surface);
+}
+
+OrInputError<Medians> measure(Editor& editor, const BenchItem& item, int repeats) {
+    std::vector<double> formula, picture, machine, number;
+    Medians medians;
+    const auto other = with_other_number(item.surface.equation, "01");
+    for (int i = 0; i < repeats; ++i) {
+        jit::forget_code();
+        const auto times = editor.edit(document_with(item, item.surface.equation));
+        if (!times) return std::unexpected(times.error());
+        medians.text = *times;
+        formula.push_back(times->formula_ms);
+        picture.push_back(times->picture_ms);
+        machine.push_back(times->machine_ms);
+        editor.rest();
+        const auto after = editor.edit(document_with(item, other.value_or("x + y + z = 1")));
+        if (!after) return std::unexpected(after.error());
+        if (other) number.push_back(after->picture_ms);
+        editor.rest();
+    }
+    medians.text.formula_ms = median(formula);
+    medians.text.picture_ms = median(picture);
+    medians.text.machine_ms = median(machine);
+    if (other) medians.number_ms = median(number);
+    return medians;
+}
+
+void print_row(const std::string& name, const Medians& medians) {
+    const EditTimes& text = medians.text;
+    std::printf("%-24s %6zu %9.1f %9.1f %5dx%-4d %10.1f", name.c_str(), text.nodes, text.formula_ms,
+                text.picture_ms, text.width, text.height, text.machine_ms);
+    if (medians.number_ms) std::printf(" %9.1f", *medians.number_ms);
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void print_spread(const char* title, std::vector<double> times) {
+    if (times.empty()) return;
+    std::ranges::sort(times);
+    const auto at = [&](double part) {
+        return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
+    };
+    std::printf("%-24s median %.1f ms, 90 %% within %.1f ms, all within %.1f ms\n", title, at(0.5),
+                at(0.9), at(1.0));
+}
+
+}  // namespace
+
+int print_first_pictures(const FirstPicturePlan& plan) {
+    std::printf(
+        "%dx%d, medians of %d; from an edit until there is code to draw with, the first picture, "
+        "machine code; then after another edit, of a number\n%-24s %6s %9s %9s %10s %10s %9s\n",
+        plan.size.width, plan.size.height, plan.repeats, "surface", "nodes", "ready ms", "first ms",
+        "size", "machine ms", "number ms");
+    Editor editor(plan);
+    const BenchItem warm_up{"", {"x^2 + y^2 + z^2 = 1.25", {}, 0.0, {}, {}}};
+    if (const auto warm = measure(editor, warm_up, 1); !warm) return report(warm.error());
+    std::vector<double> texts, numbers;
+    for (const BenchItem& item : plan.items) {
+        const auto medians = measure(editor, item, plan.repeats);
+        if (!medians) {
+            std::printf("%-24s ", item.name.c_str());
+            std::fflush(stdout);
+            return report(medians.error());
+        }
+        print_row(item.name, *medians);
+        texts.push_back(medians->text.picture_ms);
+        if (medians->number_ms) numbers.push_back(*medians->number_ms);
+    }
+    print_spread("a new text", texts);
+    print_spread("a number in it", numbers);
+    return exit_ok;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,286 @@
+// The command line: zeroset [EQUATION | @NAME | FILE] opens the window, zeroset SUBCOMMAND needs
+// none.
+
+#include "app/cli/commands.hpp"
+#include "app/cli/options/solid_options.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/report.hpp"
+#include "app/cli/window_command.hpp"
+#include "app/desktop/desktop.hpp"
+#include "app/platform/process.hpp"
+#include "engine/base/text.hpp"
+#include "engine/export/file.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// An option with a value, from which spaces at both ends are dropped.
+template <class Value>
+CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
+                       const std::string& about) {
+    const std::function<std::string(std::string)> trim = [](const std::string& text) {
+        return std::string(trimmed(text));
+    };
+    return app.add_option(names, value, about)->transform(trim);
+}
+
+/// --NAME and --no-NAME.
+void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
+                const std::string& about) {
+    const std::function<void(std::int64_t)> take = [&value](std::int64_t count) {
+        value = count > 0;
+    };
+    app.add_flag_function("--" + name + ",!--no-" + name, take, about);
+}
+
+void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                  const std::string& about) {
+    app.add_option(name, values, about)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_look_options(CLI::App& app, LookText& look) {
+    add_value(app, "--color-by", look.color_by,
+              "what colours tell: plain, normal, height, depth, mean-curvature, "
+              "gaussian-curvature, gradient, or an expression in x, y, z, w and the parameters");
+    add_value(app, "--color-range", look.color_range,
+              "the numbers at the ends of the colours: A,B, or auto (default)");
+    add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
+    add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
+}
+
+void add_parameters(CLI::App& app, std::vector<std::string>& set) {
+    add_repeated(app, "--set", set,
+                 "value of a parameter: NAME=VALUE (default 1); may be repeated");
+}
+
+void add_view_options(CLI::App& app, ViewText& view) {
+    add_value(app, "--box", view.box, "clip box: L for [-L,L]^3, or x0,x1,y0,y1,z0,z1 (default 2)");
+    add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
+    add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
+    add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
+    add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
+    add_value(app, "--projection", view.projection, "perspective (default) or orthographic");
+    add_value(app, "--sphere", view.sphere,
+              "shows only what is in a sphere: R about the origin, or x,y,z,R");
+    app.add_option("--section", view.sections,
+                   "cuts by a plane and keeps one side: x<0.3, y>0, z=1 (the side away from the "
+                   "eye), or nx,ny,nz,d for nx x + ny y + nz z <= d; may be repeated")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    add_repeated(app, "--solid", view.solids,
+                 "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
+                 "surfaces or of one: 2:f>0; may be repeated");
+    add_value(app, "--w", view.w, "value of the variable w (default 0)");
+    add_parameters(app, view.set);
+    app.add_flag("--fit", view.fit,
+                 "look at all of the surface; without --box the clip box follows it, too");
+    add_look_options(app, view.look);
+}
+
+void add_trace_options(CLI::App& app, TraceText& trace) {
+    add_value(app, "--tracer", trace.tracer, "how roots are found: beams (default) or k-bisection");
+    auto* const d_stop =
+        add_value(app, "--dstop", trace.d_stop,
+                  "stop at cells of the clip box's edge times 2^-N (default 22, in the window 14)");
+    auto* const epsilon = add_value(app, "--epsilon", trace.epsilon,
+                                    "stop at boxes with a diagonal below E, world units");
+    auto* const delta =
+        add_value(app, "--delta", trace.delta, "stop where the enclosure of f is narrower than D");
+    d_stop->excludes(epsilon)->excludes(delta);
+    epsilon->excludes(delta);
+    add_value(app, "--threads", trace.threads, "threads (default: all cores)");
+    add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
+    add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
+    add_switch(app, "axes", trace.axes, "draw axes with numbers");
+    add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
+    add_switch(app, "grid", trace.grid, "draw a grid on the clip box's floor");
+}
+
+CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
+    CLI::App* const shot_app = app.add_subcommand("ui-shot", "draw the window into a file");
+    shot_app->footer(
+        "Needs no display. An error in the equation is drawn as the window shows it: the exit code "
+        "is 0.");
+    add_value(*shot_app, "EQUATION", shot.equation,
+              "the formula, @NAME, FILE.zeroset.json, or - (default: the gallery's first)");
+    add_value(*shot_app, "-o,--output", shot.output, "the picture: a PNG file");
+    add_value(*shot_app, "--size", shot.size,
+              "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
+    add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
+    add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_value(*shot_app, "--pointer", shot.pointer,
+              "where the pointer rests: X,Y from the left and the top, at scale 1");
+    add_repeated(*shot_app, "--do", shot.actions,
+                 "the name of an action (Ctrl+K lists them), such as Gallery; may be repeated");
+    shot_app->add_flag("--mark-undecided", shot.mark_undecided, "tint the undecided pixels");
+    add_view_options(*shot_app, shot.view);
+    add_trace_options(*shot_app, shot.trace);
+    return shot_app;
+}
+
+/// "-x^2+y" is an equation: the parser of the command line takes words with a leading space for
+/// values, and the readers of values drop it.
+std::vector<std::string> protected_arguments(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    for (std::string& argument : arguments) {
+        const bool dash = argument.size() > 1 && argument[0] == '-' && argument[1] != '-';
+        const bool flag = argument == "-h" || argument.starts_with("-o");
+        if (dash && !flag) argument.insert(0, 1, ' ');
+    }
+    return {arguments.rbegin(), arguments.rend()};
+}
+
+int open_window(const std::string& equation, const ViewText& view, const TraceText& trace,
+                const std::string& latency_log) {
+    auto options = read_desktop_options(equation, view, trace);
+    if (!options) return report(options.error());
+    if (!latency_log.empty()) {
+        const auto writable = check_writable(latency_log);
+        if (!writable) return report_run_time(writable.error().message);
+        options->latency_log = latency_log;
+    }
+    // A document may have errors: its rows show them.
+    if (options->path.empty()) {
+        const auto program = read_formula(options->equation);
+        if (!program) return report(program.error());
+        const auto unknown = check_parameters(*program, options->given);
+        if (unknown) return report(*unknown);
+        if (const auto missing = check_solids(*program, options->solids)) return report(*missing);
+        const ColorChoice& choice = options->document.coloring;
+        const auto colors = color_formulas(*program, options->equation, choice);
+        if (!colors) return report(color_by_error(colors.error()));
+    }
+    const auto ran = run_desktop(*options);
+    return ran ? exit_ok : report_run_time(ran.error());
+}
+
+CLI::App* add_render(CLI::App& app, RenderCommand& render) {
+    CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
+    add_value(*render_app, "EQUATION", render.equation,
+              "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
+    add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
+    add_view_options(*render_app, render.view);
+    add_trace_options(*render_app, render.trace);
+    add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
+    add_value(*render_app, "--certificate", render.certificate,
+              "what is proved of each pixel, in colours: a PNG file");
+    add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
+    add_repeated(*render_app, "--probe", render.probes,
+                 "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
+    render_app->add_flag("--no-legend", render.no_legend,
+                         "leave out what says which colour stands for which number");
+    add_value(*render_app, "--repeat", render.repeat,
+              "draw N frames after a warm-up, for timing, by machine code");
+    add_value(*render_app, "--budget", render.budget,
+              "seconds after which what is not decided stays undecided (default 30)");
+    return render_app;
+}
+
+CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
+    CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
+    gallery_app->add_flag("--names", gallery.names, "only the names, one a line");
+    gallery_app->add_flag("--json", gallery.json, "as JSON");
+    return gallery_app;
+}
+
+CLI::App* add_explain(CLI::App& app, ExplainCommand& explain) {
+    CLI::App* const explain_app = app.add_subcommand("explain", "show how a formula is read");
+    add_value(*explain_app, "EQUATION", explain.equation, "the formula, @NAME, or -")->required();
+    add_value(*explain_app, "--at", explain.at, "also f and its gradient at x,y,z or x,y,z,w");
+    add_parameters(*explain_app, explain.set);
+    explain_app->add_flag("--ir", explain.ir, "also the LLVM IR");
+    explain_app->add_flag("--asm", explain.assembly, "also the machine code's assembly");
+    explain_app->add_flag("--json", explain.json, "as JSON");
+    return explain_app;
+}
+
+CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
+    CLI::App* const bench_app = app.add_subcommand("bench", "time the suite of surfaces");
+    add_value(*bench_app, "--suite", bench.suite,
+              "a JSON file of surfaces (default: the gallery's)");
+    add_value(*bench_app, "--tracer", bench.tracers, "tracers to compare: A,B,...");
+    add_value(*bench_app, "--dstop", bench.d_stop, "as for render (default 10)");
+    add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
+    add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
+    add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    add_value(*bench_app, "--budget", bench.budget,
+              "seconds after which a frame ends undecided (default 30)");
+    add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
+    bench_app->add_flag("--first-picture", bench.first_picture,
+                        "time the window's way from an edit to its first picture instead, of all "
+                        "of the gallery; without --json and --budget");
+    return bench_app;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{
+        "Zeroset draws the surface f(x, y, z, w) = 0 of any formula.\n"
+        "Without a subcommand it opens the window.",
+        "zeroset"};
+    app.require_subcommand(0, 1);
+    app.set_version_flag("--version", "zeroset " ZEROSET_VERSION, "print the version and end");
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    add_value(app, "EQUATION", equation,
+              "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+              "gallery, FILE.zeroset.json, or - for standard input");
+    add_view_options(app, view);
+    add_trace_options(app, trace);
+    std::string latency_log;
+    add_value(app, "--latency-log", latency_log,
+              "a file of JSON lines: how long each input took to change the picture");
+    RenderCommand render;
+    UiShotCommand shot;
+    GalleryCommand gallery;
+    ExplainCommand explain;
+    BenchCommand bench;
+    const CLI::App* const language_app =
+        app.add_subcommand("language", "print the page of the formula language (Markdown)");
+    const CLI::App* const render_app = add_render(app, render);
+    const CLI::App* const shot_app = add_ui_shot(app, shot);
+    const CLI::App* const gallery_app = add_gallery(app, gallery);
+    const CLI::App* const explain_app = add_explain(app, explain);
+    const CLI::App* const bench_app = add_bench(app, bench);
+    try {
+        app.parse(protected_arguments(argc, argv));
+    } catch (const CLI::Success& answer) {  // --help and --version
+        return app.exit(answer);
+    } catch (const CLI::ParseError& error) {
+        return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
+    }
+    if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
+    if (*render_app) return run_render(render);
+    if (*shot_app) return run_ui_shot(shot);
+    if (*gallery_app) return run_gallery(gallery);
+    if (*explain_app) return run_explain(explain);
+    if (*bench_app) return run_bench(bench);
+    if (*language_app) return run_language();
+    return open_window(equation, view, trace, latency_log);
+}
+
+}  // namespace
+}  // namespace zeroset
+
+int main(int argc, char** argv) {
+    if (!__builtin_cpu_supports("sse4.2")) {
+        std::cerr << "error: Zeroset needs a processor with SSE4.2\n";
+        return zeroset::exit_run_time;
+    }
+    return zeroset::run(argc, argv);
+}

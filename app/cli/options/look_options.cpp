@@ -1,0 +1,75 @@
+#include "app/cli/options/look_options.hpp"
+
+#include "app/cli/options/options.hpp"
+#include "pipeline/input_error.hpp"
+
+namespace zeroset {
+namespace {
+
+/// A name of what there is, or else an expression.
+void read_color_by(const std::string& text, ColorChoice& coloring) {
+    const auto by = color_by_named(text);
+    coloring.by = by.value_or(ColorBy::Expression);
+    if (!by) coloring.expression = text;
+}
+
+std::optional<InputError> read_map(const std::string& text, ColorChoice& coloring) {
+    coloring.map = color_map_named(text);
+    if (coloring.map) return std::nullopt;
+    std::string names;
+    for (const ColorMap map : color_maps())
+        names += " " + std::string(name_of(map));
+    return InputError{"--color-map " + text + ": there is no such map; type one of:" + names};
+}
+
+std::optional<InputError> read_range(const std::string& text, ColorChoice& coloring) {
+    if (text == "auto") {
+        coloring.range.reset();
+        return std::nullopt;
+    }
+    const auto numbers = read_numbers("--color-range", text, 2);
+    if (!numbers) return numbers.error();
+    const ValueRange range{(*numbers)[0], (*numbers)[1]};
+    if (!(range.lo < range.hi)) {
+        return InputError{"--color-range " + text +
+                          ": the first number must be below the second, for example 0,1"};
+    }
+    coloring.range = range;
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
+                                    std::vector<Marker>& markers) {
+    if (text.color_by) read_color_by(*text.color_by, coloring);
+    if (text.color_map) {
+        if (auto error = read_map(*text.color_map, coloring)) return error;
+    }
+    if (text.color_range) {
+        if (auto error = read_range(*text.color_range, coloring)) return error;
+    }
+    for (const std::string& mark : text.marks) {
+        const auto at = read_numbers("--mark", mark, 3);
+        if (!at) return at.error();
+        if (add_marker(markers, {(*at)[0], (*at)[1], (*at)[2]}) == 0) {
+            return InputError{"--mark " + mark + ": there are " + std::to_string(most_markers) +
+                              " markers already"};
+        }
+    }
+    return std::nullopt;
+}
+
+InputError color_by_error(const InputError& error) {
+    InputError result = error;
+    result.reason = "--color-by: " + error.reason;
+    if (error.line.empty()) return result;
+    std::string names;
+    for (const ColorBy by : color_modes()) {
+        if (by != ColorBy::Expression) names += " " + std::string(name_of(by));
+    }
+    result.reason += " (or type one of:" + names + ")";
+    return result;
+}
+
+}  // namespace zeroset

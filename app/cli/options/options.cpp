@@ -1,0 +1,340 @@
+#include "app/cli/options/options.hpp"
+
+#include "app/cli/options/region_options.hpp"
+#include "app/cli/options/solid_options.hpp"
+#include "document/json/document_file.hpp"
+#include "engine/base/text.hpp"
+#include "engine/render/tracers.hpp"
+#include "pipeline/gallery.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <iterator>
+
+namespace zeroset {
+namespace {
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(trimmed(text.substr(0, end)));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+OrInputError<glm::dvec3> read_vector(const std::string& option, const std::string& text) {
+    const auto numbers = read_numbers(option, text, 3);
+    if (!numbers) return std::unexpected(numbers.error());
+    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+}
+
+/// L or x0,x1,y0,y1,z0,z1.
+OrInputError<Box> read_box(const std::string& text) {
+    constexpr double largest = 1e9;
+    const bool cube = !text.contains(',');
+    const auto numbers = read_numbers("--box", text, cube ? 1 : 6);
+    if (!numbers) return std::unexpected(numbers.error());
+    const std::vector<double>& n = *numbers;
+    const Box box = cube ? Box::cube(n[0]) : Box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(box.lo[i] < box.hi[i])) {
+            return wrong_input(
+                cube ? "--box " + text + ": the half edge must be above 0"
+                     : "--box " + text + ": the lower bound " + short_number(box.lo[i]) +
+                           " is not below the upper bound " + short_number(box.hi[i]) +
+                           "; type x0,x1,y0,y1,z0,z1 with x0 < x1, y0 < y1, z0 < z1");
+        }
+        if (std::max(std::abs(box.lo[i]), std::abs(box.hi[i])) > largest) {
+            return wrong_input("--box " + text + ": stay between -1e9 and 1e9");
+        }
+    }
+    // Below this nothing can be decided in double, either.
+    const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
+    if (box.size() < 1e-15 * reach || box.size() < 1e-30) {
+        return wrong_input("--box " + text +
+                           ": the box is too small for its distance from the origin; " +
+                           "its edge must be at least 1e-15 of it");
+    }
+    return box;
+}
+
+OrInputError<Projection> read_projection(const std::string& text) {
+    if (text == "perspective") return Projection::Perspective;
+    if (text == "orthographic") return Projection::Orthographic;
+    return wrong_input("--projection " + text + ": type perspective or orthographic");
+}
+
+/// The camera of the view options over the surface's.
+OrInputError<std::optional<Camera>> read_camera(const ViewText& view, Surface& surface) {
+    if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
+        return surface.camera;
+    Camera camera = surface.camera.value_or(default_camera(surface.clip));
+    const auto take = [](const std::optional<std::string>& text, const char* option,
+                         glm::dvec3& value) -> std::optional<InputError> {
+        if (!text) return std::nullopt;
+        const auto vector = read_vector(option, *text);
+        if (!vector) return vector.error();
+        value = *vector;
+        return std::nullopt;
+    };
+    if (auto error = take(view.eye, "--eye", camera.eye)) return std::unexpected(*error);
+    if (auto error = take(view.look_at, "--look-at", camera.look_at)) {
+        return std::unexpected(*error);
+    }
+    if (auto error = take(view.up, "--up", camera.up)) return std::unexpected(*error);
+    if (view.up) surface.up = camera.up;
+    if (view.fov) {
+        const auto degrees = read_number("--fov", *view.fov);
+        if (!degrees) return std::unexpected(degrees.error());
+        if (!(*degrees >= 0.01 && *degrees <= 170)) {
+            return wrong_input("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
+        }
+        camera.fov_rad = glm::radians(*degrees);
+    }
+    if (view.projection) {
+        const auto projection = read_projection(*view.projection);
+        if (!projection) return std::unexpected(projection.error());
+        camera.projection = *projection;
+    }
+    if (const char* defect = camera_defect(camera)) return wrong_input(defect);
+    return camera;
+}
+
+/// What a document shows, for those who want one text and numbers.
+Surface surface_of(Document document) {
+    Surface surface{
+        joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
+    surface.region = document.region;
+    surface.coloring = document.coloring;
+    surface.markers = document.markers;
+    surface.document = std::move(document);
+    return surface;
+}
+
+/// Of @NAME or FILE.zeroset.json.
+OrInputError<Surface> stored_surface(const std::string& name) {
+    if (is_document_name(name)) {
+        auto loaded = load_document(name);
+        if (!loaded) return wrong_input(loaded.error());
+        return surface_of(std::move(loaded->document));
+    }
+    auto item = gallery_item(std::string_view(name).substr(1));
+    if (!item) return std::unexpected(item.error());
+    return Surface{item->equation, item->clip, item->w, item->camera, {}};
+}
+
+}  // namespace
+
+Document document_of(const Surface& surface) {
+    Document document =
+        surface.document ? *surface.document : document_of_text(surface.equation);
+    if (!surface.document) document.home = surface.camera;
+    document.clip = surface.clip;
+    document.region = surface.region;
+    document.camera = surface.camera;
+    document.up = surface.up.value_or(document.up);
+    document.coloring = surface.coloring;
+    document.markers = surface.markers;
+    set_value(document.w, surface.w);
+    for (const auto& [name, value] : surface.parameters) {
+        Slider slider = slider_of(document, name);
+        set_value(slider, value);
+        document.parameters[name] = slider;
+    }
+    document = renumbered(std::move(document), 1);
+    take_solids(surface.solids, document);
+    return document;
+}
+
+OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
+                                               std::size_t count) {
+    const std::vector<std::string_view> parts = split(text, ',');
+    if (parts.size() != count) {
+        return wrong_input(option + " " + text + ": " + std::to_string(count) +
+                           (count == 1 ? " number is" : " numbers separated by commas are") +
+                           " needed, not " + std::to_string(parts.size()));
+    }
+    std::vector<double> values;
+    for (const std::string_view part : parts) {
+        const std::optional<double> value = number_from<double>(part);
+        if (!value || !std::isfinite(*value)) {
+            return wrong_input(option + " " + text + ": " + quoted(part) +
+                               " is not a finite number");
+        }
+        values.push_back(*value);
+    }
+    return values;
+}
+
+OrInputError<double> read_number(const std::string& option, const std::string& text) {
+    const auto numbers = read_numbers(option, text, 1);
+    if (!numbers) return std::unexpected(numbers.error());
+    return numbers->front();
+}
+
+OrInputError<int> read_integer(const std::string& option, const std::string& text, int lowest,
+                               int highest) {
+    const std::optional<int> value = number_from<int>(trimmed(text));
+    if (!value || *value < lowest || *value > highest) {
+        return wrong_input(option + " " + text + ": type a whole number from " +
+                           std::to_string(lowest) + " to " + std::to_string(highest));
+    }
+    return *value;
+}
+
+OrInputError<double> read_budget(const std::optional<std::string>& text) {
+    if (!text) return default_budget_s;
+    const auto seconds = read_number("--budget", *text);
+    if (seconds && !(*seconds >= 1e-3 && *seconds <= 1e6))
+        return wrong_input("--budget " + *text + ": type a number of seconds from 0.001 to 1e6");
+    return seconds;
+}
+
+OrInputError<Size> read_size(const std::string& option, const std::string& text) {
+    constexpr int largest_side = 16384;
+    constexpr long long most_pixels = 100'000'000;
+    const std::vector<std::string_view> parts = split(text, 'x');
+    const std::optional<int> width = number_from<int>(parts.front());
+    const std::optional<int> height = number_from<int>(parts.back());
+    if (parts.size() > 2 || !width || !height) {
+        return wrong_input(option + " " + text + ": type WIDTHxHEIGHT, for example 1024x768");
+    }
+    if (*width < 1 || *height < 1 || *width > largest_side || *height > largest_side) {
+        return wrong_input(option + " " + text + ": each side must be from 1 to " +
+                           std::to_string(largest_side) + " pixels");
+    }
+    if (static_cast<long long>(*width) * *height > most_pixels) {
+        return wrong_input(option + " " + text + ": more than 100 million pixels");
+    }
+    return Size{*width, *height};
+}
+
+OrInputError<std::string> read_equation(const std::string& equation) {
+    if (equation.starts_with('@') || is_document_name(equation)) {
+        auto surface = stored_surface(equation);
+        if (!surface) return std::unexpected(surface.error());
+        return surface->equation;
+    }
+    if (equation != "-") return std::string(trimmed(equation));
+    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    return std::string(trimmed(text));
+}
+
+OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view) {
+    Surface surface;
+    if (equation.starts_with('@') || is_document_name(equation)) {
+        auto stored = stored_surface(equation);
+        if (!stored) return std::unexpected(stored.error());
+        surface = std::move(*stored);
+    } else {
+        auto text = read_equation(equation);
+        if (!text) return std::unexpected(text.error());
+        surface.equation = *text;
+    }
+    if (view.box) {
+        auto box = read_box(*view.box);
+        if (!box) return std::unexpected(box.error());
+        surface.clip = *box;
+        surface.camera.reset();  // the gallery's view is of its own box
+    }
+    if (view.w) {
+        auto w = read_number("--w", *view.w);
+        if (!w) return std::unexpected(w.error());
+        surface.w = *w;
+    }
+    auto parameters = read_parameters(view.set);
+    if (!parameters) return std::unexpected(parameters.error());
+    surface.parameters = std::move(*parameters);
+    if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
+        return std::unexpected(*error);
+    }
+    auto solids = read_solids(view.solids);
+    if (!solids) return std::unexpected(solids.error());
+    surface.solids = std::move(*solids);
+    auto camera = read_camera(view, surface);
+    if (!camera) return std::unexpected(camera.error());
+    surface.camera = *camera;
+    const glm::dvec3 eye = surface.camera.value_or(default_camera(surface.clip)).eye;
+    auto region = read_region(view, surface.region, eye);
+    if (!region) return std::unexpected(region.error());
+    surface.region = std::move(*region);
+    return surface;
+}
+
+OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {
+    ParameterValues values;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        const std::string name(trimmed(std::string_view(text).substr(0, equals)));
+        if (equals == std::string::npos || name.empty()) {
+            return wrong_input("--set " + text + ": type NAME=VALUE, for example --set a=2");
+        }
+        const auto value = read_number("--set " + name + "=", text.substr(equals + 1));
+        if (!value) return std::unexpected(value.error());
+        if (std::abs(*value) > 1e30)
+            return wrong_input("--set " + text + ": stay between -1e30 and 1e30");
+        values[name] = *value;
+    }
+    return values;
+}
+
+void take_look(const TraceText& text, Document& document) {
+    document.shadows = text.shadows.value_or(document.shadows);
+    document.antialias = text.antialias.value_or(document.antialias);
+    document.jumps = text.jumps.value_or(document.jumps);
+    document.axes = text.axes.value_or(document.axes);
+    document.clip_box = text.clip_box.value_or(document.clip_box);
+    document.grid = text.grid.value_or(document.grid);
+}
+
+OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
+    TraceSettings settings;
+    if (text.tracer) {
+        if (find_tracer(*text.tracer) == nullptr) {
+            std::string names;
+            for (const Tracer& tracer : tracers())
+                names += " " + std::string(tracer.name);
+            return wrong_input("--tracer " + *text.tracer +
+                               ": there is no such tracer; type one of:" + names);
+        }
+        settings.tracer = *text.tracer;
+    }
+    if (text.d_stop) {
+        const auto depth = read_integer("--dstop", *text.d_stop, 1, max_d_stop);
+        if (!depth) return std::unexpected(depth.error());
+        settings.stop = {StopRule::DStop, static_cast<double>(*depth)};
+    }
+    for (const auto& [option, typed, rule] :
+         {std::tuple{"--epsilon", &text.epsilon, StopRule::Epsilon},
+          std::tuple{"--delta", &text.delta, StopRule::Delta}}) {
+        if (!*typed) continue;
+        const auto value = read_number(option, **typed);
+        if (!value) return std::unexpected(value.error());
+        if (!(*value > 0))
+            return wrong_input(std::string(option) + " " + **typed + ": must be above 0");
+        settings.stop = {rule, *value};
+    }
+    if (text.threads) {
+        const auto threads = read_integer("--threads", *text.threads, 1, 1024);
+        if (!threads) return std::unexpected(threads.error());
+        settings.threads = *threads;
+    }
+    return settings;
+}
+
+}  // namespace zeroset

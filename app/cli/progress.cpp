@@ -1,0 +1,95 @@
+#include "app/cli/progress.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto shown_after = std::chrono::seconds(1);
+constexpr auto shown_every = std::chrono::milliseconds(100);
+
+std::atomic<bool>& is_shown() {
+    static std::atomic<bool> shown = false;
+    return shown;
+}
+
+void write_line(const std::string& text) {
+    // One write, which the line's removal by another thread cannot cut in two.
+    const std::string line = "\r\x1b[K" + text;
+    is_shown() = !text.empty();
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+}
+
+/// What a thread at work and the one that waits for it share.
+struct Ending {
+    std::mutex mutex;
+    std::condition_variable wake;
+    bool ended = false;
+};
+
+}  // namespace
+
+const char* name_of(Progress::Stage stage) {
+    switch (stage) {
+        case Progress::Stage::Compiling: return "compiling";
+        case Progress::Stage::Fitting: return "looking for the surface";
+        case Progress::Stage::Coloring: return "finding the range of the colours";
+        case Progress::Stage::Drawing: return "drawing";
+    }
+    return "";
+}
+
+std::string progress_line(Progress::Stage stage, double done, double seconds) {
+    constexpr std::size_t width = 30;
+    const std::string name = name_of(stage);
+    if (!(done >= 0.0)) return name + ", " + std::to_string(std::lround(seconds)) + " s";
+    const double part = std::min(done, 1.0);
+    const auto full = static_cast<std::size_t>(part * width);
+    const std::string percent = std::to_string(static_cast<int>(100.0 * part));
+    return name + "  [" + std::string(full, '#') + std::string(width - full, ' ') + "]  " +
+           std::string(3 - percent.size(), ' ') + percent + " %";
+}
+
+bool finish_until(Clock::time_point until, const Progress& progress, std::function<void()> work) {
+    const auto ending = std::make_shared<Ending>();
+    std::thread thread([ending, work = std::move(work)] {
+        work();
+        const std::scoped_lock lock(ending->mutex);
+        ending->ended = true;
+        ending->wake.notify_one();
+    });
+    const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+    const auto start = Clock::now();
+    const auto has_ended = [&] { return ending->ended; };
+    std::unique_lock lock(ending->mutex);
+    auto next = on_terminal ? start + shown_after : until;
+    while (!ending->wake.wait_until(lock, std::min(next, until), has_ended)) {
+        const auto now = Clock::now();
+        if (now >= until) break;
+        if (now < next) continue;
+        const std::chrono::duration<double> elapsed = now - start;
+        write_line(progress_line(progress.stage(), progress.done(), elapsed.count()));
+        next = now + shown_every;
+    }
+    const bool ended = ending->ended;
+    lock.unlock();
+    clear_progress();
+    ended ? thread.join() : thread.detach();
+    return ended;
+}
+
+void clear_progress() {
+    if (is_shown()) write_line("");
+}
+
+}  // namespace zeroset

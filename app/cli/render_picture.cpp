@@ -1,0 +1,236 @@
+#include "app/cli/render_picture.hpp"
+
+#include "app/cli/options/solid_options.hpp"
+#include "document/framing.hpp"
+#include "document/solid_choice.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/base/text.hpp"
+#include "engine/light/shade.hpp"
+#include "engine/measure/extent.hpp"
+#include "engine/render/color_range.hpp"
+#include "engine/render/render.hpp"
+#include "engine/render/tracers.hpp"
+#include "pipeline/code_choice.hpp"
+#include "pipeline/document_scene.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// How long after its time has run out a picture is waited for: LLVM cannot be interrupted.
+constexpr auto patience = std::chrono::seconds(1);
+
+// Of the time left, what the range of the colours may take, and where the surfaces lie.
+constexpr int coloring_share = 4;
+constexpr int fitting_share = 4;
+
+/// A picture being drawn. The thread that draws it may outlive all but this.
+struct Drawing {
+    RenderedPicture picture;
+    Progress progress;
+    Clock::time_point start, until;
+    std::atomic<bool> cancel = false;
+    std::atomic<bool> has_scene = false;  ///< but for frame and timing all is there
+};
+
+/// Frames drawn again for their times each have a budget.
+bool is_one_frame(const RenderPlan& plan) { return plan.repeats == 1 && !plan.warms_up; }
+
+/// When one of so many parts of the time left is over.
+Clock::time_point after_share(const Drawing& drawing, int parts) {
+    const auto now = Clock::now();
+    return now + (drawing.until - now) / parts;
+}
+
+/// A picture of which nothing is decided.
+Framebuffer undecided_frame(const Size& size) {
+    Framebuffer frame(size.width, size.height);
+    for (int row = 0; row < size.height; ++row) {
+        for (int col = 0; col < size.width; ++col)
+            frame.color[frame.index(col, row)] = background_color(row, size.height);
+    }
+    frame.depth.assign(frame.depth.size(), std::numeric_limits<float>::infinity());
+    frame.certificate.assign(frame.certificate.size(), Certificate::Undecided);
+    frame.surface.assign(frame.surface.size(), no_surface);
+    return frame;
+}
+
+/// As a document has its rows, or all surfaces in the palette's colours.
+Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
+    const Surface& surface = plan.surface;
+    if (!surface.document) {
+        Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
+        scene.region = surface.region;
+        scene.jumps = plan.document.jumps;
+        for (const SolidChoice& choice : surface.solids) {
+            for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+                if (!choice.surface || static_cast<std::size_t>(*choice.surface) == i + 1)
+                    scene.solids[i].side = choice.side;
+            }
+        }
+        return scene;
+    }
+    return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
+}
+
+/// Looks at all of the surface; returns why, where it cannot.
+std::string fit(RenderPlan& plan, const Scene& scene, const TimeLimit& limit) {
+    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
+    plan.document.camera = plan.camera;
+    const Framing framing =
+        frame_surfaces(plan.document, find_extent(scene, limit), aspect, plan.fits_box);
+    plan.document = framing.document;
+    plan.surface.clip = framing.document.clip;
+    plan.camera = *framing.document.camera;
+    return framing.found ? "" : framing.note;
+}
+
+void find_colors(Drawing& drawing, const ColorFormulas& colors) {
+    const RenderPlan& plan = drawing.picture.plan;
+    Scene& scene = drawing.picture.scene;
+    scene.coloring = coloring_of(plan.document.coloring, colors,
+                                 shown_surfaces(drawing.picture.formula, plan), plan.camera.up);
+    if (!has_range(scene.coloring.by) || scene.coloring.range) return;
+    drawing.progress.enter(Progress::Stage::Coloring);
+    scene.coloring.range =
+        find_range(scene, plan.camera, plan.settings, plan.size.width, plan.size.height,
+                   {&drawing.cancel, after_share(drawing, coloring_share)});
+}
+
+/// For the one frame of an interpreted formula.
+std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing, Formula formula,
+                                                     Precision precision) {
+    if (formula.code == CodeState::Interpreted) return formula;
+    const auto start = Clock::now();
+    const RenderPlan& plan = drawing.picture.plan;
+    const auto [width, height] = plan.size;
+    const auto use =
+        code_for_one({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
+                     formula, &drawing.cancel);
+    formula.compile_ms += ms_since(start);
+    if (!use) return formula;
+    return with_machine_code(formula, *use, precision);
+}
+
+/// The formula's code and what it shows; or an error.
+std::optional<InputError> prepare(Drawing& drawing) {
+    RenderPlan& plan = drawing.picture.plan;
+    const Surface& surface = plan.surface;
+    // What is fitted asks for many ranges, as does any tracer but that of beams.
+    const bool few =
+        is_one_frame(plan) && !plan.fits && plan.settings.tracer == tracers().front().name;
+    auto formula = few ? interpreted_formula(surface.equation, surface.clip)
+                       : compile_formula(surface.equation, surface.clip);
+    if (!formula) return formula.error();
+    if (auto unknown = check_parameters(formula->program, surface.parameters)) return unknown;
+    if (auto missing = check_solids(formula->program, surface.solids)) return missing;
+    const auto colors = color_formulas(formula->program, formula->text, plan.document.coloring);
+    if (!colors) return color_by_error(colors.error());
+    if (plan.fits) {
+        drawing.progress.enter(Progress::Stage::Fitting);
+        const TimeLimit limit{&drawing.cancel, after_share(drawing, fitting_share)};
+        drawing.picture.note = fit(plan, plain_scene(*formula, plan), limit);
+    }
+    const Precision precision =
+        wanted_precision(plain_scene(*formula, plan), ViewFrame(plan.camera), plan.settings.stop);
+    drawing.progress.enter(Progress::Stage::Compiling);
+    if (few) formula = with_code_for_one(drawing, std::move(*formula), precision);
+    if (!formula) return formula.error();
+    if (!formula->has_code(precision)) formula = with_double(*formula);
+    drawing.picture.formula = std::move(*formula);
+    drawing.picture.scene = plain_scene(drawing.picture.formula, plan);
+    find_colors(drawing, *colors);
+    return std::nullopt;
+}
+
+void draw(Drawing& drawing) {
+    RenderedPicture& picture = drawing.picture;
+    picture.error = prepare(drawing);
+    if (picture.error) return;
+    drawing.has_scene.store(true, std::memory_order_release);
+    const RenderPlan& plan = picture.plan;
+    const auto pixels = static_cast<std::uint64_t>(picture.frame.color.size());
+    Clock::time_point until = drawing.until;
+    const auto next_watch = [&] {
+        drawing.progress.enter(Progress::Stage::Drawing, pixels);
+        const TimeLimit limit{&drawing.cancel, until};
+        until = until_after(Clock::now(), plan.budget_s);  // another frame has its own
+        return RenderWatch{.limit = limit, .on_tile = [&drawing](const PixelRect& rect) {
+                               drawing.progress.add(static_cast<std::uint64_t>(rect.cols) *
+                                                    static_cast<std::uint64_t>(rect.rows));
+                           }};
+    };
+    picture.timing = time_frames(picture.scene, plan.camera, plan.settings, picture.frame,
+                                 {plan.repeats, plan.warms_up}, next_watch);
+    picture.in_time = !picture.timing.counters.is_cut();
+}
+
+/// What there is of a picture whose thread goes on.
+std::shared_ptr<const RenderedPicture> stuck_picture(const Drawing& drawing,
+                                                     const RenderPlan& plan) {
+    auto picture = std::make_shared<RenderedPicture>();
+    if (drawing.has_scene.load(std::memory_order_acquire)) {
+        *picture = drawing.picture;  // no tile of its frame is drawn since it was cancelled
+    } else {
+        picture->plan = plan;
+        picture->frame = undecided_frame(plan.size);
+    }
+    picture->in_time = false;
+    picture->stage_at_end = drawing.progress.stage();
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - drawing.start;
+    picture->timing.median_ms = picture->timing.min_ms = picture->timing.max_ms = elapsed.count();
+    picture->timing.repeats = 1;
+    const CertificateCounts counts = count_certificates(picture->frame);
+    picture->timing.counters.cut_pixels = counts.undecided;
+    return picture;
+}
+
+}  // namespace
+
+RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
+    const auto drawing = std::make_shared<Drawing>();
+    drawing->picture.plan = plan;
+    drawing->picture.frame = undecided_frame(plan.size);
+    drawing->start = start;
+    drawing->until = until_after(start, plan.budget_s);
+    const auto last = is_one_frame(plan) ? drawing->until + patience : TimeLimit::never;
+    if (finish_until(last, drawing->progress, [drawing] { draw(*drawing); })) {
+        return {std::shared_ptr<const RenderedPicture>(drawing, &drawing->picture)};
+    }
+    drawing->cancel = true;
+    return {stuck_picture(*drawing, plan), true};
+}
+
+std::vector<std::size_t> shown_surfaces(const Formula& formula, const RenderPlan& plan) {
+    if (plan.surface.document) {
+        return visible_surfaces(plan.document, surface_rows(plan.document, formula.program));
+    }
+    std::vector<std::size_t> all(formula.drawn.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
+std::string budget_note(const RenderedPicture& picture) {
+    if (picture.in_time) return "";
+    const std::string more = "; --budget SECONDS gives more";
+    std::string text = "the budget of " + short_number(picture.plan.budget_s) + " s is spent";
+    if (picture.stage_at_end != Progress::Stage::Drawing)
+        text += std::string(" on ") + name_of(picture.stage_at_end);
+    const std::uint64_t cut = picture.timing.counters.cut_pixels;
+    if (cut == 0) {
+        return text + ": all is decided, but " +
+               std::to_string(picture.timing.counters.rough_pixels) +
+               " pixels are not shaded to the end" + more;
+    }
+    return text + ": " + std::to_string(cut) + " of " + std::to_string(picture.frame.color.size()) +
+           " pixels are left undecided" + more;
+}
+
+}  // namespace zeroset

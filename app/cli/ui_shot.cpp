@@ -1,0 +1,143 @@
+#include "app/cli/commands.hpp"
+#include "app/cli/options/options.hpp"
+#include "app/cli/report.hpp"
+#include "app/cli/window_command.hpp"
+#include "app/desktop/desktop.hpp"
+#include "engine/export/file.hpp"
+#include "engine/image/framebuffer.hpp"
+#include "engine/language/vocabulary/nearest_word.hpp"
+#include "pipeline/formula.hpp"
+#include "pipeline/input_error.hpp"
+#include "ui/actions/actions.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/window/offscreen_window.hpp"
+#include "ui/window/window.hpp"
+
+#include <glm/ext/vector_float2.hpp>
+
+#include <algorithm>
+#include <expected>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// What the options mean, checked before any work.
+struct UiShotPlan {
+    DesktopOptions desktop;
+    ui::OffscreenOptions window;
+    std::optional<glm::vec2> pointer;  ///< pixels
+};
+
+OrInputError<ui::Theme> read_theme(const std::string& text) {
+    if (text == "dark") return ui::Theme::Dark;
+    if (text == "light") return ui::Theme::Light;
+    return wrong_input("--theme " + text + ": type dark or light");
+}
+
+OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
+    constexpr int largest_scale = 4;
+    constexpr int largest_side = 16384;
+    const auto size = read_size("--size", command.size);
+    if (!size) return std::unexpected(size.error());
+    const auto scale = read_integer("--scale", command.scale, 1, largest_scale);
+    if (!scale) return std::unexpected(scale.error());
+    if (size->width < ui::min_width || size->height < ui::min_height) {
+        return wrong_input("--size " + command.size + ": the window is at least " +
+                           std::to_string(ui::min_width) + "x" + std::to_string(ui::min_height));
+    }
+    if (size->width > largest_side / *scale || size->height > largest_side / *scale) {
+        return wrong_input("--size " + command.size + ": at --scale " + command.scale +
+                           " each side must be at most " + std::to_string(largest_side / *scale));
+    }
+    return ui::OffscreenOptions{size->width, size->height, static_cast<float>(*scale)};
+}
+
+OrInputError<std::optional<glm::vec2>> read_pointer(const std::optional<std::string>& text,
+                                                    float scale) {
+    if (!text) return std::nullopt;
+    const auto at = read_numbers("--pointer", *text, 2);
+    if (!at) return std::unexpected(at.error());
+    return scale * glm::vec2((*at)[0], (*at)[1]);
+}
+
+OrInputError<std::vector<const ui::Action*>> read_actions(const std::vector<std::string>& names) {
+    std::vector<std::string_view> known;
+    std::ranges::transform(ui::actions(), std::back_inserter(known), &ui::Action::name);
+    std::vector<const ui::Action*> found;
+    for (const std::string& name : names) {
+        if (std::ranges::find(known, name) == known.end()) {
+            const auto meant = meant_word(name, known);
+            return wrong_input("--do " + name + ": there is no such action" +
+                               (meant ? "; did you mean '" + std::string(*meant) + "'?"
+                                      : "; Ctrl+K in the window lists them"));
+        }
+        found.push_back(&ui::action_named(name));
+    }
+    return found;
+}
+
+OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
+    if (command.output.empty()) return wrong_input("nothing to write: give -o UI.png");
+    if (!command.output.ends_with(".png")) {
+        return wrong_input("-o " + command.output +
+                           ": the picture is a PNG; type a name that ends in .png");
+    }
+    const auto window = read_window(command);
+    if (!window) return std::unexpected(window.error());
+    const auto theme = read_theme(command.theme);
+    if (!theme) return std::unexpected(theme.error());
+    auto desktop = read_desktop_options(command.equation, command.view, command.trace);
+    if (!desktop) return std::unexpected(desktop.error());
+    auto actions = read_actions(command.actions);
+    if (!actions) return std::unexpected(actions.error());
+    desktop->actions = std::move(*actions);
+    desktop->theme = *theme;
+    desktop->takes_keyboard = false;  // nothing selected, no text cursor
+    desktop->keeps_files = false;
+    desktop->note.clear();
+    if (command.mark_undecided) desktop->document.mark_undecided = true;
+    const auto pointer = read_pointer(command.pointer, window->scale);
+    if (!pointer) return std::unexpected(pointer.error());
+    return UiShotPlan{*desktop, *window, *pointer};
+}
+
+/// The window's pixels when nothing in it changes any more.
+Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options,
+                         const std::optional<glm::vec2>& pointer) {
+    Desktop desktop(window, options);
+    if (pointer) ui::OffscreenWindow::point(*pointer, false);
+    while (!desktop.settled()) {
+        window.wait(desktop.due_s());
+        desktop.draw_frame();
+    }
+    for (int frame = 0; frame < ui::frames_to_settle; ++frame) {
+        desktop.draw_frame();
+    }
+    return window.pixels();
+}
+
+}  // namespace
+
+int run_ui_shot(const UiShotCommand& command) {
+    const auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    if (const auto writable = check_writable(command.output); !writable) {
+        return report_run_time(writable.error().message);
+    }
+    const auto window = ui::make_offscreen_window(plan->window);
+    if (!window) {
+        return report_run_time(window.error() +
+                               "; `zeroset render \"EQUATION\" -o out.png` needs no OpenGL");
+    }
+    const auto written =
+        write_png(command.output, draw_settled(**window, plan->desktop, plan->pointer));
+    return written ? exit_ok : report_run_time(written.error().message);
+}
+
+}  // namespace zeroset

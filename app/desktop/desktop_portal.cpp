@@ -1,0 +1,80 @@
+#include "app/desktop/desktop_portal.hpp"
+
+#include "ui/pages/file_browser.hpp"
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+namespace zeroset {
+namespace {
+
+namespace fs = std::filesystem;
+using Purpose = ui::FileChoice::Purpose;
+
+/// As the program's own choice of a file does: documents have their ending. Where that makes it
+/// the name of another file, the user is asked in the window.
+void take_saved(ui::FileChoice& choice, const std::string& chosen) {
+    const fs::path path(chosen + (chosen.ends_with(".json") ? "" : ui::document_ending));
+    std::error_code ignored;
+    if (path != fs::path(chosen) && fs::exists(path, ignored)) {
+        choice.folder = path.parent_path().string();
+        choice.name = path.filename().string();
+        choice.asks_replace = true;
+        return;
+    }
+    choice.path = path.string();
+    choice.finished = true;
+}
+
+}  // namespace
+
+void DesktopPortal::follow(ui::UiState& state) {
+    if (const auto wish = portal_.take_wish()) {
+        wish_ = *wish;
+        is_wish_known_ = true;
+    }
+    if (state.follows_desktop && is_wish_known_) {
+        state.theme = wish_ == ColorWish::Light ? ui::Theme::Light : ui::Theme::Dark;
+    }
+    follow_files(state.dialogs);
+}
+
+void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
+    if (!dialogs.file || !dialogs.file->elsewhere) {
+        if (asks_) portal_.give_up();
+        asks_ = false;
+    }
+    if (!dialogs.file) return;
+    ui::FileChoice& choice = *dialogs.file;
+    if (choice.begins && has_dialogs_) {
+        const bool saves = choice.purpose == Purpose::Save;
+        portal_.ask(
+            {saves, choice.folder,
+             choice.name.ends_with(".json") ? choice.name : choice.name + ui::document_ending,
+             ui::document_ending, parent_});
+        choice.elsewhere = true;
+        asks_ = true;
+    }
+    choice.begins = false;
+    if (asks_) take_answer(choice);
+}
+
+void DesktopPortal::take_answer(ui::FileChoice& choice) {
+    const auto answer = portal_.take_answer();
+    if (!answer) return;
+    asks_ = false;
+    choice.elsewhere = false;
+    has_dialogs_ = answer->asked;
+    if (!answer->asked) return;
+    if (answer->path.empty()) {
+        choice.finished = true;
+    } else if (choice.purpose == Purpose::Save) {
+        take_saved(choice, answer->path);
+    } else {
+        choice.path = answer->path;
+        choice.finished = true;
+    }
+}
+
+}  // namespace zeroset

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "app/platform/portal.hpp"
+#include "ui/model/ui_state.hpp"
+
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+
+/// Between the window's state and the desktop's portal: the theme follows the desktop until the
+/// user has chosen one, and files are chosen in the desktop's dialog where there is one. The
+/// window's thread only.
+class DesktopPortal {
+public:
+    /// `wake` is called from another thread when there is news; `parent` as in FileRequest.
+    DesktopPortal(std::function<void()> wake, std::string parent)
+        : parent_(std::move(parent)), portal_(std::move(wake)) {}
+
+    /// Before the panels are drawn.
+    void follow(ui::UiState& state);
+
+private:
+    void follow_files(ui::Dialogs& dialogs);
+    void take_answer(ui::FileChoice& choice);
+
+    std::string parent_;
+    Portal portal_;
+    ColorWish wish_ = ColorWish::None;
+    bool is_wish_known_ = false;
+    bool asks_ = false;        ///< the desktop's dialog is open
+    bool has_dialogs_ = true;  ///< as far as is known
+};
+
+}  // namespace zeroset

@@ -1,0 +1,88 @@
+#include "app/desktop/desktop.hpp"
+#include "document/document.hpp"
+#include "document/framing.hpp"
+#include "engine/measure/extent.hpp"
+#include "engine/view/camera.hpp"
+#include "pipeline/document_scene.hpp"
+#include "ui/actions/view_moves.hpp"
+#include "ui/window/window.hpp"
+
+#include <glm/ext/vector_int2.hpp>
+
+#include <chrono>
+#include <future>
+#include <optional>
+#include <utility>
+
+// Where the window looks: first, after a reset, and to see all of the surfaces; and what it waits
+// for.
+
+namespace zeroset {
+
+/// Looks at the whole box where the document does not say, or when it is asked for.
+void Desktop::find_view() {
+    const glm::ivec2 size = state_.viewport_px;
+    if (size.x <= 0 || size.y <= 0) return;
+    const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
+    const auto look = [aspect](Document& document) {
+        Camera first = default_camera(document.clip, aspect, document.up);
+        if (document.camera) first.projection = document.camera->projection;
+        document.camera = document.home.value_or(first);
+    };
+    const bool reset = std::exchange(state_.reset_view, false);
+    if (reset && state_.document.camera) {
+        Document wished = state_.document;
+        look(wished);
+        ui::move_view(state_, *wished.camera);
+    }
+    if (!state_.document.camera) session_.amend(look);
+}
+
+/// Finds where the surfaces lie, in the background, and looks at all of them.
+void Desktop::find_surfaces() {
+    if (state_.gesture != done_gesture_) state_.done.clear();
+    if (extent_.valid()) {
+        if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+        const Extent extent = extent_.get();
+        const std::optional<Wanted> now = wanted_picture();
+        if (now && now->formula == measured_->formula && now->clip == measured_->clip)
+            frame(extent);
+    }
+    const std::optional<Wanted> wanted = wanted_picture();
+    if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
+    state_.frame_surfaces = false;
+    measured_ = wanted;
+    extent_ = std::async(std::launch::async,
+                         [scene = document_scene(*shown_, state_.document, state_.surface_rows)] {
+                             return find_extent(scene);
+                         });
+}
+
+void Desktop::frame(const Extent& extent) {
+    const double aspect = static_cast<double>(state_.viewport_px.x) / state_.viewport_px.y;
+    const Framing framing =
+        frame_surfaces(state_.document, extent, aspect, std::exchange(fits_box_, true));
+    state_.document.clip = framing.document.clip;
+    ui::move_view(state_, *framing.document.camera);
+    state_.done = framing.note;
+    done_gesture_ = state_.gesture;
+    window_.wake();
+}
+
+void Desktop::follow_waiting() {
+    Waiting::For what;
+    what.reading = answered_rows_ != submitted_rows_;
+    what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
+    what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
+    const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
+    const bool deepens = shown_ != nullptr && deepening_ == shown_;
+    what.code = !what.reading && (compiles || deepens);
+    if (what.code) what.nodes = shown_->nodes();
+    const double now = now_s();
+    waiting_.follow(what, now);
+    state_.dimmed = waiting_.dimmed(now);
+    state_.hides_figures = waiting_.hides_figures(now);
+    state_.doing = waiting_.text(now);
+}
+
+}  // namespace zeroset

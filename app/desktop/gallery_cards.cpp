@@ -1,0 +1,50 @@
+#include "app/desktop/gallery_cards.hpp"
+
+#include "app/platform/folders.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+std::optional<std::filesystem::path> folder_for(bool keeps_files) {
+    const auto cache = keeps_files ? cache_folder() : std::nullopt;
+    if (!cache) return std::nullopt;
+    return *cache / "thumbnails";
+}
+
+}  // namespace
+
+GalleryCards::GalleryCards(bool keeps_files, std::function<void()> wake)
+    : job_(ThumbnailCache(folder_for(keeps_files)),
+           keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
+           std::move(wake)) {}
+
+void GalleryCards::show(ui::UiState& state) {
+    ui::GalleryPage& page = state.gallery_page;
+    if (!page.open || page.picture_px != size_px_) {
+        textures_.clear();
+        page.pictures.clear();
+        size_px_ = page.picture_px;
+    }
+    for (const Thumbnail& thumbnail : job_.take()) {
+        const glm::ivec2 size(thumbnail.image.width, thumbnail.image.height);
+        if (!page.open || size != size_px_) continue;
+        ui::Texture& texture = textures_[thumbnail.item];
+        texture.upload(thumbnail.image);
+        page.pictures[thumbnail.item] = texture.name();
+    }
+}
+
+void GalleryCards::follow(const ui::UiState& state) {
+    const ui::GalleryPage& page = state.gallery_page;
+    std::vector<std::size_t> missing;
+    for (const std::size_t item : page.visible) {
+        if (page.open && !textures_.contains(item)) missing.push_back(item);
+    }
+    job_.want(std::move(missing), page.picture_px);
+    job_.hold(state.picture.tracing);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,96 @@
+#include "app/desktop/pointing.hpp"
+
+#include "engine/measure/probe.hpp"
+#include "pipeline/document_scene.hpp"
+#include "pipeline/probe_document.hpp"
+#include "ui/picture/picture_place.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+
+void Pointing::follow(ui::UiState& state, const std::optional<Behind>& behind, double now_s) {
+    if (!state.pointer) {
+        state.pointed.reset();
+        looked_ = {};
+    }
+    if (behind) {
+        take_click(state, *behind, now_s);
+        look(state, *behind);
+    }
+    if (click_ && now_s >= click_->since_s + double_click_s) keep_marker(state);
+    const bool there = find_marker(state.document.markers, state.selected_marker) != nullptr;
+    if (!there) state.selected_marker = 0;
+}
+
+std::optional<double> Pointing::due_s(double now_s) const {
+    if (!click_) return std::nullopt;
+    return std::max(click_->since_s + double_click_s - now_s, 0.0);
+}
+
+void Pointing::look(ui::UiState& state, const Behind& behind) {
+    if (!state.pointer || state.shown.frame == nullptr) return;
+    const glm::ivec2 pixel = ui::pixel_under(*state.shown.frame, *state.pointer);
+    const Looked wanted{state.shown.frame, behind.formula, pixel};
+    if (wanted == looked_) return;
+    looked_ = wanted;
+    state.pointed = facts_at(state, behind, *state.pointer);
+}
+
+void Pointing::take_click(ui::UiState& state, const Behind& behind, double now_s) {
+    const auto click = std::exchange(state.click, std::nullopt);
+    if (!click) return;
+    if (click->again) {
+        click_.reset();
+        return;
+    }
+    // A third place was clicked before the first click's time was over.
+    if (click_) keep_marker(state);
+    state.selected_marker = click->marker;
+    if (click->marker != 0) return;
+    const auto facts = facts_at(state, behind, click->cursor);
+    if (!facts) return;
+    click_ = Click{facts->facts.point, click->at_once ? now_s - double_click_s : now_s};
+}
+
+void Pointing::keep_marker(ui::UiState& state) {
+    const Click click = *std::exchange(click_, std::nullopt);
+    const int number = add_marker(state.document.markers, click.at);
+    if (number == 0) {
+        state.note = "there are " + std::to_string(most_markers) + " markers already";
+        return;
+    }
+    state.selected_marker = number;
+    state.layout.markers_open = true;
+}
+
+std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state, const Behind& behind,
+                                                   const glm::dvec2& cursor) {
+    const ui::ShownPicture& shown = state.shown;
+    if (shown.frame == nullptr) return std::nullopt;
+    const std::vector<std::size_t> visible = visible_surfaces(state.document, behind.rows);
+    const ViewFrame view(shown.camera);
+    const Box& clip = state.document.clip;
+    const double tolerance =
+        depth_tolerance(clip, behind.stop, wanted_precision(clip, view, behind.stop));
+    const ProbedPicture picture{*shown.frame, shown.camera, typed(behind.formula, visible),
+                                behind.uniforms, tolerance};
+    const glm::ivec2 pixel = ui::pixel_under(*shown.frame, cursor);
+    const auto facts = probe(picture, pixel.x, pixel.y);
+    if (!facts || facts->surface >= visible.size()) return std::nullopt;
+    const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);
+    return ui::PointedFacts{*facts, behind.rows[visible[facts->surface]], pixel_size};
+}
+
+const std::vector<Kernel>& Pointing::typed(const std::shared_ptr<const Formula>& formula,
+                                           const std::vector<std::size_t>& shown) {
+    if (typed_of_ != formula || typed_shown_ != shown) {
+        typed_ = typed_formulas(formula->program, shown);
+        typed_of_ = formula;
+        typed_shown_ = shown;
+    }
+    return typed_;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,54 @@
+#include "app/desktop/desktop.hpp"
+#include "app/desktop/preferences.hpp"
+#include "app/platform/folders.hpp"
+#include "app/platform/process.hpp"
+#include "ui/window/window.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <expected>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+std::optional<double> earlier(const std::optional<double>& a, const std::optional<double>& b) {
+    return a && b ? std::min(*a, *b) : a ? a : b;
+}
+
+}  // namespace
+
+std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
+    const auto folder = config_folder();
+    const Preferences before = folder ? load_preferences(*folder) : Preferences();
+    auto window = ui::make_glfw_window({.size = before.window});
+    if (!window) {
+        return std::unexpected(
+            window.error() + "; `zeroset render \"EQUATION\" -o out.png` works without a display");
+    }
+    DesktopOptions taken_over = options;
+    taken_over.on_desktop = true;
+    taken_over.layout = before.layout;
+    taken_over.theme = before.theme.value_or(before.last_theme);
+    taken_over.follows_desktop = !before.theme;
+    Desktop desktop(**window, taken_over);
+    PreferencesFile kept(folder, before);
+    while (!desktop.closed()) {
+        (*window)->wait(earlier(desktop.due_s(), kept.due_s(desktop.now_s())));
+        desktop.draw_frame();
+        kept.follow(desktop.preferences(), desktop.now_s());
+        if (!(*window)->is_lost()) continue;
+        desktop.abandon();
+        kept.finish();
+        return std::unexpected(
+            "the graphics driver has lost the window; what was open is kept: start zeroset again");
+    }
+    kept.finish();
+    end_process_after(std::chrono::milliseconds(500), EXIT_SUCCESS);  // LLVM may take its time
+    return {};
+}
+
+}  // namespace zeroset

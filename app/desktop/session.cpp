@@ -1,0 +1,299 @@
+#include "app/desktop/session.hpp"
+
+#include "app/platform/folders.hpp"
+#include "document/json/document_file.hpp"
+#include "document/json/document_json.hpp"
+#include "ui/panels/statement_list.hpp"
+#include "ui/style/label.hpp"
+#include "ui/window/clipboard.hpp"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+namespace fs = std::filesystem;
+using Purpose = ui::FileChoice::Purpose;
+
+/// Where a file is looked for: beside the document, else where the program was started.
+std::string first_folder(const std::string& path) {
+    std::error_code error;
+    const fs::path file = path.empty() ? fs::path() : fs::absolute(path, error);
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::current_path(error);
+    return error ? "/" : folder.string();
+}
+
+std::string bare_name(const std::string& path) {
+    const std::string name = fs::path(path).filename().string();
+    return is_document_name(name)
+               ? name.substr(0, name.size() - std::string(document_ending).size())
+               : name;
+}
+
+/// The first text, for a document without a name.
+std::string first_text(const Document& document) {
+    for (const Statement& statement : document.statements) {
+        if (!statement.text.empty()) return ui::in_one_line(statement.text);
+    }
+    return "Untitled";
+}
+
+std::optional<fs::path> folder_for(const SessionOptions& options) {
+    return options.keeps_files ? state_folder() : std::nullopt;
+}
+
+}  // namespace
+
+Session::Session(ui::UiState& state, const SessionOptions& options)
+    : state_(state),
+      history_(state.document),
+      saved_(state.document),
+      path_(options.path),
+      recent_(folder_for(options)),
+      autosave_(folder_for(options)),
+      lost_(autosave_.lost()),
+      kept_(state.document) {
+    if (!path_.empty()) recent_.add(path_);
+    if (lost_) {
+        ask(Asked::Restore,
+            "Zeroset ended without being closed. Restore what was open?\n\n" +
+                first_text(lost_->document),
+            {"Restore", "Discard"});
+    } else if (!options.note.empty()) {
+        say(options.note);
+    }
+    refresh();
+}
+
+void Session::follow(double now_s) {
+    follow_question();
+    follow_file_choice();
+    if (state_.command || state_.open_path) follow_command();
+    history_.follow(state_.document, now_s, state_.gesture, state_.held);
+    keep(now_s);
+    refresh();
+}
+
+void Session::amend(const std::function<void(Document&)>& change) {
+    const bool clean = !unsaved();
+    change(state_.document);
+    history_.amend(change);
+    if (clean) saved_ = state_.document;
+}
+
+void Session::played() {
+    if (state_.playing.empty()) return;
+    history_.amend([this](Document& document) {
+        document.w = state_.document.w;
+        document.parameters = state_.document.parameters;
+    });
+}
+
+void Session::show(Document document) {
+    const bool clean = !unsaved();
+    state_.document = renumbered(std::move(document), unused_id(state_.document));
+    state_.playing.clear();
+    history_.end_step();
+    path_.clear();
+    if (clean) saved_ = state_.document;
+}
+
+void Session::open(const std::vector<std::string>& paths) {
+    if (!paths.empty() && asked_ == Asked::Nothing) attempt({Intent::OpenPath, paths.front()});
+}
+
+void Session::abandon() {
+    if (unsaved()) autosave_.keep(state_.document);
+    autosave_.abandon();
+}
+
+std::optional<double> Session::due_s(double now_s) const {
+    if (!unsaved() || kept_ == state_.document) return std::nullopt;
+    return std::max(kept_s_ + autosave_s - now_s, 0.0);
+}
+
+std::string Session::title() const { return (unsaved() ? "* " : "") + state_.name; }
+
+void Session::refresh() {
+    state_.name = path_.empty() ? first_text(state_.document) : bare_name(path_);
+    state_.unsaved = unsaved();
+    state_.can_undo = history_.can_undo();
+    state_.can_redo = history_.can_redo();
+    state_.recent = recent_.paths();
+}
+
+void Session::keep(double now_s) {
+    if (kept_ == state_.document || now_s < kept_s_ + autosave_s) return;
+    kept_ = state_.document;
+    kept_s_ = now_s;
+    if (unsaved()) {
+        autosave_.keep(kept_);
+    } else {
+        autosave_.forget();
+    }
+}
+
+// ---- commands
+
+void Session::follow_command() {
+    if (const auto path = std::exchange(state_.open_path, std::nullopt)) {
+        attempt({Intent::OpenPath, *path});
+    }
+    const auto command = std::exchange(state_.command, std::nullopt);
+    if (!command) return;
+    switch (*command) {
+        case ui::Command::New: return attempt({Intent::New, {}});
+        case ui::Command::Open: return attempt({Intent::ChooseFile, {}});
+        case ui::Command::Save: return save();
+        case ui::Command::SaveAs: return save_as();
+        case ui::Command::Undo: return undo(true);
+        case ui::Command::Redo: return undo(false);
+        case ui::Command::Copy: return copy();
+        case ui::Command::Paste: return paste();
+        case ui::Command::Quit: return close();
+    }
+}
+
+void Session::undo(bool back) {
+    state_.document = back ? history_.undo() : history_.redo();
+    if (state_.typing_row != 0) state_.reload = state_.typing_row;
+}
+
+void Session::copy() {
+    const Marker* const marker = find_marker(state_.document.markers, state_.selected_marker);
+    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(state_.document));
+}
+
+void Session::paste() {
+    const std::string text = ui::clipboard();
+    if (!looks_like_document(text)) {
+        const bool empty = state_.document.statements.back().text.empty();
+        ui::insert_rows(state_, state_.document.statements.size() - 1, text);
+        const auto last =
+            std::ranges::find(state_.document.statements, std::string(), &Statement::text);
+        if (empty && state_.document.statements.size() > 1) state_.document.statements.erase(last);
+        return;
+    }
+    auto read = document_from(text);
+    if (!read) return say("Nothing pasted: " + read.error() + ".");
+    show(std::move(read->document));
+}
+
+void Session::attempt(Action action) {
+    if (!unsaved()) return perform(action);
+    waiting_ = std::move(action);
+    ask(Asked::LoseWork, "Save the changes to " + state_.name + "?",
+        {"Save", "Don't save", "Cancel"});
+}
+
+void Session::perform(const Action& action) {
+    switch (action.intent) {
+        case Intent::New: return begin(empty_document(), {});
+        case Intent::ChooseFile:
+            state_.dialogs.file = ui::FileChoice{};
+            state_.dialogs.file->folder = first_folder(path_);
+            return;
+        case Intent::OpenPath: return load(action.path);
+        case Intent::Quit: closed_ = true;
+    }
+}
+
+void Session::begin(Document document, const std::string& path) {
+    state_.document = renumbered(std::move(document), unused_id(state_.document));
+    state_.playing.clear();
+    history_ = History(state_.document);
+    saved_ = kept_ = state_.document;
+    path_ = path;
+    autosave_.forget();
+    if (path.empty()) {
+        state_.focus = ui::RowFocus{state_.document.statements.front().id, {}};
+    }
+}
+
+void Session::load(const std::string& path) {
+    auto loaded = load_document(path);
+    if (!loaded) return say("I c" + loaded.error().substr(1) + ".");
+    begin(std::move(loaded->document), path);
+    recent_.add(path);
+    if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
+}
+
+// ---- files
+
+void Session::save() {
+    if (path_.empty()) return save_as();
+    write(path_);
+}
+
+void Session::save_as() {
+    ui::FileChoice choice;
+    choice.purpose = Purpose::Save;
+    choice.folder = first_folder(path_);
+    choice.name = path_.empty() ? "untitled" : bare_name(path_);
+    state_.dialogs.file = std::move(choice);
+}
+
+void Session::write(const std::string& path) {
+    const auto written = save_document(path, state_.document);
+    if (!written) {
+        waiting_.reset();
+        return say("I " + written.error().message + ".");
+    }
+    path_ = path;
+    saved_ = kept_ = state_.document;
+    autosave_.forget();
+    recent_.add(path);
+    if (const auto action = std::exchange(waiting_, std::nullopt)) perform(*action);
+}
+
+void Session::follow_file_choice() {
+    if (!state_.dialogs.file || !state_.dialogs.file->finished) return;
+    const ui::FileChoice choice = *std::exchange(state_.dialogs.file, std::nullopt);
+    if (choice.path.empty()) {
+        waiting_.reset();
+    } else if (choice.purpose == Purpose::Open) {
+        load(choice.path);
+    } else {
+        write(choice.path);
+    }
+}
+
+// ---- questions
+
+void Session::ask(Asked what, std::string text, std::vector<std::string> answers) {
+    asked_ = what;
+    state_.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
+}
+
+void Session::follow_question() {
+    if (!state_.dialogs.question || !state_.dialogs.question->chosen) return;
+    const std::size_t answer = *state_.dialogs.question->chosen;
+    state_.dialogs.question.reset();
+    const Asked asked = std::exchange(asked_, Asked::Nothing);
+    if (asked == Asked::Restore) answer_restore(answer);
+    if (asked == Asked::LoseWork) answer_lose_work(answer);
+}
+
+void Session::answer_restore(std::size_t answer) {
+    if (!lost_) return;
+    if (answer == 0) {
+        const Document untouched = state_.document;
+        begin(std::move(lost_->document), {});
+        saved_ = untouched;
+        state_.focus.reset();
+        autosave_.keep(state_.document);
+    }
+    autosave_.discard(*lost_);
+    lost_.reset();
+}
+
+void Session::answer_lose_work(std::size_t answer) {
+    if (!waiting_) return;
+    if (answer == 0) return save();
+    const Action action = *std::exchange(waiting_, std::nullopt);
+    if (answer == 1) perform(action);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,151 @@
+#include "app/desktop/thumbnail_job.hpp"
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/render/render.hpp"
+#include "pipeline/formula.hpp"
+#include "pipeline/gallery.hpp"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Fine enough for a picture of this size, twice as wide and high.
+constexpr double thumbnail_d_stop = 12.0;
+/// As `nice` has it: others come first, but a busy machine does not stop it.
+constexpr int low_priority = 10;
+
+Camera camera_of(const GalleryItem& item, glm::ivec2 size_px) {
+    const double aspect = static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
+    return item.camera.value_or(default_camera(item.clip, aspect));
+}
+
+/// A failure leaves the thread as it is: slower for others, but no less right.
+void lower_priority() {
+    (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), low_priority);
+}
+
+std::string text_of(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        std::array<char, 32> digits{};
+        std::snprintf(digits.data(), digits.size(), " %.17g", number);
+        text += digits.data();
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
+    const GalleryItem& shown = gallery()[item];
+    const Camera camera = camera_of(shown, size_px);
+    std::vector<double> numbers{shown.w, camera.fov_rad, thumbnail_d_stop,
+                                static_cast<double>(size_px.x), static_cast<double>(size_px.y)};
+    for (const glm::dvec3& point :
+         {shown.clip.lo, shown.clip.hi, camera.eye, camera.look_at, camera.up}) {
+        numbers.insert(numbers.end(), {point.x, point.y, point.z});
+    }
+    return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" + text_of(numbers);
+}
+
+ThumbnailJob::ThumbnailJob(ThumbnailCache cache, Priority priority,
+                           std::function<void()> on_picture)
+    : cache_(std::move(cache)), on_picture_(std::move(on_picture)), thread_([this, priority] {
+          if (priority == Priority::Low) lower_priority();
+          run();
+      }) {}
+
+ThumbnailJob::~ThumbnailJob() {
+    {
+        const std::scoped_lock lock(mutex_);
+        stop_ = true;
+        cancel_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+void ThumbnailJob::want(std::vector<std::size_t> items, glm::ivec2 size_px) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (items == wanted_ && size_px == size_px_) return;
+        const bool goes_on = size_px == size_px_ && !wanted_.empty() && !items.empty() &&
+                             items.front() == wanted_.front();
+        if (!goes_on) cancel_ = true;
+        wanted_ = std::move(items);
+        size_px_ = size_px;
+    }
+    wake_.notify_one();
+}
+
+void ThumbnailJob::hold(bool held) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (held == held_) return;
+        held_ = held;
+        if (held) cancel_ = true;
+    }
+    wake_.notify_one();
+}
+
+std::vector<Thumbnail> ThumbnailJob::take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(finished_, {});
+}
+
+bool ThumbnailJob::busy() const {
+    const std::scoped_lock lock(mutex_);
+    return !wanted_.empty() || !finished_.empty();
+}
+
+void ThumbnailJob::run() {
+    while (const auto work = wait_for_work())
+        finish(*work, picture_of(*work));
+}
+
+std::optional<ThumbnailJob::Work> ThumbnailJob::wait_for_work() {
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [this] { return stop_ || (!held_ && !wanted_.empty()); });
+    if (stop_) return std::nullopt;
+    cancel_ = false;
+    return Work{wanted_.front(), size_px_};
+}
+
+std::optional<RgbaImage> ThumbnailJob::picture_of(const Work& work) const {
+    const std::string key = thumbnail_key(work.item, work.size_px);
+    if (auto kept = cache_.find(key)) return kept;
+    const GalleryItem& item = gallery()[work.item];
+    const auto formula = prepare_formula(item.equation, item.clip);
+    Framebuffer frame(2 * work.size_px.x, 2 * work.size_px.y);
+    if (formula && !cancel_) {
+        TraceSettings settings;
+        settings.stop.value = thumbnail_d_stop;
+        settings.threads = 1;
+        const Scene scene = make_scene(*formula, item.clip, item.w, {});
+        (void)render_frame(scene, camera_of(item, work.size_px), settings, frame,
+                           {.limit = {.cancel = &cancel_}});
+    }
+    if (cancel_) return std::nullopt;
+    RgbaImage image = halved(frame);
+    cache_.keep(key, image);
+    return image;
+}
+
+void ThumbnailJob::finish(const Work& work, std::optional<RgbaImage> image) {
+    if (!image) return;
+    {
+        const std::scoped_lock lock(mutex_);
+        if (size_px_ != work.size_px || std::erase(wanted_, work.item) == 0) return;
+        finished_.push_back({work.item, std::move(*image)});
+    }
+    on_picture_();
+}
+
+}  // namespace zeroset

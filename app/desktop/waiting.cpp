@@ -1,0 +1,57 @@
+#include "app/desktop/waiting.hpp"
+
+#include <algorithm>
+
+namespace zeroset {
+namespace {
+
+constexpr double frame_s = 1.0 / 60.0;
+
+/// When something began, if it goes on.
+std::optional<double> since(const std::optional<double>& before, bool goes_on, double now_s) {
+    if (!goes_on) return std::nullopt;
+    return before.value_or(now_s);
+}
+
+bool lasts(const std::optional<double>& since_s, double now_s) {
+    return since_s && now_s - *since_s >= Waiting::delay_s;
+}
+
+}  // namespace
+
+void Waiting::follow(const For& what, double now_s) {
+    what_ = what;
+    picture_since_s_ = since(picture_since_s_, what.picture, now_s);
+    figures_since_s_ = since(figures_since_s_, what.figures, now_s);
+    code_since_s_ = since(code_since_s_, what.code, now_s);
+}
+
+float Waiting::dimmed(double now_s) const {
+    if (!picture_since_s_) return 0.0F;
+    const double faded = (now_s - *picture_since_s_ - delay_s) / fade_s;
+    return static_cast<float>(std::clamp(faded, 0.0, 1.0));
+}
+
+bool Waiting::hides_figures(double now_s) const { return lasts(figures_since_s_, now_s); }
+
+std::string Waiting::text(double now_s) const {
+    const bool waits_for_picture = lasts(picture_since_s_, now_s);
+    if (waits_for_picture && what_.reading) return "preparing\xE2\x80\xA6";
+    if (lasts(code_since_s_, now_s)) {
+        return "compiling\xE2\x80\xA6 (" + std::to_string(what_.nodes) + " nodes)";
+    }
+    return waits_for_picture ? "drawing\xE2\x80\xA6" : "";
+}
+
+std::optional<double> Waiting::due_s(double now_s) const {
+    std::optional<double> due;
+    const auto at_least = [&](double seconds) { due = std::min(due.value_or(seconds), seconds); };
+    for (const auto& since_s : {picture_since_s_, figures_since_s_, code_since_s_}) {
+        if (since_s && !lasts(since_s, now_s)) at_least(*since_s + delay_s - now_s);
+    }
+    const float faded = dimmed(now_s);
+    if (lasts(picture_since_s_, now_s) && faded < 1.0F) at_least(frame_s);
+    return due;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,314 @@
+#include "document/json/document_json.hpp"
+
+#include "document/json/json_fields.hpp"
+#include "document/json/look_json.hpp"
+#include "document/json/region_json.hpp"
+#include "engine/language/parse.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+// ---- writing
+
+std::string hexadecimal(std::uint32_t color) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
+    return text.data();
+}
+
+Json json_of(const Statement& statement) {
+    Json json{{"text", statement.text}};
+    if (!statement.visible) json["visible"] = false;
+    if (statement.color) json["color"] = hexadecimal(*statement.color);
+    if (statement.solid != SolidSide::Automatic)
+        json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
+    return json;
+}
+
+Json json_of(const Slider& slider) {
+    return {{"value", slider.value},
+            {"range", Json::array({slider.lo, slider.hi})},
+            {"step", slider.step},
+            {"speed", slider.speed},
+            {"repeat", slider.repeat == Repeat::Loop ? "loop" : "bounce"}};
+}
+
+Json json_of(const Camera& camera) {
+    Json json{{"eye", array_of(camera.eye)},
+              {"look_at", array_of(camera.look_at)},
+              {"up", array_of(camera.up)},
+              {"fov_rad", camera.fov_rad}};
+    if (camera.projection == Projection::Orthographic) json["projection"] = "orthographic";
+    return json;
+}
+
+constexpr std::array<std::pair<const char*, StopRule>, 3> stop_rules{
+    {{"d_stop", StopRule::DStop}, {"epsilon", StopRule::Epsilon}, {"delta", StopRule::Delta}}};
+
+Json json_of(const StopCriterion& stop) {
+    const auto* rule =
+        std::ranges::find(stop_rules, stop.rule, &std::pair<const char*, StopRule>::second);
+    return {{"rule", rule->first}, {"value", stop.value}};
+}
+
+/// What is on or off in the field "look".
+constexpr std::array<std::pair<const char*, bool Document::*>, 8> look_switches{
+    {{"mark_undecided", &Document::mark_undecided},
+     {"shadows", &Document::shadows},
+     {"antialias", &Document::antialias},
+     {"jumps", &Document::jumps},
+     {"axes", &Document::axes},
+     {"clip_box", &Document::clip_box},
+     {"grid", &Document::grid},
+     {"trackball", &Document::trackball}}};
+
+Json look_of(const Document& document) {
+    Json look;
+    for (const auto& [name, member] : look_switches)
+        look[name] = document.*member;
+    return look;
+}
+
+// ---- reading
+
+std::uint32_t color_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    std::uint32_t color = 0;
+    const char* const end = text.data() + text.size();
+    const bool hash = text.size() == 7 && text.front() == '#';
+    const auto read = std::from_chars(text.data() + (hash ? 1 : 0), end, color, 16);
+    if (!hash || read.ec != std::errc() || read.ptr != end) {
+        throw Damage{place + " is no colour such as #3399FF"};
+    }
+    return color;
+}
+
+SolidSide solid_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text == "f<0") return SolidSide::Below;
+    if (text == "f>0") return SolidSide::Above;
+    throw Damage{place + " is neither f<0 nor f>0"};
+}
+
+Statement statement_of(const Json& json, const std::string& place,
+                       std::vector<std::string>& unknown) {
+    Fields fields(json, place, unknown);
+    Statement statement;
+    statement.text = string_of(fields.get("text"), fields.at("text"));
+    if (const Json* visible = fields.find("visible")) {
+        statement.visible = flag_of(*visible, fields.at("visible"));
+    }
+    if (const Json* color = fields.find("color")) {
+        statement.color = color_of(*color, fields.at("color"));
+    }
+    if (const Json* solid = fields.find("solid"))
+        statement.solid = solid_of(*solid, fields.at("solid"));
+    return statement;
+}
+
+Repeat repeat_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text == "loop") return Repeat::Loop;
+    if (text == "bounce") return Repeat::Bounce;
+    throw Damage{place + " is neither loop nor bounce"};
+}
+
+Slider slider_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
+    Fields fields(json, place, unknown);
+    Slider slider;
+    slider.value = number_of(fields.get("value"), fields.at("value"));
+    const auto [lo, hi] = numbers_of<2>(fields.get("range"), fields.at("range"));
+    slider.lo = lo;
+    slider.hi = hi;
+    if (!(lo < hi)) throw Damage{fields.at("range") + " is empty"};
+    if (const Json* step = fields.find("step")) slider.step = number_of(*step, fields.at("step"));
+    if (slider.step < 0) throw Damage{fields.at("step") + " is below 0"};
+    if (const Json* speed = fields.find("speed"))
+        slider.speed = number_of(*speed, fields.at("speed"));
+    if (slider.speed < slowest || slider.speed > fastest) {
+        throw Damage{fields.at("speed") + " is not between 1/64 and 64"};
+    }
+    if (const Json* repeat = fields.find("repeat")) {
+        slider.repeat = repeat_of(*repeat, fields.at("repeat"));
+    }
+    return slider;
+}
+
+Projection projection_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text == "perspective") return Projection::Perspective;
+    if (text == "orthographic") return Projection::Orthographic;
+    throw Damage{place + " is neither perspective nor orthographic"};
+}
+
+Camera camera_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
+    Fields fields(json, place, unknown);
+    Camera camera;
+    camera.eye = vector_of(fields.get("eye"), fields.at("eye"));
+    camera.look_at = vector_of(fields.get("look_at"), fields.at("look_at"));
+    camera.up = vector_of(fields.get("up"), fields.at("up"));
+    camera.fov_rad = number_of(fields.get("fov_rad"), fields.at("fov_rad"));
+    if (const Json* projection = fields.find("projection")) {
+        camera.projection = projection_of(*projection, fields.at("projection"));
+    }
+    if (const char* defect = camera_defect(camera)) throw Damage{place + ": " + defect};
+    return camera;
+}
+
+Box box_of(const Json& json) {
+    const auto n = numbers_of<6>(json, "box");
+    const Box box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
+    for (int i = 0; i < 3; ++i) {
+        if (!(box.lo[i] < box.hi[i])) throw Damage{"box is empty"};
+    }
+    return box;
+}
+
+StopCriterion stop_of(const Json& json, std::vector<std::string>& unknown) {
+    Fields fields(json, "stop", unknown);
+    const std::string name = string_of(fields.get("rule"), "stop.rule");
+    const auto* rule =
+        std::ranges::find(stop_rules, name, &std::pair<const char*, StopRule>::first);
+    if (rule == stop_rules.end()) throw Damage{"stop.rule is none of d_stop, epsilon and delta"};
+    const double value = number_of(fields.get("value"), "stop.value");
+    const bool is_depth = rule->second == StopRule::DStop;
+    if (!(value > 0) || (is_depth && (value > max_d_stop || value != std::floor(value)))) {
+        throw Damage{"stop.value is out of range"};
+    }
+    return {rule->second, value};
+}
+
+std::vector<Statement> statements_of(const Json& json, std::vector<std::string>& unknown) {
+    if (!json.is_array()) throw Damage{"statements is no list"};
+    if (json.size() > ProgramLimits::statements)
+        throw Damage{"there are more than 1000 statements"};
+    std::vector<Statement> statements;
+    for (const Json& item : json) {
+        const std::string place = "statements[" + std::to_string(statements.size()) + "]";
+        statements.push_back(statement_of(item, place, unknown));
+    }
+    if (statements.empty()) statements.emplace_back();
+    return statements;
+}
+
+void read_parameters(const Json& json, Document& document, std::vector<std::string>& unknown) {
+    if (!json.is_object()) throw Damage{"parameters is no object"};
+    for (const auto& [name, slider] : json.items())
+        document.parameters[name] = slider_of(slider, "parameters." + name, unknown);
+}
+
+void read_look(const Json& json, Document& document, std::vector<std::string>& unknown) {
+    Fields fields(json, "look", unknown);
+    for (const auto& [name, member] : look_switches) {
+        if (const Json* value = fields.find(name))
+            document.*member = flag_of(*value, fields.at(name));
+    }
+}
+
+ReadDocument document_of(const Json& json) {
+    ReadDocument read;
+    std::vector<std::string>& unknown = read.unknown;
+    Fields fields(json, "", unknown);
+    fields.find("zeroset");
+    Document& document = read.document;
+    document.statements = statements_of(fields.get("statements"), unknown);
+    if (const Json* parameters = fields.find("parameters")) {
+        read_parameters(*parameters, document, unknown);
+    }
+    if (const Json* w = fields.find("w")) document.w = slider_of(*w, "w", unknown);
+    if (const Json* box = fields.find("box")) document.clip = box_of(*box);
+    if (const Json* region = fields.find("region")) document.region = region_of(*region, unknown);
+    if (const Json* camera = fields.find("camera"))
+        document.camera = camera_of(*camera, "camera", unknown);
+    if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
+    if (document.camera) document.up = document.camera->up;
+    if (const Json* up = fields.find("up")) document.up = vector_of(*up, "up");
+    if (glm::length(document.up) == 0) throw Damage{"up is zero"};
+    if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
+    if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
+    if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
+    if (const Json* markers = fields.find("markers"))
+        document.markers = markers_of(*markers, unknown);
+    document = renumbered(std::move(document), 1);
+    return read;
+}
+
+/// Refuses what is no document of this format.
+void check_format(const Json& json) {
+    if (!json.is_object() || !json.contains("zeroset")) throw Damage{"it is no Zeroset document"};
+    const Json& version = json["zeroset"];
+    if (!version.is_number_integer() || version.get<std::int64_t>() < 1) {
+        throw Damage{"it is damaged: the format version is no number"};
+    }
+    if (version.get<std::int64_t>() > document_format) {
+        throw Damage{"it was written by a newer Zeroset (format " +
+                     std::to_string(version.get<std::int64_t>()) + "; this one reads up to " +
+                     std::to_string(document_format) + ")"};
+    }
+}
+
+}  // namespace
+
+std::string text_of(const Document& document) {
+    Json json;
+    json["zeroset"] = document_format;
+    json["statements"] = Json::array();
+    for (const Statement& statement : document.statements)
+        json["statements"].push_back(json_of(statement));
+    json["parameters"] = Json::object();
+    for (const auto& [name, slider] : document.parameters)
+        json["parameters"][name] = json_of(slider);
+    json["w"] = json_of(document.w);
+    const Box& box = document.clip;
+    json["box"] = {box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z};
+    if (!document.region.is_whole()) json["region"] = json_of(document.region);
+    if (document.camera) json["camera"] = json_of(*document.camera);
+    if (document.home) json["home"] = json_of(*document.home);
+    json["up"] = array_of(document.up);
+    json["stop"] = json_of(document.stop);
+    json["look"] = look_of(document);
+    if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
+    if (!document.markers.empty()) json["markers"] = json_of(document.markers);
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::expected<ReadDocument, std::string> document_from(std::string_view text) {
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        const auto end =
+            text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        const auto line = 1 + std::count(text.begin(), end, '\n');
+        return std::unexpected("it is damaged: line " + std::to_string(line) + " is no JSON");
+    } catch (const Json::out_of_range&) {
+        return std::unexpected("it is damaged: a number in it is too large");
+    }
+    try {
+        check_format(json);
+    } catch (const Damage& damage) {
+        return std::unexpected(damage.reason);
+    }
+    try {
+        return document_of(json);
+    } catch (const Damage& damage) {
+        return std::unexpected("it is damaged: " + damage.reason);
+    }
+}
+
+bool looks_like_document(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    return begin != std::string_view::npos && text[begin] == '{' &&
+           text.find("\"zeroset\"") != std::string_view::npos;
+}
+
+}  // namespace zeroset

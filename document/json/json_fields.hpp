@@ -1,0 +1,69 @@
+#pragma once
+
+#include "document/document.hpp"
+
+#include <glm/ext/vector_double3.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// How a document's JSON is read. Private to the *_json.cpp files.
+
+namespace zeroset {
+
+using Json = nlohmann::ordered_json;
+
+/// Why a text is no document; caught in document_from.
+struct Damage {
+    std::string reason;
+};
+
+/// An object of the file whose fields are taken one by one; the others are unknown.
+class Fields {
+public:
+    Fields(const Json& json, std::string place, std::vector<std::string>& unknown);
+    ~Fields();
+    Fields(const Fields&) = delete;
+    Fields& operator=(const Fields&) = delete;
+
+    /// nullptr where it is missing.
+    const Json* find(const char* name);
+    const Json& get(const char* name);
+    [[nodiscard]] std::string at(const std::string& name) const {
+        return place_.empty() ? name : place_ + "." + name;
+    }
+    std::vector<std::string>& unknown() { return unknown_; }
+
+private:
+    const Json& json_;
+    std::string place_;
+    std::vector<std::string>& unknown_;
+    std::vector<std::string> taken_;
+};
+
+// Values; `place` names them in the Damage that is thrown where they are of another kind.
+
+double number_of(const Json& json, const std::string& place);
+std::string string_of(const Json& json, const std::string& place);
+bool flag_of(const Json& json, const std::string& place);
+
+glm::dvec3 vector_of(const Json& json, const std::string& place);
+
+/// [x, y, z].
+Json array_of(const glm::dvec3& v);
+
+template <std::size_t Count>
+std::array<double, Count> numbers_of(const Json& json, const std::string& place) {
+    if (!json.is_array() || json.size() != Count) {
+        throw Damage{place + " is no list of " + std::to_string(Count) + " numbers"};
+    }
+    std::array<double, Count> numbers{};
+    for (std::size_t i = 0; i < Count; ++i)
+        numbers[i] = number_of(json[i], place);
+    return numbers;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,72 @@
+#include "document/json/look_json.hpp"
+
+#include <cstdint>
+
+namespace zeroset {
+namespace {
+
+constexpr std::int64_t largest_marker = 1'000'000;
+
+ValueRange range_of(const Json& json) {
+    const auto [lo, hi] = numbers_of<2>(json, "color.range");
+    if (!(lo < hi)) throw Damage{"color.range is empty"};
+    return {lo, hi};
+}
+
+}  // namespace
+
+Json json_of(const ColorChoice& coloring) {
+    Json json{{"by", name_of(coloring.by)}};
+    if (!coloring.expression.empty()) json["expression"] = coloring.expression;
+    if (coloring.map) json["map"] = name_of(*coloring.map);
+    if (coloring.range) json["range"] = Json::array({coloring.range->lo, coloring.range->hi});
+    return json;
+}
+
+ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
+    Fields fields(json, "color", unknown);
+    ColorChoice coloring;
+    const auto by = color_by_named(string_of(fields.get("by"), "color.by"));
+    if (!by) throw Damage{"color.by is nothing that surfaces are coloured by"};
+    coloring.by = *by;
+    if (const Json* expression = fields.find("expression")) {
+        coloring.expression = string_of(*expression, "color.expression");
+    }
+    if (const Json* map = fields.find("map")) {
+        coloring.map = color_map_named(string_of(*map, "color.map"));
+        if (!coloring.map) throw Damage{"color.map is no colour map"};
+    }
+    if (const Json* range = fields.find("range")) coloring.range = range_of(*range);
+    return coloring;
+}
+
+Json json_of(const std::vector<Marker>& markers) {
+    Json json = Json::array();
+    for (const Marker& marker : markers) {
+        json.push_back({{"number", marker.number}, {"at", array_of(marker.at)}});
+    }
+    return json;
+}
+
+std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unknown) {
+    if (!json.is_array()) throw Damage{"markers is no list"};
+    if (json.size() > most_markers) throw Damage{"there are more than 1000 markers"};
+    std::vector<Marker> markers;
+    for (const Json& item : json) {
+        const std::string place = "markers[" + std::to_string(markers.size()) + "]";
+        Fields fields(item, place, unknown);
+        const Json& number = fields.get("number");
+        const bool whole = number.is_number_integer() && number.get<std::int64_t>() >= 1 &&
+                           number.get<std::int64_t>() <= largest_marker;
+        if (!whole) throw Damage{fields.at("number") + " is no whole number from 1 to 1000000"};
+        Marker marker{number.get<int>(), {}};
+        if (find_marker(markers, marker.number) != nullptr) {
+            throw Damage{fields.at("number") + " is that of another marker"};
+        }
+        marker.at = vector_of(fields.get("at"), fields.at("at"));
+        markers.push_back(marker);
+    }
+    return markers;
+}
+
+}  // namespace zeroset

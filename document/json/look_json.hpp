@@ -1,0 +1,19 @@
+#pragma once
+
+#include "document/json/json_fields.hpp"
+#include "document/look.hpp"
+
+#include <string>
+#include <vector>
+
+// The fields "color" and "markers" of a document. Reading throws Damage.
+
+namespace zeroset {
+
+Json json_of(const ColorChoice& coloring);
+ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown);
+
+Json json_of(const std::vector<Marker>& markers);
+std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unknown);
+
+}  // namespace zeroset

@@ -1,0 +1,62 @@
+#include "pipeline/code_choice.hpp"
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/render/render.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace zeroset {
+namespace {
+
+// LLVM takes 15 ms for the simplest formula, and 1 to 2 ms for a node more, of which the
+// interpreter evaluates forms in some 0.3 ns and values in 0.1 ns on two cores.
+constexpr double most_interpreted_ms = 10.0;
+constexpr double ns_of_value = 0.2;
+constexpr double ns_of_form = 0.6;
+/// The tracer's own work for an evaluation takes as long as so many nodes.
+constexpr double nodes_beside = 10.0;
+/// So many pixels of the picture, along a side, are one of the small picture.
+constexpr int reduction = 8;
+/// A small picture that takes longer is one of many that do.
+constexpr std::chrono::milliseconds longest_trial{100};
+
+/// Hasty code of a whole formula takes as long for a node as a picture by parts that so long a
+/// small one with all tells of: where much is left out, few lanes are at work.
+constexpr double whole_code_ms = 0.065;
+
+/// Where there are more, LLVM's longer work on quicker code pays.
+constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
+
+}  // namespace
+
+std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula& formula,
+                                    const std::atomic<bool>* cancel) {
+    if (is_made_of_parts(formula)) return CodeUse::OnePicture;
+    Framebuffer small(std::max(1, picture.width / reduction),
+                      std::max(1, picture.height / reduction));
+    const TimeLimit limit{cancel, std::chrono::steady_clock::now() + longest_trial};
+    const Counters counters = render_frame(picture.scene, picture.camera, picture.settings, small,
+                                           RenderWatch{.limit = limit, .on_tile = {}});
+    const double pixels = static_cast<double>(picture.width) * picture.height;
+    const double scale = pixels / static_cast<double>(small.color.size());
+    const auto surfaces = static_cast<double>(formula.drawn.size());
+    // With so many steps for a surface.
+    const auto interpreted_ms = [&](double steps) {
+        return 1e-6 * scale * (nodes_beside + steps / surfaces) *
+               (ns_of_value * static_cast<double>(counters.value) +
+                ns_of_form * static_cast<double>(counters.form));
+    };
+    const auto nodes = static_cast<double>(formula.nodes());
+    if (!counters.is_cut() && interpreted_ms(nodes) <= most_interpreted_ms * surfaces)
+        return std::nullopt;
+    if (has_many_choices(formula)) {
+        const auto compiled = static_cast<double>(nodes_of_shapes(formula.drawn));
+        const bool is_long =
+            counters.is_cut() || interpreted_ms(steps_left(formula)) > whole_code_ms * compiled;
+        return is_long ? CodeUse::LongPicture : CodeUse::OnePicture;
+    }
+    return pixels > most_pixels_of_hasty_code ? CodeUse::Pictures : CodeUse::OnePicture;
+}
+
+}  // namespace zeroset

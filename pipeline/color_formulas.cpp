@@ -1,0 +1,78 @@
+#include "pipeline/color_formulas.hpp"
+
+#include "engine/base/text.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/differences/derivatives.hpp"
+#include "jit/compile.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+// LLVM takes about 0.1 ms for a node of values alone.
+constexpr std::size_t most_nodes = 4'000;
+
+std::expected<Expr, InputError> expression_of(const ColorChoice& choice, const Program& program,
+                                              const std::string& text) {
+    if (trimmed(choice.expression).empty()) {
+        return wrong_input("there is no expression to colour by; type one such as x^2 + y^2");
+    }
+    auto expression = read_value(choice.expression, text, program.parameters);
+    if (!expression) return std::unexpected(input_error(expression.error(), choice.expression));
+    return std::move(*expression);
+}
+
+/// What is asked of a surface f = 0.
+Expr shape_of(ColorBy by, const Expr& f) {
+    if (by == ColorBy::MeanCurvature) return mean_curvature(f);
+    if (by == ColorBy::GaussianCurvature) return gaussian_curvature(f);
+    return gradient_size(f);
+}
+
+PointFunction code_of(const Expr& expr) {
+    if (expr.nodes().size() <= most_nodes) {
+        if (auto code = jit::compile_points(expr)) return std::move(*code);
+    }
+    return interpret_points(expr);
+}
+
+}  // namespace
+
+std::expected<ColorFormulas, InputError> color_formulas(const Program& program,
+                                                        const std::string& text,
+                                                        const ColorChoice& choice) {
+    ColorFormulas formulas{choice.by, choice.expression, {}};
+    if (!has_formula(choice.by)) return formulas;
+    if (choice.by == ColorBy::Expression) {
+        const auto expression = expression_of(choice, program, text);
+        if (!expression) return std::unexpected(expression.error());
+        formulas.values.assign(program.surfaces.size(), code_of(*expression));
+        return formulas;
+    }
+    for (const Expr& surface : program.surfaces)
+        formulas.values.push_back(code_of(shape_of(choice.by, surface)));
+    return formulas;
+}
+
+Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
+                     const std::vector<std::size_t>& shown, const glm::dvec3& up) {
+    Coloring coloring;
+    coloring.by = formulas.by;
+    coloring.map = choice.map.value_or(usual_map(coloring.by));
+    coloring.range = choice.range;
+    for (const std::size_t surface : shown) {
+        if (!formulas.values.empty()) coloring.values.push_back(formulas.values[surface]);
+    }
+    int axis = 2;
+    for (const int other : {0, 1}) {
+        if (std::abs(up[other]) > std::abs(up[axis])) axis = other;
+    }
+    coloring.up = glm::dvec3(0.0);
+    coloring.up[axis] = up[axis] < 0.0 ? -1.0 : 1.0;
+    return coloring;
+}
+
+}  // namespace zeroset

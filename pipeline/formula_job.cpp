@@ -1,0 +1,186 @@
+#include "pipeline/formula_job.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// What prepares sheets: remembers the last good text of each row and the last formula.
+class Preparer {
+public:
+    FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
+        SheetReading reading = reader_.read(sheet);
+        FormulaResult result{std::move(sheet), std::move(reading), last_, choice};
+        const std::string& text = result.reading.text;
+        if (last_ == nullptr || last_->text != text || region_ != region) {
+            auto formula = prepare_formula(text, *result.reading.program, region);
+            if (!formula) {
+                result.formula = std::unexpected(formula.error());
+                return result;
+            }
+            if (last_ == nullptr || last_->text != text) colors_ = nullptr;
+            last_ = std::make_shared<const Formula>(std::move(*formula));
+            region_ = region;
+        }
+        result.formula = last_;
+        add_colors(result);
+        return result;
+    }
+
+private:
+    void add_colors(FormulaResult& result) {
+        const ColorChoice& choice = result.choice;
+        if (colors_ == nullptr || colors_->by != choice.by ||
+            colors_->expression != choice.expression) {
+            auto colors = color_formulas(last_->program, last_->text, choice);
+            if (colors) {
+                colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));
+            } else {
+                result.color_error = colors.error();
+                if (colors_ == nullptr) colors_ = std::make_shared<const ColorFormulas>();
+            }
+        }
+        result.colors = colors_;
+    }
+
+    SheetReader reader_;
+    std::shared_ptr<const Formula> last_;
+    std::shared_ptr<const ColorFormulas> colors_;  ///< for `last_`
+    Box region_;
+};
+
+/// The first picture has so long all cores for itself, unless it is there sooner: a fifth of what
+/// LLVM takes for the formula.
+std::chrono::milliseconds head_start(const Formula& formula) {
+    constexpr std::size_t least = 30;
+    constexpr std::size_t most = 300;
+    return std::chrono::milliseconds(std::clamp(formula.nodes() / 5, least, most));
+}
+
+/// The result with machine code in place of the interpreter's.
+FormulaResult compiled(FormulaResult result) {
+    if (auto formula = with_machine_code(**result.formula)) {
+        result.formula = std::make_shared<const Formula>(std::move(*formula));
+    } else {
+        result.formula = std::unexpected(std::move(formula.error()));
+    }
+    return result;
+}
+
+}  // namespace
+
+FormulaJob::FormulaJob(std::function<void()> on_result)
+    : on_result_(std::move(on_result)),
+      preparing_([this] { prepare_sheets(); }),
+      compiling_([this] { compile_more(); }) {}
+
+FormulaJob::~FormulaJob() {
+    {
+        const std::scoped_lock lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_all();
+    preparing_.join();
+    compiling_.join();
+}
+
+void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choice) {
+    {
+        const std::scoped_lock lock(mutex_);
+        newest_ = sheet;
+        newest_choice_ = choice;
+        pending_ = Request{std::move(sheet), region, choice};
+        interpreted_.reset();
+    }
+    wake_.notify_all();
+}
+
+std::optional<FormulaResult> FormulaJob::take() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(finished_, std::nullopt);
+}
+
+void FormulaJob::submit_double(std::shared_ptr<const Formula> formula) {
+    {
+        const std::scoped_lock lock(mutex_);
+        deep_ = std::move(formula);
+    }
+    wake_.notify_all();
+}
+
+std::shared_ptr<const Formula> FormulaJob::take_double() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(double_, nullptr);
+}
+
+/// Hands the result on, unless a newer sheet is waiting.
+void FormulaJob::publish(FormulaResult result) {
+    {
+        const std::scoped_lock lock(mutex_);
+        if (result.sheet == newest_ && result.choice == newest_choice_) {
+            if (result.formula && (*result.formula)->code == CodeState::InterpretedFirst) {
+                interpreted_ = result;
+                compile_at_ = Clock::now() + head_start(**result.formula);
+            }
+            finished_ = std::move(result);
+        }
+    }
+    wake_.notify_all();
+    on_result_();
+}
+
+void FormulaJob::prepare_sheets() {
+    Preparer preparer;
+    for (;;) {
+        Request request;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
+            if (stop_) return;
+            request = std::move(*std::exchange(pending_, std::nullopt));
+        }
+        publish(preparer.prepare(std::move(request.sheet), request.region, request.choice));
+    }
+}
+
+/// Hands on the formula with code in double, unless another one waits for its own.
+void FormulaJob::publish_double(const Formula& formula) {
+    auto result = std::make_shared<const Formula>(with_double(formula));
+    {
+        const std::scoped_lock lock(mutex_);
+        if (deep_ == nullptr) double_ = std::move(result);
+    }
+    on_result_();
+}
+
+void FormulaJob::drawn() {
+    {
+        const std::scoped_lock lock(mutex_);
+        compile_at_ = Clock::now();
+    }
+    wake_.notify_all();
+}
+
+void FormulaJob::compile_more() {
+    std::unique_lock lock(mutex_);
+    while (!stop_) {
+        if (deep_ != nullptr) {
+            const auto deep = std::exchange(deep_, nullptr);
+            lock.unlock();
+            publish_double(*deep);
+            lock.lock();
+        } else if (interpreted_ && Clock::now() >= compile_at_) {
+            FormulaResult interpreted = std::move(*std::exchange(interpreted_, std::nullopt));
+            lock.unlock();
+            publish(compiled(std::move(interpreted)));
+            lock.lock();
+        } else if (interpreted_) {
+            wake_.wait_until(lock, compile_at_);
+        } else {
+            wake_.wait(lock);
+        }
+    }
+}
+
+}  // namespace zeroset

@@ -1,0 +1,89 @@
+#include "pipeline/gallery.hpp"
+
+#include "engine/language/vocabulary/nearest_word.hpp"
+#include "pipeline/gallery_files.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iterator>
+
+namespace zeroset {
+namespace {
+
+using nlohmann::json;
+
+glm::dvec3 vector_of(const json& array) {
+    return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
+}
+
+/// A half edge of a cube about the origin, or x0, x1, y0, y1, z0, z1.
+Box box_of(const json& box) {
+    if (box.is_number()) return Box::cube(box.get<double>());
+    const auto at = [&](std::size_t i) { return box.at(i).get<double>(); };
+    return {{at(0), at(2), at(4)}, {at(1), at(3), at(5)}};
+}
+
+Camera camera_of(const json& camera) {
+    return {vector_of(camera.at("eye")), vector_of(camera.at("look_at")),
+            vector_of(camera.at("up")), glm::radians(camera.at("fov").get<double>())};
+}
+
+/// `group`: of an item that names none.
+GalleryItem item_of(const json& item, const std::string& group) {
+    GalleryItem result;
+    result.group = item.value("group", group);
+    result.name = item.at("name");
+    result.title = item.at("title");
+    result.equation = item.at("equation");
+    result.about = item.at("about");
+    result.source = item.at("source");
+    result.clip = box_of(item.at("box"));
+    result.w = item.value("w", 0.0);
+    if (item.contains("camera")) {
+        result.camera = camera_of(item.at("camera"));
+    } else if (item.at("box").is_number()) {
+        result.camera = suite_camera(item.at("box").get<double>());
+    }
+    return result;
+}
+
+std::vector<GalleryItem> load() {
+    std::vector<GalleryItem> items;
+    for (const std::string_view text : gallery_files()) {
+        const json file = json::parse(text);
+        for (const json& item : file.at("items")) {
+            items.push_back(item_of(item, file.at("group").get<std::string>()));
+        }
+    }
+    return items;
+}
+
+}  // namespace
+
+const std::vector<GalleryItem>& gallery() {
+    static const std::vector<GalleryItem> items = load();
+    return items;
+}
+
+Document document_of(const GalleryItem& item) {
+    Document document = document_of_text(item.equation);
+    document.clip = item.clip;
+    document.camera = document.home = item.camera;
+    set_value(document.w, item.w);
+    return document;
+}
+
+std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {
+    const auto found = std::ranges::find(gallery(), name, &GalleryItem::name);
+    if (found != gallery().end()) return *found;
+    std::vector<std::string_view> names;
+    std::ranges::transform(gallery(), std::back_inserter(names), &GalleryItem::name);
+    const std::optional<std::string_view> meant = meant_word(name, names);
+    const std::string hint = meant ? "; did you mean @" + std::string(*meant) + "?" : "";
+    return wrong_input("the gallery has no '@" + std::string(name) + "'" + hint +
+                       " (zeroset gallery lists all)");
+}
+
+}  // namespace zeroset

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "document/document.hpp"
+#include "engine/view/camera.hpp"
+#include "pipeline/formula.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <expected>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace zeroset {
+
+/// A surface of resources/gallery with its good view.
+struct GalleryItem {
+    std::string group;
+    std::string name;
+    std::string title;
+    std::string equation;
+    std::string about;   ///< a sentence of explanation
+    std::string source;  ///< where it comes from
+    Box clip;
+    double w = 0.0;
+    std::optional<Camera> camera;  ///< default_camera(clip) when absent
+};
+
+/// The group of the papers' surfaces, which the benchmark times.
+inline constexpr std::string_view suite_group = "From the papers";
+
+/// All items, in the order of the files. The files are compiled into the program.
+const std::vector<GalleryItem>& gallery();
+
+/// The item as a document that looks at it as the item does.
+Document document_of(const GalleryItem& item);
+
+/// The item called `name` (without "@"), or an error that names the nearest one.
+std::expected<GalleryItem, InputError> gallery_item(std::string_view name);
+
+}  // namespace zeroset

@@ -1,0 +1,20 @@
+#include "pipeline/input_error.hpp"
+
+#include "engine/base/text.hpp"
+
+namespace zeroset {
+
+InputError input_error(const ParseError& error, std::string_view text) {
+    const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
+    return {error.reason + hint, column_of(text, error.offset),
+            std::string(line_at(text, error.offset)), error.offset, error.unfinished};
+}
+
+std::string describe(const InputError& error) {
+    std::string text = "error: " + error.reason + "\n";
+    if (!error.column || error.line.empty()) return text;
+    const auto [line, caret] = excerpt(error.line, *error.column - 1);
+    return text + "  " + line + "\n  " + std::string(caret, ' ') + "^\n";
+}
+
+}  // namespace zeroset

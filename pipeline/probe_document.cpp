@@ -1,0 +1,19 @@
+#include "pipeline/probe_document.hpp"
+
+#include "engine/interpret/interpret.hpp"
+#include "engine/scene/tolerance.hpp"
+
+namespace zeroset {
+std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std::size_t>& shown) {
+    std::vector<Kernel> formulas;
+    for (const std::size_t surface : shown)
+        formulas.push_back(interpret(program.surfaces[surface]));
+    return formulas;
+}
+
+double depth_tolerance(const Box& clip, const StopCriterion& stop, Precision precision) {
+    constexpr double guess = 1e-3;  // of the box
+    return certified_width(clip, stop, precision).value_or(guess * clip.size());
+}
+
+}  // namespace zeroset

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""Writes what follows from rooms.txt: the tables of rooms in README.md and
+resources/docs/architecture.md, and the folders that .clang-format and .clang-tidy know.
+
+Usage: room_tables.py [--check]. With --check nothing is written: names the files that do not follow
+rooms.txt, then exits 1.
+"""
+
+import re
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def folders(lines):
+    """The folders at the root with what they are for: lines "## FOLDER | PURPOSE"."""
+    rows = [line[3:].split("|") for line in lines if line.startswith("## ")]
+    return [(name.strip(), purpose.strip()) for name, purpose in rows]
+
+
+def rooms(lines):
+    """The rooms with what they are for."""
+    rows = [line.split("|") for line in lines if line.strip() and not line.startswith("#")]
+    return [(row[0].strip(), row[2].strip()) for row in rows if row[2].strip()]
+
+
+def table(head, rows):
+    return "\n".join([f"| {head} | |", "|---|---|"] + [f"| `{a}/` | {b} |" for a, b in rows])
+
+
+def replaced(text, pattern, replacement, name):
+    """`text` with the one match of `pattern` replaced."""
+    result, count = re.subn(pattern, lambda _: replacement, text, flags=re.DOTALL)
+    if count != 1:
+        sys.exit(f"{name}: {count} places to be written, one is needed: {pattern}")
+    return result
+
+
+def written(lines):
+    """Each file that follows from rooms.txt, with its text."""
+    code = "|".join(name for name, _ in folders(lines) if name != "resources")
+    between = r"(?<=<!-- rooms -->\n).*?(?=\n<!-- end -->)"
+    changes = {
+        "README.md": (between, table("folder", folders(lines))),
+        "resources/docs/architecture.md": (between, table("room", rooms(lines))),
+        ".clang-format": (r"(?<=\{Regex: '\^\"\()[^)]*(?=\)/', Priority: 1\})", code),
+        ".clang-tidy": (r"(?<=HeaderFilterRegex: '/\()[^)]*(?=\)/')", code),
+    }
+    return {
+        name: replaced((ROOT / name).read_text(encoding="utf-8"), *change, name)
+        for name, change in changes.items()
+    }
+
+
+def main():
+    lines = (ROOT / "rooms.txt").read_text(encoding="utf-8").splitlines()
+    stale = [
+        name for name, text in written(lines).items()
+        if (ROOT / name).read_text(encoding="utf-8") != text
+    ]
+    if sys.argv[1:] == ["--check"]:
+        print("\n".join(f"{name} does not follow rooms.txt: run scripts/room_tables.py"
+                        for name in stale) or "all tables follow rooms.txt")
+        sys.exit(1 if stale else 0)
+    for name in stale:
+        (ROOT / name).write_text(written(lines)[name], encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+// A saved session in place of an equation.
+
+#include "app/cli/options/options.hpp"
+#include "app/cli/window_command.hpp"
+#include "app/desktop/desktop.hpp"
+#include "document/colors.hpp"
+#include "document/json/document_file.hpp"
+#include "pipeline/document_scene.hpp"
+#include "tests/support/test_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+namespace zeroset::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SavedSession : public testing::Test {
+protected:
+    void SetUp() override {
+        document_.statements = {{1, "x^2 + y^2 = a", true, 0x3399FF},
+                                {2, "b = 2", true, {}},
+                                {3, "z = b", false, palette_fronts()[3]},
+                                {4, "y = 0", true, palette_fronts()[2]}};
+        document_.parameters["a"] = {.value = 3.0};
+        document_.parameters["unused"] = {.value = 2.0};
+        document_.clip = Box::cube(3);
+        document_.w.value = 0.25;
+        document_.stop.value = 11;
+        document_.shadows = true;
+        ASSERT_TRUE(save_document(path_, document_));
+    }
+
+    TestFolder folder_;
+    fs::path path_ = folder_ / "a.zeroset.json";
+    Document document_;
+};
+
+TEST_F(SavedSession, OpensInTheWindow) {
+    const auto options = read_desktop_options(path_.string(), {}, {});
+    ASSERT_TRUE(options);
+    EXPECT_EQ(options->document, document_);
+    EXPECT_EQ(options->path, path_.string());
+}
+
+TEST_F(SavedSession, GivesWayToTheCommandLine) {
+    ViewText view;
+    view.box = "5";
+    view.w = "-0.5";
+    view.set = {"a=7"};
+    TraceText trace;
+    trace.d_stop = "9";
+    trace.shadows = false;
+    trace.antialias = true;
+    trace.jumps = true;
+    const auto options = read_desktop_options(path_.string(), view, trace);
+    ASSERT_TRUE(options);
+    EXPECT_EQ(options->document.clip, Box::cube(5));
+    EXPECT_EQ(options->document.w.value, -0.5);
+    EXPECT_EQ(options->document.parameters.at("a").value, 7.0);
+    EXPECT_EQ(options->document.stop.value, 9.0);
+    EXPECT_FALSE(options->document.shadows);
+    EXPECT_TRUE(options->document.antialias);
+    EXPECT_TRUE(options->document.jumps);
+}
+
+TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {
+    const auto surface = read_surface(path_.string(), {});
+    ASSERT_TRUE(surface);
+    const auto formula = compile_formula(surface->equation);
+    ASSERT_TRUE(formula);
+    const Document document = document_of(*surface);
+    const std::vector<int> rows = surface_rows(document, formula->program);
+    EXPECT_EQ(rows, (std::vector{1, 3, 4}));
+    const Scene scene = document_scene(*formula, document, rows);
+    ASSERT_EQ(scene.surfaces.size(), 2U);
+    ASSERT_EQ(scene.colors.size(), 2U);
+    EXPECT_EQ(scene.colors[0].back[0], surface_colors(0x3399FF).back[0]);
+    EXPECT_EQ(scene.colors[1].front[1], colors_of(2).front[1]);
+    EXPECT_EQ(scene.uniforms.middle_double.at(1), 3.0);
+}
+
+TEST_F(SavedSession, IsRefusedWhenItIsMissing) {
+    const auto surface = read_surface("no_such_file.zeroset.json", {});
+    ASSERT_FALSE(surface);
+    EXPECT_EQ(surface.error().reason,
+              "cannot open 'no_such_file.zeroset.json': there is no such file");
+}
+
+TEST(DocumentOfASurface, HasARowForEachStatement) {
+    Surface surface{"a = 2; x^2 = a", Box::cube(1), 3.0, suite_camera(1), {{"c", 9.0}}};
+    const Document document = document_of(surface);
+    ASSERT_EQ(document.statements.size(), 2U);
+    EXPECT_EQ(document.statements[1].text, "x^2 = a");
+    EXPECT_EQ(document.w, (Slider{.value = 3.0, .lo = -2.0, .hi = 3.0}));
+    EXPECT_EQ(document.parameters.at("c"), (Slider{.value = 9.0, .hi = 9.0}));
+    EXPECT_EQ(document.camera, suite_camera(1));
+    EXPECT_EQ(document.home, suite_camera(1));
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,48 @@
+#include "app/cli/language.hpp"
+
+#include "engine/language/help.hpp"
+#include "engine/language/vocabulary/functions.hpp"
+#include "pipeline/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+// The page of the formula language is made from the program's tables.
+
+namespace zeroset::test {
+namespace {
+
+TEST(Language, ThePageIsTheOneInTheDocuments) {
+    std::ifstream file(ZEROSET_SOURCE_DIR "/resources/docs/language.md");
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(page, language_page())
+        << "write it anew: zeroset language > resources/docs/language.md";
+}
+
+TEST(Language, TheHelpHasEveryFunction) {
+    const auto help = language_help();
+    for (const Function& function : functions()) {
+        EXPECT_FALSE(function.meaning.empty()) << function.name;
+        const std::string start = std::string(function.name) + "(";
+        const HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
+        EXPECT_TRUE(std::ranges::any_of(list.entries, [&](const HelpEntry& entry) {
+            return entry.typed.starts_with(start);
+        })) << function.name;
+    }
+}
+
+TEST(Language, TheStatementsOfThePageAreRead) {
+    const auto help = language_help();
+    for (const HelpEntry& entry : help.front().entries) {
+        if (!entry.typed.contains('=')) continue;
+        const auto program = read_formula(entry.typed + "\nx + y + z = 0");
+        EXPECT_TRUE(program) << entry.typed << ": " << program.error().reason;
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,218 @@
+#include "app/cli/options/options.hpp"
+
+#include "engine/render/tracers.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The texts of the command line's options: what they mean, and that every wrong one is refused with
+// a line that names the option.
+
+namespace zeroset::test {
+namespace {
+
+/// Option texts: which, and what was typed for it.
+template <class Texts>
+using Typed = std::initializer_list<std::pair<std::optional<std::string> Texts::*, const char*>>;
+
+template <class Texts>
+Texts texts_of(Typed<Texts> typed) {
+    Texts texts;
+    for (const auto& [option, text] : typed)
+        texts.*option = text;
+    return texts;
+}
+
+OrInputError<TraceSettings> settings_of(Typed<TraceText> typed) {
+    return read_trace_settings(texts_of<TraceText>(typed));
+}
+
+OrInputError<Surface> surface_of(Typed<ViewText> typed) {
+    return read_surface("x^2 + y^2 + z^2 = 1", texts_of<ViewText>(typed));
+}
+
+template <class Value>
+void expect_refused(const OrInputError<Value>& result, const std::string& word) {
+    ASSERT_FALSE(result) << "expected an error about " << word;
+    EXPECT_NE(result.error().reason.find(word), std::string::npos) << result.error().reason;
+    EXPECT_EQ(result.error().reason.find('\n'), std::string::npos) << result.error().reason;
+    EXPECT_FALSE(result.error().column);
+}
+
+void expect_box(const char* text, const glm::dvec3& lo, const glm::dvec3& hi) {
+    const auto surface = surface_of({{&ViewText::box, text}});
+    ASSERT_TRUE(surface) << surface.error().reason;
+    EXPECT_EQ(surface->clip.lo, lo) << text;
+    EXPECT_EQ(surface->clip.hi, hi) << text;
+}
+
+TEST(ReadBox, TakesAHalfEdgeOrSixBounds) {
+    expect_box("1.5", glm::dvec3(-1.5), glm::dvec3(1.5));
+    expect_box(" -1,2, -3,4,-5.5,+6e0", {-1, -3, -5.5}, {2, 4, 6});
+    expect_box("1e9", glm::dvec3(-1e9), glm::dvec3(1e9));
+}
+
+TEST(ReadBox, RefusesWhatIsNoBox) {
+    for (const char* text :
+         {"", "0", "-1", "nan", "inf", "1e10", "1,2", "1,2,3,4,5", "1,2,3,4,5,6,7", "2,1,0,1,0,1",
+          "0,1,0,1,1,1", "0,1,nan,1,0,1", "0,1,0,1,0,x", "0,1,0,1,0,", "1 2", "0x1p3"}) {
+        expect_refused(surface_of({{&ViewText::box, text}}), "--box");
+    }
+}
+
+TEST(ReadBox, RefusesBoxesTooSmallForFloatsThere) {
+    expect_refused(surface_of({{&ViewText::box, "1,1.0000000000000009,0,1e-16,0,1e-16"}}),
+                   "too small");
+    const auto deep = surface_of({{&ViewText::box, "1,1.000000001,-1,-0.999999999,2,2.000000001"}});
+    ASSERT_TRUE(deep) << deep.error().reason;
+    EXPECT_NEAR(deep->clip.size(), 1e-9, 1e-15);
+    expect_refused(surface_of({{&ViewText::box, "1e-31"}}), "too small");
+    EXPECT_TRUE(surface_of({{&ViewText::box, "100,101,0,1,0,1"}}));
+    EXPECT_TRUE(surface_of({{&ViewText::box, "1e-20"}}));
+}
+
+TEST(ReadSize, TakesAPairOrASquare) {
+    const auto pair = read_size("--size", "640x480");
+    ASSERT_TRUE(pair);
+    EXPECT_EQ(pair->width, 640);
+    EXPECT_EQ(pair->height, 480);
+    const auto square = read_size("--size", "33");
+    ASSERT_TRUE(square);
+    EXPECT_EQ(square->width, 33);
+    EXPECT_EQ(square->height, 33);
+    EXPECT_TRUE(read_size("--size", "16384x1"));
+    EXPECT_TRUE(read_size("--size", "10000x10000"));
+}
+
+TEST(ReadSize, RefusesWhatIsNoSize) {
+    for (const char* text : {"", "x", "0", "0x0", "5x0", "-5x5", "5x", "x5", "5x5x5", "5.5", "axb",
+                             "16385x1", "100000x100000", "16384x16384", "99999999999x1"}) {
+        expect_refused(read_size("--size", text), "--size");
+    }
+}
+
+TEST(ReadNumbers, TakesAsManyAsAsked) {
+    const auto numbers = read_numbers("--eye", " 1, -2.5 ,+3e-2", 3);
+    ASSERT_TRUE(numbers);
+    EXPECT_EQ(*numbers, (std::vector{1.0, -2.5, 0.03}));
+    EXPECT_EQ(read_number("--w", "0.25").value(), 0.25);
+}
+
+TEST(ReadNumbers, RefusesOtherCountsAndWhatIsNotFinite) {
+    for (const char* text : {"", "1", "1,2", "1,2,3,4", "1,,3", "1,2,nan", "1,inf,3", "1e999,2,3",
+                             "1,2,3;", "1,2,0x3", "a,b,c", "--1,2,3"}) {
+        expect_refused(read_numbers("--eye", text, 3), "--eye");
+    }
+}
+
+TEST(ReadInteger, KeepsToItsRange) {
+    EXPECT_EQ(read_integer("--repeat", "7", 1, 9).value(), 7);
+    EXPECT_EQ(read_integer("--repeat", " 9 ", 1, 9).value(), 9);
+    for (const char* text : {"", "0", "10", "-1", "1.5", "1e0", "99999999999999999999", "two"}) {
+        expect_refused(read_integer("--repeat", text, 1, 9), "--repeat");
+    }
+}
+
+TEST(ReadTraceSettings, HasDefaults) {
+    const auto settings = read_trace_settings({});
+    ASSERT_TRUE(settings);
+    EXPECT_NE(find_tracer(settings->tracer), nullptr);
+    EXPECT_EQ(settings->stop.rule, StopRule::DStop);
+    EXPECT_EQ(settings->stop.value, max_d_stop);
+    EXPECT_EQ(settings->threads, 0);
+}
+
+TEST(ReadTraceSettings, TakesEachRule) {
+    const auto by_depth = settings_of({{&TraceText::d_stop, "10"}, {&TraceText::threads, "3"}});
+    ASSERT_TRUE(by_depth);
+    EXPECT_EQ(by_depth->stop.rule, StopRule::DStop);
+    EXPECT_EQ(by_depth->stop.value, 10.0);
+    EXPECT_EQ(by_depth->threads, 3);
+    const auto by_size = settings_of({{&TraceText::epsilon, "0.5"}});
+    ASSERT_TRUE(by_size);
+    EXPECT_EQ(by_size->stop.rule, StopRule::Epsilon);
+    EXPECT_EQ(by_size->stop.value, 0.5);
+    const auto by_range = settings_of({{&TraceText::delta, "1e-3"}});
+    ASSERT_TRUE(by_range);
+    EXPECT_EQ(by_range->stop.rule, StopRule::Delta);
+    EXPECT_EQ(by_range->stop.value, 1e-3);
+}
+
+TEST(ReadTraceSettings, RefusesWhatIsWrong) {
+    expect_refused(settings_of({{&TraceText::tracer, "magic"}}), "--tracer");
+    expect_refused(settings_of({{&TraceText::tracer, "magic"}}), "k-bisection");
+    for (const char* text : {"0", "23", "-3", "1.5", "ten", ""}) {
+        expect_refused(settings_of({{&TraceText::d_stop, text}}), "--dstop");
+    }
+    for (const char* text : {"0", "-1", "nan", "inf", "", "1,2"}) {
+        expect_refused(settings_of({{&TraceText::epsilon, text}}), "--epsilon");
+        expect_refused(settings_of({{&TraceText::delta, text}}), "--delta");
+    }
+    for (const char* text : {"0", "-1", "1025", "x"}) {
+        expect_refused(settings_of({{&TraceText::threads, text}}), "--threads");
+    }
+}
+
+TEST(ReadSurface, HasNoCameraOfItsOwnUnlessAsked) {
+    const auto surface = surface_of({});
+    ASSERT_TRUE(surface);
+    EXPECT_FALSE(surface->camera);
+    EXPECT_EQ(surface->clip.lo, glm::dvec3(-2.0));
+    EXPECT_EQ(surface->w, 0.0);
+}
+
+TEST(ReadSurface, TakesTheCamera) {
+    const auto surface = surface_of({{&ViewText::eye, "5,0,1"},
+                                     {&ViewText::look_at, "1,2,3"},
+                                     {&ViewText::up, "0,1,0"},
+                                     {&ViewText::fov, "90"},
+                                     {&ViewText::w, "-0.5"}});
+    ASSERT_TRUE(surface) << surface.error().reason;
+    ASSERT_TRUE(surface->camera);
+    EXPECT_EQ(surface->camera->eye, glm::dvec3(5, 0, 1));
+    EXPECT_EQ(surface->camera->look_at, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(surface->camera->up, glm::dvec3(0, 1, 0));
+    EXPECT_DOUBLE_EQ(surface->camera->fov_rad, std::numbers::pi / 2);
+    EXPECT_EQ(surface->w, -0.5);
+}
+
+TEST(ReadSurface, RefusesCamerasThatSeeNothing) {
+    expect_refused(surface_of({{&ViewText::eye, "1,1,1"}, {&ViewText::look_at, "1,1,1"}}), "eye");
+    expect_refused(surface_of({{&ViewText::up, "0,0,0"}}), "up");
+    expect_refused(surface_of({{&ViewText::eye, "0,0,5"}, {&ViewText::look_at, "0,0,0"}}), "up");
+    for (const char* text : {"0", "-10", "180", "nan", "wide"}) {
+        expect_refused(surface_of({{&ViewText::fov, text}}), "--fov");
+    }
+    expect_refused(surface_of({{&ViewText::w, "nan"}}), "--w");
+}
+
+TEST(ReadSurface, KnowsTheGallery) {
+    const auto sphere = read_surface("@sphere", {});
+    ASSERT_TRUE(sphere);
+    EXPECT_EQ(sphere->clip.hi, glm::dvec3(1.5));
+    const auto view = texts_of<ViewText>({{&ViewText::box, "3"}});
+    EXPECT_EQ(read_surface("@sphere", view).value().clip.hi, glm::dvec3(3));
+    expect_refused(read_surface("@spher", {}), "@sphere");
+    expect_refused(read_equation("@barth_sextik"), "@barth_sextic");
+    EXPECT_EQ(read_equation("  x + y\n").value(), "x + y");
+}
+
+TEST(ReadBudget, TakesSeconds) {
+    EXPECT_EQ(read_budget(std::nullopt).value(), 30.0);
+    EXPECT_EQ(read_budget("0.25").value(), 0.25);
+    for (const char* const wrong : {"", "0", "-1", "nan", "1e7", "5 s"}) {
+        const auto budget = read_budget(wrong);
+        ASSERT_FALSE(budget) << wrong;
+        EXPECT_NE(budget.error().reason.find("--budget"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,102 @@
+#include "app/cli/progress.hpp"
+
+#include "app/cli/render_picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+
+// Commands that take long: what they show meanwhile, and what they say when their time is over.
+
+namespace zeroset::test {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+TEST(Progress, IsALineOfOneWidth) {
+    const auto line = [](double done) {
+        return progress_line(Progress::Stage::Drawing, done, 3.0);
+    };
+    EXPECT_EQ(line(0.0), "drawing  [                              ]    0 %");
+    EXPECT_EQ(line(0.5), "drawing  [###############               ]   50 %");
+    EXPECT_EQ(line(1.0), "drawing  [##############################]  100 %");
+    EXPECT_EQ(line(1.5), line(1.0));
+    EXPECT_EQ(progress_line(Progress::Stage::Compiling, -1.0, 2.6), "compiling, 3 s");
+}
+
+TEST(Progress, CountsPartsOfAStage) {
+    Progress progress;
+    EXPECT_EQ(progress.stage(), Progress::Stage::Compiling);
+    EXPECT_LT(progress.done(), 0.0);
+    progress.enter(Progress::Stage::Drawing, 8);
+    progress.add(2);
+    EXPECT_EQ(progress.done(), 0.25);
+    progress.enter(Progress::Stage::Fitting);
+    EXPECT_LT(progress.done(), 0.0);
+}
+
+TEST(FinishUntil, WaitsForTheEnd) {
+    const Progress progress;
+    bool done = false;
+    EXPECT_TRUE(finish_until(Clock::now() + std::chrono::hours(1), progress, [&] { done = true; }));
+    EXPECT_TRUE(done);
+}
+
+TEST(FinishUntil, LeavesWhatTakesTooLong) {
+    const Progress progress;
+    const auto goes_on = std::make_shared<std::atomic<bool>>(true);
+    const auto ended = std::make_shared<std::atomic<bool>>(false);
+    EXPECT_FALSE(
+        finish_until(Clock::now() + std::chrono::milliseconds(20), progress, [goes_on, ended] {
+            while (*goes_on)
+                std::this_thread::yield();
+            *ended = true;
+        }));
+    EXPECT_FALSE(*ended);
+    *goes_on = false;
+    while (!*ended)
+        std::this_thread::yield();
+}
+
+TEST(BudgetNote, SaysHowManyPixelsAreLeft) {
+    RenderedPicture picture;
+    picture.frame = Framebuffer(20, 10);
+    EXPECT_EQ(budget_note(picture), "");
+    picture.in_time = false;
+    picture.plan.budget_s = 2.5;
+    picture.timing.counters.cut_pixels = 7;
+    EXPECT_EQ(budget_note(picture),
+              "the budget of 2.5 s is spent: 7 of 200 pixels are left undecided; --budget SECONDS "
+              "gives more");
+    picture.stage_at_end = Progress::Stage::Compiling;
+    EXPECT_EQ(budget_note(picture).substr(0, 43), "the budget of 2.5 s is spent on compiling: ");
+}
+
+TEST(RenderPicture, EndsWithItsBudget) {
+    RenderPlan plan;
+    plan.surface.equation = "x^2 + y^2 + z^2 = 1";
+    plan.surface.clip = Box::cube(2);
+    plan.document = document_of(plan.surface);
+    plan.camera = default_camera(plan.surface.clip);
+    plan.size = {32, 24};
+    plan.budget_s = 60.0;
+    const auto now = Clock::now();
+    const RenderOutcome whole = render_picture(plan, now);
+    EXPECT_FALSE(whole.stuck);
+    EXPECT_TRUE(whole.picture->in_time);
+    EXPECT_GT(count_certificates(whole.picture->frame).certified, 20U);
+    // Its time was over before it began, by more than the few milliseconds to which it is kept.
+    const RenderOutcome late = render_picture(plan, now - std::chrono::milliseconds(60'100));
+    EXPECT_FALSE(late.picture->in_time);
+    const CertificateCounts counts = count_certificates(late.picture->frame);
+    EXPECT_EQ(counts.undecided, 32U * 24U);
+    EXPECT_EQ(late.picture->timing.counters.cut_pixels, 32U * 24U);
+    EXPECT_EQ(late.picture->formula.drawn.size(), late.stuck ? 0U : 1U);
+}
+
+}  // namespace
+}  // namespace zeroset::test

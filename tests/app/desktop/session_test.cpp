@@ -1,0 +1,328 @@
+// The document's files: what is asked before work is lost, what is left after a crash.
+
+#include "app/desktop/session.hpp"
+
+#include "app/desktop/recent_files.hpp"
+#include "app/platform/folders.hpp"
+#include "document/json/document_file.hpp"
+#include "document/json/document_json.hpp"
+#include "engine/export/file.hpp"
+#include "tests/support/test_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace zeroset::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Sessions : public testing::Test {
+protected:
+    void SetUp() override {
+        setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
+        state_.document = with_text("x = 1");
+    }
+
+    static Document with_text(const std::string& text) {
+        Document document = empty_document();
+        document.statements[0].text = text;
+        return document;
+    }
+    void start(const SessionOptions& options = {}) {
+        session_ = std::make_unique<Session>(state_, options);
+    }
+    /// A frame later than the last by `after_s`.
+    void frame(double after_s = 0.1) { session_->follow(now_s_ += after_s); }
+    void give(ui::Command command) {
+        state_.command = command;
+        frame();
+    }
+    void answer(std::size_t choice) {
+        ASSERT_TRUE(state_.dialogs.question);
+        state_.dialogs.question->chosen = choice;
+        frame();
+    }
+    void choose(const fs::path& path) {
+        ASSERT_TRUE(state_.dialogs.file);
+        state_.dialogs.file->path = path.string();
+        state_.dialogs.file->finished = true;
+        frame();
+    }
+    void type(const std::string& text, double after_s = 2.0) {
+        state_.document.statements[0].text += text;
+        frame(after_s);
+    }
+    [[nodiscard]] const std::string& text() const { return state_.document.statements[0].text; }
+    [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
+    static std::string content(const fs::path& path) {
+        std::ifstream in(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    void write(const fs::path& path, const std::string& text) {
+        ASSERT_TRUE(write_file(path, std::as_bytes(std::span(text))));
+    }
+
+    TestFolder folder_;
+    ui::UiState state_;
+    std::unique_ptr<Session> session_;
+    double now_s_ = 0.0;
+};
+
+TEST_F(Sessions, UndoAndRedo) {
+    start();
+    type("+y");
+    EXPECT_TRUE(state_.can_undo);
+    give(ui::Command::Undo);
+    EXPECT_EQ(text(), "x = 1");
+    EXPECT_FALSE(state_.can_undo);
+    EXPECT_FALSE(state_.unsaved);
+    give(ui::Command::Redo);
+    EXPECT_EQ(text(), "x = 1+y");
+    EXPECT_TRUE(state_.unsaved);
+}
+
+TEST_F(Sessions, ReloadTheFieldUnderEditAfterUndo) {
+    start();
+    type("+y");
+    state_.typing_row = 1;
+    give(ui::Command::Undo);
+    EXPECT_EQ(state_.reload, 1);
+}
+
+TEST_F(Sessions, SaveUnderANameAndAgain) {
+    start();
+    EXPECT_EQ(session_->title(), "x = 1");
+    type("+y");
+    EXPECT_EQ(session_->title(), "* x = 1+y");
+    give(ui::Command::Save);
+    choose(file("a.zeroset.json"));
+    EXPECT_EQ(session_->title(), "a");
+    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.document);
+    type("+z");
+    EXPECT_EQ(session_->title(), "* a");
+    give(ui::Command::Save);
+    EXPECT_FALSE(state_.dialogs.file) << "it has a name";
+    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.document);
+    EXPECT_EQ(state_.recent, (std::vector{file("a.zeroset.json").string()}));
+}
+
+TEST_F(Sessions, SayWhyAFileCannotBeWritten) {
+    start();
+    give(ui::Command::SaveAs);
+    choose(file("missing") / "a.zeroset.json");
+    ASSERT_TRUE(state_.dialogs.question);
+    EXPECT_NE(state_.dialogs.question->text.find("does not exist"), std::string::npos);
+    answer(0);
+    EXPECT_EQ(session_->title(), "x = 1");
+}
+
+TEST_F(Sessions, AskBeforeWorkIsLost) {
+    start();
+    give(ui::Command::New);
+    EXPECT_EQ(text(), "") << "nothing was changed, nothing is asked";
+    type("y = 2");
+    give(ui::Command::New);
+    EXPECT_EQ(text(), "y = 2");
+    answer(2);  // cancel
+    EXPECT_EQ(text(), "y = 2");
+    give(ui::Command::New);
+    answer(1);  // don't save
+    EXPECT_EQ(text(), "");
+    EXPECT_FALSE(state_.can_undo);
+}
+
+TEST_F(Sessions, SaveFirstWhenThatIsTheAnswer) {
+    start();
+    type("+y");
+    give(ui::Command::Quit);
+    answer(0);
+    choose({});  // gives up the choice of a file
+    EXPECT_FALSE(session_->closed());
+    give(ui::Command::Quit);
+    answer(0);
+    choose(file("b.zeroset.json"));
+    EXPECT_TRUE(session_->closed());
+    EXPECT_EQ(document_from(content(file("b.zeroset.json")))->document.statements[0].text,
+              "x = 1+y");
+}
+
+TEST_F(Sessions, DoNotAskForTheCameraAlone) {
+    start();
+    state_.document.camera = default_camera(state_.document.clip);
+    frame();
+    EXPECT_TRUE(state_.can_undo);
+    give(ui::Command::Quit);
+    EXPECT_TRUE(session_->closed());
+}
+
+TEST_F(Sessions, OpenAFile) {
+    Document document = with_text("y = 3");
+    document.w.value = 0.5;
+    ASSERT_TRUE(save_document(file("c.zeroset.json"), document));
+    start();
+    session_->open({file("c.zeroset.json").string()});
+    frame();
+    EXPECT_EQ(text(), "y = 3");
+    EXPECT_EQ(state_.document.w.value, 0.5);
+    EXPECT_EQ(session_->title(), "c");
+    EXPECT_FALSE(state_.can_undo);
+}
+
+TEST_F(Sessions, LeaveADamagedFileAndTheDocumentAlone) {
+    for (const char* damage : {"{\"zeroset\": 1, \"statements\": 7}", "nonsense",
+                               "{\"zeroset\": 99, \"statements\": []}"}) {
+        write(file("d.zeroset.json"), damage);
+        start();
+        session_->open({file("d.zeroset.json").string()});
+        frame();
+        ASSERT_TRUE(state_.dialogs.question) << damage;
+        EXPECT_TRUE(state_.dialogs.question->text.starts_with("I cannot open '"));
+        EXPECT_EQ(text(), "x = 1");
+        EXPECT_EQ(content(file("d.zeroset.json")), damage);
+        answer(0);
+    }
+}
+
+TEST_F(Sessions, NameWhatInAFileIsNotUnderstood) {
+    write(file("e.zeroset.json"), R"({"zeroset": 1, "fog": 2, "statements": [{"text": "y"}]})");
+    start();
+    session_->open({file("e.zeroset.json").string()});
+    frame();
+    EXPECT_EQ(text(), "y");
+    ASSERT_TRUE(state_.dialogs.question);
+    EXPECT_NE(state_.dialogs.question->text.find("fog"), std::string::npos);
+}
+
+TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
+    start({file("f.zeroset.json").string(), "", true});
+    session_->show(with_text("z = 1"));
+    frame();
+    EXPECT_EQ(text(), "z = 1");
+    EXPECT_FALSE(state_.unsaved);
+    give(ui::Command::Undo);
+    EXPECT_EQ(text(), "x = 1");
+    give(ui::Command::Save);
+    EXPECT_TRUE(state_.dialogs.file) << "the file is not overwritten by what was picked";
+}
+
+TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
+    // Another process, which ends as if it were killed.
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        start();
+        type(" + lost", Session::autosave_s + 1);
+        ::_exit(0);
+    }
+    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    start();
+    ASSERT_TRUE(state_.dialogs.question);
+    EXPECT_NE(state_.dialogs.question->text.find("x = 1 + lost"), std::string::npos);
+    answer(0);
+    EXPECT_EQ(text(), "x = 1 + lost");
+    EXPECT_TRUE(state_.unsaved);
+    session_.reset();
+    start();
+    EXPECT_FALSE(state_.dialogs.question) << "it is offered once";
+}
+
+TEST_F(Sessions, LeaveTheDocumentWhereTheWindowCannotGoOn) {
+    start();
+    type("+y", 0.1);
+    session_->abandon();
+    type("+z", 10.0);
+    session_.reset();
+    state_.document = with_text("x = 2");
+    start();
+    answer(0);
+    EXPECT_EQ(text(), "x = 1+y");
+}
+
+TEST_F(Sessions, DoNotOfferWhatAnotherWindowHas) {
+    start();
+    type(" + open", Session::autosave_s + 1);
+    ui::UiState other;
+    const Session second(other, {});
+    EXPECT_FALSE(other.dialogs.question);
+}
+
+TEST_F(Sessions, KeepWhatIsAsItBeganButNotAsItWasSaved) {
+    start();
+    type(" + y", 0.1);
+    give(ui::Command::Save);
+    choose(file("a.zeroset.json"));
+    give(ui::Command::Undo);
+    EXPECT_EQ(text(), "x = 1");
+    ASSERT_TRUE(session_->due_s(now_s_));
+    frame(Session::autosave_s + 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "state/zeroset/autosave"), {}), 2);
+}
+
+TEST_F(Sessions, LeaveNothingWhenTheyAreClosed) {
+    start();
+    type(" + y", Session::autosave_s + 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "state/zeroset/autosave"), {}), 2);
+    session_.reset();
+    EXPECT_TRUE(fs::is_empty(folder_ / "state/zeroset/autosave"));
+}
+
+TEST_F(Sessions, SayWhenTheyWantToSave) {
+    start();
+    EXPECT_FALSE(session_->due_s(now_s_));
+    type("+y");
+    const auto due = session_->due_s(now_s_);
+    ASSERT_TRUE(due);
+    EXPECT_NEAR(*due, Session::autosave_s - now_s_, 1e-9);
+    frame(*due);
+    EXPECT_FALSE(session_->due_s(now_s_));
+}
+
+TEST_F(Sessions, TouchNoFilesWhenTheyShallNot) {
+    start({"", "", false});
+    type("+y", Session::autosave_s + 1);
+    EXPECT_FALSE(fs::exists(folder_ / "state"));
+}
+
+TEST(StateFolder, FollowsTheXdgSpecification) {
+    setenv("XDG_STATE_HOME", "/somewhere", 1);
+    EXPECT_EQ(state_folder(), "/somewhere/zeroset");
+    setenv("XDG_STATE_HOME", "relative", 1);
+    setenv("HOME", "/home/someone", 1);
+    EXPECT_EQ(state_folder(), "/home/someone/.local/state/zeroset");
+}
+
+TEST(CacheAndConfigFolders, FollowTheXdgSpecification) {
+    setenv("HOME", "/home/someone", 1);
+    setenv("XDG_CACHE_HOME", "/fast", 1);
+    setenv("XDG_CONFIG_HOME", "relative", 1);
+    EXPECT_EQ(cache_folder(), "/fast/zeroset");
+    EXPECT_EQ(config_folder(), "/home/someone/.config/zeroset");
+    unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(cache_folder(), "/home/someone/.cache/zeroset");
+}
+
+TEST(Recent, KeepsTheNewestFirst) {
+    const TestFolder folder;
+    RecentFiles recent(folder.path());
+    for (int i = 0; i < 12; ++i)
+        recent.add("/d/" + std::to_string(i));
+    recent.add("/d/7");
+    ASSERT_EQ(recent.paths().size(), RecentFiles::most);
+    EXPECT_EQ(recent.paths()[0], "/d/7");
+    EXPECT_EQ(recent.paths()[1], "/d/11");
+    EXPECT_EQ(RecentFiles(folder.path()).paths(), recent.paths());
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,324 @@
+// The document as a value: rows, sliders, files; every damage of a file is named.
+
+#include "document/document.hpp"
+
+#include "document/colors.hpp"
+#include "document/json/document_json.hpp"
+#include "document/play.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset::test {
+namespace {
+
+Document rich_document() {
+    Document document;
+    document.statements = {{1, "a = 2", true, {}},
+                           {2, "x^2 + y^2 =\n a z", true, 0x3399FF},
+                           {3, "\u03B1 + x \"quoted\" \\ = 0", false, 0x000000},
+                           {4, "", true, {}}};
+    document.parameters["b"] = {0.1, -1.0 / 3.0, 7.0, 0.25, 2.0, Repeat::Loop};
+    document.parameters["\u03B1"] = {1e-30, -1e30, 1e30, 0.0, slowest, Repeat::Bounce};
+    document.w = {0.3, -2.0, 2.5, 0.1, 4.0, Repeat::Loop};
+    document.clip = {{-1.1, -2, -3}, {0.7, 5, 6}};
+    document.camera = Camera{{5, 0.1, 1}, {1, 2, 3}, {0, 1, 0}, 0.7330382858376184};
+    document.home = Camera{{1, 2, 3.3}, {0, 0, 0}, {0, 0, 1}, 1.0, Projection::Orthographic};
+    document.region = {Ball{{0.1, -2, 3}, 1.0 / 3.0},
+                       {make_section({1, 2, 3}, 0.1), make_section({0, 0, -1}, 7, false)}};
+    document.stop = {StopRule::Epsilon, 0.001};
+    document.mark_undecided = true;
+    document.shadows = true;
+    document.axes = document.grid = document.trackball = true;
+    document.up = {0, 1, 0.5};
+    document.statements[0].solid = SolidSide::Above;
+    document.statements[1].solid = SolidSide::Below;
+    return document;
+}
+
+TEST(DocumentText, IsReadAsItWasWritten) {
+    for (const Document& document : {rich_document(), empty_document()}) {
+        const auto read = document_from(text_of(document));
+        ASSERT_TRUE(read) << read.error();
+        EXPECT_EQ(read->document, document);
+        EXPECT_TRUE(read->unknown.empty());
+    }
+}
+
+TEST(DocumentText, MayLeaveOutAllButTheStatements) {
+    const auto read = document_from(R"({"zeroset": 1, "statements": [{"text": "x = 1"}]})");
+    ASSERT_TRUE(read) << read.error();
+    Document expected = empty_document();
+    expected.statements[0].text = "x = 1";
+    EXPECT_EQ(read->document, expected);
+    EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, empty_document());
+}
+
+TEST(DocumentText, TakesWhatIsUpFromTheCameraIfItDoesNotSay) {
+    const auto read = document_from(
+        R"({"zeroset": 1, "statements": [], "camera":
+            {"eye": [0, 0, 1], "look_at": [0, 0, 0], "up": [0, 2, 0], "fov_rad": 1}})");
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(read->document.up, glm::dvec3(0, 2, 0));
+}
+
+TEST(DocumentText, NamesFieldsThatItDoesNotKnow) {
+    const auto read = document_from(
+        R"({"zeroset": 1, "fog": 3, "statements": [{"text": "x", "bold": true}], "look": {"sky": 1}})");
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(std::set(read->unknown.begin(), read->unknown.end()),
+              (std::set<std::string>{"fog", "statements[0].bold", "look.sky"}));
+}
+
+TEST(DocumentText, RefusesNewerFormatsAndOtherFiles) {
+    const auto reason = [](const char* text) { return document_from(text).error(); };
+    EXPECT_EQ(reason(R"({"zeroset": 2, "statements": 5})"),
+              "it was written by a newer Zeroset (format 2; this one reads up to 1)");
+    EXPECT_EQ(reason("{}"), "it is no Zeroset document");
+    EXPECT_EQ(reason("[1, 2]"), "it is no Zeroset document");
+    EXPECT_EQ(reason("\n\nhello"), "it is damaged: line 3 is no JSON");
+    EXPECT_EQ(reason(""), "it is damaged: line 1 is no JSON");
+    EXPECT_EQ(reason("[1e999]"), "it is damaged: a number in it is too large");
+    EXPECT_EQ(reason(R"({"zeroset": "1"})"), "it is damaged: the format version is no number");
+}
+
+/// A document in which `field` of the top has the value `json`.
+std::string with(const std::string& field, const std::string& json) {
+    const std::string statements =
+        field == "statements" ? "" : R"(, "statements": [{"text": "x"}])";
+    return R"({"zeroset": 1, ")" + field + "\": " + json + statements + "}";
+}
+
+TEST(DocumentText, SaysWhatIsDamaged) {
+    const std::vector<std::pair<std::string, std::string>> damages{
+        {with("statements", "3"), "statements is no list"},
+        {with("statements", "[3]"), "statements[0] is no object"},
+        {with("statements", R"([{"text": "x"}, {}])"), "statements[1].text is missing"},
+        {with("statements", R"([{"text": 1}])"), "statements[0].text is no text"},
+        {with("statements", R"([{"text": "x", "visible": 1}])"),
+         "statements[0].visible is neither true nor false"},
+        {with("statements", R"([{"text": "x", "color": "#12345"}])"),
+         "statements[0].color is no colour such as #3399FF"},
+        {with("statements", R"([{"text": "x", "color": "#12345G"}])"),
+         "statements[0].color is no colour such as #3399FF"},
+        {with("statements", R"([{"text": "x", "solid": "in"}])"),
+         "statements[0].solid is neither f<0 nor f>0"},
+        {with("parameters", "[]"), "parameters is no object"},
+        {with("parameters", R"({"a": {"value": 1}})"), "parameters.a.range is missing"},
+        {with("parameters", R"({"a": {"value": "1", "range": [0, 1]}})"),
+         "parameters.a.value is no number"},
+        {with("parameters", R"({"a": {"value": 1e31, "range": [0, 1]}})"),
+         "parameters.a.value is too large a number"},
+        {with("w", R"({"value": 1, "range": [1, 1]})"), "w.range is empty"},
+        {with("w", R"({"value": 1, "range": [1]})"), "w.range is no list of 2 numbers"},
+        {with("w", R"({"value": 1, "range": [0, 1], "step": -1})"), "w.step is below 0"},
+        {with("w", R"({"value": 1, "range": [0, 1], "speed": 0})"),
+         "w.speed is not between 1/64 and 64"},
+        {with("w", R"({"value": 1, "range": [0, 1], "repeat": "once"})"),
+         "w.repeat is neither loop nor bounce"},
+        {with("box", "[0, 1, 0, 1, 1, 1]"), "box is empty"},
+        {with("box", "[0, 1]"), "box is no list of 6 numbers"},
+        {with("camera", R"({"eye": [0, 0, 1], "look_at": [0, 0, 0], "up": [0, 0, 1]})"),
+         "camera.fov_rad is missing"},
+        {with("region", R"({"sphere": {"radius": 0}})"), "region.sphere.radius is not above 0"},
+        {with("region", R"({"sections": [{"normal": [0, 0, 0], "offset": 1}]})"),
+         "region.sections[0].normal has no direction"},
+        {with("region", R"({"sections": [{"normal": [0, 0, 1]}]})"),
+         "region.sections[0].offset is missing"},
+        {with("region", R"({"sections": [1, 2, 3, 4, 5, 6, 7]})"),
+         "region.sections has more than 6 items"},
+        {with("camera",
+              R"({"eye": [0, 1, 1], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_rad": 1,
+                  "projection": "fisheye"})"),
+         "camera.projection is neither perspective nor orthographic"},
+        {with("up", "[0, 0, 0]"), "up is zero"},
+        {with("stop", R"({"rule": "d_stop", "value": 23})"), "stop.value is out of range"},
+        {with("stop", R"({"rule": "d_stop", "value": 2.5})"), "stop.value is out of range"},
+        {with("stop", R"({"rule": "luck", "value": 2})"),
+         "stop.rule is none of d_stop, epsilon and delta"},
+        {with("look", R"({"mark_undecided": "yes"})"),
+         "look.mark_undecided is neither true nor false"},
+        {with("look", R"({"antialias": 1})"), "look.antialias is neither true nor false"},
+        {R"({"zeroset": 1})", "statements is missing"}};
+    for (const auto& [text, reason] : damages) {
+        const auto read = document_from(text);
+        ASSERT_FALSE(read) << text;
+        EXPECT_EQ(read.error(), "it is damaged: " + reason);
+    }
+    const auto blind = document_from(with(
+        "camera", R"({"eye": [0, 0, 0], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_rad": 1})"));
+    ASSERT_FALSE(blind);
+    EXPECT_TRUE(blind.error().starts_with("it is damaged: camera: ")) << blind.error();
+}
+
+/// Cut anywhere, or with any byte changed, a file is refused or read: never a crash.
+TEST(DocumentText, SurvivesEveryCutAndManyChanges) {
+    const std::string whole = text_of(rich_document());
+    for (std::size_t size = 0; size + 2 < whole.size(); ++size)
+        EXPECT_FALSE(document_from(whole.substr(0, size))) << size;
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        for (const char byte : {'\0', '"', '9', '{', '\xFF'}) {
+            std::string changed = whole;
+            changed[at] = byte;
+            if (const auto read = document_from(changed)) {
+                EXPECT_EQ(document_from(text_of(read->document))->document, read->document);
+            }
+        }
+    }
+}
+
+TEST(DocumentText, IsToldFromAFormula) {
+    EXPECT_TRUE(looks_like_document(text_of(empty_document())));
+    EXPECT_FALSE(looks_like_document("{x < 0: -x, x} = y"));
+    EXPECT_FALSE(looks_like_document(""));
+}
+
+TEST(Rows, AreAStatementEach) {
+    EXPECT_EQ(rows_of("a = 2; x^2 + y^2 = a z, z < 1\n\nx + y =\n z ; "),
+              (std::vector<std::string>{"a = 2", "x^2 + y^2 = a z, z < 1", "x + y =\n z"}));
+    EXPECT_EQ(rows_of("  x = 1\r\n"), (std::vector<std::string>{"x = 1"}));
+    EXPECT_EQ(rows_of("# a ball\nx^2 + y^2 + z^2 = 1"),
+              (std::vector<std::string>{"# a ball", "x^2 + y^2 + z^2 = 1"}));
+    EXPECT_TRUE(rows_of(" \n;; ").empty());
+}
+
+TEST(Rows, AreAStatementEachHoweverWritten) {
+    EXPECT_EQ(rows_of("a = 2\n-x + y\n+z\n-w x"),
+              (std::vector<std::string>{"a = 2", "-x + y\n+z", "-w x"}));
+    EXPECT_EQ(rows_of("const float a = 1., b = 2.;\nfloat c = 3.;\na x + b y + c z"),
+              (std::vector<std::string>{"const float a = 1.", "b = 2.", "float c = 3.",
+                                        "a x + b y + c z"}));
+    EXPECT_EQ(
+        rows_of("float f(float u) {\n  float v = u;\n  return v;\n}\nf(x)"),
+        (std::vector<std::string>{"float f(float u) {\n  float v = u;\n  return v;\n}", "f(x)"}));
+    EXPECT_EQ(rows_of("x - 1 :\ny - 1 :"), (std::vector<std::string>{"x - 1", "y - 1"}));
+    EXPECT_EQ(rows_of("e1: x = 1\ne2: y = 1"),
+              (std::vector<std::string>{"e1: x = 1", "e2: y = 1"}));
+    EXPECT_EQ(rows_of("a var-x\nb neg a"), (std::vector<std::string>{"a var-x\nb neg a"}));
+}
+
+TEST(Rows, AreLinesWhereTheTextCannotBeRead) {
+    EXPECT_EQ(rows_of("x + * = 2\ny = ("), (std::vector<std::string>{"x + * = 2", "y = ("}));
+    EXPECT_EQ(rows_of("x^2 +"), (std::vector<std::string>{"x^2 +"}));
+}
+
+TEST(Rows, FindTheRowOfAByte) {
+    const JoinedRows joined({"ab", "", "cd"});
+    EXPECT_EQ(joined.text.substr(joined.begins[2]), "cd");
+    EXPECT_EQ(joined.row_at(0), 0U);
+    EXPECT_EQ(joined.row_at(2), 0U);
+    EXPECT_EQ(joined.row_at(joined.begins[1]), 1U);
+    EXPECT_EQ(joined.row_at(joined.text.size()), 2U);
+}
+
+TEST(Rows, KeepTheirLengthWhereLinesAreJoined) {
+    const JoinedRows joined({"x\n + y\n\n- z\nw = 1", "a\n\n"});
+    EXPECT_EQ(joined.text, "x\v + y\n\v- z\nw = 1\n;\na\n\n");
+}
+
+TEST(SameWork, IsAllButTheCamera) {
+    const Document document = rich_document();
+    Document other = document;
+    other.camera->eye.x += 1;
+    EXPECT_TRUE(same_work(document, other));
+    other.camera.reset();
+    EXPECT_TRUE(same_work(document, other));
+    other.w.value += 1;
+    EXPECT_FALSE(same_work(document, other));
+}
+
+TEST(Colors, AreOfThePaletteAndEachOnce) {
+    Document document;
+    document.statements = {
+        {1, "", true, {}}, {2, "", true, palette_fronts()[0]}, {3, "", true, {}}};
+    EXPECT_TRUE(choose_colors(document, {1, 2, 3}));
+    EXPECT_EQ(document.statements[0].color, palette_fronts()[1]);
+    EXPECT_EQ(document.statements[1].color, palette_fronts()[0]);
+    EXPECT_EQ(document.statements[2].color, palette_fronts()[2]);
+    EXPECT_FALSE(choose_colors(document, {1, 2, 3}));
+}
+
+TEST(Colors, StartAgainWhenAllAreTaken) {
+    Document document;
+    std::vector<int> rows;
+    for (int id = 1; id <= 20; ++id) {
+        document.statements.push_back({id, "", true, {}});
+        rows.push_back(id);
+    }
+    choose_colors(document, rows);
+    for (const Statement& statement : document.statements) {
+        ASSERT_TRUE(statement.color);
+        EXPECT_NE(std::ranges::find(palette_fronts(), *statement.color), palette_fronts().end());
+    }
+}
+
+TEST(Colors, HaveABackThatDiffers) {
+    for (const std::uint32_t front : {0x000000U, 0xFFFFFFU, 0x3399FFU, palette_fronts()[2]}) {
+        const SurfaceColors colors = surface_colors(front);
+        float apart = 0;
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(std::sqrt(colors.front[i]) * 255,
+                        static_cast<double>(front >> (16 - 8 * i) & 0xFFU), 0.6);
+            apart += std::abs(colors.front[i] - colors.back[i]);
+        }
+        EXPECT_GT(apart, 0.3F);
+    }
+}
+
+Slider slider(double value, Repeat repeat) { return {value, 0.0, 4.0, 0.0, 1.0, repeat}; }
+
+TEST(Play, BouncesBetweenTheEnds) {
+    Slider moving = slider(3.0, Repeat::Bounce);
+    Playing playing = started(moving);
+    const double range_s = seconds_per_range;
+    for (const auto& [elapsed, value] : {std::pair(0.25 * range_s, 4.0),
+                                         {0.25 * range_s, 3.0},
+                                         {0.75 * range_s, 0.0},
+                                         {0.5 * range_s, 2.0},
+                                         {2.0 * range_s, 2.0}}) {
+        advance(moving, playing, elapsed);
+        EXPECT_NEAR(moving.value, value, 1e-12);
+    }
+}
+
+TEST(Play, LoopsFromEndToStart) {
+    Slider moving = slider(3.0, Repeat::Loop);
+    moving.speed = 2.0;
+    Playing playing = started(moving);
+    advance(moving, playing, 0.25 * seconds_per_range);
+    EXPECT_NEAR(moving.value, 1.0, 1e-12);
+}
+
+TEST(Play, GoesByStepsAndKeepsItsPlaceBetweenThem) {
+    Slider moving{0.0, 0.0, 1.0, 0.25, 1.0, Repeat::Bounce};
+    Playing playing = started(moving);
+    for (const double value : {0.0, 0.25, 0.25, 0.5, 0.5}) {
+        advance(moving, playing, 0.1 * seconds_per_range);
+        EXPECT_DOUBLE_EQ(moving.value, value);
+    }
+}
+
+TEST(Steps, StayWithinTheEnds) {
+    const Slider uneven{0.0, -1.0, 1.0, 0.3, 1.0, Repeat::Bounce};
+    EXPECT_DOUBLE_EQ(on_step(uneven, -3.0), -1.0);
+    EXPECT_NEAR(on_step(uneven, 3.0), 0.8, 1e-12);
+    EXPECT_NEAR(on_step(uneven, 0.0), -0.1, 1e-12);
+    EXPECT_EQ(on_step(Slider{}, 0.123), 0.123);
+}
+
+TEST(SetValue, MovesTheEndsThatItPasses) {
+    Slider slider;
+    set_value(slider, 7.0);
+    EXPECT_EQ(slider, (Slider{.value = 7.0, .hi = 7.0}));
+    set_value(slider, -6.0);
+    EXPECT_EQ(slider, (Slider{.value = -6.0, .lo = -6.0, .hi = 7.0}));
+}
+
+}  // namespace
+}  // namespace zeroset::test

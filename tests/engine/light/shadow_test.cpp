@@ -1,0 +1,118 @@
+#include "engine/light/shadow.hpp"
+
+#include "engine/render/render.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What lies in the shadow of what.
+
+namespace zeroset::test {
+namespace {
+
+constexpr int side = 96;
+
+Framebuffer picture_of(const Scene& scene, const Camera& camera, const std::string& tracer,
+                       bool shadows) {
+    Framebuffer frame(side, side);
+    TraceSettings settings;
+    settings.tracer = tracer;
+    settings.shadows = shadows;
+    render_frame(scene, camera, settings, frame);
+    return frame;
+}
+
+/// Where the way from `from` to `to` leaves the box.
+glm::dvec3 exit_of(const glm::dvec3& from, const glm::dvec3& to, const Box& box) {
+    double t = 1.0;
+    for (int i = 0; i < 3; ++i) {
+        const double end = to[i] > from[i] ? box.hi[i] : box.lo[i];
+        t = std::min(t, (end - from[i]) / (to[i] - from[i]));
+    }
+    return from + t * (to - from);
+}
+
+/// How far a sphere or, where `cylinder`, a cylinder about the z axis is from the way between two
+/// points.
+double clearance(const glm::dvec3& from, const glm::dvec3& to, double radius, bool cylinder) {
+    const glm::dvec3 only(1.0, 1.0, cylinder ? 0.0 : 1.0);
+    const glm::dvec3 a = from * only;
+    const glm::dvec3 way = (to - from) * only;
+    const double t = glm::clamp(-glm::dot(a, way) / glm::dot(way, way), 0.0, 1.0);
+    return glm::length(a + t * way) - radius;
+}
+
+struct Occluder {
+    std::string text;
+    double radius;
+    bool cylinder;
+};
+
+class Shadow : public testing::TestWithParam<std::string> {};
+
+TEST_P(Shadow, FallsWhereTheLightIsHidden) {
+    const std::vector<Occluder> occluders{{"x^2 + y^2 + z^2 = 0.25", 0.5, false},
+                                          {"x^2 + y^2 = 0.0009", 0.03, true}};
+    for (const Occluder& occluder : occluders) {
+        Scene scene = scene_of("z = -1", Box::cube(2));
+        scene.surfaces.push_back(scene_of(occluder.text, Box::cube(2)).surfaces[0]);
+        Camera camera = default_camera(scene.clip);
+        camera.eye = {1.0, -2.0, 6.0};
+        const Framebuffer bright = picture_of(scene, camera, GetParam(), false);
+        const Framebuffer dark = picture_of(scene, camera, GetParam(), true);
+        const ViewFrame view(camera);
+        const glm::dvec3 light = shadow_light(view, scene.clip);
+        std::size_t hidden = 0;
+        std::size_t lit = 0;
+        for (int row = 0; row < side; ++row) {
+            for (int col = 0; col < side; ++col) {
+                const std::size_t at = dark.index(col, row);
+                ASSERT_EQ(dark.depth[at], bright.depth[at]);
+                ASSERT_EQ(dark.certificate[at], bright.certificate[at]);
+                if (dark.surface[at] != 0) continue;
+                const glm::dvec3 along =
+                    glm::normalize(view.direction(col + 0.5, row + 0.5, side, side));
+                const glm::dvec3 on_plane = view.eye + static_cast<double>(dark.depth[at]) * along;
+                const double clear = clearance(on_plane, exit_of(on_plane, light, scene.clip),
+                                               occluder.radius, occluder.cylinder);
+                if (std::abs(clear) < 2e-3) continue;
+                const bool darker = dark.color[at] != bright.color[at];
+                ASSERT_EQ(darker, clear < 0) << occluder.text << " at " << col << ", " << row;
+                ++(darker ? hidden : lit);
+            }
+        }
+        EXPECT_GT(hidden, 10U) << occluder.text;
+        EXPECT_GT(lit, 1000U) << occluder.text;
+    }
+}
+
+TEST_P(Shadow, DoesNotFallFromASurfaceOnItsOwnLitSide) {
+    for (const char* const text : {"x^2 + y^2 + z^2 = 1", "z = 0.1 x", "x^2 + y^2 = 1"}) {
+        const Scene scene = scene_of(text, Box::cube(1.5));
+        const Camera camera = default_camera(scene.clip);
+        const Framebuffer bright = picture_of(scene, camera, GetParam(), false);
+        const Framebuffer dark = picture_of(scene, camera, GetParam(), true);
+        const ViewFrame view(camera);
+        std::size_t darker = 0;
+        for (std::size_t at = 0; at < dark.color.size(); ++at)
+            darker += dark.color[at] != bright.color[at] ? 1U : 0U;
+        // The inside of the cylinder lies in the shadow of its wall.
+        if (std::string(text) == "x^2 + y^2 = 1") {
+            EXPECT_GT(darker, 0U);
+        } else {
+            EXPECT_EQ(darker, 0U) << text;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTracers, Shadow, testing::ValuesIn(tracer_names()),
+                         [](const auto& name) { return test_name(name.param); });
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,77 @@
+#include "engine/render/render.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+// Smooth edges: more rays for the colours, and nothing else.
+
+namespace zeroset::test {
+namespace {
+
+Framebuffer picture_of(const std::string& text, bool antialias) {
+    const Scene scene = scene_of(text, Box::cube(1.2));
+    Framebuffer frame(141, 101);
+    TraceSettings settings;
+    settings.antialias = antialias;
+    render_frame(scene, default_camera(scene.clip), settings, frame);
+    return frame;
+}
+
+TEST(Antialias, ChangesColoursAtEdgesOnly) {
+    const Framebuffer plain = picture_of("x^2 + y^2 + z^2 = 1", false);
+    const Framebuffer smooth = picture_of("x^2 + y^2 + z^2 = 1", true);
+    EXPECT_EQ(smooth.depth, plain.depth);
+    EXPECT_EQ(smooth.certificate, plain.certificate);
+    EXPECT_EQ(smooth.surface, plain.surface);
+    std::size_t mixed = 0;
+    for (int row = 1; row + 1 < plain.height; ++row) {
+        for (int col = 1; col + 1 < plain.width; ++col) {
+            const std::size_t at = plain.index(col, row);
+            bool edge = false;
+            for (int i = 0; i < 9; ++i) {
+                const std::size_t beside = plain.index(col + i % 3 - 1, row + i / 3 - 1);
+                edge = edge || plain.surface[beside] != plain.surface[at];
+            }
+            // Without an edge the four rays around see nearly the same.
+            int change = 0;
+            for (unsigned shift = 0; shift < 24; shift += 8) {
+                change =
+                    std::max(change, std::abs(static_cast<int>(plain.color[at] >> shift & 255U) -
+                                              static_cast<int>(smooth.color[at] >> shift & 255U)));
+            }
+            if (edge) {
+                mixed += change > 10 ? 1U : 0U;
+            } else {
+                ASSERT_LE(change, 3) << col << ", " << row;
+            }
+        }
+    }
+    EXPECT_GT(mixed, 50U);
+}
+
+TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
+    // A wire thinner than a pixel: broken without, seamless with more rays.
+    const auto rows_with = [](const Framebuffer& frame) {
+        std::size_t count = 0;
+        for (int row = 0; row < frame.height; ++row) {
+            bool any = false;
+            for (int col = 0; col < frame.width; ++col) {
+                const std::uint32_t color = frame.color[frame.index(col, row)];
+                any = any || color != frame.color[frame.index(0, row)];
+            }
+            count += any ? 1U : 0U;
+        }
+        return count;
+    };
+    const std::string wire = "(x - 0.3 z)^2 + y^2 = 0.00002";
+    EXPECT_GT(rows_with(picture_of(wire, true)), rows_with(picture_of(wire, false)));
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,148 @@
+// The palette: what a part of a name finds, and how it is run.
+
+#include "ui/pages/command_palette.hpp"
+
+#include "tests/ui/panels.hpp"
+#include "ui/actions/actions.hpp"
+#include "ui/model/text_match.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/window/offscreen_window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+TEST(TextMatch, FindsPartsWhateverTheCapitals) {
+    EXPECT_TRUE(contains("Barth Sextic", "SEX"));
+    EXPECT_TRUE(contains("x", ""));
+    EXPECT_FALSE(contains("x", "xx"));
+    EXPECT_TRUE(contains_words("Barth Sextic", "tic bar"));
+    EXPECT_FALSE(contains_words("Barth Sextic", "bar tac"));
+}
+
+TEST(TextMatch, PrefersBeginningsAndNeighbours) {
+    const auto score = [](const char* text, const char* typed) {
+        return abbreviation_score(text, typed).value_or(-1000);
+    };
+    EXPECT_EQ(score("Save as...", "xz"), -1000);
+    EXPECT_EQ(score("Save", "saves"), -1000);
+    EXPECT_GT(score("Save as...", "sa"), score("Gyroid to Schwarz P", "sa"));
+    EXPECT_GT(score("Reset the view", "rv"), score("Section: View", "rv"));
+    EXPECT_GT(score("Save", "save"), score("Save as...", "save"));
+    EXPECT_GT(score("Undo", "und"), score("Mark undecided pixels", "ud"));
+    EXPECT_NE(score("Barth Sextic", "barth sextic"), -1000) << "spaces aside";
+}
+
+UiState some_state() {
+    UiState state;
+    state.gallery = {{"Torus", "x = 1", "A ring.", "Algebraic", "Anna"},
+                     {"Undulation", "y = 1", "A wave.", "Periodic", "Berta"}};
+    state.recent = {"/some/where/unduloid.zeroset.json"};
+    state.can_undo = true;
+    return state;
+}
+
+std::vector<std::string> texts(const std::vector<PaletteLine>& lines) {
+    std::vector<std::string> found;
+    for (const PaletteLine& line : lines)
+        found.push_back(line.text);
+    return found;
+}
+
+TEST(PaletteLines, AreActionsSurfacesAndRecentFiles) {
+    const auto lines = palette_lines(some_state(), "");
+    EXPECT_EQ(lines.size(), actions().size() - 1 + 2 + 1) << "all but the palette itself";
+    const auto found = texts(palette_lines(some_state(), "undo"));
+    ASSERT_GE(found.size(), 3U);
+    EXPECT_EQ(found[0], "Undo");
+    EXPECT_EQ(found[1], "Undulation") << "the shorter first";
+    EXPECT_EQ(found[2], "unduloid.zeroset.json");
+}
+
+TEST(PaletteLines, SayKeysGroupsAndWhatIsOn) {
+    UiState state = some_state();
+    state.can_undo = false;
+    const PaletteLine undo = palette_lines(state, "undo").front();
+    EXPECT_EQ(undo.hint, "Ctrl+Z");
+    EXPECT_FALSE(undo.enabled);
+    EXPECT_EQ(palette_lines(state, "torus").front().hint, "Algebraic");
+    state.document.mark_undecided = true;
+    const PaletteLine mark = palette_lines(state, "mark undecided").front();
+    EXPECT_TRUE(mark.is_on);
+    mark.run(state);
+    EXPECT_FALSE(state.document.mark_undecided);
+}
+
+class CommandPalettes : public Panels {
+protected:
+    void SetUp() override {
+        Panels::SetUp();
+        state_.gallery = some_state().gallery;
+        state_.recent = some_state().recent;
+        draw();
+        press_with_ctrl(GLFW_KEY_K);
+        draw();
+    }
+    void run(const char* typed) {
+        OffscreenWindow::type(typed);
+        draw();
+        press(GLFW_KEY_ENTER);
+    }
+};
+
+TEST_P(CommandPalettes, RunWhatEnterChooses) {
+    ASSERT_TRUE(state_.command_palette.open);
+    run("und pix");
+    EXPECT_TRUE(state_.document.mark_undecided);
+    EXPECT_FALSE(state_.command_palette.open);
+    press_with_ctrl(GLFW_KEY_K);
+    draw();
+    EXPECT_EQ(state_.command_palette.typed, "") << "begins anew";
+    run("torus");
+    EXPECT_EQ(state_.surface, 0U);
+    press_with_ctrl(GLFW_KEY_K);
+    draw();
+    run("unduloid");
+    EXPECT_EQ(state_.open_path, "/some/where/unduloid.zeroset.json");
+}
+
+TEST_P(CommandPalettes, LeaveWhatCannotBeDoneNow) {
+    run("undo");
+    EXPECT_FALSE(state_.command);
+    EXPECT_TRUE(state_.command_palette.open);
+    press(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(state_.command_palette.open);
+    EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+}
+
+TEST_P(CommandPalettes, AreWalkedThroughByArrows) {
+    press(GLFW_KEY_UP);
+    EXPECT_EQ(state_.command_palette.selected, 0U);
+    const auto lines = palette_lines(state_, "");
+    const auto wanted = std::ranges::find(lines, "Mark undecided pixels", &PaletteLine::text);
+    ASSERT_NE(wanted, lines.end());
+    for (auto line = lines.begin(); line != wanted; ++line)
+        press(GLFW_KEY_DOWN);
+    press(GLFW_KEY_ENTER);
+    EXPECT_TRUE(state_.document.mark_undecided);
+}
+
+TEST_P(CommandPalettes, OpenThePageTheyName) {
+    run("gallery");
+    draw();
+    EXPECT_TRUE(state_.gallery_page.open);
+    EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, CommandPalettes, testing::ValuesIn(different_looks()),
+                         [](const auto& looks) { return name_of(looks.param); });
+
+}  // namespace
+}  // namespace zeroset::ui

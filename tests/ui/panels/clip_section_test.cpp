@@ -1,0 +1,118 @@
+#include "ui/panels/clip_section.hpp"
+
+#include "tests/ui/panels.hpp"
+
+#include <GLFW/glfw3.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+// The section of the clip box, the sphere and the section planes, and the key of the projection.
+
+namespace zeroset::ui {
+namespace {
+
+class ClipSection : public Panels {
+protected:
+    void SetUp() override {
+        Panels::SetUp();
+        state_.layout.view_open = false;
+        state_.layout.clip_open = true;
+    }
+
+    /// Scrolls a row of the section into sight and clicks it `along` its width.
+    void click_row(int row, float along) {
+        const glm::vec2 at = section_line("clip", row);
+        click_at({section("clip")->Pos.x + along * section("clip")->WorkRect.GetWidth(), at.y});
+        OffscreenWindow::point({-1, -1}, false);
+        draw();
+    }
+    void type(const char* text) {
+        OffscreenWindow::type(text);
+        draw_frame();
+        press(GLFW_KEY_ENTER);
+        draw();
+    }
+    std::vector<Section>& sections() { return state_.document.region.sections; }
+};
+
+TEST_P(ClipSection, ShowsASphereAndHidesItAgain) {
+    click_row(1, 0.02F);
+    ASSERT_TRUE(state_.document.region.ball);
+    EXPECT_EQ(*state_.document.region.ball, (Ball{{0, 0, 0}, 2.0}));
+    click_row(2, 0.5F);
+    OffscreenWindow::hold_ctrl(true);
+    press(GLFW_KEY_A);
+    OffscreenWindow::hold_ctrl(false);
+    type("1.25");
+    ASSERT_TRUE(state_.document.region.ball);
+    EXPECT_EQ(state_.document.region.ball->radius, 1.25);
+    click_row(1, 0.02F);
+    EXPECT_FALSE(state_.document.region.ball);
+}
+
+TEST_P(ClipSection, AddsAndTurnsAndRemovesASection) {
+    click_row(2, 0.5F);
+    ASSERT_EQ(sections().size(), 1U);
+    // The default eye is on the side x > 0.
+    EXPECT_EQ(sections()[0], (Section{{1, 0, 0}, 0.0, true}));
+    click_row(3, 0.02F);
+    ASSERT_EQ(sections().size(), 1U);
+    EXPECT_EQ(sections()[0].normal, glm::dvec3(-1, 0, 0));
+    click_row(3, 0.98F);
+    EXPECT_TRUE(sections().empty());
+}
+
+TEST_P(ClipSection, HoldsAsManySectionsAsThereMayBe) {
+    for (std::size_t i = 0; i < max_sections; ++i)
+        click_row(2 + 2 * static_cast<int>(i), 0.5F);
+    EXPECT_EQ(sections().size(), max_sections);
+    EXPECT_EQ(axis_of(sections()[0]), 0);
+    EXPECT_EQ(axis_of(sections()[1]), 1);
+    EXPECT_EQ(axis_of(sections()[2]), 2);
+}
+
+TEST_P(ClipSection, FitsWithAllItCanHold) {
+    state_.layout.edges_open = true;
+    state_.document.region.ball = Ball{{-123.456, 0, 1e-7}, 0.001};
+    sections() = {make_section({1, 2, 3}, 0.5), make_section({0, -1, 0}, -1e6)};
+    draw();
+    EXPECT_EQ(sections()[0], make_section({1, 2, 3}, 0.5)) << "drawing changes nothing";
+    EXPECT_EQ(sections()[1].offset, -1e6);
+}
+
+TEST_P(ClipSection, CutsAwayWhatIsBeforeThePointLookedAt) {
+    const Document& document = state_.document;
+    const glm::dvec3 eye = document.camera->eye;
+    for (int axis = 0; axis <= 3; ++axis) {
+        const Section section = section_across(axis, document);
+        EXPECT_EQ(axis_of(section), axis);
+        EXPECT_GT(glm::dot(section.normal, eye), section.offset);
+        EXPECT_NEAR(glm::dot(section.normal, document.camera->look_at), section.offset, 1e-12);
+    }
+}
+
+TEST_P(ClipSection, SwitchesTheProjectionByItsKey) {
+    draw();
+    const Camera before = *state_.document.camera;
+    OffscreenWindow::type("5");
+    draw();
+    EXPECT_EQ(state_.document.camera->projection, Projection::Orthographic);
+    EXPECT_EQ(state_.document.camera->eye, before.eye);
+    OffscreenWindow::type("5");
+    draw();
+    EXPECT_EQ(*state_.document.camera, before);
+}
+
+TEST(Resized, KeepsTheCentreAndTheShape) {
+    const Box box = resized({{0, 0, 0}, {2, 4, 8}}, 1.0);
+    EXPECT_EQ(box.lo, glm::dvec3(0.75, 1.5, 3));
+    EXPECT_EQ(box.hi, glm::dvec3(1.25, 2.5, 5));
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, ClipSection, testing::ValuesIn(different_looks()),
+                         [](const auto& looks) { return name_of(looks.param); });
+
+}  // namespace
+}  // namespace zeroset::ui

@@ -1,0 +1,232 @@
+// One real frame of every state of the panels, drawn on a window that nobody sees.
+
+#include "engine/image/framebuffer.hpp"
+#include "tests/ui/panels.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/panels/side_panel.hpp"
+#include "ui/screen.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/window/gl.hpp"
+#include "ui/window/offscreen_window.hpp"
+#include "ui/window/texture.hpp"
+#include "ui/window/window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <string>
+
+/// The leak sanitizer asks: OSMesa keeps a few bytes of each context.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
+
+namespace zeroset::ui {
+namespace {
+
+TEST_P(Panels, ShowAPicture) {
+    const Framebuffer frame = draw();
+    EXPECT_EQ(std::ranges::count(frame.color, colors().error), 0);
+    const auto panel_px = static_cast<int>(side_panel_width(state_));
+    EXPECT_EQ(state_.viewport_px.x, frame.width - panel_px);
+    EXPECT_GT(state_.viewport_px.x, frame.width / 3);
+    EXPECT_GT(state_.viewport_px.y, frame.height / 2);
+}
+
+TEST_P(Panels, FoldAtTheirButtonAndUnfold) {
+    draw();
+    const float edge = side_panel_width(state_);
+    click_at({edge - static_cast<float>(px(22)), static_cast<float>(px(22))});
+    EXPECT_TRUE(state_.layout.folded);
+    const Framebuffer frame = draw();
+    EXPECT_EQ(state_.viewport_px.x, frame.width);
+    click(22, 22);
+    EXPECT_FALSE(state_.layout.folded);
+    press_with_ctrl(GLFW_KEY_B);
+    EXPECT_TRUE(state_.layout.folded);
+}
+
+TEST_P(Panels, ChangeTheirWidthAtTheEdge) {
+    draw();
+    const float edge = side_panel_width(state_) - 2.0F;
+    const float y = static_cast<float>(px(200));
+    const float wished = static_cast<float>(px(260));
+    OffscreenWindow::point({edge, y}, false);
+    draw_frame();
+    for (const float x : {edge, wished, wished}) {
+        OffscreenWindow::point({x, y}, true);
+        draw_frame();
+    }
+    OffscreenWindow::point({wished, y}, false);
+    draw();
+    EXPECT_NEAR(side_panel_width(state_), wished, 2.0F);
+}
+
+TEST_P(Panels, SayThatAPictureIsBeingTraced) {
+    const auto accents = [this](const Framebuffer& frame) {
+        const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
+        const Rectangle text = bounds(frame, colors().accent, line);
+        return text.right - text.left;
+    };
+    EXPECT_LE(accents(draw()), 0);
+    state_.picture.tracing = true;
+    EXPECT_GT(accents(draw()), px(30));
+}
+
+TEST_P(Panels, ShowTheNoteInTheStatusLine) {
+    const auto warnings = [this](const Framebuffer& frame) {
+        const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
+        return bounds(frame, colors().warning, line);
+    };
+    state_.picture.counts.undecided = 0;
+    EXPECT_LE(warnings(draw()).right, 0);
+    state_.note = "interpreted until its machine code is ready";
+    const Rectangle note = warnings(draw());
+    EXPECT_LT(note.left, px(20)) << "the note comes first";
+    EXPECT_GT(note.right, px(200));
+}
+
+TEST_P(Panels, SayHowManyUndecidedPixelsAreNotDrawn) {
+    const auto warnings = [this](const Framebuffer& frame) {
+        const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
+        const Rectangle text = bounds(frame, colors().warning, line);
+        return text.right - text.left;
+    };
+    state_.picture.frame_ms = 1.0;
+    state_.picture.counts = {1, 20, 3};
+    const int short_text = warnings(draw());
+    state_.picture.counts.not_drawn = 7;
+    EXPECT_GT(warnings(draw()), short_text + px(60));
+}
+
+TEST_P(Panels, MarkUndecidedPixels) {
+    const ImVec2 size(static_cast<float>(px(GetParam().window.width)),
+                      static_cast<float>(px(GetParam().window.height)));
+    const auto solid = [&](const Framebuffer& frame) {
+        return count(frame, colors().undecided, ImRect(ImVec2(0, 0), size));
+    };
+    Framebuffer picture = disc();
+    for (int row = 0; row < picture.height; ++row) {
+        for (int col = 0; col < picture.width / 2; ++col)
+            picture.certificate[picture.index(col, row)] = Certificate::Undecided;
+    }
+    picture_->upload(picture, behind_picture(GetParam().theme));
+    EXPECT_EQ(solid(draw()), 0);
+    picture_->upload(picture, behind_picture(GetParam().theme), undecided_tint(GetParam().theme));
+    const int marked = solid(draw());
+    const int half = static_cast<int>(size.x * size.y) / 2;
+    EXPECT_GT(marked, half / 5) << "all of the left that is not drawn, and half the rest";
+    EXPECT_LT(marked, half);
+}
+
+TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
+    const auto legend = [this](const Framebuffer& frame) {
+        return count(frame, colors().undecided, section("look")->ParentWindow->Rect());
+    };
+    state_.layout.view_open = false;
+    state_.layout.look_open = true;
+    EXPECT_EQ(legend(draw()), 0);
+    click_at(section_line("look", 1));
+    EXPECT_TRUE(state_.document.mark_undecided);
+    OffscreenWindow::point({-1, -1}, false);
+    section_line("look", 2);
+    EXPECT_GT(legend(draw()), px(8) * px(8));
+}
+
+TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
+    draw();
+    click_at(section_line("view", 2));
+    EXPECT_TRUE(state_.document.shadows);
+    EXPECT_FALSE(state_.document.antialias);
+    click_at(section_line("view", 2) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
+    EXPECT_TRUE(state_.document.shadows);
+    EXPECT_TRUE(state_.document.antialias);
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),
+                         [](const auto& looks) { return name_of(looks.param); });
+
+/// What a context draws, or an empty frame where there is no such context.
+Framebuffer drawn_by(OffscreenContextOr (*make_context)(glm::ivec2)) {
+    const auto window = make_offscreen_window({.width = 640, .height = 400}, make_context);
+    if (!window) return {};
+    Texture picture;
+    picture.upload(disc(), behind_picture(Theme::Dark));
+    UiState state = usual_state(Theme::Dark);
+    for (int i = 0; i <= frames_to_settle; ++i) {
+        (*window)->begin_frame(Theme::Dark);
+        draw_screen(state, picture);
+        (*window)->end_frame();
+    }
+    return (*window)->pixels();
+}
+
+// The scale changes when the window is moved to another screen.
+TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
+    auto made = make_offscreen_window({.width = 1280, .height = 800});
+    if (!made) GTEST_SKIP() << made.error();
+    OffscreenWindow& window = **made;
+    const Texture picture;
+    UiState state = usual_state(Theme::Dark);
+    const auto panel_at = [&](float scale) {
+        window.set_scale(scale);
+        for (int i = 0; i <= frames_to_settle; ++i) {
+            window.begin_frame(Theme::Dark);
+            draw_screen(state, picture);
+            window.end_frame();
+        }
+        return side_panel_width(state);
+    };
+    const float usual = panel_at(1.0F);
+    EXPECT_NEAR(panel_at(1.5F), 1.5F * usual, 2.0F);
+    EXPECT_NEAR(panel_at(1.0F), usual, 0.01F);
+}
+
+GlLoader real_loader = nullptr;
+
+/// As the real one, but with a context that is lost.
+GlFunction loader_of_a_lost_context(const char* name) {
+    if (std::string(name) == "glGetGraphicsResetStatus") {
+        return reinterpret_cast<GlFunction>(+[] { return GLenum{0x8253}; });  // guilty
+    }
+    return real_loader(name);
+}
+
+TEST(OffscreenContext, IsLostWhenTheDriverSaysSo) {
+    const auto context = make_egl_context({16, 16});
+    if (!context) GTEST_SKIP() << context.error();
+    real_loader = (*context)->loader();
+    ASSERT_TRUE(load_gl(real_loader));
+    EXPECT_FALSE(is_context_lost());
+    ASSERT_TRUE(load_gl(loader_of_a_lost_context));
+    EXPECT_TRUE(is_context_lost());
+    ASSERT_TRUE(load_gl(real_loader));
+}
+
+TEST(OffscreenContext, DrawsTheSameInOneProcess) {
+    const Framebuffer egl = drawn_by(make_egl_context);
+    const Framebuffer osmesa = drawn_by(make_osmesa_context);
+    if (egl.color.empty() || osmesa.color.empty()) GTEST_SKIP() << "not both of EGL and OSMesa";
+    ASSERT_EQ(egl.color.size(), osmesa.color.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < egl.color.size(); ++i) {
+        for (const unsigned shift : {0U, 8U, 16U}) {
+            const auto a = static_cast<int>((egl.color[i] >> shift) & 0xFFU);
+            const auto b = static_cast<int>((osmesa.color[i] >> shift) & 0xFFU);
+            different += std::abs(a - b) > 8 ? 1 : 0;
+        }
+    }
+    EXPECT_LT(different, egl.color.size() / 100);  // a graphics card may round otherwise
+    const std::set<std::uint32_t> shades(egl.color.begin(), egl.color.end());
+    EXPECT_GT(shades.size(), 100U);
+}
+
+}  // namespace
+}  // namespace zeroset::ui

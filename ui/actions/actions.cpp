@@ -1,0 +1,388 @@
+#include "ui/actions/actions.hpp"
+
+#include "ui/actions/view_moves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <optional>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+template <Command command>
+void give(UiState& state) {
+    state.command = command;
+}
+
+template <bool UiState::* flag>
+void toggle(UiState& state) {
+    state.*flag = !(state.*flag);
+}
+
+template <bool UiState::* flag>
+bool is_set(const UiState& state) {
+    return state.*flag;
+}
+
+template <bool Layout::* flag>
+void toggle_layout(UiState& state) {
+    state.layout.*flag = !(state.layout.*flag);
+}
+
+template <bool Layout::* flag>
+bool is_layout(const UiState& state) {
+    return state.layout.*flag;
+}
+
+template <bool Document::* flag>
+void toggle_document(UiState& state) {
+    state.document.*flag = !(state.document.*flag);
+}
+
+template <bool Document::* flag>
+bool is_document(const UiState& state) {
+    return state.document.*flag;
+}
+
+bool is_parallel(const std::optional<Camera>& camera) {
+    return camera && camera->projection == Projection::Orthographic;
+}
+
+void switch_projection(UiState& state) {
+    std::optional<Camera>& camera = state.document.camera;
+    if (!camera) camera = default_camera(state.document.clip);
+    const bool parallel = is_parallel(camera);
+    camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
+}
+
+void switch_theme(UiState& state) {
+    state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
+    state.follows_desktop = false;
+}
+
+template <Side side>
+void look(UiState& state) {
+    look_from(state, side);
+}
+
+template <int right, int up>
+void turn(UiState& state) {
+    orbit_step(state, {right, up});
+}
+
+template <ColorBy by>
+void color_by(UiState& state) {
+    state.document.coloring = {by, state.document.coloring.expression};
+    if (by == ColorBy::Expression) state.layout.look_open = true;
+}
+
+template <ColorBy by>
+bool is_colored_by(const UiState& state) {
+    return state.document.coloring.by == by;
+}
+
+/// They are there while their section is open.
+void switch_handles(UiState& state) {
+    Layout& layout = state.layout;
+    layout.handles = !has_clip_handles(layout);
+    layout.clip_open = layout.clip_open || layout.handles;
+}
+
+/// At the pointer, or in the middle of the picture.
+void keep_marker(UiState& state) {
+    state.click = PictureClick{.cursor = state.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
+}
+
+void select_next_marker(UiState& state) {
+    const std::vector<Marker>& markers = state.document.markers;
+    auto next = std::ranges::find(markers, state.selected_marker, &Marker::number);
+    if (next != markers.end()) ++next;
+    state.selected_marker = (next == markers.end() ? markers.front() : *next).number;
+    state.layout.markers_open = true;
+}
+
+bool has_markers(const UiState& state) { return !state.document.markers.empty(); }
+bool has_selected_marker(const UiState& state) { return state.selected_marker != 0; }
+
+constexpr const char* picture = "Picture";
+constexpr const char* view = "View";
+constexpr const char* document = "Document";
+constexpr const char* window = "Window";
+
+// The sections in the order of the help; in each the actions from the most used on.
+constexpr auto table = std::to_array<Action>({
+    {.section = picture,
+     .name = "Reset the view",
+     .keys = "R",
+     .about = "look at the whole box again",
+     .run = [](UiState& state) { state.reset_view = true; }},
+    {.section = picture,
+     .name = "Parallel rays",
+     .keys = "5",
+     .about = "orthographic or perspective view",
+     .run = switch_projection,
+     .enabled = [](const UiState& state) { return state.document.camera.has_value(); },
+     .is_on = [](const UiState& state) { return is_parallel(state.document.camera); }},
+    {.section = picture,
+     .name = "Mark undecided pixels",
+     .keys = "U",
+     .run = toggle_document<&Document::mark_undecided>,
+     .is_on = is_document<&Document::mark_undecided>},
+    {.section = picture,
+     .name = "Draw jumps in sign",
+     .about = "draw also where f changes its sign in a jump, without a root",
+     .run = toggle_document<&Document::jumps>,
+     .is_on = is_document<&Document::jumps>},
+    {.section = picture,
+     .name = "Keep a marker",
+     .keys = "M",
+     .about = "keep a marker at the pointer, or in the middle; so does a click on a surface",
+     .run = keep_marker,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Next marker",
+     .keys = "Shift+M",
+     .about = "select the next marker: Ctrl+C copies its coordinates",
+     .run = select_next_marker,
+     .enabled = has_markers,
+     .repeats = true,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Remove the marker",
+     .keys = "Delete",
+     .about = "remove the selected marker",
+     .run = [](UiState& state) { remove_marker(state.document.markers, state.selected_marker); },
+     .enabled = has_selected_marker,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Color by surface and side",
+     .run = color_by<ColorBy::Plain>,
+     .is_on = is_colored_by<ColorBy::Plain>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by normal",
+     .run = color_by<ColorBy::Normal>,
+     .is_on = is_colored_by<ColorBy::Normal>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by height",
+     .run = color_by<ColorBy::Height>,
+     .is_on = is_colored_by<ColorBy::Height>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by distance from the eye",
+     .run = color_by<ColorBy::Depth>,
+     .is_on = is_colored_by<ColorBy::Depth>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by mean curvature",
+     .run = color_by<ColorBy::MeanCurvature>,
+     .is_on = is_colored_by<ColorBy::MeanCurvature>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by Gaussian curvature",
+     .run = color_by<ColorBy::GaussianCurvature>,
+     .is_on = is_colored_by<ColorBy::GaussianCurvature>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by length of the gradient",
+     .run = color_by<ColorBy::Gradient>,
+     .is_on = is_colored_by<ColorBy::Gradient>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Color by an expression",
+     .run = color_by<ColorBy::Expression>,
+     .is_on = is_colored_by<ColorBy::Expression>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Shadows",
+     .run = toggle_document<&Document::shadows>,
+     .is_on = is_document<&Document::shadows>},
+    {.section = picture,
+     .name = "Smooth edges",
+     .run = toggle_document<&Document::antialias>,
+     .is_on = is_document<&Document::antialias>},
+    {.section = picture,
+     .name = "Axes",
+     .keys = "A",
+     .about = "axes with numbers",
+     .run = toggle_document<&Document::axes>,
+     .is_on = is_document<&Document::axes>},
+    {.section = picture,
+     .name = "Clip box",
+     .keys = "B",
+     .about = "the edges of the clip box",
+     .run = toggle_document<&Document::clip_box>,
+     .is_on = is_document<&Document::clip_box>},
+    {.section = picture,
+     .name = "Grid",
+     .keys = "G",
+     .about = "a grid on the floor of the clip box",
+     .run = toggle_document<&Document::grid>,
+     .is_on = is_document<&Document::grid>},
+    {.section = picture,
+     .name = "Handles",
+     .keys = "H",
+     .about = "handles that move the clip box, the sphere and the sections",
+     .run = switch_handles,
+     .is_on = [](const UiState& state) { return has_clip_handles(state.layout); }},
+    {.section = view,
+     .name = "Frame the surface",
+     .keys = "F, Home",
+     .about = "find how far the surface reaches, and look at all of it",
+     .run = [](UiState& state) { state.frame_surfaces = true; },
+     .in_fields = false},
+    {.section = view, .name = "View from the front", .keys = "1", .run = look<Side::Front>},
+    {.section = view, .name = "View from the right", .keys = "3", .run = look<Side::Right>},
+    {.section = view, .name = "View from above", .keys = "7", .run = look<Side::Top>},
+    {.section = view, .name = "View from behind", .keys = "Ctrl+1", .run = look<Side::Back>},
+    {.section = view, .name = "View from the left", .keys = "Ctrl+3", .run = look<Side::Left>},
+    {.section = view, .name = "View from below", .keys = "Ctrl+7", .run = look<Side::Bottom>},
+    {.section = view,
+     .name = "Isometric view",
+     .keys = "0",
+     .about = "view from a corner, all axes alike",
+     .run = look<Side::Corner>},
+    {.section = view,
+     .name = "Opposite view",
+     .keys = "9",
+     .about = "view from the opposite side",
+     .run = look_from_opposite},
+    {.section = view, .name = "Orbit to the left", .keys = "4", .run = turn<-1, 0>},
+    {.section = view, .name = "Orbit to the right", .keys = "6", .run = turn<1, 0>},
+    {.section = view, .name = "Orbit up", .keys = "8", .run = turn<0, 1>},
+    {.section = view, .name = "Orbit down", .keys = "2", .run = turn<0, -1>},
+    {.section = view,
+     .name = "Zoom in",
+     .keys = "+, =",
+     .run = [](UiState& state) { zoom_step(state, 1.0); }},
+    {.section = view,
+     .name = "Zoom out",
+     .keys = "-",
+     .run = [](UiState& state) { zoom_step(state, -1.0); }},
+    {.section = view,
+     .name = "Turn freely",
+     .keys = "T",
+     .about = "dragging turns as a ball (trackball), not about what is up",
+     .run = [](UiState& state) { set_trackball(state, !state.document.trackball); },
+     .is_on = is_document<&Document::trackball>},
+    {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
+    {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
+    {.section = view, .name = "z is up", .run = [](UiState& state) { set_up(state, {0, 0, 1}); }},
+    {.section = document,
+     .name = "Undo",
+     .keys = "Ctrl+Z",
+     .about = "undo anything, the view included",
+     .run = give<Command::Undo>,
+     .enabled = is_set<&UiState::can_undo>,
+     .repeats = true},
+    {.section = document,
+     .name = "Redo",
+     .keys = "Ctrl+Shift+Z, Ctrl+Y",
+     .run = give<Command::Redo>,
+     .enabled = is_set<&UiState::can_redo>,
+     .repeats = true},
+    {.section = document, .name = "New", .keys = "Ctrl+N", .run = give<Command::New>},
+    {.section = document,
+     .name = "Open...",
+     .keys = "Ctrl+O",
+     .about = "open a file; it can also be dropped on the window",
+     .run = give<Command::Open>},
+    {.section = document, .name = "Save", .keys = "Ctrl+S", .run = give<Command::Save>},
+    {.section = document,
+     .name = "Save as...",
+     .keys = "Ctrl+Shift+S",
+     .run = give<Command::SaveAs>},
+    {.section = document,
+     .name = "Copy as text",
+     .keys = "Ctrl+C",
+     .about = "outside a row: copy all as text, or the selected marker's coordinates",
+     .run = give<Command::Copy>,
+     .in_fields = false},
+    {.section = document,
+     .name = "Paste",
+     .keys = "Ctrl+V",
+     .about = "outside a row: paste a document or statements",
+     .run = give<Command::Paste>,
+     .in_fields = false},
+    {.section = window,
+     .name = "Fold the panel",
+     .keys = "Ctrl+B",
+     .run = toggle_layout<&Layout::folded>,
+     .is_on = is_layout<&Layout::folded>},
+    {.section = window,
+     .name = "Section: View",
+     .run = toggle_layout<&Layout::view_open>,
+     .is_on = is_layout<&Layout::view_open>},
+    {.section = window,
+     .name = "Section: Clip",
+     .run = toggle_layout<&Layout::clip_open>,
+     .is_on = is_layout<&Layout::clip_open>},
+    {.section = window,
+     .name = "Section: Space",
+     .run = toggle_layout<&Layout::space_open>,
+     .is_on = is_layout<&Layout::space_open>},
+    {.section = window,
+     .name = "Section: Look",
+     .run = toggle_layout<&Layout::look_open>,
+     .is_on = is_layout<&Layout::look_open>},
+    {.section = window,
+     .name = "Section: Markers",
+     .run = toggle_layout<&Layout::markers_open>,
+     .is_on = is_layout<&Layout::markers_open>},
+    {.section = window,
+     .name = "Light theme",
+     .run = switch_theme,
+     .is_on = [](const UiState& state) { return state.theme == Theme::Light; }},
+    {.section = window,
+     .name = "Theme of the desktop",
+     .run = toggle<&UiState::follows_desktop>,
+     .is_on = is_set<&UiState::follows_desktop>},
+    {.section = window,
+     .name = "Gallery",
+     .keys = "Ctrl+G",
+     .about = "surfaces to begin with; arrows and Enter, or a click",
+     .run = [](UiState& state) { state.gallery_page.open = !state.gallery_page.open; },
+     .is_on = [](const UiState& state) { return state.gallery_page.open; }},
+    {.section = window,
+     .name = "Find a command...",
+     .keys = "Ctrl+K",
+     .about = "find a command, a surface or a recent file by a part of its name",
+     .run = [](UiState& state) { state.command_palette.open = !state.command_palette.open; },
+     .is_on = [](const UiState& state) { return state.command_palette.open; }},
+    {.section = window,
+     .name = "Help",
+     .keys = "F1",
+     .about = "formulas and keys; again closes it",
+     .run = toggle<&UiState::show_help>,
+     .is_on = is_set<&UiState::show_help>},
+    {.section = window, .name = "Quit", .keys = "Ctrl+Q", .run = give<Command::Quit>},
+});
+
+}  // namespace
+
+std::span<const Action> actions() { return table; }
+
+const Action& action_named(std::string_view name) {
+    const auto* const found = std::ranges::find(table, name, &Action::name);
+    assert(found != table.end());
+    return *found;
+}
+
+bool is_enabled(const Action& action, const UiState& state) {
+    return action.enabled == nullptr || action.enabled(state);
+}
+
+std::string shown_keys(const Action& action) {
+    const std::string keys = action.keys;
+    return keys.substr(0, keys.find(", "));
+}
+
+std::string described(const Action& action) {
+    const std::string keys = shown_keys(action);
+    return keys.empty() ? action.name : action.name + (" (" + keys + ")");
+}
+
+}  // namespace zeroset::ui

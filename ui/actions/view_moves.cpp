@@ -1,0 +1,105 @@
+#include "ui/actions/view_moves.hpp"
+
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
+#include "ui/model/steering.hpp"
+#include "ui/model/ui_state.hpp"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr double step_of_orbit = 1.0 / 12.0;  ///< of the picture's height: 15 degrees
+
+/// Where the camera is, or is going.
+const Camera& destination(const UiState& state) {
+    return state.move ? state.move->to : *state.document.camera;
+}
+
+void step(UiState& state, const PointerMotion& motion) {
+    if (!state.document.camera) return;
+    state.document.camera = steer(destination(state), motion, turning_of(state));
+    state.move.reset();
+}
+
+/// The same view with what is up in the world up in the picture.
+void turn_upright(UiState& state) {
+    if (!state.document.camera) return;
+    const Camera& camera = destination(state);
+    move_view(state, seen_from(camera, camera.eye - camera.look_at, state.document.up));
+}
+
+}  // namespace
+
+void move_view(UiState& state, const Camera& camera) {
+    if (camera_defect(camera) != nullptr) return;
+    ++state.gesture;  // a step of undo by itself
+    const Camera& from = *state.document.camera;
+    state.move = ViewMove{from, camera, from, 0.0, false};
+}
+
+void follow_move(UiState& state, double elapsed_s) {
+    if (!state.move) return;
+    ViewMove& move = *state.move;
+    if (state.document.camera != move.last) return state.move.reset();
+    // The frame in which it begins says nothing: the window may have slept before.
+    move.elapsed_s += move.begun ? elapsed_s : 0.0;
+    move.begun = true;
+    const double part = std::min(move.elapsed_s / view_move_s, 1.0);
+    move.last = between(move.from, move.to, part * part * (3.0 - 2.0 * part));
+    state.document.camera = move.last;
+    if (part >= 1.0) state.move.reset();
+}
+
+void look_from(UiState& state, const glm::dvec3& outward) {
+    if (!state.document.camera) return;
+    move_view(state, seen_from(destination(state), outward, state.document.up));
+}
+
+bool looks_from(const UiState& state, const glm::dvec3& outward) {
+    if (!state.document.camera) return false;
+    const Camera& camera = destination(state);
+    const Camera moved = seen_from(camera, outward, state.document.up);
+    const double turn = glm::distance(moved.eye, camera.eye) + glm::distance(moved.up, camera.up);
+    return turn < 1e-9 * glm::distance(camera.eye, camera.look_at);
+}
+
+void look_from(UiState& state, Side side) { look_from(state, outward(side, state.document.up)); }
+
+void look_from_opposite(UiState& state) {
+    if (!state.document.camera) return;
+    const Camera& camera = destination(state);
+    look_from(state, camera.look_at - camera.eye);
+}
+
+void centre_on(UiState& state, const glm::dvec3& point) {
+    if (state.document.camera) move_view(state, centred(destination(state), point));
+}
+
+void set_up(UiState& state, const glm::dvec3& up) {
+    state.document.up = up;
+    turn_upright(state);
+}
+
+void set_trackball(UiState& state, bool freely) {
+    state.document.trackball = freely;
+    if (!freely) turn_upright(state);
+}
+
+void orbit_step(UiState& state, const glm::ivec2& steps) {
+    PointerMotion motion;
+    // The picture turns the other way round than the eye.
+    motion.orbit = -step_of_orbit * glm::dvec2(steps);
+    step(state, motion);
+}
+
+void zoom_step(UiState& state, double notches) {
+    PointerMotion motion;
+    motion.wheel = notches;
+    step(state, motion);
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+
+/// A question over everything, or with one answer a message.
+struct Question {
+    std::string text;
+    /// The first is what Enter gives, the last what Escape does; each begins with a capital of its
+    /// own, and that letter gives it, too.
+    std::vector<std::string> answers;
+    std::optional<std::size_t> chosen;  ///< set by the panel
+};
+
+/// A choice of a file, in the window itself.
+struct FileChoice {
+    enum class Purpose : std::uint8_t { Open, Save };
+    Purpose purpose = Purpose::Open;
+    std::string folder;         ///< shown; absolute
+    std::string name;           ///< in the field
+    bool finished = false;      ///< set by the panel
+    std::string path;           ///< what was chosen, when it is finished; empty: nothing
+    bool begins = true;         ///< nobody has asked yet
+    bool elsewhere = false;     ///< asked in the desktop's own dialog; here one can only give up
+    bool asks_replace = false;  ///< the file exists; another press of Save replaces it
+};
+
+/// What is asked of the user; the owner sets it, acts on the answer and clears it.
+struct Dialogs {
+    std::optional<Question> question;
+    std::optional<FileChoice> file;
+};
+
+}  // namespace zeroset::ui

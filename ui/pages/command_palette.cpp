@@ -1,0 +1,162 @@
+#include "ui/pages/command_palette.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/model/text_match.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/typing_popup.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* popup = "##command palette";
+
+std::vector<PaletteLine> all_lines(const UiState& state) {
+    std::vector<PaletteLine> lines;
+    for (const Action& action : actions()) {
+        if (&action == &action_named("Find a command...")) continue;
+        const bool on = action.is_on != nullptr && action.is_on(state);
+        lines.push_back(
+            {action.name, shown_keys(action), is_enabled(action, state), on, action.run});
+    }
+    for (std::size_t i = 0; i < state.gallery.size(); ++i) {
+        lines.push_back({state.gallery[i].title, state.gallery[i].group, true, false,
+                         [i](UiState& changed) { changed.surface = i; }});
+    }
+    for (const std::string& path : state.recent) {
+        lines.push_back({std::filesystem::path(path).filename().string(), "recent file", true,
+                         false, [path](UiState& changed) { changed.open_path = path; }});
+    }
+    return lines;
+}
+
+/// What stands before the text: a tick where a switch is on.
+void draw_tick(const ImVec2& lo, float height, const Palette& colors) {
+    const float size = em(0.45F);
+    const ImVec2 at(lo.x + em(0.7F), lo.y + 0.5F * height + 0.1F * size);
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const float thick = em(0.12F);
+    canvas.AddLine(ImVec2(at.x - size, at.y), ImVec2(at.x - 0.4F * size, at.y + 0.6F * size),
+                   colors.accent, thick);
+    canvas.AddLine(ImVec2(at.x - 0.4F * size, at.y + 0.6F * size),
+                   ImVec2(at.x + 0.7F * size, at.y - 0.8F * size), colors.accent, thick);
+}
+
+/// Whether it was clicked.
+bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
+    const float height = em(1.8F);
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const bool clicked = ImGui::Selectable("##line", selected, ImGuiSelectableFlags_DontClosePopups,
+                                           ImVec2(0.0F, height));
+    if (!ImGui::IsItemVisible()) return clicked;
+    const float right = ImGui::GetItemRectMax().x - em(0.6F);
+    const float top = lo.y + 0.5F * (height - ImGui::GetFontSize());
+    const float hint = right - ImGui::CalcTextSize(line.hint.c_str()).x;
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    if (line.is_on) draw_tick(lo, height, colors);
+    const ImVec4 clip(lo.x, lo.y, std::max(hint - em(0.6F), lo.x), lo.y + height);
+    canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(lo.x + em(1.5F), top),
+                   line.enabled ? colors.text : colors.quiet, line.text.c_str(), nullptr, 0.0F,
+                   &clip);
+    canvas.AddText(ImVec2(hint, top), colors.quiet, line.hint.c_str());
+    return clicked;
+}
+
+void follow_arrows(CommandPalette& palette, std::size_t count) {
+    const std::size_t before = palette.selected;
+    if (is_pressed(ImGuiKey_UpArrow) && palette.selected > 0) --palette.selected;
+    if (is_pressed(ImGuiKey_DownArrow)) ++palette.selected;
+    palette.selected = std::min(palette.selected, count - 1);
+    if (palette.selected != before) palette.follow = true;
+}
+
+/// The line that was clicked, if any.
+std::optional<std::size_t> draw_lines(UiState& state, const std::vector<PaletteLine>& lines) {
+    CommandPalette& shown = state.command_palette;
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (draw_line(lines[i], i == shown.selected, palette(state.theme))) clicked = i;
+        if (i == shown.selected && std::exchange(shown.follow, false)) {
+            const ImRect place(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+            ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place,
+                                ImGuiScrollFlags_KeepVisibleEdgeY);
+        }
+        ImGui::PopID();
+    }
+    return clicked;
+}
+
+void draw_field(CommandPalette& palette) {
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (draw_popup_field(palette, "a command, a surface, a recent file", palette.typed)) {
+        palette.selected = 0;
+        palette.follow = true;
+    }
+}
+
+void draw_palette(UiState& state) {
+    CommandPalette& shown = state.command_palette;
+    draw_field(shown);
+    const std::vector<PaletteLine> lines = palette_lines(state, shown.typed);
+    std::optional<std::size_t> picked;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
+    ImGui::BeginChild("##lines", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
+    if (lines.empty()) {
+        ImGui::TextDisabled("nothing found");
+    } else {
+        follow_arrows(shown, lines.size());
+        picked = draw_lines(state, lines);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
+    if (enter && !lines.empty()) picked = shown.selected;
+    if (is_pressed_once(ImGuiKey_Escape)) shown.open = false;
+    if (!picked || !lines[*picked].enabled) return;
+    shown.open = false;
+    lines[*picked].run(state);
+}
+
+}  // namespace
+
+std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed) {
+    std::vector<std::pair<int, PaletteLine>> scored;
+    for (PaletteLine& line : all_lines(state)) {
+        const std::optional<int> score = abbreviation_score(line.text, typed);
+        if (score) scored.emplace_back(typed.empty() ? 0 : *score, std::move(line));
+    }
+    std::ranges::stable_sort(scored, std::ranges::greater{},
+                             [](const auto& entry) { return entry.first; });
+    std::vector<PaletteLine> lines;
+    for (auto& [score, line] : scored)
+        lines.push_back(std::move(line));
+    return lines;
+}
+
+void draw_command_palette(UiState& state) {
+    CommandPalette& shown = state.command_palette;
+    if (!follow_popup(shown, popup)) return;
+    if (shown.frames == 1) {
+        shown.typed.clear();
+        shown.selected = 0;
+    }
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(em(36.0F), 0.95F * window.x), std::min(em(28.0F), 0.85F * window.y));
+    ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.06F * window.y));
+    ImGui::SetNextWindowSize(size);
+    draw_popup(shown, popup, [&] { draw_palette(state); });
+}
+
+}  // namespace zeroset::ui

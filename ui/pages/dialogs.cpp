@@ -1,0 +1,78 @@
+#include "ui/pages/dialogs.hpp"
+
+#include "ui/model/ui_state.hpp"
+#include "ui/pages/file_browser.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace zeroset::ui {
+namespace {
+
+/// Enter gives the first answer, Escape the last, and each has its first letter.
+void follow_keys(Question& question) {
+    for (std::size_t i = 0; i < question.answers.size(); ++i) {
+        const char first = question.answers[i].front();
+        if (is_typed(static_cast<char>(first - 'A' + 'a'))) question.chosen = i;
+    }
+    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter)) {
+        question.chosen = 0;
+    }
+    if (is_pressed_once(ImGuiKey_Escape)) question.chosen = question.answers.size() - 1;
+}
+
+void draw_answers(Question& question, const Palette& colors) {
+    for (std::size_t i = 0; i < question.answers.size(); ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (i == 0) {
+            ImGui::PushStyleColor(ImGuiCol_Button, colors.accent);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.accent);
+            ImGui::PushStyleColor(ImGuiCol_Text, colors.bar);
+        }
+        if (ImGui::Button(question.answers[i].c_str())) question.chosen = i;
+        if (i == 0) ImGui::PopStyleColor(3);
+    }
+}
+
+void draw_question(Question& question, const Palette& colors) {
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
+    if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.45F * window.y), ImGuiCond_Always,
+                            ImVec2(0.5F, 0.5F));
+    if (!ImGui::BeginPopupModal("##question", nullptr, flags)) return;
+    ImGui::PushTextWrapPos(std::min(em(28.0F), 0.85F * window.x));
+    ImGui::TextUnformatted(question.text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy(ImVec2(em(16.0F), em(0.3F)));
+    draw_answers(question, colors);
+    follow_keys(question);
+    if (question.chosen) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+/// While the desktop asks: how to give that up.
+void draw_waiting(FileChoice& choice, const Palette& colors) {
+    Question question{"Choose the file in the desktop's dialog.", {"Cancel"}, {}};
+    draw_question(question, colors);
+    if (question.chosen) choice.finished = true;
+}
+
+}  // namespace
+
+void draw_dialogs(UiState& state) {
+    if (state.dialogs.question && !state.dialogs.question->chosen) {
+        draw_question(*state.dialogs.question, palette(state.theme));
+    } else if (state.dialogs.file && !state.dialogs.file->finished) {
+        FileChoice& choice = *state.dialogs.file;
+        const auto draw = choice.elsewhere ? draw_waiting : draw_file_browser;
+        draw(choice, palette(state.theme));
+    }
+}
+
+}  // namespace zeroset::ui

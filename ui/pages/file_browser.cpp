@@ -1,0 +1,171 @@
+#include "ui/pages/file_browser.hpp"
+
+#include "ui/style/icons.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+namespace fs = std::filesystem;
+using Purpose = FileChoice::Purpose;
+
+struct Entry {
+    std::string name;
+    bool is_folder;
+};
+
+/// Folders first, each sorted by name; hidden ones left out.
+std::vector<Entry> entries_of(const std::string& folder) {
+    std::vector<Entry> entries;
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        std::error_code ignored;
+        const std::string name = at->path().filename().string();
+        const bool is_folder = at->is_directory(ignored);
+        if (name.starts_with('.')) continue;
+        if (is_folder || name.ends_with(document_ending)) entries.push_back({name, is_folder});
+    }
+    std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+        return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+    });
+    return entries;
+}
+
+void go_to(FileChoice& choice, const fs::path& folder) {
+    choice.folder = folder.lexically_normal().string();
+    choice.asks_replace = false;
+    if (choice.purpose == Purpose::Open) choice.name.clear();
+}
+
+/// What the field says, as a path.
+fs::path typed_path(const FileChoice& choice) {
+    fs::path path = fs::path(choice.folder) / choice.name;
+    std::error_code ignored;
+    const bool bare = choice.purpose == Purpose::Save && !choice.name.ends_with(".json");
+    if (bare && !fs::is_directory(path, ignored)) path += document_ending;
+    return path;
+}
+
+/// Opens the folder that was typed, or takes the file; asks once before a file is replaced.
+void accept(FileChoice& choice) {
+    if (choice.name.empty()) return;
+    const fs::path path = typed_path(choice);
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) {
+        choice.name.clear();
+        return go_to(choice, path);
+    }
+    const bool exists = fs::exists(path, ignored);
+    if (choice.purpose == Purpose::Save && exists && !choice.asks_replace) {
+        choice.asks_replace = true;
+        return;
+    }
+    choice.path = path.string();
+    choice.finished = true;
+}
+
+void draw_places(FileChoice& choice, const Palette& colors) {
+    const float size = ImGui::GetFrameHeight();
+    if (icon_button("##up", Icon::Up, {size, colors.quiet}, "The folder above")) {
+        go_to(choice, fs::path(choice.folder).parent_path());
+    }
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    if (draw_elided(choice.folder, ImGui::GetContentRegionAvail().x)) draw_tooltip(choice.folder);
+}
+
+void draw_entry(FileChoice& choice, const Entry& entry, const Palette& colors) {
+    const float indent = em(1.6F);
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const float height = em(1.7F);
+    const bool marked = entry.name == choice.name;
+    if (ImGui::Selectable(
+            ("##" + entry.name).c_str(), marked,
+            ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups,
+            ImVec2(0.0F, height))) {
+        choice.asks_replace = false;
+        if (entry.is_folder) {
+            go_to(choice, fs::path(choice.folder) / entry.name);
+        } else {
+            choice.name = entry.name;
+            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) accept(choice);
+        }
+    }
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const float middle = lo.y + 0.5F * height;
+    if (entry.is_folder) {
+        draw_icon(canvas, Icon::Folder, ImVec2(lo.x + em(0.8F), middle), em(0.9F), colors.quiet);
+    }
+    canvas.AddText(ImVec2(lo.x + indent, middle - 0.5F * ImGui::GetFontSize()), colors.text,
+                   entry.name.c_str());
+}
+
+void draw_entries(FileChoice& choice, float height, const Palette& colors) {
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, colors.field);
+    ImGui::BeginChild("##entries", ImVec2(0.0F, height));
+    const std::vector<Entry> entries = entries_of(choice.folder);
+    for (const Entry& entry : entries)
+        draw_entry(choice, entry, colors);
+    if (entries.empty()) ImGui::TextDisabled("  no documents here (*%s)", document_ending);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+void draw_buttons(FileChoice& choice, const Palette& colors) {
+    if (choice.asks_replace) {
+        ImGui::PushStyleColor(ImGuiCol_Text, colors.warning);
+        ImGui::TextUnformatted("This file exists. Save again to replace it.");
+        ImGui::PopStyleColor();
+    }
+    const char* const verb = choice.purpose == Purpose::Open ? "Open"
+                             : choice.asks_replace           ? "Replace"
+                                                             : "Save";
+    if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", ImVec2(em(7.0F), 0.0F))) choice.finished = true;
+}
+
+void draw_name(FileChoice& choice) {
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::InputTextWithHint("##name", "name or path", &choice.name,
+                                 ImGuiInputTextFlags_AutoSelectAll)) {
+        choice.asks_replace = false;
+    }
+}
+
+}  // namespace
+
+void draw_file_browser(FileChoice& choice, const Palette& colors) {
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove;
+    if (!ImGui::IsPopupOpen("##files")) ImGui::OpenPopup("##files");
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(em(38.0F), 0.95F * window.x), std::min(em(32.0F), 0.92F * window.y));
+    ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.45F * (window.y - size.y)));
+    ImGui::SetNextWindowSize(size);
+    if (!ImGui::BeginPopupModal("##files", nullptr, flags)) return;
+    ImGui::TextUnformatted(choice.purpose == Purpose::Open ? "Open a document" : "Save as");
+    draw_places(choice, colors);
+    draw_name(choice);
+    const float below = (choice.asks_replace ? 2.2F : 1.2F) * ImGui::GetFrameHeightWithSpacing();
+    draw_entries(choice, ImGui::GetContentRegionAvail().y - below, colors);
+    draw_buttons(choice, colors);
+    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter)) accept(choice);
+    if (is_pressed_once(ImGuiKey_Escape)) choice.finished = true;
+    if (choice.finished) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace zeroset::ui

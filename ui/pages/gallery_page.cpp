@@ -1,0 +1,237 @@
+#include "ui/pages/gallery_page.hpp"
+
+#include "ui/style/fonts.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/card_grid.hpp"
+#include "ui/widgets/typing_popup.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* popup = "##gallery page";
+/// The page covers the picture where that is as wide, else the whole window.
+constexpr float least_width_em = 34.0F;
+constexpr float card_em = 13.0F;  ///< the least width of a card
+constexpr float gap_em = 0.7F;
+/// A window as high has room for what is to be said of the selected surface.
+constexpr float details_from_em = 26.0F;
+constexpr float details_em = 6.0F;
+constexpr glm::vec2 picture_size(320.0F, 240.0F);  ///< at scale 1
+constexpr float picture_aspect = 0.75F;            ///< height over width
+
+struct Grid {
+    int columns;
+    float card_width;
+    float picture_height;
+    float card_height;
+};
+
+void place_page(const UiState& state) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float left = side_panel_width(state);
+    const bool wide = window.x - left >= em(least_width_em);
+    const float margin = wide ? em(0.8F) : em(0.4F);
+    const ImVec2 lo((wide ? left : 0.0F) + margin, margin);
+    const float bottom = window.y - (wide ? status_bar_height() : 0.0F) - margin;
+    ImGui::SetNextWindowPos(lo);
+    ImGui::SetNextWindowSize(ImVec2(window.x - margin - lo.x, bottom - lo.y));
+}
+
+bool has_details() { return ImGui::GetIO().DisplaySize.y >= em(details_from_em); }
+
+void draw_head(GalleryPage& page, const Palette& colors) {
+    const float size = ImGui::GetFrameHeight();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Gallery");
+    ImGui::SameLine(0.0F, em(1.0F));
+    const float room = ImGui::GetContentRegionAvail().x - size - em(0.4F);
+    ImGui::SetNextItemWidth(std::min(room, em(24.0F)));
+    if (draw_popup_field(page, "find a name, a word, a part of an equation", page.search)) {
+        page.follow = true;
+    }
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
+    if (icon_button("##close", Icon::Cross, {size, colors.quiet}, "Close (Esc)")) {
+        page.open = false;
+    }
+}
+
+Grid grid_of(float width) {
+    const float gap = em(gap_em);
+    const float columns = std::max(std::floor((width + gap) / (em(card_em) + gap)), 1.0F);
+    const float card = std::floor((width - (columns - 1.0F) * gap) / columns);
+    const float picture = std::floor(picture_aspect * card);
+    const float texts = 2.0F * ImGui::GetTextLineHeight() + em(0.9F);
+    return {static_cast<int>(columns), card, picture, picture + texts};
+}
+
+void follow_arrows(GalleryPage& page, const std::vector<Card>& cards) {
+    constexpr int rows_of_a_page = 2;
+    int rows = 0;
+    int cols = 0;
+    if (is_pressed(ImGuiKey_UpArrow)) --rows;
+    if (is_pressed(ImGuiKey_DownArrow)) ++rows;
+    if (is_pressed(ImGuiKey_PageUp)) rows -= rows_of_a_page;
+    if (is_pressed(ImGuiKey_PageDown)) rows += rows_of_a_page;
+    if (is_pressed(ImGuiKey_LeftArrow)) --cols;
+    if (is_pressed(ImGuiKey_RightArrow)) ++cols;
+    const bool lost = std::ranges::find(cards, page.selected, &Card::item) == cards.end();
+    if (rows == 0 && cols == 0 && !lost) return;
+    page.selected = stepped(cards, page.selected, rows, cols);
+    page.follow = true;
+}
+
+void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
+                const Palette& colors) {
+    const ImFont* small = font(FontRole::SmallFormula);
+    const float small_size = small->FontSize * ImGui::GetIO().FontGlobalScale;
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const float left = lo.x + em(0.5F);
+    const float top = lo.y + grid.picture_height + em(0.3F);
+    const ImVec4 clip(left, lo.y, lo.x + grid.card_width - em(0.3F), lo.y + grid.card_height);
+    canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(left, top), colors.text,
+                   entry.title.c_str(), nullptr, 0.0F, &clip);
+    canvas.AddText(small, small_size, ImVec2(left, top + ImGui::GetTextLineHeight() + em(0.15F)),
+                   colors.quiet, in_one_line(entry.equation).c_str(), nullptr, 0.0F, &clip);
+}
+
+void draw_picture(const GalleryPage& page, std::size_t item, const ImVec2& lo, const ImVec2& hi,
+                  const Palette& colors) {
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.AddRectFilledMultiColor(lo, hi, colors.sky, colors.sky, colors.ground, colors.ground);
+    const auto picture = page.pictures.find(item);
+    if (picture == page.pictures.end()) {
+        const ImVec2 size = ImGui::CalcTextSize("...");
+        canvas.AddText(ImVec2(0.5F * (lo.x + hi.x - size.x), 0.5F * (lo.y + hi.y - size.y)),
+                       colors.quiet, "...");
+        return;
+    }
+    const auto id = static_cast<std::uintptr_t>(picture->second);
+    // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);  // NOLINT
+}
+
+/// Whether it was clicked.
+bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
+    const Palette& colors = palette(state.theme);
+    GalleryPage& page = state.gallery_page;
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const ImVec2 hi(lo.x + grid.card_width, lo.y + grid.card_height);
+    ImGui::PushID(static_cast<int>(item));
+    const bool clicked =
+        ImGui::InvisibleButton("##card", ImVec2(grid.card_width, grid.card_height));
+    ImGui::PopID();
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) page.selected = item;
+    const bool selected = page.selected == item;
+    if (selected && page.follow) {
+        ImGui::ScrollToRect(ImGui::GetCurrentWindow(), ImRect(lo, hi),
+                            ImGuiScrollFlags_KeepVisibleEdgeY);
+        page.follow = false;
+    }
+    if (!ImGui::IsItemVisible()) return clicked;
+    page.visible.push_back(item);
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.AddRectFilled(lo, hi, selected ? colors.row_active : colors.row_field);
+    draw_picture(page, item, lo, ImVec2(hi.x, lo.y + grid.picture_height), colors);
+    draw_texts(state.gallery[item], lo, grid, colors);
+    if (!has_details()) draw_tooltip(state.gallery[item].about);
+    if (selected) canvas.AddRect(lo, hi, colors.accent, 0.0F, 0, em(0.14F));
+    return clicked;
+}
+
+void draw_group_title(const std::string& group, bool first, const Palette& colors) {
+    if (!first) ImGui::Dummy(ImVec2(0.0F, em(0.4F)));
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
+    ImGui::TextUnformatted(group.c_str());
+    ImGui::PopStyleColor();
+}
+
+/// The item that was clicked, if any.
+std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& cards,
+                                      const Grid& grid) {
+    const Palette& colors = palette(state.theme);
+    std::optional<std::size_t> clicked;
+    std::string group;
+    for (const Card& card : cards) {
+        const GalleryEntry& entry = state.gallery[card.item];
+        const bool begins = card.item == cards.front().item || entry.group != group;
+        if (begins) draw_group_title(entry.group, card.item == cards.front().item, colors);
+        group = entry.group;
+        if (card.col > 0) ImGui::SameLine(0.0F, em(gap_em));
+        if (draw_card(state, card.item, grid)) clicked = card.item;
+    }
+    return clicked;
+}
+
+/// The sentence and the source of the selected surface.
+void draw_details(const UiState& state) {
+    const Palette& colors = palette(state.theme);
+    const GalleryEntry& entry = state.gallery[state.gallery_page.selected];
+    ImGui::Separator();
+    ImGui::PushFont(font(FontRole::SmallFormula));
+    draw_elided(in_one_line(entry.equation), ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(entry.about.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PushFont(font(FontRole::Small));
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
+    const bool cut = draw_elided(entry.source, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    if (cut) draw_tooltip(entry.source);
+}
+
+void draw_page(UiState& state) {
+    GalleryPage& page = state.gallery_page;
+    draw_head(page, palette(state.theme));
+    const bool details = has_details();
+    const float height = ImGui::GetContentRegionAvail().y - (details ? em(details_em) : 0.0F);
+    const float bar = ImGui::GetStyle().ScrollbarSize + em(0.3F);
+    const Grid grid = grid_of(ImGui::GetContentRegionAvail().x - bar);
+    const std::vector<Card> cards = cards_of(state.gallery, page.search, grid.columns);
+    std::optional<std::size_t> picked;
+    ImGui::BeginChild("##cards", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
+    page.visible.clear();
+    if (cards.empty()) {
+        ImGui::TextDisabled("nothing found");
+    } else {
+        follow_arrows(page, cards);
+        picked = draw_cards(state, cards, grid);
+    }
+    ImGui::EndChild();
+    if (details && !cards.empty()) draw_details(state);
+    const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
+    if (enter && !cards.empty()) picked = page.selected;
+    if (picked) state.surface = picked;
+    if (picked || is_pressed_once(ImGuiKey_Escape)) page.open = false;
+}
+
+}  // namespace
+
+void draw_gallery_page(UiState& state) {
+    GalleryPage& page = state.gallery_page;
+    if (state.gallery.empty() || !follow_popup(page, popup)) {
+        page.visible.clear();
+        return;
+    }
+    const float scale = em(1.0F) / 14.0F * ImGui::GetIO().DisplayFramebufferScale.x;
+    page.picture_px = glm::ivec2(glm::round(scale * picture_size));
+    if (page.frames == 1) page.follow = true;
+    place_page(state);
+    draw_popup(page, popup, [&] { draw_page(state); });
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,193 @@
+#include "ui/pages/help_panel.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/model/text_match.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+/// What is done with the pointer or in a field, before the actions of the same section.
+std::vector<HelpSection> gestures_help() {
+    return {{"Picture",
+             {{"left drag", "orbit"},
+              {"right drag, Shift + left drag", "pan"},
+              {"wheel", "zoom towards the cursor"},
+              {"double click", "centre on the point of the surface"},
+              {"balls at the upper right", "click: view along an axis; drag: orbit"},
+              {"rest the pointer", "the status line says what is there"},
+              {"click on a surface", "keep a marker there; on a marker: select it"},
+              {"drag a handle", "move a face of the clip box, the sphere, a section; Esc: not"},
+              {"Shift with a face", "moves the opposite one, too; Ctrl: all of them"},
+              {"Shift with a section's ball", "turns it to even directions"}}},
+            {"Statements",
+             {{"Enter", "a new row below"},
+              {"Shift+Enter", "a new line in the row"},
+              {"Up, Down", "to the row above, below"},
+              {"Tab, Shift+Tab", "to the next row, the one before"},
+              {"Esc", "leave the row"},
+              {"Backspace in an empty row", "remove it"},
+              {"Alt+Up, Alt+Down", "move the row"},
+              {"Ctrl+D", "duplicate the row"}}},
+            {"Sliders",
+             {{"drag", "change the value"},
+              {"double-click, Ctrl+click", "type a number, beyond the slider's ends, too"},
+              {"right click", "back to the usual value and range"}}}};
+}
+
+const std::vector<HelpSection>& keys_help() {
+    static const std::vector<HelpSection> sections = [] {
+        std::vector<HelpSection> all = gestures_help();
+        for (const Action& action : actions()) {
+            if (*action.keys == '\0') continue;
+            auto section = std::ranges::find(all, action.section, &HelpSection::title);
+            if (section == all.end()) section = all.insert(all.end(), {action.section, {}});
+            const bool named = *action.about == '\0';
+            section->entries.push_back({action.keys, named ? action.name : action.about});
+        }
+        return all;
+    }();
+    return sections;
+}
+
+std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter) {
+    if (contains(section.title, filter)) return section.entries;
+    std::vector<HelpEntry> found;
+    for (const HelpEntry& entry : section.entries) {
+        if (contains(entry.typed, filter) || contains(entry.meaning, filter)) {
+            found.push_back(entry);
+        }
+    }
+    return found;
+}
+
+void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const Palette& colors) {
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_PadOuterX;
+    if (!ImGui::BeginTable("##entries", 2, flags)) return;
+    ImGui::TableSetupColumn("typed", ImGuiTableColumnFlags_WidthStretch, 0.42F);
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch, 0.58F);
+    for (const HelpEntry& entry : entries) {
+        ImGui::TableNextColumn();
+        ImGui::PushFont(font(typed));
+        ImGui::PushTextWrapPos(0.0F);
+        ImGui::TextUnformatted(entry.typed.c_str());
+        ImGui::PopFont();
+        ImGui::TableNextColumn();
+        ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
+        ImGui::TextUnformatted(entry.meaning.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::EndTable();
+}
+
+/// Whether anything of it was found.
+bool draw_sections(const std::vector<HelpSection>& sections, const std::string& filter,
+                   FontRole typed, const Palette& colors) {
+    bool any = false;
+    for (const HelpSection& section : sections) {
+        const std::vector<HelpEntry> entries = filtered(section, filter);
+        if (entries.empty()) continue;
+        ImGui::PushID(&section);
+        if (any) ImGui::Dummy(ImVec2(0.0F, em(0.3F)));
+        ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
+        ImGui::TextUnformatted(section.title.c_str());
+        ImGui::PopStyleColor();
+        draw_entries(entries, typed, colors);
+        ImGui::PopID();
+        any = true;
+    }
+    return any;
+}
+
+void draw_language(UiState& state) {
+    const Palette& colors = palette(state.theme);
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputTextWithHint("##filter", "find a function, for example  root", &state.help_filter);
+    ImGui::BeginChild("##language", ImVec2(0.0F, 0.0F));
+    if (!draw_sections(state.language_help, state.help_filter, FontRole::SmallFormula, colors)) {
+        ImGui::TextDisabled("nothing found");
+    }
+    ImGui::EndChild();
+}
+
+void draw_keys(const Palette& colors) {
+    ImGui::BeginChild("##keys", ImVec2(0.0F, 0.0F));
+    draw_sections(keys_help(), "", FontRole::Text, colors);
+    ImGui::EndChild();
+}
+
+/// At the right, above the status line; over it where the window is too low for that.
+void place_window() {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float margin = std::min(em(1.0F), 0.02F * window.y);
+    const float top = margin;
+    const float bottom = window.y - status_bar_height() - margin;
+    const ImVec2 size(
+        std::min(em(48.0F), window.x - 2.0F * margin),
+        std::clamp(bottom - top, std::min(em(34.0F), window.y - 2.0F * margin), em(50.0F)));
+    ImGui::SetNextWindowPos(
+        ImVec2(window.x - margin - size.x, std::clamp(top, margin, window.y - margin - size.y)),
+        ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(em(20.0F), window.x), em(12.0F)), window);
+}
+
+}  // namespace
+
+void follow_help_keys(UiState& state) {
+    const bool is_for_others =
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) || state.handle_drag.has_value();
+    if (!state.show_help || is_for_others) return;
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
+    state.show_help = false;
+    // No longer just pressed: the text field would give up what was typed.
+    ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
+}
+
+void draw_help_panel(UiState& state) {
+    if (!state.show_help) {
+        state.help_filter.clear();
+        return;
+    }
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    place_window();
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.theme).popup);
+    const bool open = ImGui::Begin("Help##help", &state.show_help, flags);
+    ImGui::PopStyleColor();
+    if (open) {
+        if (ImGui::IsWindowAppearing()) {
+            ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+        }
+        if (ImGui::BeginTabBar("##tabs")) {
+            if (ImGui::BeginTabItem("Formulas")) {
+                draw_language(state);
+                ImGui::EndTabItem();
+            }
+            if (ImGui::BeginTabItem("Keys")) {
+                draw_keys(palette(state.theme));
+                ImGui::EndTabItem();
+            }
+            ImGui::EndTabBar();
+        }
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,58 @@
+#include "ui/panels/document_menu.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
+
+#include <imgui/imgui.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+void draw_recent(UiState& state) {
+    if (!ImGui::BeginMenu("Open recent", !state.recent.empty())) return;
+    for (const std::string& path : state.recent) {
+        ImGui::PushID(path.c_str());
+        const std::string name = std::filesystem::path(path).filename().string();
+        if (ImGui::MenuItem(name.c_str())) state.open_path = path;
+        draw_tooltip(path, 40.0F);
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
+void draw_items(UiState& state, std::initializer_list<const char*> names) {
+    for (const char* const name : names) {
+        const Action& action = action_named(name);
+        const std::string keys = shown_keys(action);
+        if (ImGui::MenuItem(name, keys.c_str(), false, is_enabled(action, state))) {
+            action.run(state);
+        }
+    }
+}
+
+}  // namespace
+
+void draw_document_menu(UiState& state, const IconLook& look) {
+    const std::string about = state.name + (state.unsaved ? " (not saved)" : "");
+    if (icon_button("##document", Icon::Menu, look, about)) ImGui::OpenPopup("##document menu");
+    if (!ImGui::BeginPopup("##document menu")) return;
+    ImGui::TextDisabled("%s", about.c_str());
+    ImGui::Separator();
+    draw_items(state, {"New", "Open..."});
+    draw_recent(state);
+    ImGui::Separator();
+    draw_items(state, {"Save", "Save as..."});
+    ImGui::Separator();
+    draw_items(state, {"Copy as text", "Paste"});
+    ImGui::Separator();
+    draw_items(state, {"Find a command...", "Quit"});
+    ImGui::EndPopup();
+}
+
+}  // namespace zeroset::ui

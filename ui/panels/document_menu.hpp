@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/model/ui_state.hpp"
+#include "ui/style/icons.hpp"
+
+namespace zeroset::ui {
+
+/// The button that opens the menu of the document: new, open, recent files, save, copy, paste.
+/// Sets `state.command` and `state.open_path`.
+void draw_document_menu(UiState& state, const IconLook& look);
+
+}  // namespace zeroset::ui

@@ -1,0 +1,175 @@
+#include "ui/panels/look_section.hpp"
+
+#include "document/look.hpp"
+#include "engine/scene/coloring.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/picture/legend.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_stdlib.h>
+
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* about_expression =
+    "A formula of x, y, z, w and the sliders' letters, such as x^2 + y^2, with the functions and "
+    "values of the list.";
+
+void draw_color_by(ColorChoice& coloring) {
+    draw_label("color", "What the colours of the surfaces tell.");
+    if (!ImGui::BeginCombo("##color_by", shown_name(coloring.by), ImGuiComboFlags_HeightLarge)) {
+        return;
+    }
+    for (const ColorBy by : color_modes()) {
+        if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
+        // What was chosen for one quantity says nothing of another.
+        coloring = {by, coloring.expression};
+    }
+    ImGui::EndCombo();
+}
+
+void draw_expression(UiState& state) {
+    draw_label("of", about_expression);
+    ImGui::PushFont(font(FontRole::Formula));
+    ImGui::InputTextWithHint("##color_expression", "x^2 + y^2",
+                             &state.document.coloring.expression);
+    ImGui::PopFont();
+    if (state.color_error.empty()) return;
+    draw_label("", "");
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(state.theme).error);
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (draw_elided(state.color_error, room)) draw_tooltip(state.color_error);
+    ImGui::PopStyleColor();
+}
+
+void draw_map_preview(ImDrawList& canvas, const ImVec2& lo, ColorMap map) {
+    const float height = ImGui::GetTextLineHeight();
+    draw_map_bar(canvas, lo, ImVec2(lo.x + em(6.0F), lo.y + height), map);
+}
+
+void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {
+    const ImVec2 line = ImGui::GetCursorScreenPos();
+    const std::string name(name_of(map));
+    if (ImGui::Selectable(("##" + name).c_str(), chosen)) {
+        coloring.map = map == usual_map(coloring.by) ? std::nullopt : std::optional(map);
+    }
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    draw_map_preview(canvas, line, map);
+    canvas.AddText(ImVec2(line.x + em(6.8F), line.y), ImGui::GetColorU32(ImGuiCol_Text),
+                   name.c_str());
+}
+
+void draw_map(ColorChoice& coloring) {
+    draw_label("map",
+               "Colours in even steps, told apart by lightness, too. Balance is for numbers "
+               "with a sign, cycle for angles.");
+    const ColorMap shown = coloring.map.value_or(usual_map(coloring.by));
+    const ImVec2 padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const bool open = ImGui::BeginCombo("##color_map", "");
+    // Over the combo's own field.
+    draw_map_preview(canvas, ImVec2(at.x + padding.x, at.y + padding.y), shown);
+    if (!open) return;
+    for (const ColorMap map : color_maps())
+        draw_map_line(coloring, map, map == shown);
+    ImGui::EndCombo();
+}
+
+/// One end of the range; true when another finite number was typed.
+bool draw_end(const char* id, double& end, float width) {
+    ImGui::SetNextItemWidth(width);
+    double typed = end;
+    if (!ImGui::InputDouble(id, &typed, 0.0, 0.0, "%.5g")) return false;
+    if (!(std::abs(typed) <= largest_number) || typed == end) return false;
+    end = typed;
+    return true;
+}
+
+void draw_range(UiState& state) {
+    ColorChoice& coloring = state.document.coloring;
+    draw_label("range",
+               "The numbers at the ends of the colours. By itself the range holds most of "
+               "what the picture shows.");
+    bool by_itself = !coloring.range;
+    const ValueRange found =
+        state.legend && state.legend->range ? *state.legend->range : ValueRange();
+    ValueRange range = coloring.range.value_or(found);
+    if (ImGui::Checkbox("auto##range", &by_itself)) {
+        coloring.range = by_itself ? std::nullopt : std::optional(range);
+    }
+    ImGui::SameLine();
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = 0.5F * (ImGui::GetContentRegionAvail().x - gap);
+    const bool lo = draw_end("##range_lo", range.lo, width);
+    ImGui::SameLine(0.0F, gap);
+    const bool hi = draw_end("##range_hi", range.hi, -FLT_MIN);
+    if ((lo || hi) && range.lo < range.hi) coloring.range = range;
+}
+
+void draw_undecided(UiState& state) {
+    ImGui::Checkbox("Mark undecided###undecided", &state.document.mark_undecided);
+    draw_tooltip(
+        "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
+        "place where f jumps or ends. A larger d_stop decides more of them.");
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
+    const char* const jumps = "Jumps###jumps";
+    if (ImGui::CalcTextSize(jumps, nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <= room) {
+        ImGui::SameLine(0.0F, em(1.2F));
+        ImGui::Checkbox(jumps, &state.document.jumps);
+        draw_tooltip(
+            "Draw also where f changes its sign in a jump, as floor and if make it, without "
+            "a root.");
+    }
+    if (!state.document.mark_undecided) return;
+    constexpr std::array marks{std::pair(Mark::UndecidedDrawn, "something is drawn there"),
+                               std::pair(Mark::UndecidedNotDrawn, "nothing is drawn there"),
+                               std::pair(Mark::Coarse, "certified in a coarse bracket")};
+    const Palette& colors = palette(state.theme);
+    const float size = ImGui::GetTextLineHeight();
+    for (const auto& [mark, words] : marks) {
+        ImGui::Dummy(ImVec2(em(1.6F), size));
+        ImGui::SameLine(0.0F, 0.0F);
+        draw_mark_swatch(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, mark,
+                         colors);
+        ImGui::Dummy(ImVec2(size, size));
+        ImGui::SameLine(0.0F, em(0.5F));
+        ImGui::TextDisabled("%s", words);
+    }
+}
+
+}  // namespace
+
+float look_section_height(const UiState& state) {
+    const ColorChoice& coloring = state.document.coloring;
+    float rows = 2.0F;
+    if (coloring.by == ColorBy::Expression) rows += state.color_error.empty() ? 1.0F : 2.0F;
+    if (has_range(coloring.by)) rows += 2.0F;
+    const float lines = state.document.mark_undecided ? 3.0F : 0.0F;
+    return rows * ImGui::GetFrameHeightWithSpacing() +
+           lines * ImGui::GetTextLineHeightWithSpacing();
+}
+
+void draw_look_section(UiState& state) {
+    ColorChoice& coloring = state.document.coloring;
+    draw_color_by(coloring);
+    if (coloring.by == ColorBy::Expression) draw_expression(state);
+    if (has_range(coloring.by)) {
+        draw_map(coloring);
+        draw_range(state);
+    }
+    draw_undecided(state);
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,157 @@
+#include "ui/panels/parameter_row.hpp"
+
+#include "document/document.hpp"
+#include "document/play.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* about_w =
+    "The fourth coordinate: the picture is the slice of f(x, y, z, w) = 0 at this w.\n";
+constexpr const char* how =
+    "Double-click or Ctrl+click: type any number. Right click: back to the usual value and range.";
+
+/// A number with its label; true when a finite one was typed.
+bool draw_number(const char* label, const char* id, double& number) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", label);
+    ImGui::SameLine(em(4.0F));
+    ImGui::SetNextItemWidth(em(8.0F));
+    double typed = number;
+    if (!ImGui::InputDouble(id, &typed, 0.0, 0.0, "%.6g")) return false;
+    if (!(std::abs(typed) <= largest_number)) return false;
+    number = typed;
+    return true;
+}
+
+void draw_ends(Slider& slider) {
+    double lo = slider.lo;
+    if (draw_number("from", "##lo", lo) && lo < slider.hi) {
+        slider.lo = lo;
+        slider.value = std::max(slider.value, lo);
+    }
+    double hi = slider.hi;
+    if (draw_number("to", "##hi", hi) && hi > slider.lo) {
+        slider.hi = hi;
+        slider.value = std::min(slider.value, hi);
+    }
+    double step = slider.step;
+    if (draw_number("step", "##step", step) && step >= 0.0) {
+        slider.step = step;
+        slider.value = on_step(slider, slider.value);
+    }
+    draw_tooltip("0: any value between the ends");
+}
+
+void draw_settings(const char* id, Slider& slider) {
+    if (!ImGui::BeginPopup(id)) return;
+    draw_ends(slider);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("speed");
+    ImGui::SameLine(em(4.0F));
+    ImGui::SetNextItemWidth(em(8.0F));
+    auto speed = static_cast<float>(slider.speed);
+    if (ImGui::SliderFloat("##speed", &speed, 0.125F, 8.0F, "%.2f\xC3\x97",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
+        slider.speed = static_cast<double>(speed);
+    }
+    draw_tooltip("1: from end to end in four seconds");
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("at the end");
+    if (ImGui::RadioButton("turn back", slider.repeat == Repeat::Bounce)) {
+        slider.repeat = Repeat::Bounce;
+    }
+    ImGui::SameLine();
+    if (ImGui::RadioButton("start again", slider.repeat == Repeat::Loop)) {
+        slider.repeat = Repeat::Loop;
+    }
+    ImGui::EndPopup();
+}
+
+void draw_play_button(UiState& state, const std::string& name, const Slider& slider, float size) {
+    const Palette& colors = palette(state.theme);
+    const bool plays = state.playing.contains(name);
+    const IconLook look{size, plays ? colors.accent : colors.quiet};
+    if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look, plays ? "Stop" : "Play")) {
+        return;
+    }
+    if (plays) {
+        state.playing.erase(name);
+    } else {
+        state.playing[name] = started(slider);
+    }
+}
+
+void draw_name(const std::string& name, const Palette& colors) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(font(FontRole::Formula));
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.text);
+    const bool cut = draw_elided(name, em(1.9F));
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
+}
+
+void draw_row(UiState& state, const std::string& name) {
+    const Palette& colors = palette(state.theme);
+    ImGui::PushID(name.c_str());
+    Slider slider = slider_named(state, name);
+    const float size = ImGui::GetFrameHeight();
+    const float left = ImGui::GetCursorPosX();
+    draw_play_button(state, name, slider, size);
+    ImGui::SameLine(0.0F, em(0.3F));
+    draw_name(name, colors);
+    ImGui::SameLine(left + size + em(2.5F));
+    draw_slider("##value", slider, first_slider(name), size);
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
+    if (icon_button("##more", Icon::More, {size, colors.quiet}, "Range, step and speed")) {
+        ImGui::OpenPopup("##settings");
+    }
+    draw_settings("##settings", slider);
+    if (slider != slider_named(state, name)) {
+        if (state.playing.contains(name)) state.playing[name] = started(slider);
+        set_slider(state, name, slider);
+    }
+    ImGui::PopID();
+}
+
+}  // namespace
+
+Slider first_slider(const std::string& name) { return name == w_name ? Document().w : Slider(); }
+
+Slider slider_named(const UiState& state, const std::string& name) {
+    return name == w_name ? state.document.w : slider_of(state.document, name);
+}
+
+void set_slider(UiState& state, const std::string& name, const Slider& slider) {
+    if (name == w_name) {
+        state.document.w = slider;
+    } else if (slider == Slider()) {
+        state.document.parameters.erase(name);
+    } else {
+        state.document.parameters[name] = slider;
+    }
+}
+
+void draw_parameter_rows(UiState& state) {
+    if (!state.uses_w && state.parameters.empty()) return;
+    ImGui::Separator();
+    if (state.uses_w) draw_row(state, w_name);
+    for (const std::string& name : state.parameters)
+        draw_row(state, name);
+}
+
+}  // namespace zeroset::ui

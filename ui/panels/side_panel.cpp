@@ -1,0 +1,204 @@
+#include "ui/panels/side_panel.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/panels/clip_section.hpp"
+#include "ui/panels/document_menu.hpp"
+#include "ui/panels/look_section.hpp"
+#include "ui/panels/marker_section.hpp"
+#include "ui/panels/space_section.hpp"
+#include "ui/panels/statement_list.hpp"
+#include "ui/panels/status_panel.hpp"
+#include "ui/panels/view_section.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace zeroset::ui {
+namespace {
+
+/// The list of statements keeps this height before the sections below it scroll.
+constexpr float least_list_em = 9.0F;
+/// Of the room for both, when the list needs it.
+constexpr float most_for_list = 0.7F;
+
+constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoFocusOnAppearing |
+                                       ImGuiWindowFlags_NoScrollWithMouse;
+
+float button_size() { return std::ceil(em(2.0F)); }
+
+/// The action as a sign; its name and keys show under the pointer.
+void draw_action(UiState& state, const char* name, Icon icon, IconLook look) {
+    const Action& action = action_named(name);
+    look.enabled = is_enabled(action, state);
+    if (icon_button(name, icon, look, described(action))) action.run(state);
+}
+
+void draw_gallery_button(UiState& state, const ImVec2& size) {
+    const Action& action = action_named("Gallery");
+    if (ImGui::Button(action.name, size)) action.run(state);
+    draw_tooltip(described(action));
+}
+
+void draw_header(UiState& state) {
+    const Palette& colors = palette(state.theme);
+    const float size = button_size();
+    const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+    const IconLook look{size, colors.quiet};
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.2F), em(0.4F)));
+    draw_document_menu(state, look);
+    ImGui::SameLine();
+    draw_action(state, "Undo", Icon::Undo, look);
+    ImGui::SameLine();
+    draw_action(state, "Redo", Icon::Redo, look);
+    ImGui::SameLine(0.0F, em(0.5F));
+    const float gallery = right - ImGui::GetCursorPosX() - 2.0F * (size + em(0.2F)) - em(0.3F);
+    draw_gallery_button(state, ImVec2(std::clamp(gallery, em(5.0F), em(9.0F)), size));
+    ImGui::SameLine(right - 2.0F * size - em(0.2F));
+    draw_action(state, "Help", Icon::Help, look);
+    ImGui::SameLine(right - size);
+    draw_action(state, "Fold the panel", Icon::Fold, look);
+    ImGui::PopStyleVar();
+}
+
+/// The line that opens and closes a section.
+void draw_section_title(const char* title, bool& open, const Palette& colors) {
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const float height = std::ceil(em(1.9F));
+    if (ImGui::InvisibleButton(title, ImVec2(ImGui::GetContentRegionAvail().x, height))) {
+        open = !open;
+    }
+    const std::uint32_t color = ImGui::IsItemHovered() ? colors.text : colors.quiet;
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    const float middle = lo.y + 0.5F * height;
+    draw_icon(canvas, open ? Icon::Down : Icon::Unfold, ImVec2(lo.x + em(0.6F), middle), em(0.7F),
+              color);
+    canvas.AddText(ImVec2(lo.x + em(1.5F), middle - 0.5F * ImGui::GetFontSize()), color, title);
+}
+
+/// Drags the panel's right edge.
+void draw_edge(UiState& state, float width, float height) {
+    const Palette& colors = palette(state.theme);
+    const ImRect grip(ImVec2(width - em(0.5F), 0.0F), ImVec2(width, height));
+    const ImGuiID id = ImGui::GetID("##edge");
+    bool hovered = false;
+    bool held = false;
+    // No item of the layout: it stands beside the content.
+    ImGui::PushClipRect(ImVec2(0.0F, 0.0F), grip.Max, false);
+    if (ImGui::ItemAdd(grip, id)) ImGui::ButtonBehavior(grip, id, &hovered, &held);
+    const bool lit = held || hovered;
+    if (lit) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (held) {
+        const float most = most_of_window * ImGui::GetIO().DisplaySize.x / em(1.0F);
+        const float wished = ImGui::GetIO().MousePos.x / em(1.0F);
+        state.layout.panel_em = std::clamp(wished, narrowest_em, std::max(most, narrowest_em));
+    }
+    const float thick = em(lit ? 0.15F : 1.0F / 14.0F);
+    ImDrawList& canvas = *ImGui::GetWindowDrawList();
+    canvas.AddRectFilled(ImVec2(width - thick, 0.0F), ImVec2(width, height),
+                         lit ? colors.accent : colors.border);
+    ImGui::PopClipRect();
+}
+
+/// What stands below the list, one after the other.
+struct FoldedSection {
+    const char* title;
+    const char* id;
+    bool Layout::* open;
+    void (*draw)(UiState&);
+    float (*height)(const UiState&);  ///< of what is drawn, window coordinates
+};
+constexpr std::array<FoldedSection, 5> sections{
+    {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
+     {"Look", "##look", &Layout::look_open, draw_look_section, look_section_height},
+     {"Clip", "##clip", &Layout::clip_open, draw_clip_section, clip_section_height},
+     {"Space", "##space", &Layout::space_open, draw_space_section, space_section_height},
+     {"Markers", "##markers", &Layout::markers_open, draw_marker_section, marker_section_height}}};
+
+float sections_height(const UiState& state) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    float height = 0.0F;
+    for (const FoldedSection& section : sections) {
+        height += std::ceil(em(1.9F)) + 2.0F * gap;
+        if (state.layout.*section.open) height += section.height(state) + gap;
+    }
+    return height;
+}
+
+void draw_below(UiState& state, float height) {
+    ImGui::BeginChild("##sections", ImVec2(0.0F, height));
+    for (const FoldedSection& section : sections) {
+        ImGui::Separator();
+        draw_section_title(section.title, state.layout.*section.open, palette(state.theme));
+        if (!(state.layout.*section.open)) continue;
+        ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
+        section.draw(state);
+        ImGui::EndChild();
+    }
+    ImGui::EndChild();
+}
+
+void draw_folded(UiState& state) {
+    const float size = button_size();
+    ImGui::SetNextWindowPos(ImVec2(em(0.6F), em(0.6F)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.2F), em(0.2F)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
+        draw_action(state, "Fold the panel", Icon::Unfold, {size, palette(state.theme).quiet});
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+/// The list has the room it needs, but in a low window only the greater part of it; the sections
+/// have the rest, and scroll.
+void draw_sections(UiState& state) {
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID needed = ImGui::GetID("##list_height");
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const float room = ImGui::GetContentRegionAvail().y - gap;
+    const float most = std::max(em(least_list_em), most_for_list * room);
+    const float list = std::clamp(kept.GetFloat(needed), em(least_list_em), most);
+    const float below = std::max(std::min(sections_height(state), room - list), em(4.0F));
+    ImGui::BeginChild("##list", ImVec2(0.0F, std::max(room - below, em(4.0F))));
+    draw_statement_list(state);
+    kept.SetFloat(needed, ImGui::GetCursorPosY());
+    ImGui::EndChild();
+    draw_below(state, below);
+}
+
+}  // namespace
+
+void draw_side_panel(UiState& state) {
+    if (state.layout.folded) return draw_folded(state);
+    const Palette& colors = palette(state.theme);
+    const float width = side_panel_width(state);
+    const float height = ImGui::GetIO().DisplaySize.y - status_bar_height();
+    ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.6F), em(0.6F)));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.bar);
+    const bool open =
+        ImGui::Begin("##side", nullptr, bar_flags | ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+    if (open) {
+        draw_header(state);
+        draw_sections(state);
+        draw_edge(state, width, height);
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,83 @@
+#include "ui/panels/space_section.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/actions/view_moves.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+void draw_switch(UiState& state, const char* label, const char* name) {
+    const Action& action = action_named(name);
+    bool on = action.is_on(state);
+    if (ImGui::Checkbox((std::string(label) + "###" + name).c_str(), &on)) action.run(state);
+    draw_tooltip(described(action));
+}
+
+struct Button {
+    const char* label;
+    const char* action;
+};
+
+/// In one row, all as wide.
+void draw_buttons(UiState& state, std::span<const Button> buttons) {
+    const float gap = em(0.35F);
+    const auto count = static_cast<float>(buttons.size());
+    const float width = (ImGui::GetContentRegionAvail().x - (count - 1.0F) * gap) / count;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        ImVec2(em(0.1F), ImGui::GetStyle().FramePadding.y));
+    for (const Button& button : buttons) {
+        if (&button != buttons.data()) ImGui::SameLine(0.0F, gap);
+        const Action& action = action_named(button.action);
+        const std::string id = std::string(button.label) + "###" + button.action;
+        if (ImGui::Button(id.c_str(), ImVec2(width, 0.0F))) action.run(state);
+        draw_tooltip(described(action));
+    }
+    ImGui::PopStyleVar();
+}
+
+void draw_up(UiState& state) {
+    draw_label("up", "What is up in the picture; dragging turns about it.");
+    constexpr std::array<const char*, 3> names{"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 up(0.0);
+        up[axis] = 1.0;
+        const char* const name = names[static_cast<std::size_t>(axis)];
+        if (axis > 0) ImGui::SameLine(0.0F, em(0.7F));
+        if (ImGui::RadioButton(name, state.document.up == up)) set_up(state, up);
+    }
+}
+
+}  // namespace
+
+float space_section_height(const UiState& /*state*/) {
+    return 4.0F * ImGui::GetFrameHeightWithSpacing();
+}
+
+void draw_space_section(UiState& state) {
+    draw_switch(state, "Axes", "Axes");
+    ImGui::SameLine(0.0F, em(1.0F));
+    draw_switch(state, "Box", "Clip box");
+    ImGui::SameLine(0.0F, em(1.0F));
+    draw_switch(state, "Grid", "Grid");
+    draw_up(state);
+    draw_switch(state, "Turn freely", "Turn freely");
+    constexpr std::array<Button, 5> views{{{"Front", "View from the front"},
+                                           {"Right", "View from the right"},
+                                           {"Top", "View from above"},
+                                           {"Corner", "Isometric view"},
+                                           {"Frame", "Frame the surface"}}};
+    draw_buttons(state, views);
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,185 @@
+#include "ui/panels/status_panel.hpp"
+
+#include "document/look.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/bar.hpp"
+#include "ui/widgets/color_picker.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* separator = "  \xC2\xB7  ";
+constexpr const char* keys_hint =
+    "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
+    "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
+
+/// Digits in groups of three, 1 234 567.
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3; at -= 3) {
+        digits.insert(at - 3, " ");
+    }
+    return digits;
+}
+
+std::string milliseconds(double ms) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ms < 100.0 ? "%.1f ms" : "%.0f ms", ms);
+    return text.data();
+}
+
+/// Goes on with the line, as far as the window is wide.
+void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
+    const float room = ImGui::GetWindowWidth() - style.WindowPadding.x - ImGui::GetCursorPosX();
+    const std::string before = first ? "" : between;
+    if (ImGui::CalcTextSize((before + text).c_str()).x > room && !first) return;
+    ImGui::TextDisabled("%s", before.c_str());
+    ImGui::SameLine(0.0F, 0.0F);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0.0F, 0.0F);
+}
+
+/// How much is seen at the point looked at, and in which type: "view 3.2e-07 wide, double".
+std::string view_scale(const UiState& state) {
+    const PictureStatus& picture = state.picture;
+    const ViewFrame view(state.shown.camera);
+    const double height = 2.0 * view.half_height * view.look_distance;
+    const double width = height * picture.width_px / picture.height_px;
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "view %.2g wide, %s", width,
+                  name_of(picture.precision));
+    return text.data();
+}
+
+void draw_figures(const UiState& state, const Palette& colors) {
+    const PictureStatus& picture = state.picture;
+    if (picture.width_px <= 0) return;
+    const std::size_t undecided = picture.counts.undecided;
+    add_text(colors.quiet, milliseconds(picture.frame_ms));
+    add_text(colors.quiet,
+             std::to_string(picture.width_px) + " \xC3\x97 " + std::to_string(picture.height_px));
+    std::string certified_text = grouped(picture.counts.certified) + " certified";
+    if (picture.counts.coarse > 0) {
+        certified_text += ", " + grouped(picture.counts.coarse) + " of them coarse";
+    }
+    add_text(colors.quiet, certified_text);
+    std::string undecided_text = grouped(undecided) + " undecided";
+    if (picture.counts.not_drawn > 0) {
+        undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
+    }
+    add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
+    const std::size_t jumps = picture.counts.jumps;
+    if (jumps > 0) add_text(colors.quiet, grouped(jumps) + " at jumps");
+    add_text(colors.quiet, view_scale(state));
+    const bool empty = picture.counts.certified + undecided + jumps == 0;
+    if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
+}
+
+/// The surface's colour, and the number of its row where there are several.
+void add_surface(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
+    const std::vector<Statement>& rows = state.document.statements;
+    const auto row = std::ranges::find(rows, pointed.row, &Statement::id);
+    if (row == rows.end()) return;
+    const float size = ImGui::GetTextLineHeight();
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    draw_color_dot(*ImGui::GetWindowDrawList(), ImVec2(lo.x + 0.4F * size, lo.y + 0.5F * size),
+                   0.33F * size, *row, colors, false);
+    ImGui::Dummy(ImVec2(1.1F * size, size));
+    ImGui::SameLine(0.0F, 0.0F);
+    if (rows.size() < 2) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
+    ImGui::Text("row %d  ", static_cast<int>(row - rows.begin()) + 1);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0.0F, 0.0F);
+}
+
+/// "f = 1.2e-16".
+std::string small_number(const char* format, double number) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, number == 0.0 ? 0.0 : number);
+    return text.data();
+}
+
+/// What is under the pointer: to the digits that tell neighbouring pixels apart, as far as they are
+/// known.
+void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
+    const PointFacts& facts = pointed.facts;
+    const double resolution = std::max(0.1 * pointed.pixel_size, facts.within);
+    add_surface(state, pointed, colors);
+    const bool certified = is_proved(facts.certificate);
+    const bool coarse = facts.certificate == Certificate::Coarse;
+    add_text(colors.text, coordinates_text(facts.point, resolution), "");
+    const bool jump = facts.certificate == Certificate::Jump;
+    add_text(certified ? colors.quiet : colors.warning, coarse      ? "certified, coarse"
+                                                        : certified ? "certified"
+                                                        : jump      ? "jump in sign, no root"
+                                                                    : "undecided");
+    if (facts.normal != glm::dvec3(0.0))
+        add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
+    add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
+    add_text(colors.quiet, small_number("f = %.2g", facts.f));
+}
+
+/// About the picture, or what is under the pointer.
+void draw_known(const UiState& state, const Palette& colors) {
+    if (!state.note.empty()) add_text(colors.warning, state.note);
+    if (!state.done.empty()) add_text(colors.accent, state.done);
+    if (state.pointed) {
+        draw_pointed(state, *state.pointed, colors);
+    } else if (!state.hides_figures) {
+        draw_figures(state, colors);
+    }
+    if (state.picture.tracing && state.doing.empty()) {
+        add_text(colors.accent, "tracing\xE2\x80\xA6");
+    }
+}
+
+void draw_keys_hint() {
+    const float width = ImGui::CalcTextSize(keys_hint).x;
+    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
+    if (right < ImGui::GetCursorPosX() + em(2.0F)) return;
+    ImGui::SetCursorPosX(right);
+    ImGui::TextDisabled("%s", keys_hint);
+}
+
+}  // namespace
+
+void draw_status_panel(const UiState& state) {
+    const Palette& colors = palette(state.theme);
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float height = status_bar_height();
+    ImGui::SetNextWindowPos(ImVec2(0.0F, window.y - height));
+    ImGui::SetNextWindowSize(ImVec2(window.x, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
+        ImGui::PushFont(font(FontRole::Small));
+        ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
+        if (!state.doing.empty()) add_text(colors.accent, state.doing);
+        // What is known of a dimmed picture says nothing about the text in the rows.
+        if (state.dimmed == 0.0F) draw_known(state, colors);
+        draw_keys_hint();
+        ImGui::PopFont();
+    }
+    end_bar(Edge::Top, colors);
+    ImGui::PopStyleVar();
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,84 @@
+#include "ui/panels/view_section.hpp"
+
+#include "engine/measure/extent.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/view/camera.hpp"
+#include "ui/actions/actions.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr int min_d_stop = 4;
+
+void draw_d_stop(StopCriterion& stop) {
+    draw_label("d_stop",
+               "Search depth: a ray's search ends at cells of the box's edge times "
+               "2^-d_stop. More is finer and slower.");
+    int depth = static_cast<int>(std::lround(stop.value));
+    // Another rule can come from the command line; it stays until the slider is moved.
+    const char* rule = stop.rule == StopRule::Epsilon ? "epsilon"
+                       : stop.rule == StopRule::Delta ? "delta"
+                                                      : nullptr;
+    if (draw_integer_slider("##d_stop", depth, min_d_stop, max_d_stop, rule)) {
+        stop = {StopRule::DStop, static_cast<double>(depth)};
+    }
+}
+
+void draw_projection(std::optional<Camera>& camera) {
+    if (!camera) return;
+    bool parallel = camera->projection == Projection::Orthographic;
+    if (ImGui::Checkbox("Parallel rays###parallel", &parallel))
+        camera->projection = parallel ? Projection::Orthographic : Projection::Perspective;
+    draw_tooltip("All rays leave the picture in one direction, none is nearer to the eye (5).");
+}
+
+void draw_light(Document& document) {
+    ImGui::Checkbox("Shadows###shadows", &document.shadows);
+    draw_tooltip("Let the surfaces throw shadows, once the picture rests.");
+    ImGui::SameLine(0.0F, em(1.2F));
+    ImGui::Checkbox("Smooth edges###antialias", &document.antialias);
+    draw_tooltip("Five rays a pixel instead of one, once the picture rests.");
+}
+
+void draw_buttons(UiState& state) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
+    const bool wide = half >= ImGui::CalcTextSize("Light theme").x + style.FramePadding.x;
+    const ImVec2 size(half, 0.0F);
+    if (ImGui::Button(wide ? "Reset view###reset" : "Reset###reset", size)) state.reset_view = true;
+    draw_tooltip("Look at the whole box again (R).");
+    ImGui::SameLine();
+    const bool dark = state.theme == Theme::Dark;
+    const std::string other = dark ? "Light" : "Dark";
+    if (ImGui::Button((other + (wide ? " theme" : "") + "###theme").c_str(), size)) {
+        action_named("Light theme").run(state);
+    }
+    if (!wide) draw_tooltip(other + " theme");
+}
+
+}  // namespace
+
+float view_section_height(const UiState& /*state*/) {
+    return 4.0F * ImGui::GetFrameHeightWithSpacing();
+}
+
+void draw_view_section(UiState& state) {
+    draw_d_stop(state.document.stop);
+    draw_projection(state.document.camera);
+    draw_light(state.document);
+    draw_buttons(state);
+}
+
+}  // namespace zeroset::ui

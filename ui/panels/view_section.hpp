@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ui/model/ui_state.hpp"
+
+namespace zeroset::ui {
+
+/// The settings of the view: search depth, projection, shadows, first view and theme. Edits the
+/// document's `stop`, `camera`, `shadows` and `antialias`, `theme` and `reset_view`.
+void draw_view_section(UiState& state);
+/// Its height, window coordinates.
+float view_section_height(const UiState& state);
+
+}  // namespace zeroset::ui

@@ -1,0 +1,231 @@
+#include "ui/picture/clip_handle_layer.hpp"
+
+#include "engine/annotate/furniture_colors.hpp"
+#include "engine/view/pixel_ray.hpp"
+#include "ui/picture/clip_outline.hpp"
+#include "ui/picture/picture_marks.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr float stem_em = 6.0F;
+constexpr double longest_stem = 0.15;  ///< in heights of the picture
+constexpr float reach_em = 0.75F;
+constexpr float size_em = 0.36F;  ///< half of a square's edge, a ball's radius
+constexpr float hidden_part = 0.4F;
+constexpr float outline_part = 0.85F;  ///< opacity of what the pointer's handle moves
+constexpr float faint_part = 0.3F;     ///< of a ball's outline otherwise
+
+Clipping clipping_of(const Document& document) { return {document.clip, document.region}; }
+
+DragKeys keys_held() { return {ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl}; }
+
+void take_over(Document& document, const Clipping& clipping) {
+    document.clip = clipping.clip;
+    document.region = clipping.region;
+}
+
+void follow_drag(UiState& state, const glm::dvec2& cursor) {
+    HandleDrag& drag = *state.handle_drag;
+    // Something else has changed it: undo, or a field.
+    if (clipping_of(state.document) != drag.last) drag.given_up = true;
+    // A press alone moves nothing.
+    const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > 0.0F;
+    if (drag.given_up || !moved) return;
+    if (is_pressed_once(ImGuiKey_Escape)) {
+        drag.given_up = true;
+        return take_over(state.document, drag.start);
+    }
+    drag.last =
+        dragged(drag, ViewFrame(state.shown.camera), cursor, state.viewport_px.y, keys_held());
+    take_over(state.document, drag.last);
+}
+
+/// Across what moves; GLFW has no cursors for slanted directions.
+ImGuiMouseCursor cursor_of(const Handle& handle, const ViewFrame& view) {
+    if (handle.along == glm::dvec3(0.0)) return ImGuiMouseCursor_Hand;
+    const glm::dvec3 at = view.homogeneous(handle.at);
+    const glm::dvec3 step = view.homogeneous(handle.at + handle.along) - at;
+    const glm::dvec2 course = glm::dvec2(step) * at.z - glm::dvec2(at) * step.z;
+    return std::abs(course.x) > std::abs(course.y) ? ImGuiMouseCursor_ResizeEW
+                                                   : ImGuiMouseCursor_ResizeNS;
+}
+
+std::uint32_t color_of(const Handle& handle, Theme theme) {
+    if (handle.id.part != HandlePart::BoxFace) return palette(theme).accent;
+    return (theme == Theme::Dark ? furniture_on_dark : furniture_on_light)
+        .axes[handle.id.index / 2];
+}
+
+float opacity_of(std::uint32_t color) { return static_cast<float>(color >> 24U) / 255.0F; }
+
+/// As opaque as the colour.
+std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
+
+struct Pen {
+    ImDrawList& canvas;
+    const PictureArea& area;
+    const ViewFrame& view;
+
+    [[nodiscard]] std::optional<ImVec2> place(const glm::dvec3& point) const {
+        const auto seen = place_in_view(view, point);
+        return seen ? std::optional(area.at(seen->place)) : std::nullopt;
+    }
+    void outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) const;
+    void arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float size) const;
+    void square(const ImVec2& at, std::uint32_t color, float half) const;
+    void ball(const ImVec2& at, std::uint32_t color, float radius) const;
+    void handle(const Handle& handle, std::uint32_t color, bool lit) const;
+};
+
+/// On any ground: a dark line below a coloured one.
+void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) const {
+    std::vector<ImVec2> places;
+    for (const glm::dvec3& corner : corners) {
+        const auto at = place(corner);
+        if (!at) return;  // reaches behind the eye
+        places.push_back(*at);
+    }
+    const int count = static_cast<int>(places.size());
+    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3F * opacity_of(color)),
+                       ImDrawFlags_Closed, em(0.22F));
+    canvas.AddPolyline(places.data(), count, color, ImDrawFlags_Closed, em(0.11F));
+}
+
+void Pen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float size) const {
+    const ImVec2 way(to.x - from.x, to.y - from.y);
+    const float length = std::hypot(way.x, way.y);
+    if (!(length > 0.0F)) return;
+    const ImVec2 step(way.x / length * size, way.y / length * size);
+    const ImVec2 neck(to.x - 1.1F * step.x, to.y - 1.1F * step.y);
+    const ImVec2 tip(to.x + 1.1F * step.x, to.y + 1.1F * step.y);
+    const ImVec2 left(neck.x - step.y, neck.y + step.x);
+    const ImVec2 right(neck.x + step.y, neck.y - step.x);
+    canvas.AddLine(from, neck, faded(0xFF000000U, 0.4F), em(0.26F));
+    canvas.AddLine(from, neck, color, em(0.14F));
+    canvas.AddTriangleFilled(tip, left, right, color);
+    canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5F), em(0.07F));
+}
+
+void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
+    const ImVec2 lo(at.x - half, at.y - half);
+    const ImVec2 hi(at.x + half, at.y + half);
+    canvas.AddRectFilled(lo, hi, color, em(0.12F));
+    canvas.AddRect(lo, hi, white_on(color), em(0.12F), 0, em(0.1F));
+    const float rim = em(0.07F);
+    canvas.AddRect(ImVec2(lo.x - rim, lo.y - rim), ImVec2(hi.x + rim, hi.y + rim),
+                   faded(0xFF000000U, 0.5F), em(0.16F), 0, rim);
+}
+
+void Pen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
+    canvas.AddCircleFilled(at, radius, color, 24);
+    canvas.AddCircle(at, radius, white_on(color), 24, em(0.1F));
+    canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5F), 24, em(0.07F));
+}
+
+void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
+    const auto at = place(handle.at);
+    const auto from = place(handle.from);
+    if (!at || !from) return;
+    const float size = em(lit ? 1.3F * size_em : size_em);
+    switch (handle.id.part) {
+        case HandlePart::BoxFace: return square(*at, color, size);
+        case HandlePart::BallCentre: {
+            ball(*at, color, size);
+            const std::uint32_t ink = white_on(color);
+            const float half = 0.6F * size;
+            canvas.AddLine(ImVec2(at->x - half, at->y), ImVec2(at->x + half, at->y), ink, em(0.1F));
+            canvas.AddLine(ImVec2(at->x, at->y - half), ImVec2(at->x, at->y + half), ink, em(0.1F));
+            return;
+        }
+        case HandlePart::BallRadius: return ball(*at, color, size);
+        case HandlePart::SectionPlace: return arrow(*from, *at, color, size);
+        case HandlePart::SectionTilt:
+            canvas.AddLine(*from, *at, faded(color, 0.6F), em(0.09F));
+            return ball(*at, color, 0.85F * size);
+    }
+}
+
+void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
+    const Clipping clipping = clipping_of(state.document);
+    const std::uint32_t color = color_of(handle, state.theme);
+    pen.outline(outline_of(handle.id, clipping, pen.view), faded(color, outline_part));
+    pen.handle(handle, color, true);
+    const auto at = pen.place(handle.at);
+    if (!at) return;
+    draw_tag(pen.canvas, pen.area, *at, em(size_em + 0.5F),
+             handle_text(handle, clipping, pen.view, state.viewport_px.y), 1.0F,
+             palette(state.theme));
+}
+
+}  // namespace
+
+std::vector<Handle> shown_handles(const UiState& state, float height) {
+    if (!has_clip_handles(state.layout) || state.shown.frame == nullptr || !(height > 0.0F))
+        return {};
+    const Clipping clipping = clipping_of(state.document);
+    const double stem = std::min(static_cast<double>(em(stem_em) / height), longest_stem);
+    auto handles = clip_handles(clipping, ViewFrame(state.shown.camera), stem);
+    if (state.handle_drag) hold(handles, *state.handle_drag, clipping);
+    return handles;
+}
+
+std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& area,
+                                          const glm::dvec2& cursor) {
+    const bool free =
+        ImGui::IsItemHovered() && (!ImGui::IsItemActive() || ImGui::IsItemActivated());
+    if (!state.handle_drag && !free) return std::nullopt;
+    const ViewFrame view(state.shown.camera);
+    if (state.handle_drag) follow_drag(state, cursor);
+    const std::vector<Handle> handles = shown_handles(state, area.height());
+    std::optional<Handle> found;
+    if (state.handle_drag) {
+        found = state.handle_drag->handle;
+        const auto now = std::ranges::find(handles, found->id, &Handle::id);
+        if (now != handles.end()) found = *now;
+        if (!ImGui::IsItemActive()) state.handle_drag.reset();
+    } else {
+        found =
+            handle_under(handles, view, cursor, static_cast<double>(em(reach_em) / area.height()));
+        const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+        if (found && pressed)
+            state.handle_drag = grabbed(*found, clipping_of(state.document), view, cursor);
+    }
+    if (found) ImGui::SetMouseCursor(cursor_of(*found, view));
+    return found;
+}
+
+void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiState& state,
+                       const std::optional<Handle>& lit) {
+    std::vector<Handle> handles = shown_handles(state, area.height());
+    if (handles.empty()) return;
+    const ViewFrame view(state.shown.camera);
+    const Pen pen{canvas, area, view};
+    canvas.PushClipRect(area.lo, area.hi, true);
+    // What is nearer covers what is farther.
+    std::ranges::sort(handles, std::ranges::greater(),
+                      [&](const Handle& handle) { return view.distance_of(handle.at); });
+    for (const Handle& handle : handles) {
+        if (lit && lit->id == handle.id) continue;
+        const bool hidden = is_behind(*state.shown.frame, view, handle.at);
+        const std::uint32_t color = color_of(handle, state.theme);
+        if (handle.id.part == HandlePart::BallCentre) {
+            pen.outline(outline_of(handle.id, clipping_of(state.document), view),
+                        faded(color, faint_part));
+        }
+        pen.handle(handle, hidden ? faded(color, hidden_part) : color, false);
+    }
+    if (lit) draw_lit(pen, state, *lit);
+    canvas.PopClipRect();
+}
+
+}  // namespace zeroset::ui

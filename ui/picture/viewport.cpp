@@ -1,0 +1,147 @@
+#include "ui/picture/viewport.hpp"
+
+#include "engine/view/camera.hpp"
+#include "engine/view/navigation.hpp"
+#include "ui/actions/view_moves.hpp"
+#include "ui/model/steering.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/picture/clip_handle_layer.hpp"
+#include "ui/picture/furniture_layer.hpp"
+#include "ui/picture/picture_place.hpp"
+#include "ui/picture/picture_pointer.hpp"
+#include "ui/picture/picture_tag.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/window/texture.hpp"
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_int2.hpp>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace zeroset::ui {
+namespace {
+
+/// How much of a picture of another text the background hides.
+constexpr float dimmest = 0.6F;
+
+glm::ivec2 size_px(const PictureArea& area) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    return {static_cast<int>(std::lround((area.hi.x - area.lo.x) * scale.x)),
+            static_cast<int>(std::lround(area.height() * scale.y))};
+}
+
+void draw_picture(const PictureArea& area, const UiState& state, const Texture& picture) {
+    const Palette& colors = palette(state.theme);
+    ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
+    canvas.AddRectFilledMultiColor(area.lo, area.hi, colors.sky, colors.sky, colors.ground,
+                                   colors.ground);
+    if (picture.width() == 0) return;
+    const bool exact =
+        picture.width() == state.viewport_px.x && picture.height() == state.viewport_px.y;
+    picture.set_filter(exact ? Filter::Nearest : Filter::Linear);
+    const auto id = static_cast<std::uintptr_t>(picture.name());
+    // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
+    if (state.dimmed > 0.0F) {
+        const float veil = dimmest * state.dimmed;
+        const std::uint32_t sky = faded(colors.sky, veil);
+        const std::uint32_t ground = faded(colors.ground, veil);
+        canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
+    }
+    draw_furniture(canvas, area.lo, area.hi, state);
+    draw_picture_marks(canvas, area.lo, area.hi, state);
+}
+
+PointerMotion pointer_motion(const PictureArea& area) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto height = static_cast<double>(area.height());
+    const glm::dvec2 moved = glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height;
+
+    PointerMotion motion;
+    // The move up to the press is no drag.
+    if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) {
+        const bool pans = !ImGui::IsMouseDown(ImGuiMouseButton_Left) || io.KeyShift;
+        (pans ? motion.pan : motion.orbit) = moved;
+    }
+    motion.cursor = area.place(io.MousePos);
+    return motion;
+}
+
+/// Right after the item that the picture is.
+void follow_view_pointer(UiState& state, const PointerMotion& motion) {
+    if (!state.document.camera) return;
+    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
+    const auto point = surface_under(state.shown, motion.cursor);
+    if (point) centre_on(state, *point);
+}
+
+/// Right after the item that the picture is: gives the pointer to a handle, or to the view.
+void follow_pointer(UiState& state, const PictureArea& area) {
+    const PointerMotion motion = pointer_motion(area);
+    const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
+    if (ImGui::IsItemHovered() && !state.handle_drag) zoom_by_wheel(state);
+    if (handle) {
+        state.pointer.reset();
+    } else {
+        follow_picture_pointer(state, motion.cursor);
+        follow_view_pointer(state, motion);
+    }
+    draw_clip_handles(*ImGui::GetBackgroundDrawList(), area, state, handle);
+}
+
+}  // namespace
+
+void zoom_by_wheel(UiState& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel == 0.0F || !state.document.camera) return;
+    PointerMotion motion;
+    motion.wheel = static_cast<double>(io.MouseWheel);
+    motion.cursor = viewport_area(state).place(io.MousePos);
+    motion.surface = surface_under(state.shown, motion.cursor);
+    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+}
+
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
+    if (shown.frame == nullptr) return std::nullopt;
+    const Framebuffer& frame = *shown.frame;
+    const glm::ivec2 pixel = pixel_under(frame, cursor);
+    const int col = pixel.x;
+    const int row = pixel.y;
+    if (col < 0 || col >= frame.width || row < 0 || row >= frame.height) return std::nullopt;
+    const auto distance = static_cast<double>(frame.depth[frame.index(col, row)]);
+    if (!std::isfinite(distance)) return std::nullopt;
+    return point_under(shown.camera, 2.0 * cursor.x, 2.0 * cursor.y, distance);
+}
+
+void draw_viewport(UiState& state, const Texture& picture) {
+    const PictureArea area = viewport_area(state);
+    state.viewport_px = size_px(area);
+    draw_picture(area, state, picture);
+    if (state.viewport_px.x <= 0 || state.viewport_px.y <= 0) return;
+
+    // A window without looks, behind all others, that takes what the panels do not want.
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoScrollWithMouse |
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::SetNextWindowPos(area.lo);
+    ImGui::SetNextWindowSize(ImVec2(area.hi.x - area.lo.x, area.height()));
+    if (ImGui::Begin("##viewport", nullptr, flags)) {
+        ImGui::InvisibleButton(
+            "##picture", ImGui::GetContentRegionAvail(),
+            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+        follow_pointer(state, area);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
+
+}  // namespace zeroset::ui

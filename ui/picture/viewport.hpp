@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/view/camera.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/picture/picture_tag.hpp"
+#include "ui/window/texture.hpp"
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_double3.hpp>
+
+#include <optional>
+
+namespace zeroset::ui {
+
+/// Zooms towards the pointer as the wheel was turned in this frame. For whatever is over the
+/// picture and has no use for the wheel, while the pointer is over it.
+void zoom_by_wheel(UiState& state);
+
+/// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);
+
+/// Fills the window between the bars with the picture, stretched if it is coarse; the pointer
+/// changes the view. Draw it before the panels. Sets `state.viewport_px`.
+void draw_viewport(UiState& state, const Texture& picture);
+
+}  // namespace zeroset::ui

@@ -1,0 +1,46 @@
+#include "ui/style/label.hpp"
+
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <string>
+
+namespace zeroset::ui {
+
+void draw_tooltip(const std::string& text, float width) {
+    if (!ImGui::IsItemHovered()) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(std::min(em(width), 0.8F * ImGui::GetIO().DisplaySize.x));
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+bool draw_elided(const std::string& text, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    const float baseline = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
+    const ImVec2 lo(at.x, at.y + baseline);
+    const ImVec2 hi(lo.x + width, lo.y + size.y + em(0.2F));  // an underscore hangs out
+    ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), lo, hi, lo.x + width, lo.x + width,
+                              text.c_str(), text.c_str() + text.size(), &size);
+    ImGui::Dummy(ImVec2(std::min(size.x, width), size.y + baseline));
+    return size.x > width;
+}
+
+std::string in_one_line(const std::string& text) {
+    std::string line;
+    for (const char character : text) {
+        if (character == '\n') {
+            line += "; ";
+        } else {
+            line += character;
+        }
+    }
+    return line;
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,57 @@
+#include "ui/widgets/card_grid.hpp"
+
+#include "ui/model/text_match.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace zeroset::ui {
+namespace {
+
+/// The groups, in the order in which they first occur.
+std::vector<std::string> groups_of(const std::vector<GalleryEntry>& gallery) {
+    std::vector<std::string> groups;
+    for (const GalleryEntry& entry : gallery) {
+        if (std::ranges::find(groups, entry.group) == groups.end()) groups.push_back(entry.group);
+    }
+    return groups;
+}
+
+bool is_found(const GalleryEntry& entry, const std::string& search) {
+    return contains_words(entry.title + "\n" + entry.group + "\n" + entry.equation + "\n" +
+                              entry.about + "\n" + entry.source,
+                          search);
+}
+
+}  // namespace
+
+std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::string& search,
+                           int columns) {
+    std::vector<Card> cards;
+    int row = 0;
+    for (const std::string& group : groups_of(gallery)) {
+        int found = 0;
+        for (std::size_t i = 0; i < gallery.size(); ++i) {
+            if (gallery[i].group != group || !is_found(gallery[i], search)) continue;
+            cards.push_back({i, row + found / columns, found % columns});
+            ++found;
+        }
+        row += (found + columns - 1) / columns;
+    }
+    return cards;
+}
+
+std::size_t stepped(const std::vector<Card>& cards, std::size_t selected, int rows, int cols) {
+    const auto from = std::ranges::find(cards, selected, &Card::item);
+    if (from == cards.end()) return cards.front().item;
+    const auto last = static_cast<std::ptrdiff_t>(cards.size()) - 1;
+    const std::ptrdiff_t along = std::clamp<std::ptrdiff_t>(from - cards.begin() + cols, 0, last);
+    const Card& start = cards[static_cast<std::size_t>(along)];
+    const int row = std::clamp(start.row + rows, 0, cards.back().row);
+    const auto distance = [&](const Card& card) {
+        return card.row == row ? std::abs(card.col - start.col) : 1 << 20;
+    };
+    return std::ranges::min_element(cards, {}, distance)->item;
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,111 @@
+#include "ui/widgets/color_picker.hpp"
+
+#include "document/colors.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr int in_a_row = 4;
+
+float swatch() { return em(2.0F); }
+float swatch_gap() { return em(0.4F); }
+float popup_width() { return in_a_row * swatch() + (in_a_row - 1) * swatch_gap(); }
+
+/// 0xRRGGBB to ImGui's opaque 0xAABBGGRR.
+std::uint32_t opaque(std::uint32_t rgb) {
+    return 0xFF000000U | (rgb & 0xFFU) << 16U | (rgb & 0xFF00U) | (rgb >> 16U & 0xFFU);
+}
+
+std::array<float, 3> parts_of(std::uint32_t rgb) {
+    const auto part = [rgb](unsigned shift) {
+        return static_cast<float>(rgb >> shift & 0xFFU) / 255.0F;
+    };
+    return {part(16), part(8), part(0)};
+}
+
+std::uint32_t color_of(const std::array<float, 3>& parts) {
+    std::uint32_t rgb = 0;
+    for (const float part : parts)
+        rgb = rgb << 8U | static_cast<std::uint32_t>(std::lround(part * 255.0F));
+    return rgb;
+}
+
+void draw_palette(Statement& statement, const Palette& colors) {
+    const std::vector<std::uint32_t>& fronts = palette_fronts();
+    const float size = swatch();
+    for (std::size_t i = 0; i < fronts.size(); ++i) {
+        if (i % in_a_row != 0) ImGui::SameLine(0.0F, swatch_gap());
+        ImGui::PushID(static_cast<int>(i));
+        const ImVec2 lo = ImGui::GetCursorScreenPos();
+        if (ImGui::InvisibleButton("##front", ImVec2(size, size))) statement.color = fronts[i];
+        const ImVec2 hi(lo.x + size, lo.y + size);
+        ImDrawList& canvas = *ImGui::GetWindowDrawList();
+        canvas.AddRectFilled(lo, hi, opaque(fronts[i]), em(0.4F));
+        const bool marked = statement.color == fronts[i] || ImGui::IsItemHovered();
+        canvas.AddRect(lo, hi, marked ? colors.text : colors.border, em(0.4F), 0,
+                       em(marked ? 0.15F : 0.07F));
+        ImGui::PopID();
+    }
+}
+
+/// Which side sections fill.
+void draw_solid_choice(Statement& statement, const Palette& colors) {
+    ImGui::TextDisabled("Solid");
+    draw_tooltip("The side that sections fill");
+    constexpr std::array<std::pair<const char*, SolidSide>, 3> choices{
+        {{"auto", SolidSide::Automatic}, {"f < 0", SolidSide::Below}, {"f > 0", SolidSide::Above}}};
+    const float gap = em(0.3F);
+    const float width = (popup_width() - 2.0F * gap) / 3.0F;
+    const ImVec2 padding(em(0.2F), ImGui::GetStyle().FramePadding.y);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+    for (const auto& [name, side] : choices) {
+        if (side != choices.front().second) ImGui::SameLine(0.0F, gap);
+        const bool chosen = statement.solid == side;
+        if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, colors.selection);
+        if (ImGui::Button(name, ImVec2(width, 0.0F))) statement.solid = side;
+        if (chosen) ImGui::PopStyleColor();
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
+                    const Statement& statement, const Palette& colors, bool hovered) {
+    const std::uint32_t color = statement.color ? opaque(*statement.color) : colors.quiet;
+    if (statement.visible) {
+        canvas.AddCircleFilled(centre, radius, color, 32);
+        canvas.AddCircle(centre, radius, colors.border, 32, em(0.07F));
+    } else {
+        canvas.AddCircle(centre, 0.85F * radius, color, 32, 0.3F * radius);
+    }
+    if (hovered) canvas.AddCircle(centre, radius + em(0.14F), colors.quiet, 32, em(0.1F));
+}
+
+void draw_surface_popup(const char* id, Statement& statement, const Palette& colors) {
+    if (!ImGui::BeginPopup(id)) return;
+    draw_palette(statement, colors);
+    ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
+    std::array<float, 3> parts = parts_of(statement.color.value_or(palette_fronts().front()));
+    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_NoSidePreview |
+                                          ImGuiColorEditFlags_NoInputs |
+                                          ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoLabel;
+    ImGui::SetNextItemWidth(popup_width());
+    if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
+    ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
+    draw_solid_choice(statement, colors);
+    ImGui::EndPopup();
+}
+
+}  // namespace zeroset::ui

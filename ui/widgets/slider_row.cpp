@@ -1,0 +1,95 @@
+#include "ui/widgets/slider_row.hpp"
+
+#include "document/document.hpp"
+#include "document/play.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+/// Of the columns at the left and at the right of a slider, in em.
+constexpr float label_width = 3.6F;
+constexpr float value_width = 4.3F;
+
+/// Leaves room for draw_value on the line of the slider that follows. Its format begins with "##":
+/// ImGui does not draw what comes after, so that the grab covers no number.
+void begin_slider(float right) { ImGui::SetNextItemWidth(-em(value_width) - right); }
+
+/// The value of the slider before, `right` before the end of its line.
+void draw_value(const char* text, float right) {
+    const float width = ImGui::CalcTextSize(text).x;
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - right - width);
+    ImGui::TextUnformatted(text);
+}
+
+/// Turns the slider into a text field in the next frame.
+void type_into(ImGuiID slider) {
+    ImGuiContext& gui = *ImGui::GetCurrentContext();
+    gui.NavNextActivateId = slider;
+    gui.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
+}
+
+/// Three decimals, as on the slider; other numbers that were typed as short as they can be.
+std::string short_number(double value) {
+    std::array<char, 32> text{};
+    const bool fixed = value == 0.0 || (std::abs(value) < 1e4 && std::abs(value) >= 5e-4);
+    std::snprintf(text.data(), text.size(), fixed ? "%.3f" : "%.2e", value);
+    std::string number = text.data();
+    if (const std::size_t e = number.find('e'); e != std::string::npos) {
+        number = number.substr(0, e + 1) + std::to_string(std::stoi(number.substr(e + 1)));
+    }
+    return number;
+}
+
+}  // namespace
+
+void draw_label(const std::string& label, const std::string& explanation) {
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const bool cut = draw_elided(label, em(label_width - 0.3F));
+    ImGui::PopStyleColor();
+    draw_tooltip(cut ? label + "\n" + explanation : explanation);
+    ImGui::SameLine(left + em(label_width));
+    ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown) {
+    begin_slider(0.0F);
+    const bool moved = ImGui::SliderInt(id, &value, lo, hi, "##%d", ImGuiSliderFlags_AlwaysClamp);
+    draw_value(shown != nullptr ? shown : std::to_string(value).c_str(), 0.0F);
+    return moved;
+}
+
+void draw_slider(const char* id, Slider& slider, const Slider& usual, float right) {
+    const double before = slider.value;
+    begin_slider(right);
+    const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &slider.value, &slider.lo,
+                                           &slider.hi, "##%.3f");
+    const ImGuiID item = ImGui::GetItemID();
+    const bool hovered = ImGui::IsItemHovered();
+    if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) type_into(item);
+    if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) slider = usual;
+    if (!(std::abs(slider.value) <= largest_number)) slider.value = before;
+    if (!ImGui::TempInputIsActive(item)) {
+        if (moved) slider.value = on_step(slider, slider.value);
+        set_value(slider, slider.value);
+    }
+    draw_value(short_number(slider.value).c_str(), right);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
+    if (ImGui::IsItemClicked()) type_into(item);
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,50 @@
+#include "ui/widgets/typing_popup.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_stdlib.h>
+
+namespace zeroset::ui {
+namespace {
+
+/// By then a field has the keyboard, or it will not get it.
+constexpr int patience_frames = 5;
+
+bool is_opening(const TypingPopup& popup) {
+    return popup.open && !popup.has_keyboard && popup.frames < patience_frames;
+}
+
+}  // namespace
+
+bool follow_popup(TypingPopup& popup, const char* name) {
+    if (popup.frames > 0 && !ImGui::IsPopupOpen(name)) popup.open = false;
+    popup.frames = popup.open ? popup.frames + 1 : 0;
+    if (!popup.open) {
+        popup.has_keyboard = false;
+    } else if (!ImGui::IsPopupOpen(name)) {
+        ImGui::OpenPopup(name);
+    }
+    return popup.open;
+}
+
+void draw_popup(const TypingPopup& popup, const char* name, const std::function<void()>& draw) {
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav;
+    if (!ImGui::BeginPopup(name, flags)) return;
+    draw();
+    if (!popup.open) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text) {
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool changed = ImGui::InputTextWithHint("##typed", hint, &text);
+    popup.has_keyboard = ImGui::IsItemActive();
+    return changed;
+}
+
+bool awaits_keyboard(const UiState& state) {
+    return state.focus.has_value() || is_opening(state.gallery_page) ||
+           is_opening(state.command_palette);
+}
+
+}  // namespace zeroset::ui

@@ -1,0 +1,56 @@
+#include "ui/window/gui_context.hpp"
+
+#include "ui/model/ui_state.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/window/gl.hpp"
+
+#include <GL/gl.h>
+#include <imgui/backends/imgui_impl_opengl3.h>
+#include <imgui/imgui.h>
+
+namespace zeroset::ui {
+
+GuiContext::GuiContext(GlLoader loader) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigInputTextCursorBlink = true;
+    ready_ = load_gl(loader) && ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+GuiContext::~GuiContext() {
+    if (ready_) ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void GuiContext::begin_frame(Theme theme, float content_scale, float pixels_per_point) {
+    const Look look{theme, content_scale, pixels_per_point};
+    if (look != look_) {
+        const bool same_fonts = look_.content_scale == content_scale;
+        look_ = look;
+        if (!same_fonts) {
+            ImGui_ImplOpenGL3_DestroyFontsTexture();
+            load_fonts(content_scale);
+            ImGui_ImplOpenGL3_CreateFontsTexture();
+        }
+        ImGui::GetIO().FontGlobalScale = 1.0F / pixels_per_point;
+        apply_theme(theme, content_scale / pixels_per_point);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+}
+
+void GuiContext::end_frame(int width_px, int height_px) {
+    ImGui::Render();
+    gl().viewport(0, 0, width_px, height_px);
+    gl().clear_color(0.0F, 0.0F, 0.0F, 1.0F);
+    gl().clear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+bool GuiContext::wants_text() { return ImGui::GetIO().WantTextInput; }
+
+}  // namespace zeroset::ui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/model/ui_state.hpp"
+#include "ui/window/gl.hpp"
+
+namespace zeroset::ui {
+
+/// The Dear ImGui context with its OpenGL renderer, our fonts and our theme. An OpenGL 3.3 context
+/// must be current during its whole life. One at a time; the window's thread.
+class GuiContext {
+public:
+    /// `loader` is for the current context.
+    explicit GuiContext(GlLoader loader);
+    ~GuiContext();
+    GuiContext(const GuiContext&) = delete;
+    GuiContext& operator=(const GuiContext&) = delete;
+
+    /// False where OpenGL's functions cannot be loaded: it is of no use then.
+    [[nodiscard]] bool ready() const { return ready_; }
+
+    /// Call first in a frame; rebuilds fonts and style when something changed.
+    ///   content_scale     framebuffer pixels per design unit
+    ///   pixels_per_point  framebuffer pixels per unit of the window's coordinates
+    void begin_frame(Theme theme, float content_scale, float pixels_per_point);
+    /// Draws the frame's panels into the current framebuffer.
+    static void end_frame(int width_px, int height_px);
+
+    /// Whether a text field has the keyboard.
+    [[nodiscard]] static bool wants_text();
+
+private:
+    struct Look {
+        Theme theme = Theme::Dark;
+        float content_scale = 0.0F;
+        float pixels_per_point = 0.0F;
+        bool operator==(const Look&) const = default;
+    };
+    Look look_;
+    bool ready_ = false;
+};
+
+}  // namespace zeroset::ui

@@ -1,0 +1,342 @@
+#include "ui/model/ui_state.hpp"
+#include "ui/window/gl.hpp"
+#include "ui/window/gui_context.hpp"
+#include "ui/window/key_queue.hpp"
+#include "ui/window/window.hpp"
+
+#include <GLFW/glfw3.h>
+#include <dlfcn.h>
+#include <imgui/backends/imgui_impl_glfw.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr double cursor_blink_s = 0.5;
+constexpr float max_scale = 4.0F;
+
+std::optional<float> scale_override() {
+    const char* text = std::getenv("ZEROSET_SCALE");  // NOLINT(concurrency-mt-unsafe): read-only
+    if (text == nullptr) return std::nullopt;
+    char* end = nullptr;
+    const float scale = std::strtof(text, &end);
+    if (end == text || !(scale >= 1.0F) || !(scale <= max_scale)) return std::nullopt;
+    return scale;
+}
+
+/// The library's own words for its newest failure.
+std::string glfw_reason() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    return reason == nullptr ? "unknown reason" : reason;
+}
+
+/// glfwInit as a lifetime.
+class GlfwLibrary {
+public:
+    GlfwLibrary() : ready_(glfwInit() == GLFW_TRUE) {}
+    ~GlfwLibrary() {
+        if (ready_) glfwTerminate();
+    }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+    explicit operator bool() const { return ready_; }
+
+private:
+    bool ready_;
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+/// The wished size, within the part of the main screen that windows may cover.
+std::pair<int, int> fitting_size(const WindowOptions& options) {
+    const float scale = scale_override().value_or(1.0F);
+    int width = static_cast<int>(static_cast<float>(options.size.width) * scale);
+    int height = static_cast<int>(static_cast<float>(options.size.height) * scale);
+    if (GLFWmonitor* screen = glfwGetPrimaryMonitor(); screen != nullptr) {
+        int left = 0;
+        int top = 0;
+        int free_width = 0;
+        int free_height = 0;
+        glfwGetMonitorWorkarea(screen, &left, &top, &free_width, &free_height);
+        if (free_width > 0) width = std::min(width, free_width);
+        if (free_height > 0) height = std::min(height, free_height);
+    }
+    return {width, height};
+}
+
+WindowHandle open_window(const WindowOptions& options) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // So that the driver tells when it has reset the graphics card.
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
+    glfwWindowHint(GLFW_MAXIMIZED, options.size.maximized ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "zeroset");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "zeroset");
+    const auto [width, height] = fitting_size(options);
+    return WindowHandle(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
+}
+
+class GlfwWindow final : public Window {
+public:
+    GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
+               std::unique_ptr<GuiContext> gui, const WindowSize& size);
+    ~GlfwWindow() override { ImGui_ImplGlfw_Shutdown(); }
+    GlfwWindow(const GlfwWindow&) = delete;
+    GlfwWindow& operator=(const GlfwWindow&) = delete;
+
+    void wait(std::optional<double> at_most_s) override;
+    void wake() override;
+    void begin_frame(Theme theme) override;
+    void end_frame() override;
+    [[nodiscard]] bool is_lost() const override { return lost_; }
+    WindowEvents take_events() override { return std::exchange(events_, {}); }
+    void hold_keys(bool hold) override { holds_keys_ = hold; }
+    [[nodiscard]] WindowSize size() const override;
+    [[nodiscard]] std::string portal_name() const override;
+    void set_title(const std::string& title) override;
+
+private:
+    static GlfwWindow& of(GLFWwindow* handle) {
+        GlfwWindow& window = *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(handle));
+        window.changed_ = true;
+        return window;
+    }
+    /// The window, which notes the time of the event.
+    static GlfwWindow& of(GLFWwindow* handle, InputEvent::Kind kind) {
+        GlfwWindow& window = of(handle);
+        if (!window.events_.input) {
+            window.events_.input = InputEvent{kind, std::chrono::steady_clock::now()};
+        }
+        return window;
+    }
+    static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods);
+    static void on_character(GLFWwindow* handle, unsigned int character);
+    void install_callbacks();
+    void feed_keys();
+    void limit_size();
+    [[nodiscard]] float content_scale() const;
+
+    std::unique_ptr<GlfwLibrary> library_;
+    WindowHandle handle_;
+    WindowSize restored_;  ///< the last size that was not maximized
+    std::unique_ptr<GuiContext> gui_;
+    KeyQueue keys_;
+    std::string title_;
+    WindowEvents events_;
+    bool holds_keys_ = false;
+    bool lost_ = false;
+    float limited_scale_ = 0.0F;  ///< that the least size is for
+    std::atomic<bool> changed_{true};
+    int frames_due_ = 0;
+};
+
+GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
+                       std::unique_ptr<GuiContext> gui, const WindowSize& size)
+    : library_(std::move(library)),
+      handle_(std::move(handle)),
+      restored_(size),
+      gui_(std::move(gui)) {
+    glfwSwapInterval(1);
+    ImGui_ImplGlfw_InitForOpenGL(handle_.get(), false);
+    glfwSetWindowUserPointer(handle_.get(), this);
+    install_callbacks();
+}
+
+/// The least size is the same in design units on every screen.
+void GlfwWindow::limit_size() {
+    const float scale = content_scale();
+    if (scale == limited_scale_) return;
+    limited_scale_ = scale;
+    const auto scaled = [scale](int length) {
+        return static_cast<int>(static_cast<float>(length) * scale);
+    };
+    glfwSetWindowSizeLimits(handle_.get(), scaled(min_width), scaled(min_height), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
+}
+
+void GlfwWindow::install_callbacks() {
+    GLFWwindow* handle = handle_.get();
+    glfwSetKeyCallback(handle, on_key);
+    glfwSetCharCallback(handle, on_character);
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int mods) {
+        of(window, InputEvent::Kind::Button);
+        ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
+        of(window, InputEvent::Kind::Wheel);
+        ImGui_ImplGlfw_ScrollCallback(window, x, y);
+    });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* window, int entered) {
+        of(window);
+        ImGui_ImplGlfw_CursorEnterCallback(window, entered);
+    });
+    glfwSetWindowFocusCallback(handle, [](GLFWwindow* window, int focused) {
+        of(window);
+        ImGui_ImplGlfw_WindowFocusCallback(window, focused);
+    });
+    glfwSetCursorPosCallback(
+        handle, [](GLFWwindow* window, double, double) { of(window, InputEvent::Kind::Move); });
+    glfwSetWindowCloseCallback(handle, [](GLFWwindow* window) {
+        glfwSetWindowShouldClose(window, GLFW_FALSE);
+        of(window).events_.close = true;
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* window, int count, const char** paths) {
+        of(window).events_.dropped.assign(paths, paths + count);
+    });
+    glfwSetWindowRefreshCallback(handle, [](GLFWwindow* window) { of(window); });
+    glfwSetFramebufferSizeCallback(handle, [](GLFWwindow* window, int, int) { of(window); });
+    glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
+}
+
+/// A letter by what it types, not by its place: Z lies elsewhere on other keyboards.
+int key_of(int key, int scancode) {
+    const char* const name = glfwGetKeyName(key, scancode);
+    const bool letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
+    return letter ? GLFW_KEY_A + (name[0] - 'a') : key;
+}
+
+void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
+    of(handle, InputEvent::Kind::Key)
+        .keys_.push({key_of(key, scancode), scancode, action, mods, 0});
+}
+
+void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
+    of(handle, InputEvent::Kind::Key).keys_.push({0, 0, 0, 0, character});
+}
+
+void GlfwWindow::feed_keys() {
+    const std::vector<KeyEvent> events = holds_keys_ ? std::vector<KeyEvent>() : keys_.take_frame();
+    for (const KeyEvent& event : events) {
+        if (event.character != 0) {
+            ImGui_ImplGlfw_CharCallback(handle_.get(), event.character);
+        } else {
+            ImGui_ImplGlfw_KeyCallback(handle_.get(), event.key, event.scancode, event.action,
+                                       event.mods);
+        }
+    }
+    if (!keys_.empty()) frames_due_ = frames_to_settle;
+}
+
+void GlfwWindow::wait(std::optional<double> at_most_s) {
+    if (GuiContext::wants_text()) {
+        at_most_s = std::min(at_most_s.value_or(cursor_blink_s), cursor_blink_s);
+    }
+    if (frames_due_ > 0 || changed_ || (at_most_s && *at_most_s <= 0.0)) {
+        glfwPollEvents();
+    } else if (at_most_s) {
+        glfwWaitEventsTimeout(*at_most_s);
+    } else {
+        glfwWaitEvents();
+    }
+    if (changed_.exchange(false)) {
+        frames_due_ = frames_to_settle;
+    } else {
+        frames_due_ = std::max(frames_due_, 1);
+    }
+    --frames_due_;
+}
+
+void GlfwWindow::wake() {
+    changed_ = true;
+    glfwPostEmptyEvent();
+}
+
+float GlfwWindow::content_scale() const {
+    float scale = 1.0F;
+    glfwGetWindowContentScale(handle_.get(), &scale, nullptr);
+    return scale_override().value_or(std::clamp(scale, 1.0F, max_scale));
+}
+
+WindowSize GlfwWindow::size() const {
+    WindowSize size = restored_;
+    size.maximized = glfwGetWindowAttrib(handle_.get(), GLFW_MAXIMIZED) == GLFW_TRUE;
+    if (size.maximized) return size;
+    glfwGetWindowSize(handle_.get(), &size.width, &size.height);
+    const auto at_scale_1 = [scale = content_scale()](int length) {
+        return static_cast<int>(std::lround(static_cast<float>(length) / scale));
+    };
+    return {at_scale_1(size.width), at_scale_1(size.height), false};
+}
+
+void GlfwWindow::begin_frame(Theme theme) {
+    restored_ = size();
+    limit_size();
+    int width_px = 0;
+    int width_points = 0;
+    int ignored = 0;
+    glfwGetFramebufferSize(handle_.get(), &width_px, &ignored);
+    glfwGetWindowSize(handle_.get(), &width_points, &ignored);
+    const bool visible = width_px > 0 && width_points > 0;
+    const float pixels_per_point =
+        visible ? static_cast<float>(width_px) / static_cast<float>(width_points) : 1.0F;
+
+    feed_keys();
+    gui_->begin_frame(theme, content_scale(), pixels_per_point);
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void GlfwWindow::end_frame() {
+    int width_px = 0;
+    int height_px = 0;
+    glfwGetFramebufferSize(handle_.get(), &width_px, &height_px);
+    GuiContext::end_frame(width_px, height_px);
+    glfwSwapBuffers(handle_.get());
+    lost_ = is_context_lost();
+}
+
+/// A Wayland surface would have to be exported through xdg-foreign, by requests that GLFW does not
+/// make.
+std::string GlfwWindow::portal_name() const {
+    // Builds of GLFW for Wayland alone do not have it.
+    using GetX11Window = unsigned long (*)(GLFWwindow*);
+    const auto get = reinterpret_cast<GetX11Window>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
+    const unsigned long id = get == nullptr ? 0 : get(handle_.get());
+    if (id == 0) return {};
+    std::array<char, 16> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), id, 16).ptr;
+    return "x11:" + std::string(digits.data(), end);
+}
+
+void GlfwWindow::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(handle_.get(), title.c_str());
+}
+
+}  // namespace
+
+std::expected<std::unique_ptr<Window>, std::string> make_glfw_window(const WindowOptions& options) {
+    auto library = std::make_unique<GlfwLibrary>();
+    if (!*library) return std::unexpected("no display: " + glfw_reason());
+    WindowHandle handle = open_window(options);
+    if (handle == nullptr) return std::unexpected("no OpenGL 3.3: " + glfw_reason());
+    glfwMakeContextCurrent(handle.get());
+    auto gui = std::make_unique<GuiContext>(glfwGetProcAddress);
+    if (!gui->ready()) return std::unexpected("no OpenGL 3.3: libGL.so.1 cannot be used");
+    return std::make_unique<GlfwWindow>(std::move(library), std::move(handle), std::move(gui),
+                                        options.size);
+}
+
+}  // namespace zeroset::ui
