@@ -1,7 +1,5 @@
 #include "document/document.hpp"
 
-#include "engine/language/parse.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -10,34 +8,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::string_view between_rows = "\n;\n";
-constexpr std::string_view blank = " \t\r\n;";
 constexpr std::array<std::string_view, 4> signs{"+", "-", "\u2212", "\u2013"};
-
-std::string_view stripped(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(blank);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
-}
-
-/// Where the statements of a text begin, if it can be read.
-std::vector<std::size_t> statement_begins(std::string_view text) {
-    const auto program = read_program(text);
-    std::vector<std::size_t> begins;
-    if (!program) return begins;
-    for (const Reading& reading : program->readings)
-        begins.push_back(reading.offset);
-    std::ranges::sort(begins);
-    return begins;
-}
-
-/// Behind each line end.
-std::vector<std::size_t> line_begins(std::string_view text) {
-    std::vector<std::size_t> begins;
-    for (std::size_t at = text.find('\n'); at != std::string_view::npos;
-         at = text.find('\n', at + 1))
-        begins.push_back(at + 1);
-    return begins;
-}
 
 /// The row with "\v" for each line end behind which a line starts with a sign: within a row such a
 /// line goes on with the one before.
@@ -102,34 +73,6 @@ bool same_work(const Document& a, const Document& b) {
     Document looked_at = b;
     looked_at.camera = a.camera;
     return a == looked_at;
-}
-
-std::vector<std::string> rows_of(std::string_view text) {
-    std::vector<std::size_t> begins = statement_begins(text);
-    const bool readable = !begins.empty();
-    if (!readable) begins = line_begins(text);
-    // What stands before the first statement, such as a remark, stays with it.
-    if (begins.empty() || !stripped(text.substr(0, begins.front())).empty()) {
-        begins.insert(begins.begin(), 0);
-    }
-    std::vector<std::string> rows;
-    for (std::size_t i = 0; i < begins.size(); ++i) {
-        const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size();
-        std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
-        // What parted it from the next statement is not needed any more.
-        if (readable && (row.ends_with(',') || row.ends_with(':')))
-            row = stripped(row.substr(0, row.size() - 1));
-        if (!row.empty()) rows.emplace_back(row);
-    }
-    return rows;
-}
-
-Document document_of_text(std::string_view text) {
-    Document document;
-    for (const std::string& row : rows_of(text))
-        document.statements.emplace_back().text = row;
-    if (document.statements.empty()) document.statements.emplace_back();
-    return renumbered(std::move(document), 1);
 }
 
 JoinedRows::JoinedRows(const std::vector<std::string>& rows) {

@@ -90,13 +90,6 @@ void set_value(Slider& slider, double value);
 /// Whether two documents are the same but for where they are looked at from.
 bool same_work(const Document& a, const Document& b);
 
-/// Rows for a text of one or more statements: one for each. A text that cannot be read becomes a
-/// row a line.
-std::vector<std::string> rows_of(std::string_view text);
-
-/// A document whose rows are those of a text, numbered from 1; at least one row.
-Document document_of_text(std::string_view text);
-
 /// The rows as one text for read_program, in which no statement goes on in the next row, but a line
 /// that starts with a sign goes on with the line before it in its row.
 struct JoinedRows {

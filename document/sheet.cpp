@@ -16,20 +16,20 @@ constexpr std::string_view stand_in = "\n;\nz = 0";
 constexpr std::size_t most_trials = 64;
 
 /// The program of the rows, and whether a surface in it is theirs.
-struct ReadRows {
+struct TriedRows {
     JoinedRows joined;
     Program program;
     bool has_surface = true;
 };
 
-std::expected<ReadRows, ParseError> read_rows(const std::vector<std::string>& rows) {
+std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& rows) {
     JoinedRows joined(rows);
     auto program = read_program(joined.text);
-    if (program) return ReadRows{std::move(joined), std::move(*program)};
+    if (program) return TriedRows{std::move(joined), std::move(*program)};
     const ParseError error = program.error();
     joined.text += stand_in;
     program = read_program(joined.text);
-    if (program) return ReadRows{std::move(joined), std::move(*program), false};
+    if (program) return TriedRows{std::move(joined), std::move(*program), false};
     return std::unexpected(error);
 }
 
@@ -55,7 +55,7 @@ std::vector<std::string> texts_of(const Sheet& sheet) {
 }
 
 /// The readings by row, and the row of each surface.
-void report_readings(const Sheet& sheet, ReadRows rows, SheetReading& result) {
+void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
     for (Reading& reading : std::exchange(rows.program.readings, {})) {
         const bool is_stand_in = !rows.has_surface && reading.kind == StatementKind::Surface;
         const std::size_t row = rows.joined.row_at(reading.offset);
@@ -77,7 +77,7 @@ SheetReading SheetReader::read(const Sheet& sheet) {
         result.reports[row.id].text = row.text;
     std::vector<std::string> texts = texts_of(sheet);
     for (std::size_t trial = 0; trial < most_trials; ++trial) {
-        auto rows = read_rows(texts);
+        auto rows = try_rows(texts);
         if (rows) {
             for (std::size_t i = 0; i < sheet.size(); ++i) {
                 if (texts[i] == sheet[i].text) good_[sheet[i].id] = texts[i];
@@ -95,7 +95,7 @@ SheetReading SheetReader::read(const Sheet& sheet) {
         const bool stands_in = first && good != good_.end() && good->second != texts[at];
         texts[at] = stands_in ? good->second : std::string();
     }
-    report_readings(sheet, *read_rows({}), result);
+    report_readings(sheet, *try_rows({}), result);
     return result;
 }
 

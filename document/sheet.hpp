@@ -1,10 +1,9 @@
 #pragma once
 
-#include "engine/language/parse.hpp"
+#include "document/row_program.hpp"
 
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,13 +32,9 @@ struct RowReport {
     std::optional<RowError> error;
 };
 
-/// What a sheet says.
-struct SheetReading {
-    std::string text;               ///< what was read, for read_program; a surface at least
-    std::vector<int> surface_rows;  ///< the row of each of its surfaces; 0: there is none, and
-                                    ///< the text's one surface is not to be drawn
-    std::shared_ptr<const Program> program;  ///< of the text; its readings are the reports'
-    std::map<int, RowReport> reports;        ///< by row
+/// What a sheet says. Its program has no readings: they are in the reports.
+struct SheetReading : RowProgram {
+    std::map<int, RowReport> reports;  ///< by row
 };
 
 /// Reads sheets as they are edited. A row with an error does not keep the others from being read:

@@ -15,12 +15,11 @@ namespace {
 // LLVM takes about 0.1 ms for a node of values alone.
 constexpr std::size_t most_nodes = 4'000;
 
-std::expected<Expr, InputError> expression_of(const ColorChoice& choice, const Program& program,
-                                              const std::string& text) {
+std::expected<Expr, InputError> expression_of(const ColorChoice& choice, const RowProgram& rows) {
     if (trimmed(choice.expression).empty()) {
         return wrong_input("there is no expression to colour by; type one such as x^2 + y^2");
     }
-    auto expression = read_value(choice.expression, text, program.parameters);
+    auto expression = read_value(choice.expression, rows.text, rows.program->parameters);
     if (!expression) return std::unexpected(input_error(expression.error(), choice.expression));
     return std::move(*expression);
 }
@@ -41,20 +40,25 @@ PointFunction code_of(const Expr& expr) {
 
 }  // namespace
 
-std::expected<ColorFormulas, InputError> color_formulas(const Program& program,
-                                                        const std::string& text,
+std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice) {
     ColorFormulas formulas{choice.by, choice.expression, {}};
     if (!has_formula(choice.by)) return formulas;
     if (choice.by == ColorBy::Expression) {
-        const auto expression = expression_of(choice, program, text);
+        const auto expression = expression_of(choice, rows);
         if (!expression) return std::unexpected(expression.error());
-        formulas.values.assign(program.surfaces.size(), code_of(*expression));
+        formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
         return formulas;
     }
-    for (const Expr& surface : program.surfaces)
+    for (const Expr& surface : rows.program->surfaces)
         formulas.values.push_back(code_of(shape_of(choice.by, surface)));
     return formulas;
+}
+
+std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice) {
+    if (choice.by != ColorBy::Expression) return std::nullopt;
+    const auto expression = expression_of(choice, rows);
+    return expression ? std::nullopt : std::optional(expression.error());
 }
 
 Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,

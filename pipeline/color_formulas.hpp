@@ -1,12 +1,13 @@
 #pragma once
 
 #include "document/look.hpp"
+#include "document/row_program.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/scene/coloring.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <expected>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,13 @@ struct ColorFormulas {
     std::vector<PointFunction> values;  ///< of each surface; empty unless has_formula(by)
 };
 
-/// Made for the surfaces as they were typed; `text` is that of the program. Machine code unless it
-/// would take long. The error's column and offset are of the expression. Thread-safe.
-std::expected<ColorFormulas, InputError> color_formulas(const Program& program,
-                                                        const std::string& text,
+/// Makes them for the surfaces as they were typed. Machine code unless it would take long. The
+/// error's column and offset are of the expression. Thread-safe.
+std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice);
+
+/// The error that color_formulas would give.
+std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice);
 
 /// How the choice colours a scene that shows those of the program's surfaces that are `shown`; the
 /// heights are along the axis nearest to the camera's up.

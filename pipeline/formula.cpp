@@ -1,7 +1,6 @@
 #include "pipeline/formula.hpp"
 
 #include "engine/base/clock.hpp"
-#include "engine/base/text.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/drawn_form.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
@@ -20,17 +19,14 @@ using Clock = std::chrono::steady_clock;
 // LLVM takes 0.4 to 1 ms and 25 kB for a node.
 constexpr std::size_t most_nodes = 8'000;
 
-/// When a formula is interpreted at first.
-enum class Interpreted : std::uint8_t { Never, UnlessCompiled, Always };
-
-CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Interpreted first) {
+CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Preparation how) {
     std::size_t nodes = 0;
     for (const Expr& surface : surfaces) {
         if (!has_many_choices(surface)) nodes += surface.nodes().size();
     }
     if (nodes > most_nodes) return CodeState::Interpreted;
-    if (first == Interpreted::Never) return CodeState::Machine;
-    if (first == Interpreted::Always) return CodeState::InterpretedFirst;
+    if (how == Preparation::Compiled) return CodeState::Machine;
+    if (how == Preparation::Interpreted) return CodeState::InterpretedFirst;
     return is_compiled(surfaces, use) ? CodeState::Machine : CodeState::InterpretedFirst;
 }
 
@@ -66,37 +62,6 @@ Formula interpreted(Formula formula) {
     return formula;
 }
 
-std::expected<Formula, InputError> prepared(std::string_view text, Program program,
-                                            const Box& region, CodeUse use, Interpreted first,
-                                            Clock::time_point start) {
-    Formula formula{.text = std::string(text), .program = std::move(program), .region = region};
-    for (const Expr& surface : formula.program.surfaces) {
-        const Expr& drawn = formula.drawn.emplace_back(drawn_form(surface, sample_region(region)));
-        const auto whole = unrestricted(drawn);
-        auto& value = formula.unrestricted.emplace_back();
-        if (whole) value = interpret(*whole).value_float;
-    }
-    formula.code = code_for(formula.drawn, use, first);
-    if (formula.code != CodeState::Machine) {
-        formula = interpreted(std::move(formula));
-    } else {
-        auto kernels = machine_code(formula, use, Precision::Float);
-        if (!kernels) return std::unexpected(kernels.error());
-        formula.kernels = std::move(*kernels);
-        add_witnesses(formula);
-    }
-    formula.compile_ms = ms_since(start);
-    return formula;
-}
-
-std::expected<Formula, InputError> prepared(std::string_view text, const Box& region, CodeUse use,
-                                            Interpreted first) {
-    const auto start = Clock::now();
-    auto program = read_formula(text);
-    if (!program) return std::unexpected(program.error());
-    return prepared(text, std::move(*program), region, use, first, start);
-}
-
 }  // namespace
 
 bool Formula::uses_w() const { return std::ranges::any_of(kernels, &Kernel::uses_w); }
@@ -112,24 +77,30 @@ bool Formula::has_code(Precision precision) const {
     return precision == Precision::Float || std::ranges::all_of(kernels, &Kernel::has_double);
 }
 
-std::expected<Program, InputError> read_formula(std::string_view text) {
-    auto program = read_program(text);
-    if (!program) return std::unexpected(input_error(program.error(), text));
-    return std::move(*program);
-}
-
-std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, CodeUse::FirstPicture, Interpreted::UnlessCompiled);
-}
-
-std::expected<Formula, InputError> prepare_formula(std::string_view text, Program program,
-                                                   const Box& region) {
-    return prepared(text, std::move(program), region, CodeUse::FirstPicture,
-                    Interpreted::UnlessCompiled, Clock::now());
-}
-
-std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region) {
-    return prepared(text, region, CodeUse::FirstPicture, Interpreted::Always);
+std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& region,
+                                                   Preparation how) {
+    const auto start = Clock::now();
+    const CodeUse use = how == Preparation::Compiled ? CodeUse::Pictures : CodeUse::FirstPicture;
+    Formula formula;
+    static_cast<RowProgram&>(formula) = std::move(rows);
+    formula.region = region;
+    for (const Expr& surface : formula.program->surfaces) {
+        const Expr& drawn = formula.drawn.emplace_back(drawn_form(surface, sample_region(region)));
+        const auto whole = unrestricted(drawn);
+        auto& value = formula.unrestricted.emplace_back();
+        if (whole) value = interpret(*whole).value_float;
+    }
+    formula.code = code_for(formula.drawn, use, how);
+    if (formula.code != CodeState::Machine) {
+        formula = interpreted(std::move(formula));
+    } else {
+        auto kernels = machine_code(formula, use, Precision::Float);
+        if (!kernels) return std::unexpected(kernels.error());
+        formula.kernels = std::move(*kernels);
+        add_witnesses(formula);
+    }
+    formula.compile_ms = ms_since(start);
+    return formula;
 }
 
 std::expected<Formula, InputError> with_machine_code(const Formula& formula, CodeUse use,
@@ -173,53 +144,9 @@ double steps_left(const Formula& formula) {
     return steps;
 }
 
-std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region,
-                                                   Precision precision) {
-    auto formula = prepared(text, region, CodeUse::Pictures, Interpreted::Never);
-    if (!formula || formula->code == CodeState::Interpreted || formula->has_code(precision))
-        return formula;
-    return with_machine_code(*formula, CodeUse::Pictures, precision);
-}
-
 bool is_preview(const Formula& formula) {
     constexpr std::size_t most_nodes_soon = 300;
     return formula.code == CodeState::InterpretedFirst && formula.nodes() <= most_nodes_soon;
-}
-
-Scene make_scene(const Formula& formula, const Box& clip, double w,
-                 const ParameterValues& parameters) {
-    Scene scene{formula.kernels, clip, {}};
-    for (const auto& unrestricted : formula.unrestricted)
-        scene.solids.push_back({SolidSide::Automatic, unrestricted});
-    scene.uniforms.set(0, w);
-    const std::vector<double> values = values_of(formula.program, parameters);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        scene.uniforms.set(1 + i, values[i]);
-    return scene;
-}
-
-std::vector<double> values_of(const Program& program, const ParameterValues& parameters) {
-    std::vector<double> values;
-    for (const std::string& name : program.parameters) {
-        const auto found = parameters.find(name);
-        values.push_back(found == parameters.end() ? 1.0 : found->second);
-    }
-    return values;
-}
-
-std::optional<InputError> check_parameters(const Program& program,
-                                           const ParameterValues& parameters) {
-    for (const auto& [name, value] : parameters) {
-        if (std::ranges::find(program.parameters, name) != program.parameters.end()) continue;
-        std::string known = "the formula has none";
-        if (!program.parameters.empty()) {
-            known = "the formula's are";
-            for (const std::string& parameter : program.parameters)
-                known += " " + parameter;
-        }
-        return InputError{"--set " + name + ": there is no such parameter; " + known};
-    }
-    return std::nullopt;
 }
 
 }  // namespace zeroset

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/language/parse.hpp"
+#include "document/row_program.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
@@ -10,17 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <expected>
-#include <map>
-#include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 namespace zeroset {
-
-/// Values of parameters, by name.
-using ParameterValues = std::map<std::string, double>;
 
 enum class CodeState : std::uint8_t {
     Machine,           ///< machine code, or that of the parts of what has many choices
@@ -28,10 +21,8 @@ enum class CodeState : std::uint8_t {
     Interpreted,       ///< too large for machine code
 };
 
-/// A text ready to be drawn.
-struct Formula {
-    std::string text;
-    Program program;
+/// The rows of a document, ready to be drawn.
+struct Formula : RowProgram {
     std::vector<Expr> drawn{};      ///< the program's surfaces, each in its tightest form
     Box region;                     ///< where that is the tightest
     std::vector<Kernel> kernels{};  ///< of `drawn`
@@ -47,18 +38,16 @@ struct Formula {
     [[nodiscard]] bool has_code(Precision precision) const;
 };
 
-/// Text to graphs.
-std::expected<Program, InputError> read_formula(std::string_view text);
+/// The code that a formula is prepared with.
+enum class Preparation : std::uint8_t {
+    Interpreted,  ///< the interpreters'; machine code may follow
+    Quickest,     ///< machine code where an equal formula has some already, else the interpreters'
+    Compiled,     ///< machine code unless it is too large for that; takes up to a few seconds
+};
 
-/// Text to a formula that is interpreted, its forms the tightest in `region`. Thread-safe.
-std::expected<Formula, InputError> interpreted_formula(std::string_view text, const Box& region);
-
-/// Text to a formula for a first picture: interpreted, unless there is machine code of an equal
-/// one already. Its forms are the tightest in `region`. Thread-safe.
-std::expected<Formula, InputError> prepare_formula(std::string_view text, const Box& region);
-/// A formula for a first picture, as above, of a text that was read to `program` already.
-std::expected<Formula, InputError> prepare_formula(std::string_view text, Program program,
-                                                   const Box& region);
+/// Makes the code of a program, its forms the tightest in `region`. Thread-safe.
+std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& region,
+                                                   Preparation how);
 
 /// The same formula with machine code, for one whose code is InterpretedFirst, also in `precision`.
 /// Thread-safe.
@@ -81,23 +70,7 @@ double steps_left(const Formula& formula);
 /// made. Takes as long as the code in float did. Thread-safe.
 Formula with_double(const Formula& formula);
 
-/// Text to machine code, unless it is too large for that, also in `precision`; takes up to a few
-/// seconds.
-std::expected<Formula, InputError> compile_formula(std::string_view text, const Box& region = {},
-                                                   Precision precision = Precision::Float);
-
 /// Whether its machine code will be there before a full picture without it is of use.
 bool is_preview(const Formula& formula);
-
-/// What is drawn of the formula; parameters without a value are 1.
-Scene make_scene(const Formula& formula, const Box& clip, double w,
-                 const ParameterValues& parameters);
-
-/// The program's parameters in its order; those without a value are 1.
-std::vector<double> values_of(const Program& program, const ParameterValues& parameters);
-
-/// An error for the first value whose parameter the program does not have.
-std::optional<InputError> check_parameters(const Program& program,
-                                           const ParameterValues& parameters);
 
 }  // namespace zeroset

@@ -12,16 +12,20 @@ public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
         SheetReading reading = reader_.read(sheet);
         FormulaResult result{std::move(sheet), std::move(reading), last_, choice};
-        const std::string& text = result.reading.text;
-        if (last_ == nullptr || last_->text != text || region_ != region) {
-            auto formula = prepare_formula(text, *result.reading.program, region);
+        const RowProgram& rows = result.reading;
+        if (last_ == nullptr || last_->text != rows.text || region_ != region) {
+            auto formula = prepare_formula(rows, region, Preparation::Quickest);
             if (!formula) {
                 result.formula = std::unexpected(formula.error());
                 return result;
             }
-            if (last_ == nullptr || last_->text != text) colors_ = nullptr;
+            if (last_ == nullptr || last_->text != rows.text) colors_ = nullptr;
             last_ = std::make_shared<const Formula>(std::move(*formula));
             region_ = region;
+        } else if (last_->surface_rows != rows.surface_rows) {
+            Formula of_other_rows = *last_;
+            of_other_rows.surface_rows = rows.surface_rows;
+            last_ = std::make_shared<const Formula>(std::move(of_other_rows));
         }
         result.formula = last_;
         add_colors(result);
@@ -33,7 +37,7 @@ private:
         const ColorChoice& choice = result.choice;
         if (colors_ == nullptr || colors_->by != choice.by ||
             colors_->expression != choice.expression) {
-            auto colors = color_formulas(last_->program, last_->text, choice);
+            auto colors = color_formulas(*last_, choice);
             if (colors) {
                 colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));
             } else {

@@ -67,12 +67,13 @@ const std::vector<GalleryItem>& gallery() {
     return items;
 }
 
-Document document_of(const GalleryItem& item) {
-    Document document = document_of_text(item.equation);
+ReadDocument read_document(const GalleryItem& item) {
+    ReadDocument read = read_document_text(item.equation);
+    Document& document = read.document;
     document.clip = item.clip;
     document.camera = document.home = item.camera;
     set_value(document.w, item.w);
-    return document;
+    return read;
 }
 
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {

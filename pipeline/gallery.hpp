@@ -1,9 +1,8 @@
 #pragma once
 
-#include "document/document.hpp"
 #include "engine/view/camera.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <expected>
 #include <optional>
@@ -33,7 +32,7 @@ inline constexpr std::string_view suite_group = "From the papers";
 const std::vector<GalleryItem>& gallery();
 
 /// The item as a document that looks at it as the item does.
-Document document_of(const GalleryItem& item);
+ReadDocument read_document(const GalleryItem& item);
 
 /// The item called `name` (without "@"), or an error that names the nearest one.
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name);

@@ -10,12 +10,15 @@
 #include "engine/render/floor.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <optional>
 
 namespace zeroset {
@@ -92,17 +95,18 @@ struct BenchCell {
 
 OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
                                 const TraceSettings& settings) {
-    const Camera camera = item.surface.camera.value_or(default_camera(item.surface.clip));
-    auto formula = compile_formula(item.surface.equation, item.surface.clip);
-    if (!formula) return std::unexpected(formula.error());
-    const Precision precision =
-        wanted_precision(make_scene(*formula, item.surface.clip, item.surface.w, {}),
-                         ViewFrame(camera), settings.stop);
-    if (!formula->has_code(precision)) formula = with_double(*formula);
-    const Scene scene = make_scene(*formula, item.surface.clip, item.surface.w, {});
+    if (!item.read.rows) return std::unexpected(item.read.rows.error());
+    const auto prepared = prepare(item.read.document, *item.read.rows, Preparation::Compiled);
+    if (!prepared) return std::unexpected(prepared.error());
+    PictureRequest request =
+        picture_request(prepared->formula, prepared->colors, item.read.document, settings,
+                        {plan.size.width, plan.size.height});
+    if (!has_code_for(request))
+        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
-    cell.timing = time_frames(scene, camera, settings, frame, {plan.repeats, true}, [&] {
+    cell.timing = time_frames(scene, request.camera, settings, frame, {plan.repeats, true}, [&] {
         const TimeLimit limit{.until =
                                   until_after(std::chrono::steady_clock::now(), plan.budget_s)};
         return RenderWatch{.limit = limit, .on_tile = {}};
@@ -111,8 +115,8 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
         std::cerr << "zeroset: " << item.name << ": the budget of " << short_number(plan.budget_s)
                   << " s is spent; --budget SECONDS gives more\n";
     }
-    cell.compile_ms = formula->compile_ms;
-    const KnownFrame known(scene, camera, settings, frame);
+    cell.compile_ms = request.formula->compile_ms;
+    const KnownFrame known(scene, request.camera, settings, frame);
     cell.floor_ms = time_repeats(plan.repeats, [&] { known.draw(frame); }).median_ms;
     const auto rays = static_cast<double>(frame.color.size());
     cell.range_per_ray = static_cast<double>(cell.timing.counters.range) / rays;

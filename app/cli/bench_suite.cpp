@@ -11,11 +11,15 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace zeroset {
 namespace {
 
 using Json = nlohmann::json;
+
+/// The value of w for surfaces of a suite in a file.
+constexpr double suite_w = 0.5;
 
 /// The library's message without its own heading "[json.exception...] ".
 std::string plain_message(const std::exception& error) {
@@ -30,8 +34,8 @@ std::vector<BenchItem> gallery_suite() {
     std::vector<BenchItem> items;
     for (const GalleryItem& item : gallery()) {
         if (item.group != suite_group) continue;
-        items.push_back(
-            {item.name, {item.equation, item.clip, item.w, suite_camera(item.clip.hi.x), {}}});
+        BenchItem& added = items.emplace_back(item.name, read_document(item));
+        added.read.document.camera = suite_camera(item.clip.hi.x);
     }
     return items;
 }
@@ -39,7 +43,7 @@ std::vector<BenchItem> gallery_suite() {
 std::vector<BenchItem> whole_gallery() {
     std::vector<BenchItem> items;
     for (const GalleryItem& item : gallery())
-        items.push_back({item.name, {item.equation, item.clip, item.w, item.camera, {}}});
+        items.push_back({item.name, read_document(item)});
     return items;
 }
 
@@ -58,8 +62,11 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
             camera.eye = view.at("distance").get<double>() * domain *
                          glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
             camera.fov_rad = glm::radians(view.at("fov").get<double>());
-            items.push_back(
-                {surface.at("name"), {surface.at("f"), Box::cube(domain), 0.5, camera, {}}});
+            ReadDocument read = read_document_text(surface.at("f").get<std::string>());
+            read.document.clip = Box::cube(domain);
+            read.document.camera = camera;
+            read.document.w.value = suite_w;
+            items.push_back({surface.at("name"), std::move(read)});
         }
     } catch (const nlohmann::json::exception& error) {
         return wrong_input("--suite " + path +

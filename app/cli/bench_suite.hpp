@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/cli/options/options.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace zeroset {
 /// A surface that is timed.
 struct BenchItem {
     std::string name;
-    Surface surface;
+    ReadDocument read;
 };
 
 /// The gallery's surfaces of the papers, all seen from the default direction.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <iostream>
+#include <memory>
 
 namespace zeroset {
 namespace {
@@ -29,10 +30,10 @@ struct Explained {
 };
 
 struct Explanation {
-    Program program;
+    std::shared_ptr<const Program> program;
     std::vector<Explained> surfaces;
     std::array<double, 4> point{};
-    ParameterValues parameters;
+    std::vector<double> parameters;  ///< the program's, in its order
 };
 
 OrInputError<std::optional<std::array<double, 4>>> point_of(const ExplainCommand& command) {
@@ -46,8 +47,7 @@ OrInputError<std::optional<std::array<double, 4>>> point_of(const ExplainCommand
 }
 
 ValueAt value_of(const Expr& expr, const Explanation& explanation) {
-    const std::vector<double> parameters = values_of(explanation.program, explanation.parameters);
-    const Dual<double> f = value_at(expr, explanation.point, parameters);
+    const Dual<double> f = value_at(expr, explanation.point, explanation.parameters);
     ValueAt result{f.value, {}};
     for (std::size_t i = 0; i < 3; ++i)
         result.gradient[i] = f.slope[i].value_or(0.0);
@@ -55,18 +55,17 @@ ValueAt value_of(const Expr& expr, const Explanation& explanation) {
 }
 
 OrInputError<Explanation> explained(const ExplainCommand& command) {
-    const auto text = read_equation(command.equation);
-    if (!text) return std::unexpected(text.error());
-    auto program = read_formula(*text);
-    if (!program) return std::unexpected(program.error());
-    auto parameters = read_parameters(command.set);
-    if (!parameters) return std::unexpected(parameters.error());
-    if (auto unknown = check_parameters(*program, *parameters)) return std::unexpected(*unknown);
+    ViewText parameters;
+    parameters.set = command.set;
+    const auto input = read_document(command.equation, parameters);
+    if (!input) return std::unexpected(input.error());
+    if (!input->rows) return std::unexpected(input->rows.error());
     const auto point = point_of(command);
     if (!point) return std::unexpected(point.error());
-    Explanation result{
-        std::move(*program), {}, point->value_or(std::array<double, 4>{}), std::move(*parameters)};
-    for (const Expr& expr : result.program.surfaces) {
+    Explanation result{input->rows->program, {}, point->value_or(std::array<double, 4>{}), {}};
+    for (const std::string& name : result.program->parameters)
+        result.parameters.push_back(slider_of(input->document, name).value);
+    for (const Expr& expr : result.program->surfaces) {
         Explained surface{&expr, drawn_form(expr), std::nullopt};
         if (*point) surface.at = value_of(expr, result);
         result.surfaces.push_back(std::move(surface));
@@ -102,13 +101,13 @@ Json json_of(const Explained& surface) {
 void print_json(const Explanation& explanation) {
     Json json{{"ok", true}};
     json.update(json_of(explanation.surfaces.front()));
-    json["parameters"] = explanation.program.parameters;
+    json["parameters"] = explanation.program->parameters;
     json["surfaces"] = Json::array();
     for (const Explained& surface : explanation.surfaces)
         json["surfaces"].push_back(json_of(surface));
     json["readings"] = Json::array();
     json["notes"] = Json::array();
-    for (const Reading& reading : explanation.program.readings) {
+    for (const Reading& reading : explanation.program->readings) {
         json["readings"].push_back(reading.text);
         for (const std::string& note : reading.notes)
             json["notes"].push_back(note);
@@ -144,7 +143,7 @@ void print_surface(const Explained& surface, const Reading& reading,
 
 void print_text(const Explanation& explanation) {
     std::vector<const Reading*> surfaces;
-    for (const Reading& reading : explanation.program.readings) {
+    for (const Reading& reading : explanation.program->readings) {
         if (reading.kind == StatementKind::Surface) {
             surfaces.push_back(&reading);
             continue;
@@ -154,11 +153,11 @@ void print_text(const Explanation& explanation) {
     }
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         print_surface(explanation.surfaces[i], *surfaces[i], explanation);
-    if (explanation.program.parameters.empty()) return;
+    if (explanation.program->parameters.empty()) return;
     std::cout << "open      ";
-    const std::vector<double> values = values_of(explanation.program, explanation.parameters);
+    const std::vector<double>& values = explanation.parameters;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        std::cout << (i == 0 ? "" : ", ") << explanation.program.parameters[i] << " = "
+        std::cout << (i == 0 ? "" : ", ") << explanation.program->parameters[i] << " = "
                   << short_number(values[i], 17);
     }
     std::cout << "  (parameters)\n";

@@ -1,14 +1,13 @@
 #include "app/cli/first_picture.hpp"
 
-#include "app/cli/commands.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/timing.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/render/render_job.hpp"
 #include "jit/compile.hpp"
-#include "pipeline/document_scene.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -79,13 +78,9 @@ private:
 
 std::uint64_t Editor::submit_picture(const Document& document, const FormulaResult& result,
                                      bool again) {
-    RenderRequest request;
-    request.scene = document_scene(**result.formula, document, result.reading.surface_rows);
-    const double aspect = static_cast<double>(plan_.size.width) / plan_.size.height;
-    request.camera = document.camera.value_or(default_camera(document.clip, aspect, document.up));
-    request.settings = plan_.settings;
-    request.width = plan_.size.width;
-    request.height = plan_.size.height;
+    RenderRequest request =
+        render_request(picture_request(*result.formula, result.colors, document, plan_.settings,
+                                       {plan_.size.width, plan_.size.height}));
     request.preview = is_preview(**result.formula);
     request.again = again;
     return pictures_.submit(std::move(request));
@@ -169,19 +164,22 @@ double median(std::vector<double> times) {
     return times[times.size() / 2];
 }
 
+/// The item's view of another text.
 Document document_with(const BenchItem& item, const std::string& text) {
-    Surface surface = item.surface;
-    surface.equation = text;
-    return document_of(surface);
+    Document document = item.read.document;
+    document.statements = read_text(text).document.statements;
+    return document;
 }
 
 OrInputError<Medians> measure(Editor& editor, const BenchItem& item, int repeats) {
     std::vector<double> formula, picture, machine, number;
     Medians medians;
-    const auto other = with_other_number(item.surface.equation, "01");
+    if (!item.read.rows) return std::unexpected(item.read.rows.error());
+    const std::string& typed = item.read.rows->text;
+    const auto other = with_other_number(typed, "01");
     for (int i = 0; i < repeats; ++i) {
         jit::forget_code();
-        const auto times = editor.edit(document_with(item, item.surface.equation));
+        const auto times = editor.edit(document_with(item, typed));
         if (!times) return std::unexpected(times.error());
         medians.text = *times;
         formula.push_back(times->formula_ms);
@@ -228,7 +226,7 @@ int print_first_pictures(const FirstPicturePlan& plan) {
         plan.size.width, plan.size.height, plan.repeats, "surface", "nodes", "ready ms", "first ms",
         "size", "machine ms", "number ms");
     Editor editor(plan);
-    const BenchItem warm_up{"", {"x^2 + y^2 + z^2 = 1.25", {}, 0.0, {}, {}}};
+    const BenchItem warm_up{"", read_document_text("x^2 + y^2 + z^2 = 1.25")};
     if (const auto warm = measure(editor, warm_up, 1); !warm) return report(warm.error());
     std::vector<double> texts, numbers;
     for (const BenchItem& item : plan.items) {

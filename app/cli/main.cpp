@@ -2,7 +2,6 @@
 // none.
 
 #include "app/cli/commands.hpp"
-#include "app/cli/options/solid_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
 #include "app/cli/window_command.hpp"
@@ -145,23 +144,12 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
 
 int open_window(const std::string& equation, const ViewText& view, const TraceText& trace,
                 const std::string& latency_log) {
-    auto options = read_desktop_options(equation, view, trace);
+    auto options = read_desktop_options(equation, view, trace, TextErrors::Refused);
     if (!options) return report(options.error());
     if (!latency_log.empty()) {
         const auto writable = check_writable(latency_log);
         if (!writable) return report_run_time(writable.error().message);
         options->latency_log = latency_log;
-    }
-    // A document may have errors: its rows show them.
-    if (options->path.empty()) {
-        const auto program = read_formula(options->equation);
-        if (!program) return report(program.error());
-        const auto unknown = check_parameters(*program, options->given);
-        if (unknown) return report(*unknown);
-        if (const auto missing = check_solids(*program, options->solids)) return report(*missing);
-        const ColorChoice& choice = options->document.coloring;
-        const auto colors = color_formulas(*program, options->equation, choice);
-        if (!colors) return report(color_by_error(colors.error()));
     }
     const auto ran = run_desktop(*options);
     return ran ? exit_ok : report_run_time(ran.error());

@@ -82,19 +82,16 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     if (command.depth == "-") {
         return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
     }
-    auto surface = read_surface(command.equation, command.view);
-    if (!surface) return std::unexpected(surface.error());
-    plan.surface = *surface;
-    plan.document = document_of(*surface);
+    auto input = read_document(command.equation, command.view);
+    if (!input) return std::unexpected(input.error());
+    if (!input->rows) return std::unexpected(input->rows.error());
+    plan.document = std::move(input->document);
+    plan.rows = std::move(*input->rows);
     take_look(command.trace, plan.document);
-    plan.settings.shadows = plan.document.shadows;
-    plan.settings.antialias = plan.document.antialias;
     if (plan.document.jumps && plan.settings.tracer != tracers().front().name) {
         return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
                            plan.settings.tracer);
     }
-    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    plan.camera = surface->camera.value_or(default_camera(surface->clip, aspect, plan.document.up));
     return plan;
 }
 
@@ -111,10 +108,11 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
 Json stats_of(const RenderedPicture& picture) {
     const RenderPlan& plan = picture.plan;
     const Scene& scene = picture.scene;
-    const Formula& formula = picture.formula;
+    const PictureRequest& request = picture.request;
     const FrameTiming& timing = picture.timing;
     const Framebuffer& frame = picture.frame;
-    const Precision precision = frame_precision(scene, ViewFrame(plan.camera), plan.settings.stop);
+    const Precision precision =
+        frame_precision(scene, ViewFrame(request.camera), plan.settings.stop);
     Json surfaces = Json::array();
     for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
         surfaces.push_back({{"pixels", pixels}});
@@ -125,8 +123,8 @@ Json stats_of(const RenderedPicture& picture) {
             {"height", frame.height},
             {"threads", threads},
             {"tracer", plan.settings.tracer},
-            {"compile_ms", formula.compile_ms},
-            {"machine_code", formula.code == CodeState::Machine},
+            {"compile_ms", request.formula ? request.formula->compile_ms : 0.0},
+            {"machine_code", !request.formula || request.formula->code == CodeState::Machine},
             {"precision", name_of(precision)},
             {"frame_ms",
              {{"median", timing.median_ms},
@@ -156,15 +154,15 @@ Framebuffer marked(const Framebuffer& frame, const RenderedPicture& picture, boo
     const ui::Legend legend = ui::legend_of(coloring, plan.document.coloring.expression);
     const bool needs_legend = with_legend && coloring.by != ColorBy::Plain;
     Framebuffer marked = frame;
-    ui::draw_marks_over(marked, plan.camera, plan.document.markers,
+    ui::draw_marks_over(marked, picture.request.camera, plan.document.markers,
                         needs_legend ? &legend : nullptr);
     return marked;
 }
 
-/// The reading of each of the formula's surfaces.
-std::vector<std::string> surface_readings(const Formula& formula) {
+/// The reading of each of the program's surfaces.
+std::vector<std::string> surface_readings(const Program& program) {
     std::vector<std::string> texts;
-    for (const Reading& reading : formula.program.readings) {
+    for (const Reading& reading : program.readings) {
         if (reading.kind == StatementKind::Surface) texts.push_back(reading.text);
     }
     return texts;
@@ -173,15 +171,16 @@ std::vector<std::string> surface_readings(const Formula& formula) {
 void print_probes(const RenderedPicture& picture) {
     const RenderPlan& plan = picture.plan;
     const Scene& scene = picture.scene;
-    const std::vector<std::size_t> shown = shown_surfaces(picture.formula, plan);
-    const std::vector<Kernel> typed = typed_formulas(picture.formula.program, shown);
-    const std::vector<std::string> readings = surface_readings(picture.formula);
+    const PictureRequest& request = picture.request;
+    const std::vector<std::size_t> shown = shown_indices(request);
+    const std::vector<Kernel> typed = typed_formulas(*plan.rows.program, shown);
+    const std::vector<std::string> readings = surface_readings(*plan.rows.program);
     const StopCriterion& stop = plan.settings.stop;
-    const Precision precision = frame_precision(scene, ViewFrame(plan.camera), stop);
+    const Precision precision = frame_precision(scene, ViewFrame(request.camera), stop);
     const double tolerance = depth_tolerance(scene.clip, stop, precision);
     for (const glm::ivec2& pixel : plan.probes) {
-        const auto facts =
-            probe({picture.frame, plan.camera, typed, scene.uniforms, tolerance}, pixel.x, pixel.y);
+        const auto facts = probe({picture.frame, request.camera, typed, scene.uniforms, tolerance},
+                                 pixel.x, pixel.y);
         const std::size_t surface = facts ? shown[facts->surface] : 0;
         std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);
     }
@@ -202,7 +201,7 @@ std::expected<void, std::string> write_files(const RenderCommand& command,
     if (command.output && is_bare(picture)) {
         written = write_png(*command.output, frame);
     } else if (command.output) {
-        const auto painted = furnished(frame, picture.plan.document, picture.plan.camera);
+        const auto painted = furnished(frame, picture.plan.document, picture.request.camera);
         if (!painted) return std::unexpected(painted.error());
         written = write_png(*command.output, marked(*painted, picture, !command.no_legend));
     }

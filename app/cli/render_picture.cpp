@@ -1,8 +1,6 @@
 #include "app/cli/render_picture.hpp"
 
-#include "app/cli/options/solid_options.hpp"
 #include "document/framing.hpp"
-#include "document/solid_choice.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
 #include "engine/light/shade.hpp"
@@ -11,12 +9,11 @@
 #include "engine/render/render.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/code_choice.hpp"
-#include "pipeline/document_scene.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace zeroset {
@@ -62,97 +59,82 @@ Framebuffer undecided_frame(const Size& size) {
     return frame;
 }
 
-/// As a document has its rows, or all surfaces in the palette's colours.
-Scene plain_scene(const Formula& formula, const RenderPlan& plan) {
-    const Surface& surface = plan.surface;
-    if (!surface.document) {
-        Scene scene = make_scene(formula, surface.clip, surface.w, surface.parameters);
-        scene.region = surface.region;
-        scene.jumps = plan.document.jumps;
-        for (const SolidChoice& choice : surface.solids) {
-            for (std::size_t i = 0; i < scene.solids.size(); ++i) {
-                if (!choice.surface || static_cast<std::size_t>(*choice.surface) == i + 1)
-                    scene.solids[i].side = choice.side;
-            }
-        }
-        return scene;
-    }
-    return document_scene(formula, plan.document, surface_rows(plan.document, formula.program));
+/// The plan's picture by this code.
+PictureRequest request_for(const RenderPlan& plan, const PreparedDocument& prepared) {
+    return picture_request(prepared.formula, prepared.colors, plan.document, plan.settings,
+                           {plan.size.width, plan.size.height});
 }
 
 /// Looks at all of the surface; returns why, where it cannot.
-std::string fit(RenderPlan& plan, const Scene& scene, const TimeLimit& limit) {
+std::string fit(RenderPlan& plan, const PreparedDocument& prepared, const TimeLimit& limit) {
+    const PictureRequest request = request_for(plan, prepared);
+    plan.document.camera = request.camera;
     const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    plan.document.camera = plan.camera;
-    const Framing framing =
-        frame_surfaces(plan.document, find_extent(scene, limit), aspect, plan.fits_box);
-    plan.document = framing.document;
-    plan.surface.clip = framing.document.clip;
-    plan.camera = *framing.document.camera;
+    Framing framing =
+        frame_surfaces(plan.document, find_extent(scene_of(request), limit), aspect, plan.fits_box);
+    plan.document = std::move(framing.document);
     return framing.found ? "" : framing.note;
 }
 
-void find_colors(Drawing& drawing, const ColorFormulas& colors) {
+/// Finds the range of the colours where the document leaves it open.
+void find_color_range(Drawing& drawing) {
     const RenderPlan& plan = drawing.picture.plan;
     Scene& scene = drawing.picture.scene;
-    scene.coloring = coloring_of(plan.document.coloring, colors,
-                                 shown_surfaces(drawing.picture.formula, plan), plan.camera.up);
     if (!has_range(scene.coloring.by) || scene.coloring.range) return;
     drawing.progress.enter(Progress::Stage::Coloring);
     scene.coloring.range =
-        find_range(scene, plan.camera, plan.settings, plan.size.width, plan.size.height,
-                   {&drawing.cancel, after_share(drawing, coloring_share)});
+        find_range(scene, drawing.picture.request.camera, plan.settings, plan.size.width,
+                   plan.size.height, {&drawing.cancel, after_share(drawing, coloring_share)});
 }
 
-/// For the one frame of an interpreted formula.
-std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing, Formula formula,
-                                                     Precision precision) {
+/// The formula with the code that draws one frame soonest.
+std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing,
+                                                     const PictureRequest& request) {
+    Formula formula = *request.formula;
     if (formula.code == CodeState::Interpreted) return formula;
     const auto start = Clock::now();
-    const RenderPlan& plan = drawing.picture.plan;
-    const auto [width, height] = plan.size;
-    const auto use =
-        code_for_one({plain_scene(formula, plan), plan.camera, plan.settings, width, height},
-                     formula, &drawing.cancel);
+    const RenderRequest frame = render_request(request);
+    const auto use = code_for_one(frame, formula, &drawing.cancel);
     formula.compile_ms += ms_since(start);
     if (!use) return formula;
+    const Precision precision =
+        wanted_precision(frame.scene, ViewFrame(frame.camera), frame.settings.stop);
     return with_machine_code(formula, *use, precision);
 }
 
-/// The formula's code and what it shows; or an error.
-std::optional<InputError> prepare(Drawing& drawing) {
+/// Makes the code of the picture, and fits the view to the surface where that is planned; or finds
+/// an error.
+std::optional<InputError> prepare_picture(Drawing& drawing) {
     RenderPlan& plan = drawing.picture.plan;
-    const Surface& surface = plan.surface;
-    // What is fitted asks for many ranges, as does any tracer but that of beams.
+    // Fitting asks for many ranges, as does any tracer but that of beams.
     const bool few =
         is_one_frame(plan) && !plan.fits && plan.settings.tracer == tracers().front().name;
-    auto formula = few ? interpreted_formula(surface.equation, surface.clip)
-                       : compile_formula(surface.equation, surface.clip);
-    if (!formula) return formula.error();
-    if (auto unknown = check_parameters(formula->program, surface.parameters)) return unknown;
-    if (auto missing = check_solids(formula->program, surface.solids)) return missing;
-    const auto colors = color_formulas(formula->program, formula->text, plan.document.coloring);
-    if (!colors) return color_by_error(colors.error());
+    auto prepared =
+        prepare(plan.document, plan.rows, few ? Preparation::Interpreted : Preparation::Compiled);
+    if (!prepared) return prepared.error();
     if (plan.fits) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{&drawing.cancel, after_share(drawing, fitting_share)};
-        drawing.picture.note = fit(plan, plain_scene(*formula, plan), limit);
+        drawing.picture.note = fit(plan, *prepared, limit);
     }
-    const Precision precision =
-        wanted_precision(plain_scene(*formula, plan), ViewFrame(plan.camera), plan.settings.stop);
+    PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);
-    if (few) formula = with_code_for_one(drawing, std::move(*formula), precision);
-    if (!formula) return formula.error();
-    if (!formula->has_code(precision)) formula = with_double(*formula);
-    drawing.picture.formula = std::move(*formula);
-    drawing.picture.scene = plain_scene(drawing.picture.formula, plan);
-    find_colors(drawing, *colors);
+    if (few) {
+        auto formula = with_code_for_one(drawing, request);
+        if (!formula) return formula.error();
+        request.formula = std::make_shared<const Formula>(std::move(*formula));
+    }
+    if (!has_code_for(request))
+        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    drawing.picture.scene = scene_of(request);
+    drawing.picture.request = std::move(request);
+    find_color_range(drawing);
     return std::nullopt;
 }
 
 void draw(Drawing& drawing) {
     RenderedPicture& picture = drawing.picture;
-    picture.error = prepare(drawing);
+    picture.error = prepare_picture(drawing);
     if (picture.error) return;
     drawing.has_scene.store(true, std::memory_order_release);
     const RenderPlan& plan = picture.plan;
@@ -167,8 +149,8 @@ void draw(Drawing& drawing) {
                                                     static_cast<std::uint64_t>(rect.rows));
                            }};
     };
-    picture.timing = time_frames(picture.scene, plan.camera, plan.settings, picture.frame,
-                                 {plan.repeats, plan.warms_up}, next_watch);
+    picture.timing = time_frames(picture.scene, picture.request.camera, picture.request.settings,
+                                 picture.frame, {plan.repeats, plan.warms_up}, next_watch);
     picture.in_time = !picture.timing.counters.is_cut();
 }
 
@@ -206,15 +188,6 @@ RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
     }
     drawing->cancel = true;
     return {stuck_picture(*drawing, plan), true};
-}
-
-std::vector<std::size_t> shown_surfaces(const Formula& formula, const RenderPlan& plan) {
-    if (plan.surface.document) {
-        return visible_surfaces(plan.document, surface_rows(plan.document, formula.program));
-    }
-    std::vector<std::size_t> all(formula.drawn.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return all;
 }
 
 std::string budget_note(const RenderedPicture& picture) {

@@ -5,8 +5,9 @@
 #include "app/cli/timing.hpp"
 #include "app/platform/process.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "pipeline/color_formulas.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <glm/ext/vector_int2.hpp>
 
@@ -23,15 +24,14 @@ namespace zeroset {
 
 /// What the options mean, checked before any work.
 struct RenderPlan {
-    Surface surface;
-    Document document;  ///< of the surface, with what the options say of its look
+    Document document;  ///< with what the options say of it
+    RowProgram rows;    ///< the document's
     TraceSettings settings;
     Size size{};
     int repeats = 1;
     bool warms_up = false;
-    bool fits = false;      ///< the view to the surface,
-    bool fits_box = false;  ///< and the clip box
-    Camera camera;
+    bool fits = false;               ///< the view to the surface,
+    bool fits_box = false;           ///< and the clip box
     std::vector<glm::ivec2> probes;  ///< columns and rows
     double budget_s = default_budget_s;
 };
@@ -40,9 +40,9 @@ struct RenderPlan {
 struct RenderedPicture {
     RenderPlan plan;  ///< fitted
     std::optional<InputError> error;
-    std::string note;  ///< what --fit could not do; a line or nothing
-    Formula formula;
-    Scene scene;  ///< no surfaces: there was no time for any
+    std::string note;        ///< what --fit could not do; a line or nothing
+    PictureRequest request;  ///< no formula: there was no time for any
+    Scene scene;             ///< of the request, with the range of the colours
     Framebuffer frame;
     FrameTiming timing;
     bool in_time = true;                                      ///< all that was wanted is there
@@ -56,9 +56,6 @@ struct RenderOutcome {
     bool stuck = false;
 };
 RenderOutcome render_picture(const RenderPlan& plan, std::chrono::steady_clock::time_point start);
-
-/// The surfaces of the formula that are shown.
-std::vector<std::size_t> shown_surfaces(const Formula& formula, const RenderPlan& plan);
 
 /// One line on what the budget left; empty where it left nothing.
 std::string budget_note(const RenderedPicture& picture);

@@ -1,6 +1,5 @@
 #include "app/cli/window_command.hpp"
 
-#include "document/json/document_file.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 
@@ -10,21 +9,18 @@
 namespace zeroset {
 
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
-                                                  const TraceText& trace) {
+                                                  const TraceText& trace, TextErrors errors) {
     const std::string first = "@" + gallery().front().name;
-    const auto surface = read_surface(equation.empty() ? first : equation, view);
-    if (!surface) return std::unexpected(surface.error());
+    auto input = read_document(equation.empty() ? first : equation, view);
+    if (!input) return std::unexpected(input.error());
     auto settings = read_trace_settings(trace);
     if (!settings) return std::unexpected(settings.error());
+    if (!input->rows && input->path.empty() && errors == TextErrors::Refused)
+        return std::unexpected(input->rows.error());
     DesktopOptions options;
-    options.document = document_of(*surface);
-    options.equation = surface->equation;
-    options.given = surface->parameters;
-    options.solids = surface->solids;
-    if (surface->document) {
-        options.path = equation;
-        if (const auto loaded = load_document(equation)) options.note = loaded->note;
-    }
+    options.document = std::move(input->document);
+    options.path = input->path;
+    options.note = input->note;
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     take_look(trace, options.document);
     options.fit = view.fit;

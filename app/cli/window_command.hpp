@@ -4,13 +4,18 @@
 #include "app/desktop/desktop.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <cstdint>
 #include <string>
 
 namespace zeroset {
 
-/// The gallery's first surface where `equation` is empty; a d_stop for interaction where no stop is
-/// given. The formula may have errors: the window shows them.
+/// What becomes of a text that cannot be read. Rows of a file may always have errors: the window
+/// shows them.
+enum class TextErrors : std::uint8_t { Shown, Refused };
+
+/// Options of the window for EQUATION; the gallery's first surface where it is empty.
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
-                                                  const TraceText& trace);
+                                                  const TraceText& trace,
+                                                  TextErrors errors = TextErrors::Shown);
 
 }  // namespace zeroset

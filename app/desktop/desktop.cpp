@@ -8,10 +8,10 @@
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
-#include "pipeline/document_scene.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
+#include "pipeline/picture_request.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/picture/legend.hpp"
@@ -81,22 +81,6 @@ ui::UiState first_state(const DesktopOptions& options) {
 }
 
 }  // namespace
-
-bool Desktop::same_picture(const Wanted& a, const Wanted& b) {
-    return a.formula == b.formula && a.clip == b.clip && a.region == b.region &&
-           a.camera == b.camera && a.stop == b.stop && a.shadows == b.shadows &&
-           a.antialias == b.antialias && a.jumps == b.jumps && a.colors == b.colors &&
-           a.coloring == b.coloring && a.size_px == b.size_px && a.surfaces == b.surfaces &&
-           a.uniforms == b.uniforms;
-}
-
-/// Whether `next` is the picture `last`, by code that was not there before.
-bool Desktop::same_but_for_code(const Wanted& last, const Wanted& next) {
-    Wanted by_new_code = last;
-    by_new_code.formula = next.formula;
-    by_new_code.colors = next.colors;
-    return last.formula->text == next.formula->text && same_picture(by_new_code, next);
-}
 
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
@@ -212,6 +196,7 @@ void Desktop::show(const FormulaResult& result) {
     const std::shared_ptr<const Formula>& formula = *result.formula;
     // The same text again: what is shown may have more code.
     const bool same = shown_ != nullptr && shown_->text == formula->text &&
+                      shown_->surface_rows == formula->surface_rows &&
                       (shown_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) shown_ = formula;
     colors_ = result.colors;
@@ -264,10 +249,9 @@ void Desktop::show_legend(const RenderResult& result) {
     state_.legend = ui::legend_of(result.coloring, colors_->expression);
 }
 
-std::optional<Pointing::Behind> Desktop::behind_picture() const {
-    if (!submitted_ || pictured_request_ != request_) return std::nullopt;
-    return Pointing::Behind{submitted_->formula, submitted_rows_of_surfaces_, submitted_uniforms_,
-                            submitted_->stop};
+const PictureRequest* Desktop::behind_picture() const {
+    if (!submitted_ || pictured_request_ != request_) return nullptr;
+    return &*submitted_;
 }
 
 void Desktop::upload_frame() {
@@ -313,7 +297,7 @@ void Desktop::follow_edits() {
 void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.surface, std::nullopt);
     if (!picked) return;
-    Document document = document_of(gallery()[*picked]);
+    Document document = read_document(gallery()[*picked]).document;
     keep_settings(document, state_.document);
     document.coloring = state_.document.coloring;
     document.coloring.range.reset();
@@ -333,66 +317,32 @@ void Desktop::submit_rows() {
     formulas_.submit(std::move(sheet), state_.document.clip, choice);
 }
 
-std::optional<Desktop::Wanted> Desktop::wanted_picture() const {
+std::optional<PictureRequest> Desktop::wanted_picture() const {
     const glm::ivec2 size = state_.viewport_px;
     const Document& document = state_.document;
     if (shown_ == nullptr || colors_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) {
         return std::nullopt;
     }
-    Wanted wanted{shown_,
-                  document.clip,
-                  document.region,
-                  *document.camera,
-                  document.stop,
-                  document.shadows,
-                  document.antialias,
-                  document.jumps,
-                  colors_,
-                  document.coloring,
-                  size,
-                  {},
-                  {}};
-    for (const int row : state_.surface_rows) {
-        const auto found = std::ranges::find(document.statements, row, &Statement::id);
-        if (found == document.statements.end() || !found->visible) continue;
-        wanted.surfaces.emplace_back(row, found->color.value_or(0), found->solid);
-    }
-    if (shown_->uses_w()) wanted.uniforms.push_back(document.w.value);
-    for (const std::string& name : shown_->program.parameters)
-        wanted.uniforms.push_back(slider_of(document, name).value);
-    return wanted;
+    TraceSettings settings = settings_;
+    settings.stop = document.stop;
+    return picture_request(shown_, colors_, document, settings, size);
 }
 
 void Desktop::submit_picture() {
-    std::optional<Wanted> next = wanted_picture();
-    if (!next || (submitted_ && same_picture(*submitted_, *next))) return;
-    const Wanted& wanted = *next;
-    RenderRequest request;
-    request.scene = document_scene(*shown_, state_.document, state_.surface_rows);
-    const ViewFrame view(wanted.camera);
-    if (!shown_->has_code(wanted_precision(request.scene, view, wanted.stop))) {
+    std::optional<PictureRequest> wanted = wanted_picture();
+    if (!wanted || submitted_ == wanted) return;
+    if (!has_code_for(*wanted)) {
         // The last picture stays until the code is there.
         if (deepening_ != shown_) formulas_.submit_double(shown_);
         deepening_ = shown_;
         return;
     }
-    request.scene.coloring =
-        coloring_of(wanted.coloring, *wanted.colors,
-                    visible_surfaces(state_.document, state_.surface_rows), wanted.camera.up);
-    request.camera = wanted.camera;
-    request.settings = settings_;
-    request.settings.stop = wanted.stop;
-    request.settings.shadows = wanted.shadows;
-    request.settings.antialias = wanted.antialias;
-    request.width = wanted.size_px.x;
-    request.height = wanted.size_px.y;
-    submitted_rows_of_surfaces_ = state_.surface_rows;
-    submitted_uniforms_ = request.scene.uniforms;
+    RenderRequest request = render_request(*wanted);
     request.preview = is_preview(*shown_);
-    request.again = submitted_ && same_but_for_code(*submitted_, wanted);
+    request.again = submitted_ && differs_in_code_only(*submitted_, *wanted);
     request_ = pictures_.submit(std::move(request));
     state_.picture.tracing = true;
-    submitted_ = std::move(next);
+    submitted_ = std::move(wanted);
     window_.wake();
 }
 

@@ -8,13 +8,13 @@
 #include "app/desktop/session.hpp"
 #include "app/desktop/waiting.hpp"
 #include "document/document.hpp"
-#include "document/solid_choice.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_job.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
+#include "pipeline/picture_request.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/window/texture.hpp"
@@ -29,8 +29,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -38,12 +36,9 @@ namespace zeroset {
 /// What the window starts with.
 struct DesktopOptions {
     Document document;
-    std::string path;                      ///< of the document's file; empty: none
-    std::string note;                      ///< what is to be said of the document; or empty
-    std::string equation;                  ///< as it was given, where it is no document
-    ParameterValues given;                 ///< those that were given by name
-    std::vector<SolidChoice> solids = {};  ///< those that are given
-    TraceSettings settings;                ///< but for what the document says
+    std::string path;        ///< of the document's file; empty: none
+    std::string note;        ///< what is to be said of the document; or empty
+    TraceSettings settings;  ///< but for what the document says
     ui::Theme theme = ui::Theme::Dark;
     bool follows_desktop = false;  ///< the theme is the desktop's wish
     bool on_desktop = false;       ///< there may be one to ask
@@ -79,26 +74,6 @@ public:
     [[nodiscard]] std::optional<double> due_s() const;
 
 private:
-    /// All that the picture depends on and that the window can change.
-    struct Wanted {
-        std::shared_ptr<const Formula> formula;
-        Box clip;
-        Region region;
-        Camera camera;
-        StopCriterion stop;
-        bool shadows;
-        bool antialias;
-        bool jumps;
-        std::shared_ptr<const ColorFormulas> colors;  ///< for the formula
-        ColorChoice coloring;
-        glm::ivec2 size_px{0};
-        /// Of each visible surface: its row, its colour and its solid's side.
-        std::vector<std::tuple<int, std::uint32_t, SolidSide>> surfaces;
-        std::vector<double> uniforms;  ///< w, where it is used, and the parameters
-    };
-    static bool same_picture(const Wanted& a, const Wanted& b);
-    static bool same_but_for_code(const Wanted& last, const Wanted& next);
-
     /// Finds what the window waits for, for the panels to tell.
     void follow_waiting();
     void take_formula();
@@ -108,7 +83,7 @@ private:
     void upload_frame();
     void show_legend(const RenderResult& result);
     /// What is behind the picture that is shown, unless another is on its way.
-    [[nodiscard]] std::optional<Pointing::Behind> behind_picture() const;
+    [[nodiscard]] const PictureRequest* behind_picture() const;
     void follow_edits();
     void show_gallery_item();
     void find_view();
@@ -117,7 +92,7 @@ private:
     void submit_rows();
     void play();
     [[nodiscard]] bool waits_for_picture() const;
-    [[nodiscard]] std::optional<Wanted> wanted_picture() const;
+    [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;
     void submit_picture();
     void log_submission(std::uint64_t before);
 
@@ -135,9 +110,7 @@ private:
     std::optional<Sheet> answered_rows_;        ///< what the newest reading is of
     std::shared_ptr<const Formula> shown_;      ///< of the newest reading
     std::shared_ptr<const Formula> deepening_;  ///< `shown_`, when it waits for code in double
-    std::optional<Wanted> submitted_;
-    std::vector<int> submitted_rows_of_surfaces_;
-    Uniforms submitted_uniforms_;
+    std::optional<PictureRequest> submitted_;
     std::uint64_t request_ = 0;
     std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
     bool pictured_fully_ = false;
@@ -151,7 +124,7 @@ private:
 
     /// Where the surfaces of `measured_` lie, while that is being found.
     std::future<Extent> extent_;
-    std::optional<Wanted> measured_;
+    std::optional<PictureRequest> measured_;
     bool fits_box_;
     unsigned done_gesture_ = 0;            ///< after which the note on what was done goes
     std::unique_ptr<LatencyLog> latency_;  ///< where one is wanted

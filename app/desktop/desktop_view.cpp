@@ -3,7 +3,7 @@
 #include "document/framing.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/view/camera.hpp"
-#include "pipeline/document_scene.hpp"
+#include "pipeline/picture_request.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/window/window.hpp"
 
@@ -44,18 +44,16 @@ void Desktop::find_surfaces() {
     if (extent_.valid()) {
         if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
         const Extent extent = extent_.get();
-        const std::optional<Wanted> now = wanted_picture();
+        const std::optional<PictureRequest> now = wanted_picture();
         if (now && now->formula == measured_->formula && now->clip == measured_->clip)
             frame(extent);
     }
-    const std::optional<Wanted> wanted = wanted_picture();
+    const std::optional<PictureRequest> wanted = wanted_picture();
     if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
     state_.frame_surfaces = false;
     measured_ = wanted;
-    extent_ = std::async(std::launch::async,
-                         [scene = document_scene(*shown_, state_.document, state_.surface_rows)] {
-                             return find_extent(scene);
-                         });
+    extent_ =
+        std::async(std::launch::async, [scene = scene_of(*wanted)] { return find_extent(scene); });
 }
 
 void Desktop::frame(const Extent& extent) {

@@ -1,7 +1,6 @@
 #include "app/desktop/pointing.hpp"
 
 #include "engine/measure/probe.hpp"
-#include "pipeline/document_scene.hpp"
 #include "pipeline/probe_document.hpp"
 #include "ui/picture/picture_place.hpp"
 
@@ -10,14 +9,14 @@
 
 namespace zeroset {
 
-void Pointing::follow(ui::UiState& state, const std::optional<Behind>& behind, double now_s) {
+void Pointing::follow(ui::UiState& state, const PictureRequest* shown, double now_s) {
     if (!state.pointer) {
         state.pointed.reset();
         looked_ = {};
     }
-    if (behind) {
-        take_click(state, *behind, now_s);
-        look(state, *behind);
+    if (shown != nullptr) {
+        take_click(state, *shown, now_s);
+        look(state, *shown);
     }
     if (click_ && now_s >= click_->since_s + double_click_s) keep_marker(state);
     const bool there = find_marker(state.document.markers, state.selected_marker) != nullptr;
@@ -29,16 +28,16 @@ std::optional<double> Pointing::due_s(double now_s) const {
     return std::max(click_->since_s + double_click_s - now_s, 0.0);
 }
 
-void Pointing::look(ui::UiState& state, const Behind& behind) {
+void Pointing::look(ui::UiState& state, const PictureRequest& request) {
     if (!state.pointer || state.shown.frame == nullptr) return;
     const glm::ivec2 pixel = ui::pixel_under(*state.shown.frame, *state.pointer);
-    const Looked wanted{state.shown.frame, behind.formula, pixel};
+    const Looked wanted{state.shown.frame, request.formula, pixel};
     if (wanted == looked_) return;
     looked_ = wanted;
-    state.pointed = facts_at(state, behind, *state.pointer);
+    state.pointed = facts_at(state, request, *state.pointer);
 }
 
-void Pointing::take_click(ui::UiState& state, const Behind& behind, double now_s) {
+void Pointing::take_click(ui::UiState& state, const PictureRequest& request, double now_s) {
     const auto click = std::exchange(state.click, std::nullopt);
     if (!click) return;
     if (click->again) {
@@ -49,7 +48,7 @@ void Pointing::take_click(ui::UiState& state, const Behind& behind, double now_s
     if (click_) keep_marker(state);
     state.selected_marker = click->marker;
     if (click->marker != 0) return;
-    const auto facts = facts_at(state, behind, click->cursor);
+    const auto facts = facts_at(state, request, click->cursor);
     if (!facts) return;
     click_ = Click{facts->facts.point, click->at_once ? now_s - double_click_s : now_s};
 }
@@ -65,30 +64,30 @@ void Pointing::keep_marker(ui::UiState& state) {
     state.layout.markers_open = true;
 }
 
-std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state, const Behind& behind,
+std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state,
+                                                   const PictureRequest& request,
                                                    const glm::dvec2& cursor) {
     const ui::ShownPicture& shown = state.shown;
     if (shown.frame == nullptr) return std::nullopt;
-    const std::vector<std::size_t> visible = visible_surfaces(state.document, behind.rows);
     const ViewFrame view(shown.camera);
-    const Box& clip = state.document.clip;
+    const StopCriterion& stop = request.settings.stop;
     const double tolerance =
-        depth_tolerance(clip, behind.stop, wanted_precision(clip, view, behind.stop));
-    const ProbedPicture picture{*shown.frame, shown.camera, typed(behind.formula, visible),
-                                behind.uniforms, tolerance};
+        depth_tolerance(request.clip, stop, wanted_precision(request.clip, view, stop));
+    const Uniforms uniforms = uniforms_of(request);
+    const ProbedPicture picture{*shown.frame, shown.camera, typed(request), uniforms, tolerance};
     const glm::ivec2 pixel = ui::pixel_under(*shown.frame, cursor);
     const auto facts = probe(picture, pixel.x, pixel.y);
-    if (!facts || facts->surface >= visible.size()) return std::nullopt;
+    if (!facts || facts->surface >= request.surfaces.size()) return std::nullopt;
     const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);
-    return ui::PointedFacts{*facts, behind.rows[visible[facts->surface]], pixel_size};
+    return ui::PointedFacts{*facts, request.surfaces[facts->surface].row, pixel_size};
 }
 
-const std::vector<Kernel>& Pointing::typed(const std::shared_ptr<const Formula>& formula,
-                                           const std::vector<std::size_t>& shown) {
-    if (typed_of_ != formula || typed_shown_ != shown) {
-        typed_ = typed_formulas(formula->program, shown);
-        typed_of_ = formula;
-        typed_shown_ = shown;
+const std::vector<Kernel>& Pointing::typed(const PictureRequest& request) {
+    std::vector<std::size_t> shown = shown_indices(request);
+    if (typed_of_ != request.formula || typed_shown_ != shown) {
+        typed_ = typed_formulas(*request.formula->program, shown);
+        typed_of_ = request.formula;
+        typed_shown_ = std::move(shown);
     }
     return typed_;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "engine/scene/scene.hpp"
-#include "pipeline/formula.hpp"
+#include "pipeline/picture_request.hpp"
 #include "ui/model/ui_state.hpp"
 
 #include <glm/ext/vector_int2.hpp>
@@ -18,16 +17,9 @@ class Pointing {
 public:
     static constexpr double double_click_s = 0.3;
 
-    /// What is behind the picture that is shown.
-    struct Behind {
-        std::shared_ptr<const Formula> formula;
-        std::vector<int> rows;  ///< of the formula's surfaces
-        const Uniforms& uniforms;
-        StopCriterion stop;
-    };
-
-    /// After each frame of the panels. Nothing behind: what was found before stays.
-    void follow(ui::UiState& state, const std::optional<Behind>& behind, double now_s);
+    /// To be called after each frame of the panels. `shown`: the request of the picture on the
+    /// screen; nullptr: facts that were found before stay.
+    void follow(ui::UiState& state, const PictureRequest* shown, double now_s);
     /// Seconds until it wants to be called though nothing happens.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;
 
@@ -45,12 +37,12 @@ private:
         bool operator==(const Looked&) const = default;
     };
 
-    std::optional<ui::PointedFacts> facts_at(const ui::UiState& state, const Behind& behind,
+    std::optional<ui::PointedFacts> facts_at(const ui::UiState& state,
+                                             const PictureRequest& request,
                                              const glm::dvec2& cursor);
-    const std::vector<Kernel>& typed(const std::shared_ptr<const Formula>& formula,
-                                     const std::vector<std::size_t>& shown);
-    void look(ui::UiState& state, const Behind& behind);
-    void take_click(ui::UiState& state, const Behind& behind, double now_s);
+    const std::vector<Kernel>& typed(const PictureRequest& request);
+    void look(ui::UiState& state, const PictureRequest& request);
+    void take_click(ui::UiState& state, const PictureRequest& request, double now_s);
     void keep_marker(ui::UiState& state);
 
     Looked looked_;

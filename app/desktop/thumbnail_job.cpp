@@ -2,8 +2,9 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/render.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/gallery.hpp"
+#include "pipeline/picture_request.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -21,9 +22,13 @@ constexpr double thumbnail_d_stop = 12.0;
 /// As `nice` has it: others come first, but a busy machine does not stop it.
 constexpr int low_priority = 10;
 
-Camera camera_of(const GalleryItem& item, glm::ivec2 size_px) {
-    const double aspect = static_cast<double>(size_px.x) / static_cast<double>(size_px.y);
-    return item.camera.value_or(default_camera(item.clip, aspect));
+/// The item's document as it is drawn.
+PictureRequest request_of(const PreparedDocument& prepared, const Document& document,
+                          glm::ivec2 size_px) {
+    TraceSettings settings;
+    settings.stop.value = thumbnail_d_stop;
+    settings.threads = 1;
+    return picture_request(prepared.formula, prepared.colors, document, settings, size_px);
 }
 
 /// A failure leaves the thread as it is: slower for others, but no less right.
@@ -45,7 +50,7 @@ std::string text_of(const std::vector<double>& numbers) {
 
 std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
     const GalleryItem& shown = gallery()[item];
-    const Camera camera = camera_of(shown, size_px);
+    const Camera camera = camera_of(read_document(shown).document, size_px);
     std::vector<double> numbers{shown.w, camera.fov_rad, thumbnail_d_stop,
                                 static_cast<double>(size_px.x), static_cast<double>(size_px.y)};
     for (const glm::dvec3& point :
@@ -121,15 +126,13 @@ std::optional<ThumbnailJob::Work> ThumbnailJob::wait_for_work() {
 std::optional<RgbaImage> ThumbnailJob::picture_of(const Work& work) const {
     const std::string key = thumbnail_key(work.item, work.size_px);
     if (auto kept = cache_.find(key)) return kept;
-    const GalleryItem& item = gallery()[work.item];
-    const auto formula = prepare_formula(item.equation, item.clip);
-    Framebuffer frame(2 * work.size_px.x, 2 * work.size_px.y);
-    if (formula && !cancel_) {
-        TraceSettings settings;
-        settings.stop.value = thumbnail_d_stop;
-        settings.threads = 1;
-        const Scene scene = make_scene(*formula, item.clip, item.w, {});
-        (void)render_frame(scene, camera_of(item, work.size_px), settings, frame,
+    const ReadDocument read = read_document(gallery()[work.item]);
+    const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
+    const glm::ivec2 fine_px = 2 * work.size_px;
+    Framebuffer frame(fine_px.x, fine_px.y);
+    if (prepared && !cancel_) {
+        const RenderRequest request = render_request(request_of(*prepared, read.document, fine_px));
+        (void)render_frame(request.scene, request.camera, request.settings, frame,
                            {.limit = {.cancel = &cancel_}});
     }
     if (cancel_) return std::nullopt;

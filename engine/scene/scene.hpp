@@ -69,6 +69,8 @@ struct TraceSettings {
     bool shadows = false;  ///< of the key light
     /// Four more rays a pixel, for its colour only: its depth and certificate are of its centre.
     bool antialias = false;
+
+    bool operator==(const TraceSettings&) const = default;
 };
 
 /// Evaluations of each kernel, in points or boxes (not batches), and how wide the widest bracket of

@@ -2,6 +2,7 @@
 #include "engine/view/camera.hpp"
 #include "pipeline/formula.hpp"
 #include "tests/support/csg_scenes.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -70,12 +71,12 @@ void run(const Series& series, const Options& options) {
         if (count > options.most_parts) continue;
         const std::string text = series.text(test::visible_spheres(count, camera.eye));
         const auto start = Clock::now();
-        const auto formula = compile_formula(text, clip, Precision::Float);
+        const auto formula = test::compile_formula(text, clip, Precision::Float);
         if (!formula) {
             std::printf("%s", describe(formula.error()).c_str());
             std::exit(1);
         }
-        const Scene scene = make_scene(*formula, clip, 0.5, {});
+        const Scene scene = test::make_scene(*formula, clip, 0.5, {});
         time_frames(scene, camera, options.settings, frame, Repeats{},
                     [] { return RenderWatch{}; });
         const double first_ms = ms_since(start);

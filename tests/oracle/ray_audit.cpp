@@ -7,6 +7,7 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
+#include "tests/support/formulas.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
 #include "tests/support/oracle/subdivision_oracle.hpp"
@@ -120,7 +121,7 @@ Oracle oracle_of(const AuditSurface& surface) {
         ADD_FAILURE() << surface.equation << ": " << program.error().reason;
         return {parse("x").value(), std::vector<double>{0.0}};
     }
-    std::vector<double> uniforms = values_of(*program, {});
+    std::vector<double> uniforms = std::vector<double>(program->parameters.size(), 1.0);
     uniforms.insert(uniforms.begin(), surface.w);
     return {program->surfaces.front(), uniforms};
 }
@@ -162,13 +163,15 @@ std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
     const Expr drawn = drawn_form(program->surfaces.front());
-    return Formula{.text = surface.equation,
-                   .program = std::move(*program),
-                   .drawn = {drawn},
-                   .region = {},
-                   .kernels = {interpret(drawn)},
-                   .unrestricted = {{}},
-                   .code = CodeState::Interpreted};
+    Formula formula;
+    formula.text = surface.equation;
+    formula.program = std::make_shared<const Program>(std::move(*program));
+    formula.surface_rows = {0};
+    formula.drawn = {drawn};
+    formula.kernels = {interpret(drawn)};
+    formula.unrestricted = {{}};
+    formula.code = CodeState::Interpreted;
+    return formula;
 }
 
 std::string region_options(const AuditSurface& surface) {

@@ -1,6 +1,7 @@
 #include "pipeline/code_choice.hpp"
 
 #include "engine/trace/tracer.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 std::optional<CodeUse> code_for(const std::string& text, int size, int threads = 0) {
     const Box clip = Box::cube(2.0);
-    const auto formula = interpreted_formula(text, clip);
+    const auto formula = prepared_formula(text, clip, Preparation::Interpreted);
     EXPECT_TRUE(formula.has_value()) << text;
     if (!formula) return std::nullopt;
     TraceSettings settings;
@@ -66,7 +67,7 @@ TEST(CodeChoice, CompilesForMuchWork) {
 }
 
 TEST(CodeChoice, CompilesThePartsWhereMuchIsLeftOut) {
-    const auto formula = interpreted_formula(spheres(100), Box::cube(2.0));
+    const auto formula = prepared_formula(spheres(100), Box::cube(2.0), Preparation::Interpreted);
     ASSERT_TRUE(formula.has_value());
     EXPECT_TRUE(has_many_choices(*formula));
     EXPECT_TRUE(is_made_of_parts(*formula));
@@ -75,7 +76,7 @@ TEST(CodeChoice, CompilesThePartsWhereMuchIsLeftOut) {
 }
 
 TEST(CodeChoice, CompilesAllOfWhatTakesLongByParts) {
-    const auto formula = interpreted_formula(folds(30), Box::cube(2.0));
+    const auto formula = prepared_formula(folds(30), Box::cube(2.0), Preparation::Interpreted);
     ASSERT_TRUE(formula.has_value());
     EXPECT_TRUE(has_many_choices(*formula));
     EXPECT_FALSE(is_made_of_parts(*formula));

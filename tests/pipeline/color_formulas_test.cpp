@@ -2,11 +2,13 @@
 
 #include "engine/real/rounding.hpp"
 #include "pipeline/input_error.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,9 +32,9 @@ double value(const PointFunction& function, const Scene& scene, const glm::dvec3
 
 struct Colored {
     Colored(const std::string& text, const ColorChoice& choice,
-            const ParameterValues& parameters = {}, double w = 0)
-        : formula(*prepare_formula(text, Box())),
-          formulas(color_formulas(formula.program, text, choice)),
+            const std::map<std::string, double>& parameters = {}, double w = 0)
+        : formula(*prepared_formula(text, Box())),
+          formulas(color_formulas(formula, choice)),
           scene(make_scene(formula, Box(), w, parameters)) {}
 
     [[nodiscard]] double at(const glm::dvec3& point, std::size_t surface = 0) const {

@@ -1,6 +1,7 @@
 #include "pipeline/formula.hpp"
 
 #include "engine/real/rounding.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,7 +113,7 @@ TEST(CompileFormula, MakesCodeOfPartsBesideThatOfAll) {
 
 /// How the formula is drawn at first; then its machine code is made.
 CodeState first_code(const std::string& text) {
-    const Formula formula = prepare_formula(text, Box::cube(2.0)).value();
+    const Formula formula = prepared_formula(text, Box::cube(2.0)).value();
     EXPECT_TRUE(with_machine_code(formula).has_value());
     return formula.code;
 }

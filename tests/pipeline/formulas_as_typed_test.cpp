@@ -3,6 +3,7 @@
 #include "engine/scene/precision.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/formula.hpp"
+#include "tests/support/formulas.hpp"
 #include "tests/support/random_numbers.hpp"
 
 #include <gtest/gtest.h>

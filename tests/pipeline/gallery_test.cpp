@@ -1,6 +1,7 @@
 #include "pipeline/gallery.hpp"
 
 #include "engine/interpret/interpret.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 

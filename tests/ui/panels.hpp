@@ -3,6 +3,7 @@
 // The panels on a window that nobody sees, for each look they can have.
 
 #include "document/colors.hpp"
+#include "document/row_program.hpp"
 #include "document/sheet.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/view/camera.hpp"

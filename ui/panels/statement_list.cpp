@@ -1,6 +1,7 @@
 #include "ui/panels/statement_list.hpp"
 
 #include "document/document.hpp"
+#include "document/row_program.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/panels/statement_field.hpp"

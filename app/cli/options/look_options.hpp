@@ -1,7 +1,6 @@
 #pragma once
 
 #include "document/look.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <optional>

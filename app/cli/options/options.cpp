@@ -8,6 +8,7 @@
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -79,11 +80,11 @@ OrInputError<Projection> read_projection(const std::string& text) {
     return wrong_input("--projection " + text + ": type perspective or orthographic");
 }
 
-/// The camera of the view options over the surface's.
-OrInputError<std::optional<Camera>> read_camera(const ViewText& view, Surface& surface) {
+/// Sets what the view options say of the camera over the document's.
+std::optional<InputError> take_camera(const ViewText& view, Document& document) {
     if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
-        return surface.camera;
-    Camera camera = surface.camera.value_or(default_camera(surface.clip));
+        return std::nullopt;
+    Camera camera = document.camera.value_or(default_camera(document.clip));
     const auto take = [](const std::optional<std::string>& text, const char* option,
                          glm::dvec3& value) -> std::optional<InputError> {
         if (!text) return std::nullopt;
@@ -92,74 +93,113 @@ OrInputError<std::optional<Camera>> read_camera(const ViewText& view, Surface& s
         value = *vector;
         return std::nullopt;
     };
-    if (auto error = take(view.eye, "--eye", camera.eye)) return std::unexpected(*error);
+    if (auto error = take(view.eye, "--eye", camera.eye)) return error;
     if (auto error = take(view.look_at, "--look-at", camera.look_at)) {
-        return std::unexpected(*error);
+        return error;
     }
-    if (auto error = take(view.up, "--up", camera.up)) return std::unexpected(*error);
-    if (view.up) surface.up = camera.up;
+    if (auto error = take(view.up, "--up", camera.up)) return error;
+    if (view.up) document.up = camera.up;
     if (view.fov) {
         const auto degrees = read_number("--fov", *view.fov);
-        if (!degrees) return std::unexpected(degrees.error());
+        if (!degrees) return degrees.error();
         if (!(*degrees >= 0.01 && *degrees <= 170)) {
-            return wrong_input("--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees");
+            return InputError{"--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees"};
         }
         camera.fov_rad = glm::radians(*degrees);
     }
     if (view.projection) {
         const auto projection = read_projection(*view.projection);
-        if (!projection) return std::unexpected(projection.error());
+        if (!projection) return projection.error();
         camera.projection = *projection;
     }
-    if (const char* defect = camera_defect(camera)) return wrong_input(defect);
-    return camera;
+    if (const char* defect = camera_defect(camera)) return InputError{defect};
+    document.camera = camera;
+    return std::nullopt;
 }
 
-/// What a document shows, for those who want one text and numbers.
-Surface surface_of(Document document) {
-    Surface surface{
-        joined_rows(document).text, document.clip, document.w.value, document.camera, {}};
-    surface.region = document.region;
-    surface.coloring = document.coloring;
-    surface.markers = document.markers;
-    surface.document = std::move(document);
-    return surface;
-}
-
-/// Of @NAME or FILE.zeroset.json.
-OrInputError<Surface> stored_surface(const std::string& name) {
-    if (is_document_name(name)) {
-        auto loaded = load_document(name);
+/// The document without the view options.
+OrInputError<InputDocument> stored_document(const std::string& equation) {
+    if (is_document_name(equation)) {
+        auto loaded = load_document(equation);
         if (!loaded) return wrong_input(loaded.error());
-        return surface_of(std::move(loaded->document));
+        return InputDocument{read_document(std::move(loaded->document)), equation, loaded->note};
     }
-    auto item = gallery_item(std::string_view(name).substr(1));
-    if (!item) return std::unexpected(item.error());
-    return Surface{item->equation, item->clip, item->w, item->camera, {}};
+    if (equation.starts_with('@')) {
+        const auto item = gallery_item(std::string_view(equation).substr(1));
+        if (!item) return std::unexpected(item.error());
+        return InputDocument{read_document(*item)};
+    }
+    if (equation != "-") return InputDocument{read_document_text(trimmed(equation))};
+    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
+    return InputDocument{read_document_text(trimmed(text))};
+}
+
+/// Sets what the view options say of the clip box, w, the camera and the region.
+std::optional<InputError> take_view(const ViewText& view, Document& document) {
+    if (view.box) {
+        const auto box = read_box(*view.box);
+        if (!box) return box.error();
+        document.clip = *box;
+        document.camera.reset();  // the camera before was for the box before
+    }
+    if (view.w) {
+        const auto w = read_number("--w", *view.w);
+        if (!w) return w.error();
+        set_value(document.w, *w);
+    }
+    if (auto error = take_camera(view, document)) return error;
+    const glm::dvec3 eye = document.camera.value_or(default_camera(document.clip)).eye;
+    auto region = read_region(view, document.region, eye);
+    if (!region) return region.error();
+    document.region = std::move(*region);
+    return std::nullopt;
+}
+
+/// An error for the first value whose parameter the program does not have.
+std::optional<InputError> check_parameters(const Program& program,
+                                           const ParameterValues& parameters) {
+    for (const auto& [name, value] : parameters) {
+        if (std::ranges::find(program.parameters, name) != program.parameters.end()) continue;
+        std::string known = "the formula has none";
+        if (!program.parameters.empty()) {
+            known = "the formula's are";
+            for (const std::string& parameter : program.parameters)
+                known += " " + parameter;
+        }
+        return InputError{"--set " + name + ": there is no such parameter; " + known};
+    }
+    return std::nullopt;
+}
+
+/// Sets the sliders of --set.
+std::optional<InputError> take_parameters(const ViewText& view, InputDocument& input) {
+    const auto values = read_parameters(view.set);
+    if (!values) return values.error();
+    if (input.rows) {
+        if (auto unknown = check_parameters(*input.rows->program, *values)) return unknown;
+    }
+    for (const auto& [name, value] : *values) {
+        Slider slider = slider_of(input.document, name);
+        set_value(slider, value);
+        input.document.parameters[name] = slider;
+    }
+    return std::nullopt;
+}
+
+/// Sets colours, markers and the sides of solids.
+std::optional<InputError> take_appearance(const ViewText& view, InputDocument& input) {
+    Document& document = input.document;
+    if (auto error = read_look(view.look, document.coloring, document.markers)) return error;
+    const auto solids = read_solids(view.solids);
+    if (!solids) return solids.error();
+    if (!input.rows) return std::nullopt;
+    if (auto missing = check_solids(*input.rows->program, *solids)) return missing;
+    take_solids(*solids, input.rows->surface_rows, document);
+    const auto wrong = check_coloring(*input.rows, document.coloring);
+    return wrong ? std::optional(color_by_error(*wrong)) : std::nullopt;
 }
 
 }  // namespace
-
-Document document_of(const Surface& surface) {
-    Document document =
-        surface.document ? *surface.document : document_of_text(surface.equation);
-    if (!surface.document) document.home = surface.camera;
-    document.clip = surface.clip;
-    document.region = surface.region;
-    document.camera = surface.camera;
-    document.up = surface.up.value_or(document.up);
-    document.coloring = surface.coloring;
-    document.markers = surface.markers;
-    set_value(document.w, surface.w);
-    for (const auto& [name, value] : surface.parameters) {
-        Slider slider = slider_of(document, name);
-        set_value(slider, value);
-        document.parameters[name] = slider;
-    }
-    document = renumbered(std::move(document), 1);
-    take_solids(surface.solids, document);
-    return document;
-}
 
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
                                                std::size_t count) {
@@ -224,56 +264,16 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text)
     return Size{*width, *height};
 }
 
-OrInputError<std::string> read_equation(const std::string& equation) {
-    if (equation.starts_with('@') || is_document_name(equation)) {
-        auto surface = stored_surface(equation);
-        if (!surface) return std::unexpected(surface.error());
-        return surface->equation;
-    }
-    if (equation != "-") return std::string(trimmed(equation));
-    const std::string text(std::istreambuf_iterator<char>(std::cin), {});
-    return std::string(trimmed(text));
-}
-
-OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view) {
-    Surface surface;
-    if (equation.starts_with('@') || is_document_name(equation)) {
-        auto stored = stored_surface(equation);
-        if (!stored) return std::unexpected(stored.error());
-        surface = std::move(*stored);
-    } else {
-        auto text = read_equation(equation);
-        if (!text) return std::unexpected(text.error());
-        surface.equation = *text;
-    }
-    if (view.box) {
-        auto box = read_box(*view.box);
-        if (!box) return std::unexpected(box.error());
-        surface.clip = *box;
-        surface.camera.reset();  // the gallery's view is of its own box
-    }
-    if (view.w) {
-        auto w = read_number("--w", *view.w);
-        if (!w) return std::unexpected(w.error());
-        surface.w = *w;
-    }
-    auto parameters = read_parameters(view.set);
-    if (!parameters) return std::unexpected(parameters.error());
-    surface.parameters = std::move(*parameters);
-    if (auto error = read_look(view.look, surface.coloring, surface.markers)) {
-        return std::unexpected(*error);
-    }
-    auto solids = read_solids(view.solids);
-    if (!solids) return std::unexpected(solids.error());
-    surface.solids = std::move(*solids);
-    auto camera = read_camera(view, surface);
-    if (!camera) return std::unexpected(camera.error());
-    surface.camera = *camera;
-    const glm::dvec3 eye = surface.camera.value_or(default_camera(surface.clip)).eye;
-    auto region = read_region(view, surface.region, eye);
-    if (!region) return std::unexpected(region.error());
-    surface.region = std::move(*region);
-    return surface;
+OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view) {
+    auto input = stored_document(equation);
+    if (!input) return input;
+    if (auto error = take_view(view, input->document)) return std::unexpected(*error);
+    if (input->path.empty()) input->document.home = input->document.camera;
+    // A text that cannot be read comes before what does not fit to it.
+    if (!input->rows && input->path.empty()) return input;
+    if (auto error = take_parameters(view, *input)) return std::unexpected(*error);
+    if (auto error = take_appearance(view, *input)) return std::unexpected(*error);
+    return input;
 }
 
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {

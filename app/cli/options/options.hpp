@@ -2,13 +2,13 @@
 
 #include "app/cli/options/look_options.hpp"
 #include "document/document.hpp"
-#include "document/solid_choice.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
+#include "pipeline/prepare.hpp"
 
 #include <expected>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,38 +35,25 @@ struct TraceText {
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
 };
 
-/// A surface and how to look at it.
-struct Surface {
-    std::string equation;
-    Box clip;
-    double w = 0.0;
-    std::optional<Camera> camera;                 ///< default_camera when absent
-    ParameterValues parameters;                   ///< those that are given
-    Region region = {};                           ///< what is shown of the clip box
-    std::optional<glm::dvec3> up = std::nullopt;  ///< if it is given
-    /// Of a file: its rows, colours and sliders, whose text `equation` is.
-    std::optional<Document> document = std::nullopt;
-    ColorChoice coloring = {};
-    std::vector<Marker> markers = {};
-    std::vector<SolidChoice> solids = {};  ///< those that are given
+/// A document that was asked for, with what the options say of its view, colours and solids.
+struct InputDocument : ReadDocument {
+    std::string path = {};  ///< of its file; empty: it is no file
+    std::string note = {};  ///< LoadedDocument::note of the file
 };
 
-/// The surface as a document: a row for each statement.
-Document document_of(const Surface& surface);
+/// Values of parameters, by name.
+using ParameterValues = std::map<std::string, double>;
 
 struct Size {
     int width, height;
 };
 
-/// EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input; then
-/// the view options over what the gallery or the file says.
-OrInputError<Surface> read_surface(const std::string& equation, const ViewText& view);
+/// Reads EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input;
+/// then the view options over what the gallery or the file says. Rows that cannot be read are no
+/// error yet: the window shows them.
+OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view);
 
-/// The equation of EQUATION, @NAME, FILE.zeroset.json or "-".
-OrInputError<std::string> read_equation(const std::string& equation);
-
-/// The values of --set NAME=VALUE; whether the formula has these parameters is for
-/// check_parameters.
+/// The values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
 /// Sets what is given of the look.

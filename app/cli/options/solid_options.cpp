@@ -1,7 +1,5 @@
 #include "app/cli/options/solid_options.hpp"
 
-#include "document/solid_choice.hpp"
-#include "pipeline/document_scene.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <algorithm>
@@ -59,15 +57,14 @@ std::optional<InputError> check_solids(const Program& program,
     return std::nullopt;
 }
 
-void take_solids(const std::vector<SolidChoice>& choices, Document& document) {
-    if (choices.empty()) return;
-    const auto program = read_program(joined_rows(document).text);
-    if (!program) return;
-    const std::vector<int> rows = surface_rows(document, *program);
+void take_solids(const std::vector<SolidChoice>& choices, const std::vector<int>& surface_rows,
+                 Document& document) {
     for (const SolidChoice& choice : choices) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (std::size_t i = 0; i < surface_rows.size(); ++i) {
             if (choice.surface && static_cast<std::size_t>(*choice.surface) != i + 1) continue;
-            std::ranges::find(document.statements, rows[i], &Statement::id)->solid = choice.side;
+            const auto row =
+                std::ranges::find(document.statements, surface_rows[i], &Statement::id);
+            if (row != document.statements.end()) row->solid = choice.side;
         }
     }
 }

@@ -1,12 +1,21 @@
 #pragma once
 
 #include "app/cli/options/options.hpp"
-#include "document/solid_choice.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace zeroset {
+
+/// Which side of a surface is solid.
+struct SolidChoice {
+    std::optional<int> surface = std::nullopt;  ///< its number, from 1; nothing: all
+    SolidSide side = SolidSide::Automatic;
+
+    bool operator==(const SolidChoice&) const = default;
+};
 
 /// The values of --solid: SIDE for all surfaces or N:SIDE for number N, from 1; SIDE is f<0, f>0 or
 /// auto.
@@ -16,7 +25,8 @@ OrInputError<std::vector<SolidChoice>> read_solids(const std::vector<std::string
 std::optional<InputError> check_solids(const Program& program,
                                        const std::vector<SolidChoice>& choices);
 
-/// Sets them in the rows of surfaces; those of a text that cannot be read stay as they are.
-void take_solids(const std::vector<SolidChoice>& choices, Document& document);
+/// Sets them in the rows of the program's surfaces.
+void take_solids(const std::vector<SolidChoice>& choices, const std::vector<int>& surface_rows,
+                 Document& document);
 
 }  // namespace zeroset

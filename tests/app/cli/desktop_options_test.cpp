@@ -5,7 +5,8 @@
 #include "app/desktop/desktop.hpp"
 #include "document/colors.hpp"
 #include "document/json/document_file.hpp"
-#include "pipeline/document_scene.hpp"
+#include "pipeline/picture_request.hpp"
+#include "tests/support/formulas.hpp"
 #include "tests/support/test_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -68,14 +69,14 @@ TEST_F(SavedSession, GivesWayToTheCommandLine) {
 }
 
 TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {
-    const auto surface = read_surface(path_.string(), {});
-    ASSERT_TRUE(surface);
-    const auto formula = compile_formula(surface->equation);
-    ASSERT_TRUE(formula);
-    const Document document = document_of(*surface);
-    const std::vector<int> rows = surface_rows(document, formula->program);
-    EXPECT_EQ(rows, (std::vector{1, 3, 4}));
-    const Scene scene = document_scene(*formula, document, rows);
+    const auto input = read_document(path_.string(), {});
+    ASSERT_TRUE(input);
+    ASSERT_TRUE(input->rows);
+    EXPECT_EQ(input->rows->surface_rows, (std::vector{1, 3, 4}));
+    const auto prepared = prepare(input->document, *input->rows, Preparation::Interpreted);
+    ASSERT_TRUE(prepared);
+    const Scene scene = scene_of(
+        picture_request(prepared->formula, prepared->colors, input->document, {}, {64, 64}));
     ASSERT_EQ(scene.surfaces.size(), 2U);
     ASSERT_EQ(scene.colors.size(), 2U);
     EXPECT_EQ(scene.colors[0].back[0], surface_colors(0x3399FF).back[0]);
@@ -84,21 +85,44 @@ TEST_F(SavedSession, DrawsItsVisibleRowsInTheirColors) {
 }
 
 TEST_F(SavedSession, IsRefusedWhenItIsMissing) {
-    const auto surface = read_surface("no_such_file.zeroset.json", {});
-    ASSERT_FALSE(surface);
-    EXPECT_EQ(surface.error().reason,
+    const auto input = read_document("no_such_file.zeroset.json", {});
+    ASSERT_FALSE(input);
+    EXPECT_EQ(input.error().reason,
               "cannot open 'no_such_file.zeroset.json': there is no such file");
 }
 
-TEST(DocumentOfASurface, HasARowForEachStatement) {
-    Surface surface{"a = 2; x^2 = a", Box::cube(1), 3.0, suite_camera(1), {{"c", 9.0}}};
-    const Document document = document_of(surface);
+TEST(DocumentOfAText, HasARowForEachStatement) {
+    ViewText view;
+    view.box = "1";
+    view.w = "3";
+    view.eye = "4,5,6";
+    view.set = {"c=9"};
+    const auto input = read_document("a = 2; x^2 = a c", view);
+    ASSERT_TRUE(input);
+    const Document& document = input->document;
     ASSERT_EQ(document.statements.size(), 2U);
-    EXPECT_EQ(document.statements[1].text, "x^2 = a");
+    EXPECT_EQ(document.statements[1].text, "x^2 = a c");
     EXPECT_EQ(document.w, (Slider{.value = 3.0, .lo = -2.0, .hi = 3.0}));
     EXPECT_EQ(document.parameters.at("c"), (Slider{.value = 9.0, .hi = 9.0}));
-    EXPECT_EQ(document.camera, suite_camera(1));
-    EXPECT_EQ(document.home, suite_camera(1));
+    ASSERT_TRUE(document.camera);
+    EXPECT_EQ(document.camera->eye, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(document.home, document.camera);
+}
+
+TEST(DocumentOfAText, RefusesParametersSolidsAndColorsThatItDoesNotHave) {
+    const auto reason = [](const ViewText& view) {
+        const auto input = read_document("x = a", view);
+        return input ? "" : input.error().reason;
+    };
+    ViewText view;
+    view.set = {"b=1"};
+    EXPECT_TRUE(reason(view).starts_with("--set b:")) << reason(view);
+    view = {};
+    view.solids = {"2:f<0"};
+    EXPECT_TRUE(reason(view).starts_with("--solid 2:")) << reason(view);
+    view = {};
+    view.look.color_by = "x + q(";
+    EXPECT_TRUE(reason(view).starts_with("--color-by:")) << reason(view);
 }
 
 }  // namespace

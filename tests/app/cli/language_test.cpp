@@ -3,6 +3,7 @@
 #include "engine/language/help.hpp"
 #include "engine/language/vocabulary/functions.hpp"
 #include "pipeline/formula.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 

@@ -78,10 +78,10 @@ TEST(BudgetNote, SaysHowManyPixelsAreLeft) {
 
 TEST(RenderPicture, EndsWithItsBudget) {
     RenderPlan plan;
-    plan.surface.equation = "x^2 + y^2 + z^2 = 1";
-    plan.surface.clip = Box::cube(2);
-    plan.document = document_of(plan.surface);
-    plan.camera = default_camera(plan.surface.clip);
+    ReadDocument read = read_document_text("x^2 + y^2 + z^2 = 1");
+    plan.document = std::move(read.document);
+    plan.document.clip = Box::cube(2);
+    plan.rows = std::move(*read.rows);
     plan.size = {32, 24};
     plan.budget_s = 60.0;
     const auto now = Clock::now();
@@ -95,7 +95,7 @@ TEST(RenderPicture, EndsWithItsBudget) {
     const CertificateCounts counts = count_certificates(late.picture->frame);
     EXPECT_EQ(counts.undecided, 32U * 24U);
     EXPECT_EQ(late.picture->timing.counters.cut_pixels, 32U * 24U);
-    EXPECT_EQ(late.picture->formula.drawn.size(), late.stuck ? 0U : 1U);
+    EXPECT_EQ(late.picture->request.formula == nullptr, late.stuck);
 }
 
 }  // namespace

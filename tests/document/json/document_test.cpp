@@ -5,6 +5,7 @@
 #include "document/colors.hpp"
 #include "document/json/document_json.hpp"
 #include "document/play.hpp"
+#include "document/row_program.hpp"
 
 #include <gtest/gtest.h>
 

@@ -34,8 +34,8 @@ OrInputError<TraceSettings> settings_of(Typed<TraceText> typed) {
     return read_trace_settings(texts_of<TraceText>(typed));
 }
 
-OrInputError<Surface> surface_of(Typed<ViewText> typed) {
-    return read_surface("x^2 + y^2 + z^2 = 1", texts_of<ViewText>(typed));
+OrInputError<InputDocument> document_of(Typed<ViewText> typed) {
+    return read_document("x^2 + y^2 + z^2 = 1", texts_of<ViewText>(typed));
 }
 
 template <class Value>
@@ -47,10 +47,10 @@ void expect_refused(const OrInputError<Value>& result, const std::string& word) 
 }
 
 void expect_box(const char* text, const glm::dvec3& lo, const glm::dvec3& hi) {
-    const auto surface = surface_of({{&ViewText::box, text}});
+    const auto surface = document_of({{&ViewText::box, text}});
     ASSERT_TRUE(surface) << surface.error().reason;
-    EXPECT_EQ(surface->clip.lo, lo) << text;
-    EXPECT_EQ(surface->clip.hi, hi) << text;
+    EXPECT_EQ(surface->document.clip.lo, lo) << text;
+    EXPECT_EQ(surface->document.clip.hi, hi) << text;
 }
 
 TEST(ReadBox, TakesAHalfEdgeOrSixBounds) {
@@ -63,19 +63,20 @@ TEST(ReadBox, RefusesWhatIsNoBox) {
     for (const char* text :
          {"", "0", "-1", "nan", "inf", "1e10", "1,2", "1,2,3,4,5", "1,2,3,4,5,6,7", "2,1,0,1,0,1",
           "0,1,0,1,1,1", "0,1,nan,1,0,1", "0,1,0,1,0,x", "0,1,0,1,0,", "1 2", "0x1p3"}) {
-        expect_refused(surface_of({{&ViewText::box, text}}), "--box");
+        expect_refused(document_of({{&ViewText::box, text}}), "--box");
     }
 }
 
 TEST(ReadBox, RefusesBoxesTooSmallForFloatsThere) {
-    expect_refused(surface_of({{&ViewText::box, "1,1.0000000000000009,0,1e-16,0,1e-16"}}),
+    expect_refused(document_of({{&ViewText::box, "1,1.0000000000000009,0,1e-16,0,1e-16"}}),
                    "too small");
-    const auto deep = surface_of({{&ViewText::box, "1,1.000000001,-1,-0.999999999,2,2.000000001"}});
+    const auto deep =
+        document_of({{&ViewText::box, "1,1.000000001,-1,-0.999999999,2,2.000000001"}});
     ASSERT_TRUE(deep) << deep.error().reason;
-    EXPECT_NEAR(deep->clip.size(), 1e-9, 1e-15);
-    expect_refused(surface_of({{&ViewText::box, "1e-31"}}), "too small");
-    EXPECT_TRUE(surface_of({{&ViewText::box, "100,101,0,1,0,1"}}));
-    EXPECT_TRUE(surface_of({{&ViewText::box, "1e-20"}}));
+    EXPECT_NEAR(deep->document.clip.size(), 1e-9, 1e-15);
+    expect_refused(document_of({{&ViewText::box, "1e-31"}}), "too small");
+    EXPECT_TRUE(document_of({{&ViewText::box, "100,101,0,1,0,1"}}));
+    EXPECT_TRUE(document_of({{&ViewText::box, "1e-20"}}));
 }
 
 TEST(ReadSize, TakesAPairOrASquare) {
@@ -161,47 +162,47 @@ TEST(ReadTraceSettings, RefusesWhatIsWrong) {
 }
 
 TEST(ReadSurface, HasNoCameraOfItsOwnUnlessAsked) {
-    const auto surface = surface_of({});
+    const auto surface = document_of({});
     ASSERT_TRUE(surface);
-    EXPECT_FALSE(surface->camera);
-    EXPECT_EQ(surface->clip.lo, glm::dvec3(-2.0));
-    EXPECT_EQ(surface->w, 0.0);
+    EXPECT_FALSE(surface->document.camera);
+    EXPECT_EQ(surface->document.clip.lo, glm::dvec3(-2.0));
+    EXPECT_EQ(surface->document.w.value, 0.0);
 }
 
 TEST(ReadSurface, TakesTheCamera) {
-    const auto surface = surface_of({{&ViewText::eye, "5,0,1"},
-                                     {&ViewText::look_at, "1,2,3"},
-                                     {&ViewText::up, "0,1,0"},
-                                     {&ViewText::fov, "90"},
-                                     {&ViewText::w, "-0.5"}});
+    const auto surface = document_of({{&ViewText::eye, "5,0,1"},
+                                      {&ViewText::look_at, "1,2,3"},
+                                      {&ViewText::up, "0,1,0"},
+                                      {&ViewText::fov, "90"},
+                                      {&ViewText::w, "-0.5"}});
     ASSERT_TRUE(surface) << surface.error().reason;
-    ASSERT_TRUE(surface->camera);
-    EXPECT_EQ(surface->camera->eye, glm::dvec3(5, 0, 1));
-    EXPECT_EQ(surface->camera->look_at, glm::dvec3(1, 2, 3));
-    EXPECT_EQ(surface->camera->up, glm::dvec3(0, 1, 0));
-    EXPECT_DOUBLE_EQ(surface->camera->fov_rad, std::numbers::pi / 2);
-    EXPECT_EQ(surface->w, -0.5);
+    ASSERT_TRUE(surface->document.camera);
+    EXPECT_EQ(surface->document.camera->eye, glm::dvec3(5, 0, 1));
+    EXPECT_EQ(surface->document.camera->look_at, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(surface->document.camera->up, glm::dvec3(0, 1, 0));
+    EXPECT_DOUBLE_EQ(surface->document.camera->fov_rad, std::numbers::pi / 2);
+    EXPECT_EQ(surface->document.w.value, -0.5);
 }
 
 TEST(ReadSurface, RefusesCamerasThatSeeNothing) {
-    expect_refused(surface_of({{&ViewText::eye, "1,1,1"}, {&ViewText::look_at, "1,1,1"}}), "eye");
-    expect_refused(surface_of({{&ViewText::up, "0,0,0"}}), "up");
-    expect_refused(surface_of({{&ViewText::eye, "0,0,5"}, {&ViewText::look_at, "0,0,0"}}), "up");
+    expect_refused(document_of({{&ViewText::eye, "1,1,1"}, {&ViewText::look_at, "1,1,1"}}), "eye");
+    expect_refused(document_of({{&ViewText::up, "0,0,0"}}), "up");
+    expect_refused(document_of({{&ViewText::eye, "0,0,5"}, {&ViewText::look_at, "0,0,0"}}), "up");
     for (const char* text : {"0", "-10", "180", "nan", "wide"}) {
-        expect_refused(surface_of({{&ViewText::fov, text}}), "--fov");
+        expect_refused(document_of({{&ViewText::fov, text}}), "--fov");
     }
-    expect_refused(surface_of({{&ViewText::w, "nan"}}), "--w");
+    expect_refused(document_of({{&ViewText::w, "nan"}}), "--w");
 }
 
 TEST(ReadSurface, KnowsTheGallery) {
-    const auto sphere = read_surface("@sphere", {});
+    const auto sphere = read_document("@sphere", {});
     ASSERT_TRUE(sphere);
-    EXPECT_EQ(sphere->clip.hi, glm::dvec3(1.5));
+    EXPECT_EQ(sphere->document.clip.hi, glm::dvec3(1.5));
     const auto view = texts_of<ViewText>({{&ViewText::box, "3"}});
-    EXPECT_EQ(read_surface("@sphere", view).value().clip.hi, glm::dvec3(3));
-    expect_refused(read_surface("@spher", {}), "@sphere");
-    expect_refused(read_equation("@barth_sextik"), "@barth_sextic");
-    EXPECT_EQ(read_equation("  x + y\n").value(), "x + y");
+    EXPECT_EQ(read_document("@sphere", view).value().document.clip.hi, glm::dvec3(3));
+    expect_refused(read_document("@spher", {}), "@sphere");
+    expect_refused(read_document("@barth_sextik", {}), "@barth_sextic");
+    EXPECT_EQ(read_document("  x + y\n", {}).value().rows->text, "x + y");
 }
 
 TEST(ReadBudget, TakesSeconds) {

@@ -92,14 +92,13 @@ TEST(ReadSurface, TakesTheProjectionAndTheRegion) {
     ViewText view;
     view.projection = "orthographic";
     view.sections = {"x=0"};
-    const auto surface = read_surface("x^2 + y^2 + z^2 = 1", view);
-    ASSERT_TRUE(surface);
-    ASSERT_TRUE(surface->camera);
-    EXPECT_EQ(surface->camera->projection, Projection::Orthographic);
-    EXPECT_EQ(surface->region.sections, (std::vector{Section{{1, 0, 0}, 0}}));
-    EXPECT_EQ(document_of(*surface).region, surface->region);
+    const auto input = read_document("x^2 + y^2 + z^2 = 1", view);
+    ASSERT_TRUE(input);
+    ASSERT_TRUE(input->document.camera);
+    EXPECT_EQ(input->document.camera->projection, Projection::Orthographic);
+    EXPECT_EQ(input->document.region.sections, (std::vector{Section{{1, 0, 0}, 0}}));
     view.projection = "isometric";
-    EXPECT_NE(read_surface("x", view).error().reason.find("--projection isometric"),
+    EXPECT_NE(read_document("x", view).error().reason.find("--projection isometric"),
               std::string::npos);
 }
 

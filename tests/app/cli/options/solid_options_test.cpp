@@ -1,7 +1,7 @@
 #include "app/cli/options/solid_options.hpp"
 
-#include "document/solid_choice.hpp"
-#include "pipeline/document_scene.hpp"
+#include "pipeline/picture_request.hpp"
+#include "tests/support/formulas.hpp"
 
 #include <gtest/gtest.h>
 
@@ -39,25 +39,22 @@ TEST(ReadSolids, RefuseSurfacesThatTheFormulaDoesNotHave) {
 }
 
 TEST(TakeSolids, SetsTheRowsOfSurfaces) {
-    Surface surface;
-    surface.equation = "a = 2; x = a; y = 1";
-    surface.solids = {{{}, SolidSide::Below}, {2, SolidSide::Above}};
-    const Document document = document_of(surface);
-    ASSERT_EQ(document.statements.size(), 3U);
-    EXPECT_EQ(document.statements[0].solid, SolidSide::Automatic);
-    EXPECT_EQ(document.statements[1].solid, SolidSide::Below);
-    EXPECT_EQ(document.statements[2].solid, SolidSide::Above);
+    ReadDocument read = read_document_text("a = 2; x = a; y = 1");
+    take_solids({{{}, SolidSide::Below}, {2, SolidSide::Above}}, read.rows->surface_rows,
+                read.document);
+    ASSERT_EQ(read.document.statements.size(), 3U);
+    EXPECT_EQ(read.document.statements[0].solid, SolidSide::Automatic);
+    EXPECT_EQ(read.document.statements[1].solid, SolidSide::Below);
+    EXPECT_EQ(read.document.statements[2].solid, SolidSide::Above);
 }
 
-TEST(DocumentScene, KnowsTheSidesOfItsSurfaces) {
-    Surface surface;
-    surface.equation = "x = 2\nx^2 + y^2 = 1, z < 1";
-    surface.solids.push_back({.surface = 2, .side = SolidSide::Above});
-    const Document document = document_of(surface);
-    const auto formula = compile_formula(joined_rows(document).text);
-    ASSERT_TRUE(formula);
+TEST(SceneOfADocument, KnowsTheSidesOfItsSurfaces) {
+    ReadDocument read = read_document_text("x = 2\nx^2 + y^2 = 1, z < 1");
+    take_solids({{2, SolidSide::Above}}, read.rows->surface_rows, read.document);
+    const auto prepared = prepare(read.document, *read.rows, Preparation::Interpreted);
+    ASSERT_TRUE(prepared);
     const Scene scene =
-        document_scene(*formula, document, surface_rows(document, formula->program));
+        scene_of(picture_request(prepared->formula, prepared->colors, read.document, {}, {64, 64}));
     ASSERT_EQ(scene.solids.size(), 2U);
     EXPECT_EQ(scene.solids[0].side, SolidSide::Automatic);
     EXPECT_EQ(scene.solids[1].side, SolidSide::Above);

@@ -1,0 +1,115 @@
+#include "document/row_program.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+constexpr std::string_view blank = " \t\r\n;";
+
+std::string_view stripped(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(blank);
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
+}
+
+/// Offsets at which the statements of a program begin, in ascending order.
+std::vector<std::size_t> statement_begins(const Program& program) {
+    std::vector<std::size_t> begins;
+    for (const Reading& reading : program.readings)
+        begins.push_back(reading.offset);
+    std::ranges::sort(begins);
+    return begins;
+}
+
+/// Offsets behind each line end.
+std::vector<std::size_t> line_begins(std::string_view text) {
+    std::vector<std::size_t> begins;
+    for (std::size_t at = text.find('\n'); at != std::string_view::npos;
+         at = text.find('\n', at + 1))
+        begins.push_back(at + 1);
+    return begins;
+}
+
+/// A part of a text that becomes a row, and where it was in the text.
+struct TextRow {
+    std::size_t begin;
+    std::string_view text;
+};
+
+/// The text cut before each statement; before each line where there is no program.
+std::vector<TextRow> cut_rows(std::string_view text, const Program* program) {
+    std::vector<std::size_t> begins = program ? statement_begins(*program) : line_begins(text);
+    // What stands before the first statement, such as a remark, is a row of its own.
+    if (begins.empty() || !stripped(text.substr(0, begins.front())).empty())
+        begins.insert(begins.begin(), 0);
+    std::vector<TextRow> rows;
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+        const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size();
+        std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
+        // The sign that parted it from the next statement is not needed any more.
+        if (program && (row.ends_with(',') || row.ends_with(':')))
+            row = stripped(row.substr(0, row.size() - 1));
+        if (!row.empty()) rows.push_back({begins[i], row});
+    }
+    return rows;
+}
+
+Document document_of(const std::vector<TextRow>& rows) {
+    Document document;
+    for (const TextRow& row : rows)
+        document.statements.emplace_back().text = row.text;
+    if (document.statements.empty()) document.statements.emplace_back();
+    return renumbered(std::move(document), 1);
+}
+
+/// Ids of the rows of a program's surfaces; `row_at` finds the index of the row at an offset.
+template <class RowAt>
+std::vector<int> rows_of_surfaces(const Document& document, const Program& program,
+                                  const RowAt& row_at) {
+    std::vector<int> rows;
+    for (const Reading& reading : program.readings) {
+        if (reading.kind == StatementKind::Surface)
+            rows.push_back(document.statements[row_at(reading.offset)].id);
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::expected<RowProgram, ParseError> read_rows(const Document& document) {
+    JoinedRows joined = joined_rows(document);
+    auto program = read_program(joined.text);
+    if (!program) return std::unexpected(program.error());
+    std::vector<int> rows = rows_of_surfaces(
+        document, *program, [&joined](std::size_t offset) { return joined.row_at(offset); });
+    return RowProgram{std::move(joined.text), std::make_shared<const Program>(std::move(*program)),
+                      std::move(rows)};
+}
+
+TextDocument read_text(std::string_view text) {
+    auto program = read_program(text);
+    const std::vector<TextRow> rows = cut_rows(text, program ? &*program : nullptr);
+    Document document = document_of(rows);
+    if (!program) return {std::move(document), std::unexpected(program.error())};
+    const auto row_at = [&rows](std::size_t offset) {
+        const auto after = std::ranges::upper_bound(rows, offset, {}, &TextRow::begin);
+        return static_cast<std::size_t>(after - rows.begin()) - 1;
+    };
+    std::vector<int> surface_rows = rows_of_surfaces(document, *program, row_at);
+    return {std::move(document),
+            RowProgram{std::string(text), std::make_shared<const Program>(std::move(*program)),
+                       std::move(surface_rows)}};
+}
+
+std::vector<std::string> rows_of(std::string_view text) {
+    const auto program = read_program(text);
+    std::vector<std::string> rows;
+    for (const TextRow& row : cut_rows(text, program ? &*program : nullptr))
+        rows.emplace_back(row.text);
+    return rows;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,113 @@
+#include "pipeline/picture_request.hpp"
+
+#include "document/colors.hpp"
+#include "engine/scene/precision.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// The surfaces whose rows are visible.
+std::vector<ShownSurface> visible_surfaces(const Document& document,
+                                           const std::vector<int>& surface_rows) {
+    std::vector<ShownSurface> shown;
+    for (std::size_t i = 0; i < surface_rows.size(); ++i) {
+        const auto row = std::ranges::find(document.statements, surface_rows[i], &Statement::id);
+        if (row == document.statements.end() || !row->visible) continue;
+        shown.push_back({.index = i, .row = row->id, .color = row->color, .solid = row->solid});
+    }
+    return shown;
+}
+
+}  // namespace
+
+PictureRequest picture_request(std::shared_ptr<const Formula> formula,
+                               std::shared_ptr<const ColorFormulas> colors,
+                               const Document& document, const TraceSettings& settings,
+                               glm::ivec2 size_px) {
+    PictureRequest request{
+        .formula = std::move(formula),
+        .colors = std::move(colors),
+        .clip = document.clip,
+        .region = document.region,
+        .camera = camera_of(document, size_px),
+        .coloring = document.coloring,
+        .jumps = document.jumps,
+        .settings = settings,
+        .size_px = size_px,
+        .surfaces = {},
+        .uniforms = {},
+    };
+    request.settings.shadows = document.shadows;
+    request.settings.antialias = document.antialias;
+    request.surfaces = visible_surfaces(document, request.formula->surface_rows);
+    request.uniforms.push_back(request.formula->uses_w() ? document.w.value : 0.0);
+    for (const std::string& name : request.formula->program->parameters)
+        request.uniforms.push_back(slider_of(document, name).value);
+    return request;
+}
+
+Camera camera_of(const Document& document, glm::ivec2 size_px) {
+    if (document.camera) return *document.camera;
+    return default_camera(document.clip, static_cast<double>(size_px.x) / size_px.y, document.up);
+}
+
+bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next) {
+    if (last.formula->text != next.formula->text) return false;
+    PictureRequest by_new_code = last;
+    by_new_code.formula = next.formula;
+    by_new_code.colors = next.colors;
+    return by_new_code == next;
+}
+
+std::vector<std::size_t> shown_indices(const PictureRequest& request) {
+    std::vector<std::size_t> indices;
+    for (const ShownSurface& surface : request.surfaces)
+        indices.push_back(surface.index);
+    return indices;
+}
+
+Uniforms uniforms_of(const PictureRequest& request) {
+    Uniforms uniforms;
+    for (std::size_t i = 0; i < request.uniforms.size(); ++i)
+        uniforms.set(i, request.uniforms[i]);
+    return uniforms;
+}
+
+Scene scene_of(const PictureRequest& request) {
+    const Formula& formula = *request.formula;
+    Scene scene;
+    scene.clip = request.clip;
+    scene.region = request.region;
+    scene.jumps = request.jumps;
+    scene.uniforms = uniforms_of(request);
+    for (const ShownSurface& surface : request.surfaces) {
+        scene.surfaces.push_back(formula.kernels[surface.index]);
+        scene.solids.push_back({surface.solid, formula.unrestricted[surface.index]});
+        scene.colors.push_back(surface.color ? surface_colors(*surface.color)
+                                             : colors_of(surface.index));
+    }
+    scene.coloring =
+        coloring_of(request.coloring, *request.colors, shown_indices(request), request.camera.up);
+    return scene;
+}
+
+RenderRequest render_request(const PictureRequest& request) {
+    RenderRequest frame;
+    frame.scene = scene_of(request);
+    frame.camera = request.camera;
+    frame.settings = request.settings;
+    frame.width = request.size_px.x;
+    frame.height = request.size_px.y;
+    return frame;
+}
+
+bool has_code_for(const PictureRequest& request) {
+    const ViewFrame view(request.camera);
+    return request.formula->has_code(
+        wanted_precision(scene_of(request), view, request.settings.stop));
+}
+
+}  // namespace zeroset

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "document/document.hpp"
+#include "document/row_program.hpp"
+#include "pipeline/color_formulas.hpp"
+#include "pipeline/formula.hpp"
+#include "pipeline/input_error.hpp"
+
+#include <expected>
+#include <memory>
+#include <string_view>
+
+namespace zeroset {
+
+/// A document, and its rows as they were read or what is wrong with them.
+struct ReadDocument {
+    Document document;
+    std::expected<RowProgram, InputError> rows;
+};
+ReadDocument read_document(Document document);
+/// Makes rows of a text: one for each statement.
+ReadDocument read_document_text(std::string_view text);
+
+/// A document with the code that draws it.
+struct PreparedDocument {
+    std::shared_ptr<const Formula> formula;
+    std::shared_ptr<const ColorFormulas> colors;
+};
+
+/// Makes what pictures of a document need: code of its rows, tightest in its clip box, and code of
+/// its colours. `rows`: the document's, as they were read. Thread-safe.
+std::expected<PreparedDocument, InputError> prepare(const Document& document, RowProgram rows,
+                                                    Preparation how);
+
+}  // namespace zeroset

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "engine/scene/precision.hpp"
+#include "engine/scene/scene.hpp"
+#include "pipeline/formula.hpp"
+#include "pipeline/input_error.hpp"
+#include "pipeline/prepare.hpp"
+
+#include <expected>
+#include <map>
+#include <string>
+#include <string_view>
+
+// Formulas and scenes of texts, without a document.
+
+namespace zeroset::test {
+
+inline std::expected<Program, InputError> read_formula(std::string_view text) {
+    auto rows = read_document_text(text).rows;
+    if (!rows) return std::unexpected(rows.error());
+    return *rows->program;
+}
+
+inline std::expected<Formula, InputError> prepared_formula(
+    std::string_view text, const Box& region, Preparation how = Preparation::Quickest) {
+    auto rows = read_document_text(text).rows;
+    if (!rows) return std::unexpected(rows.error());
+    return prepare_formula(std::move(*rows), region, how);
+}
+
+/// Machine code in float, and in `precision`, unless the formula is too large for that.
+inline std::expected<Formula, InputError> compile_formula(std::string_view text,
+                                                          const Box& region = {},
+                                                          Precision precision = Precision::Float) {
+    auto formula = prepared_formula(text, region, Preparation::Compiled);
+    if (!formula || formula->code == CodeState::Interpreted || formula->has_code(precision))
+        return formula;
+    return with_machine_code(*formula, CodeUse::Pictures, precision);
+}
+
+/// All surfaces of a formula, in the palette's colours. Parameters without a value are 1.
+inline Scene make_scene(const Formula& formula, const Box& clip, double w = 0.0,
+                        const std::map<std::string, double>& parameters = {}) {
+    Scene scene{formula.kernels, clip, {}};
+    for (const auto& unrestricted : formula.unrestricted)
+        scene.solids.push_back({SolidSide::Automatic, unrestricted});
+    scene.uniforms.set(0, w);
+    for (std::size_t i = 0; i < formula.program->parameters.size(); ++i) {
+        const auto found = parameters.find(formula.program->parameters[i]);
+        scene.uniforms.set(1 + i, found == parameters.end() ? 1.0 : found->second);
+    }
+    return scene;
+}
+
+}  // namespace zeroset::test
