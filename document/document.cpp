@@ -19,7 +19,7 @@ std::string_view stripped(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(blank) + 1 - begin);
 }
 
-/// Where the statements of a text begin, if it can be read.
+/// Offsets at which the statements of a text begin; empty where it cannot be read.
 std::vector<std::size_t> statement_begins(std::string_view text) {
     const auto program = read_program(text);
     std::vector<std::size_t> begins;
@@ -30,7 +30,7 @@ std::vector<std::size_t> statement_begins(std::string_view text) {
     return begins;
 }
 
-/// Behind each line end.
+/// Offsets behind each line end.
 std::vector<std::size_t> line_begins(std::string_view text) {
     std::vector<std::size_t> begins;
     for (std::size_t at = text.find('\n'); at != std::string_view::npos;
@@ -39,8 +39,8 @@ std::vector<std::size_t> line_begins(std::string_view text) {
     return begins;
 }
 
-/// The row with "\v" for each line end behind which a line starts with a sign: within a row such a
-/// line goes on with the one before.
+/// The row with "\v" for each line end that a sign follows: within a row, such a line continues
+/// the one before.
 std::string with_joined_lines(std::string row) {
     for (std::size_t end = row.find('\n'); end != std::string::npos;
          end = row.find('\n', end + 1)) {
@@ -108,7 +108,7 @@ std::vector<std::string> rows_of(std::string_view text) {
     std::vector<std::size_t> begins = statement_begins(text);
     const bool readable = !begins.empty();
     if (!readable) begins = line_begins(text);
-    // What stands before the first statement, such as a remark, stays with it.
+    // Keep what stands before the first statement, such as a remark, with it.
     if (begins.empty() || !stripped(text.substr(0, begins.front())).empty()) {
         begins.insert(begins.begin(), 0);
     }
@@ -116,7 +116,7 @@ std::vector<std::string> rows_of(std::string_view text) {
     for (std::size_t i = 0; i < begins.size(); ++i) {
         const std::size_t end = i + 1 < begins.size() ? begins[i + 1] : text.size();
         std::string_view row = stripped(text.substr(begins[i], end - begins[i]));
-        // What parted it from the next statement is not needed any more.
+        // Drop the separator from the next statement.
         if (readable && (row.ends_with(',') || row.ends_with(':')))
             row = stripped(row.substr(0, row.size() - 1));
         if (!row.empty()) rows.emplace_back(row);

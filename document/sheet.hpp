@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// The rows to be read, in order, by their ids in the document.
+/// A row to be read, with its id in the document.
 struct SheetRow {
     int id;
     std::string text;
@@ -22,34 +22,34 @@ using Sheet = std::vector<SheetRow>;
 
 struct RowError {
     std::string reason;       ///< what is wrong, and what to type instead; one line
-    std::size_t at = 0;       ///< in bytes of the row's text, at most its size
-    bool unfinished = false;  ///< right so far, but the row stops too early
+    std::size_t at = 0;       ///< offset in the row's text, in bytes; at most its size
+    bool unfinished = false;  ///< correct so far, but the row ends too early
 };
 
-/// How a row was understood. A row with an error keeps the readings of its last good text.
+/// The result of reading a row. With an error, it keeps the readings of the row's last good text.
 struct RowReport {
-    std::string text;  ///< of the row, when it was read
+    std::string text;  ///< the row's text when it was read
     std::vector<Reading> readings;
     std::optional<RowError> error;
 };
 
-/// What a sheet says.
+/// The result of reading a sheet.
 struct SheetReading {
-    std::string text;               ///< what was read, for read_program; a surface at least
-    std::vector<int> surface_rows;  ///< the row of each of its surfaces; 0: there is none, and
-                                    ///< the text's one surface is not to be drawn
-    std::shared_ptr<const Program> program;  ///< of the text; its readings are the reports'
-    std::map<int, RowReport> reports;        ///< by row
+    std::string text;               ///< the text that was read, for read_program; has a surface
+    std::vector<int> surface_rows;  ///< id of the row of each surface in `text`; 0: the
+                                    ///< surface is a stand-in, not to be drawn
+    std::shared_ptr<const Program> program;  ///< of `text`, without the readings: see reports
+    std::map<int, RowReport> reports;        ///< by the row's id
 };
 
-/// Reads sheets as they are edited. A row with an error does not keep the others from being read:
-/// its last text without an error stands in for it, or nothing.
+/// Reads sheets while they are edited. A row with an error does not keep the others from being
+/// read: its last text without an error replaces it, or nothing.
 class SheetReader {
 public:
     SheetReading read(const Sheet& sheet);
 
 private:
-    std::map<int, std::string> good_;  ///< of each row that was ever read
+    std::map<int, std::string> good_;  ///< the last good text of each row ever read, by id
 };
 
 }  // namespace zeroset

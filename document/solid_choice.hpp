@@ -6,9 +6,9 @@
 
 namespace zeroset {
 
-/// Which side of a surface is solid.
+/// The side that is solid, of one surface or of all.
 struct SolidChoice {
-    std::optional<int> surface = std::nullopt;  ///< its number, from 1; nothing: all
+    std::optional<int> surface = std::nullopt;  ///< number of the surface, from 1; nothing: all
     SolidSide side = SolidSide::Automatic;
 
     bool operator==(const SolidChoice&) const = default;
