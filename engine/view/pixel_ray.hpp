@@ -16,8 +16,8 @@ struct PixelRay {
     [[nodiscard]] glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// The ray through the point (col, row) of an image, in pixels; a pixel's centre is at (i + 0.5, j
-/// + 0.5).
+/// The ray through the point (col, row) of an image, in pixels. The centre of a pixel is at
+/// (i + 0.5, j + 0.5).
 inline PixelRay pixel_ray(const ViewFrame& view, double col, double row, int width_px,
                           int height_px) {
     return {view.origin(col, row, width_px, height_px),
