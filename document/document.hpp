@@ -25,7 +25,7 @@ struct Statement {
     bool operator==(const Statement&) const = default;
 };
 
-/// What a playing slider does at its ends: turn back, or begin again.
+/// Behaviour of a playing slider at its ends: it turns back, or begins again.
 enum class Repeat : std::uint8_t { Bounce, Loop };
 
 /// A number that is chosen with a slider. All members are finite, at most largest_number in size.

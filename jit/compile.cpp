@@ -141,6 +141,7 @@ public:
     static void call(const void* code, const Batch* batch) {
         const auto& self = *static_cast<const OnCall*>(code);
         if (!self.ready_.load(std::memory_order_acquire)) {
+            // Let `otherwise` work during the patience and while another thread makes the code.
             const bool others_make_it = self.patience_ > 0 && self.begun_;
             if (others_make_it || self.items_.fetch_add(batch->size) < self.patience_)
                 return self.otherwise_(*batch);

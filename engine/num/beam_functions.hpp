@@ -180,6 +180,7 @@ Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     const auto number = [&](double value) { return like(y.r, value); };
     const auto negative = box.hi < number(0);
     const auto nonzero = either(negative, box.neg_lo < number(0));
+    // Bound p by [low, high].
     const Real low = select(negative, -box.hi, -box.neg_lo);
     const Real high = select(negative, box.neg_lo, box.hi);
     const Real one = number(1);
@@ -187,6 +188,7 @@ Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     const Real per_high = one / high;
     const auto wide = high > number(3) * low;
     const Real beta = select(wide, per_high, per_low) * per_high;
+    // Bound 1/p + beta p.
     const Real most = larger_bound(per_low + beta * low, per_high + beta * high);
     const Real least = number(2.0 - 4 * format_of(beta).relative_gap) * square_root(beta);
     const Affine<Real> rest = centred(Interval<Real>{-least, most});

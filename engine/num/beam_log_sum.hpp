@@ -63,6 +63,7 @@ struct LogSumBeam {
 template <class Real, class Mask>
 LogSumBeam<Real> log_sum(const Beam<Real>& a, const Beam<Real>& b, const Mask& first,
                          const Kink<Real>& kink) {
+    // Add g of the difference to the larger operand.
     const Beam<Real> larger_one = select(first, a, b);
     const Beam<Real> difference = select(first, b, a) - larger_one;
     const FunctionBounds<Real> g = soft_step_bounds(difference.range(), difference.f.c);

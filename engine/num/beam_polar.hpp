@@ -192,11 +192,13 @@ Beam<Real> wave_along(const Beam<Real>& turn, const WavePoint<Real>& at) {
     const Real one = number(1);
     const Real half = number(0.5);
     const Real& d = turn.spread();
+    // Bound the range by the mean value theorem.
     const Real steepest = minimum(magnitude(at.slope) + at.error + d, one);
     const Real far = fused(steepest, d, at.error);
     // Upper bounds of g and -g, 1 where NaN.
     const Real hi = minimum(at.value + far, one);
     const Real neg_lo = minimum(far - at.value, one);
+    // Bound the remainder of Taylor's theorem by the range of g.
     const Real half_square = half * d * d;
     const Real above = maximum(neg_lo, number(0)) * half_square;
     const Real below = maximum(hi, number(0)) * half_square;

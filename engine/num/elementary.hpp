@@ -50,7 +50,7 @@ Interval<Real> odd_increasing(Elementary function, const Interval<Real>& a) {
     return {odd_up(function, a.neg_lo), odd_up(function, a.hi)};
 }
 
-/// As `widened`, for a function whose library results overflow before its true values do.
+/// The interval of `widened`, for a function whose library results overflow before its true values.
 template <class Real>
 Interval<Real> widened_over(Elementary function, const Real& a, const Real& b) {
     const Format& format = format_of(a);

@@ -96,7 +96,8 @@ Real cot_up(const Real& t, const Real& at_zero) {
     return select(may_be_zero, at_zero, like(t, -1.0) / neg_lo);
 }
 
-/// As `cot_up`, for the values beyond the pole at 0: they are below 0 where the true t may be 0.
+/// An upper bound as of cot_up, for the values beyond the pole at 0: below 0 where the true t may
+/// be 0.
 template <class Real>
 Real cot_up_behind_pole(const Real& t) {
     const Real largest = magnitude(t) + library_error(Elementary::Tan, t);
@@ -165,12 +166,14 @@ Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
                       const Interval<Real>& sides) {
     const auto cases = angle_cases(y, x);
     const Real zero = like(x.hi, 0.0);
+    // Across the cut, tell whether the box is on one side only.
     const auto above = both(cases.across_cut, sides.neg_lo < zero);
     const auto below = both(cases.across_cut, sides.hi <= zero);
     const auto cut = either(cases.around_origin, both(cases.across_cut, no(either(above, below))));
     const double pi_hi = format_of(x.hi).pi_hi;
     const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
     const Interval<Real> corners = angle_from_corners(y, x);
+    // Take the whole circle on both sides, and from the corners to the cut on one.
     const Interval<Real> value{select(either(cut, below), circle.neg_lo, corners.neg_lo),
                                select(either(cut, above), circle.hi, corners.hi)};
     const auto jumps = both(cut, cases.across_cut);

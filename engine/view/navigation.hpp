@@ -19,8 +19,8 @@ glm::dvec3 outward(Side side, const glm::dvec3& up);
 /// front, from straight below what lies in front.
 Camera seen_from(const Camera& camera, const glm::dvec3& outward, const glm::dvec3& up);
 
-/// As orbit, about `up`, which becomes the camera's. Works from straight above and below, too; what
-/// is up in the picture there stays up.
+/// Orbits about `up`, which becomes the camera's. Works from straight above and below, too; what is
+/// up in the picture there stays up.
 Camera orbit_about(const Camera& camera, const glm::dvec3& up, double yaw_rad, double pitch_rad);
 
 /// Turns the camera with a ball about the point looked at, as high as the image, that is grabbed at
