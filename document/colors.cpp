@@ -7,12 +7,12 @@
 namespace zeroset {
 namespace {
 
-/// 0xAABBGGRR to 0xRRGGBB, and back.
+/// Turns 0xAABBGGRR into 0xRRGGBB, and back.
 std::uint32_t swapped(std::uint32_t color) {
     return (color & 0xFFU) << 16U | (color & 0xFF00U) | (color >> 16U & 0xFFU);
 }
 
-/// The reflectance that shows as a byte, see swatch_color.
+/// The reflectance of a channel that shows as `byte`, see swatch_color.
 float light(std::uint32_t byte) {
     const float part = static_cast<float>(byte & 0xFFU) / 255.0F;
     return part * part;

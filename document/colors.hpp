@@ -9,15 +9,15 @@
 
 namespace zeroset {
 
-/// How the fronts of the palette show, 0xRRGGBB.
+/// The colours as which the fronts of the palette show, 0xRRGGBB.
 const std::vector<std::uint32_t>& palette_fronts();
 
-/// The two sides of a surface whose front shows as `front` (0xRRGGBB): the palette's pair, or the
-/// palette's back that differs most.
+/// Colours of the two sides of a surface whose front shows as `front` (0xRRGGBB): the palette's
+/// pair, or for other fronts the palette's back that differs most.
 SurfaceColors surface_colors(std::uint32_t front);
 
-/// Gives the rows that show a surface and have no colour one of the palette's that no other row
-/// has, as long as there are such. Whether anything changed.
+/// Gives each row of `surface_rows` without a colour one of the palette's that no other row has,
+/// or, where all are taken, one in turn. Returns whether anything changed.
 bool choose_colors(Document& document, const std::vector<int>& surface_rows);
 
 }  // namespace zeroset

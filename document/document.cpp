@@ -10,8 +10,8 @@ namespace {
 constexpr std::string_view between_rows = "\n;\n";
 constexpr std::array<std::string_view, 4> signs{"+", "-", "\u2212", "\u2013"};
 
-/// The row with "\v" for each line end behind which a line starts with a sign: within a row such a
-/// line goes on with the one before.
+/// The row with "\v" for each line end that a sign follows: within a row, such a line continues
+/// the one before.
 std::string with_joined_lines(std::string row) {
     for (std::size_t end = row.find('\n'); end != std::string::npos;
          end = row.find('\n', end + 1)) {

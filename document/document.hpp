@@ -16,25 +16,25 @@ namespace zeroset {
 
 /// One row of the list of statements.
 struct Statement {
-    int id = 0;        ///< tells the rows of a session apart, whatever their order and text
+    int id = 0;        ///< unique among the rows of a session, whatever their order and text
     std::string text;  ///< UTF-8; usually one statement
     bool visible = true;
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
-    SolidSide solid = SolidSide::Automatic;  ///< of a surface
+    SolidSide solid = SolidSide::Automatic;  ///< which side of its surface is solid
 
     bool operator==(const Statement&) const = default;
 };
 
-/// What happens at the end of a slider that plays.
+/// Behaviour of a playing slider at its ends: it turns back, or begins again.
 enum class Repeat : std::uint8_t { Bounce, Loop };
 
-/// A number that is chosen with a slider. Finite, of a magnitude up to largest_number.
+/// A number that is chosen with a slider. All members are finite, at most largest_number in size.
 struct Slider {
     double value = 1.0;
     double lo = -5.0;  ///< ends of the slider, lo < hi
     double hi = 5.0;
     double step = 0.0;   ///< values are lo + n * step; 0: any value
-    double speed = 1.0;  ///< how fast it plays: ranges in four seconds, above 0
+    double speed = 1.0;  ///< of playing, in ranges per seconds_per_range; above 0
     Repeat repeat = Repeat::Bounce;
 
     bool operator==(const Slider&) const = default;
@@ -45,33 +45,34 @@ inline constexpr double seconds_per_range = 4.0;
 inline constexpr double slowest = 1.0 / 64.0;
 inline constexpr double fastest = 64.0;
 
-/// All that a session is about, whoever shows it: what a file keeps and what undo brings back.
+/// All that a session is about, however it is shown: what a file stores and what undo restores.
 struct Document {
     std::vector<Statement> statements;
-    std::map<std::string, Slider> parameters;  ///< those not as they are at first, by name
+    std::map<std::string, Slider> parameters;  ///< those that differ from the default, by name
     Slider w{.value = 0.0, .lo = -2.0, .hi = 2.0};
     Box clip;
-    Region region;                 ///< what is shown of the clip box
+    Region region;                 ///< the part of the clip box that is shown
     std::optional<Camera> camera;  ///< default_camera of the clip box when absent
-    std::optional<Camera> home;    ///< what "reset view" goes back to, if not to the default
+    std::optional<Camera> home;    ///< where "reset view" goes, if not to the default
     StopCriterion stop{.value = 14.0};
     bool mark_undecided = false;
     bool shadows = false;
     bool antialias = false;
-    bool jumps = false;     ///< draws where f changes its sign in a jump, too
+    bool jumps = false;     ///< whether sign changes of f in a jump are drawn, too
     bool axes = false;      ///< with ticks and numbers
-    bool clip_box = false;  ///< its edges
-    bool grid = false;      ///< on the box's floor
-    /// What is up, not 0: what dragging turns about, unless it turns freely.
+    bool clip_box = false;  ///< the edges of the clip box
+    bool grid = false;      ///< on the floor of the clip box
+    /// The direction that is up, not 0: dragging turns about it, unless it turns freely.
     glm::dvec3 up{0.0, 0.0, 1.0};
     bool trackball = false;  ///< dragging turns freely
     ColorChoice coloring;
-    std::vector<Marker> markers;  ///< in the order in which they were made
+    std::vector<Marker> markers;  ///< in the order of their creation
 
     bool operator==(const Document&) const = default;
 };
 
-/// What a person set for all surfaces: the search depth, the look, how dragging turns.
+/// Copies from `of` what a person sets for all surfaces: the search depth, the look, how dragging
+/// turns.
 void keep_settings(Document& document, const Document& of);
 
 /// A document with one empty row.
@@ -79,26 +80,26 @@ Document empty_document();
 
 /// An id that no row has.
 int unused_id(const Document& document);
-/// The same rows with ids from `first` on.
+/// `document` with its rows numbered from `first` on.
 Document renumbered(Document document, int first);
 
-/// The slider of a parameter, as it is at first where the document does not say.
+/// The slider of a parameter; the default one where the document has none.
 Slider slider_of(const Document& document, const std::string& parameter);
-/// Sets the value; moves an end of the slider that it lies beyond.
+/// Sets the value, and moves an end of the slider that it lies beyond.
 void set_value(Slider& slider, double value);
 
-/// Whether two documents are the same but for where they are looked at from.
+/// Whether two documents differ in the camera at most.
 bool same_work(const Document& a, const Document& b);
 
-/// The rows as one text for read_program, in which no statement goes on in the next row, but a line
-/// that starts with a sign goes on with the line before it in its row.
+/// The rows as one text for read_program. No statement continues in the next row; within a row, a
+/// line that starts with a sign continues the line before it.
 struct JoinedRows {
     explicit JoinedRows(const std::vector<std::string>& rows);
-    /// The row of a byte of the text; one between two rows belongs to the first of them.
+    /// The row that holds a byte of the text; a byte between two rows belongs to the first of them.
     [[nodiscard]] std::size_t row_at(std::size_t offset) const;
 
     std::string text;
-    std::vector<std::size_t> begins;  ///< of each row in the text
+    std::vector<std::size_t> begins;  ///< offset of each row in `text`
 };
 JoinedRows joined_rows(const Document& document);
 

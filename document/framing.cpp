@@ -8,11 +8,12 @@
 namespace zeroset {
 namespace {
 
-/// Surfaces that are smaller than this part of the clip box get one of their own.
+/// A surface smaller than this part of the clip box gets a clip box of its own.
 constexpr double small_part = 0.25;
-/// The clip box stands off from what it holds by this part of its size.
+/// The clip box is larger by this part than what it holds.
 constexpr double margin = 0.02;
-/// What sticks out by less is no more than enclosures are off.
+/// A surface that sticks out by less than this part of its size may only seem to, as its extent is
+/// an enclosure.
 constexpr double tolerance = 2.0 / 64.0;
 
 double rounded_up(double length) {
@@ -20,7 +21,7 @@ double rounded_up(double length) {
     return std::ceil(length / unit * (1.0 - 1e-12)) * unit;
 }
 
-/// A cube about the box; about the origin where that is not much larger.
+/// A cube around the box, centred on the origin where that makes it not much larger.
 Box cube_about(const Box& box) {
     constexpr double not_much = 1.3;
     const glm::dvec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));

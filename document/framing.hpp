@@ -7,18 +7,18 @@
 
 namespace zeroset {
 
-/// A document that shows its surfaces, and in one line what was done or why nothing was.
+/// A document that shows its surfaces, and one line that says what was done or why nothing was.
 struct Framing {
     Document document;
     std::string note;
-    bool found = true;  ///< else the document is as it was
+    bool found = true;  ///< false: the document is unchanged
 };
 
-/// Looks at all of what the clip box shows, from the same direction and as near as can be. The clip
-/// box becomes a cube about the surfaces, if it may (`may_clip`), where all of them is known and
-/// sticks out of it or is smaller than a quarter of it; where it shows nothing of surfaces that go
-/// on without known end, it grows until it does. `extent` is of the document's scene and clip box;
-/// `aspect` the picture's width / height.
+/// Shows all that is in the clip box, from the same direction and as near as possible. With
+/// `may_clip`, the clip box becomes a cube about the surfaces where all of them is known and sticks
+/// out of the box or is smaller than a quarter of it; where the box holds nothing of surfaces
+/// without a known end, it grows until it does. `extent` is that of the document's scene and clip
+/// box; `aspect` is the picture's width / height.
 Framing frame_surfaces(const Document& document, const Extent& extent, double aspect,
                        bool may_clip = true);
 

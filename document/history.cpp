@@ -13,7 +13,7 @@ std::vector<int> ids_of(const Document& document) {
     return ids;
 }
 
-/// Whether rows came, went or changed places; empty: none did.
+/// "rows" where rows came or went, "order" where they changed places; else empty.
 std::string changed_rows(const Document& a, const Document& b) {
     const std::vector<int> from = ids_of(a);
     const std::vector<int> to = ids_of(b);
@@ -21,7 +21,7 @@ std::string changed_rows(const Document& a, const Document& b) {
     return std::ranges::is_permutation(from, to) ? "order" : "rows";
 }
 
-/// The name of the first row that differs, and in what.
+/// The kind of change and the id of the first row that differs; empty where none does.
 std::string changed_row(const Document& a, const Document& b) {
     for (std::size_t i = 0; i < a.statements.size(); ++i) {
         const Statement& from = a.statements[i];
@@ -43,7 +43,7 @@ std::string changed_parameter(const Document& a, const Document& b) {
     return {};
 }
 
-/// Which part of the document differs; changes of the same part may become one step.
+/// The part of the document that differs; changes of the same part may become one step.
 std::string changed_part(const Document& a, const Document& b) {
     if (const std::string rows = changed_rows(a, b); !rows.empty()) return rows;
     if (const std::string row = changed_row(a, b); !row.empty()) return row;

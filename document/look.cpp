@@ -9,7 +9,7 @@
 namespace zeroset {
 namespace {
 
-/// Without the zeros at the end of its decimals.
+/// `number` without the zeros at the end of its decimals.
 std::string shortened(std::string number) {
     if (!number.contains('.') || number.contains('e')) return number;
     number.erase(number.find_last_not_of('0') + 1);

@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What the colours of all surfaces are to tell.
+/// The quantity that colours all surfaces, and its scale.
 struct ColorChoice {
     ColorBy by = ColorBy::Plain;
     std::string expression = {};                     ///< for ColorBy::Expression; UTF-8
@@ -21,7 +21,7 @@ struct ColorChoice {
     bool operator==(const ColorChoice&) const = default;
 };
 
-/// A point that was kept, with the number it is called by.
+/// A point that was kept, and the number that names it.
 struct Marker {
     int number = 1;
     glm::dvec3 at{0.0};
@@ -31,17 +31,17 @@ struct Marker {
 
 inline constexpr std::size_t most_markers = 1000;
 
-/// A marker at the point, numbered on; nothing happens where there are most_markers. Its number, or
-/// 0.
+/// Adds a marker at the point with the next number and returns that number; 0, and no marker, where
+/// there are most_markers.
 int add_marker(std::vector<Marker>& markers, const glm::dvec3& at);
 void remove_marker(std::vector<Marker>& markers, int number);
-/// nullptr where there is none of this number.
+/// The marker of this number, or nullptr.
 const Marker* find_marker(const std::vector<Marker>& markers, int number);
 
-/// Three numbers as they are typed, "(1, 2, 3)", with as many decimals as a number closer than
-/// `resolution` needs, all where it is 0.
+/// A point as it is typed, "(1, 2, 3)", with as many decimals as a precision of `resolution` needs,
+/// or with all where it is 0.
 std::string coordinates_text(const glm::dvec3& at, double resolution = 0.0);
-/// One number likewise.
+/// A number as coordinates_text writes it.
 std::string number_text(double number, double resolution = 0.0);
 
 }  // namespace zeroset

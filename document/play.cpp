@@ -23,7 +23,7 @@ void advance(Slider& slider, Playing& playing, double elapsed_s) {
         playing.place += way;
         playing.place -= std::floor(playing.place);
     } else {
-        // There and back is a round of length 2.
+        // Forth and back make a round of length 2.
         way += playing.forward ? playing.place : 2.0 - playing.place;
         way -= 2.0 * std::floor(0.5 * way);
         playing = {way <= 1.0 ? way : 2.0 - way, way <= 1.0};

@@ -10,12 +10,13 @@
 namespace zeroset {
 namespace {
 
-/// Makes a text without a surface one that can be read.
+/// Appended to a text without a surface, so that it can be read.
 constexpr std::string_view stand_in = "\n;\nz = 0";
-/// Each row is tried as typed, as it was last good, and left out.
+/// Limit of the attempts to read a sheet: each row is tried as typed, as it was last good, and
+/// empty.
 constexpr std::size_t most_trials = 64;
 
-/// The program of the rows, and whether a surface in it is theirs.
+/// The program of the rows, and whether its surfaces are theirs or the stand-in's.
 struct TriedRows {
     JoinedRows joined;
     Program program;
@@ -40,7 +41,7 @@ RowError row_error(const ParseError& error, std::size_t begin, const std::string
     };
     const std::size_t at = error.offset - std::min(begin, error.offset);
     if (at >= row.size()) {
-        // What follows is another row. Only alone does this one stop too early.
+        // The error is where the next row begins. It is this row's if that, alone, stops too early.
         const auto alone = read_program(JoinedRows({row}).text);
         if (!alone && alone.error().offset >= row.size()) return of(alone.error(), row.size());
     }
@@ -54,7 +55,7 @@ std::vector<std::string> texts_of(const Sheet& sheet) {
     return texts;
 }
 
-/// The readings by row, and the row of each surface.
+/// Stores the readings by row, the row of each surface, and the program.
 void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
     for (Reading& reading : std::exchange(rows.program.readings, {})) {
         const bool is_stand_in = !rows.has_surface && reading.kind == StatementKind::Surface;
@@ -91,6 +92,7 @@ SheetReading SheetReader::read(const Sheet& sheet) {
         RowReport& report = result.reports[sheet[at].id];
         const bool first = !report.error;
         if (first) report.error = row_error(rows.error(), joined.begins[at], texts[at]);
+        // Try the row's last good text next, or nothing where that fails or is the same.
         const auto good = good_.find(sheet[at].id);
         const bool stands_in = first && good != good_.end() && good->second != texts[at];
         texts[at] = stands_in ? good->second : std::string();

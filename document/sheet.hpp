@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// The rows to be read, in order, by their ids in the document.
+/// A row to be read, with its id in the document.
 struct SheetRow {
     int id;
     std::string text;
@@ -21,30 +21,30 @@ using Sheet = std::vector<SheetRow>;
 
 struct RowError {
     std::string reason;       ///< what is wrong, and what to type instead; one line
-    std::size_t at = 0;       ///< in bytes of the row's text, at most its size
-    bool unfinished = false;  ///< right so far, but the row stops too early
+    std::size_t at = 0;       ///< offset in the row's text, in bytes; at most its size
+    bool unfinished = false;  ///< correct so far, but the row ends too early
 };
 
-/// How a row was understood. A row with an error keeps the readings of its last good text.
+/// The result of reading a row. With an error, it keeps the readings of the row's last good text.
 struct RowReport {
-    std::string text;  ///< of the row, when it was read
+    std::string text;  ///< the row's text when it was read
     std::vector<Reading> readings;
     std::optional<RowError> error;
 };
 
-/// What a sheet says. Its program has no readings: they are in the reports.
+/// The result of reading a sheet. Its program has no readings: they are in the reports.
 struct SheetReading : RowProgram {
-    std::map<int, RowReport> reports;  ///< by row
+    std::map<int, RowReport> reports;  ///< by id of the row
 };
 
-/// Reads sheets as they are edited. A row with an error does not keep the others from being read:
-/// its last text without an error stands in for it, or nothing.
+/// Reads sheets while they are edited. A row with an error does not keep the others from being
+/// read: its last text without an error replaces it, or nothing.
 class SheetReader {
 public:
     SheetReading read(const Sheet& sheet);
 
 private:
-    std::map<int, std::string> good_;  ///< of each row that was ever read
+    std::map<int, std::string> good_;  ///< the last good text of each row ever read, by id
 };
 
 }  // namespace zeroset

@@ -9,26 +9,26 @@
 #include <cstddef>
 #include <cstdint>
 
-// The frame of the functions that the JIT makes. Private to jit/ and to what is measured beside it.
+// The frame of the functions that the JIT makes. Private to jit/ and to benchmarks of it.
 
 namespace zeroset::jit {
 
-/// A loop inside the body that improves s.
+/// A loop inside the body that improves a depth s step by step.
 struct StepLoop {
-    Lanes s;  ///< of the step at work
+    Lanes s;  ///< depth at the current step
     llvm::BasicBlock* head;
     llvm::PHINode* s_in;
     llvm::PHINode* steps_left;
 };
 
-/// An array pointer of the batch that may be null: then one vector's room stands for all of it.
+/// An array pointer of the batch that may be null; one spare vector then replaces the whole array.
 struct OptionalArray {
     llvm::Value* start;
-    llvm::Value* step;  ///< 1, or 0 where it is null
+    llvm::Value* step;  ///< 1, or 0 where the pointer is null
 };
 
-/// A function `void name(const void* code, const Batch* batch)` with the loop over the batch's
-/// items: `entry` runs once, `body` for each vector of items.
+/// A function `void name(const void* code, const Batch* batch)` with a loop over the batch's items:
+/// the code in `entry` runs once, that in `body` for each vector of items.
 class BatchFunction {
 public:
     BatchFunction(llvm::Module& module, const char* name, const VectorKind& kind,
@@ -48,7 +48,7 @@ public:
         builder_.SetInsertPoint(entry_);
     }
 
-    /// Closes the loop.
+    /// Closes the loop and the function.
     void finish() {
         llvm::BasicBlock* const done =
             llvm::BasicBlock::Create(builder_.getContext(), "done", function_);
@@ -69,9 +69,9 @@ public:
 
     void go_to_body() { builder_.SetInsertPoint(body_); }
 
-    /// Tells that a node of the body has been emitted. LLVM's time grows with the square of a basic
-    /// block's length, so a long body becomes a chain of blocks; the branches between them, never
-    /// left out, keep LLVM from joining the blocks again.
+    /// Counts a node that has been emitted in the body. LLVM's time grows with the square of a
+    /// basic block's length, so a long body becomes a chain of blocks; the conditional branches
+    /// between them, which always go on, keep LLVM from joining the blocks again.
     void count_node() {
         if (++nodes_ % nodes_a_block != 0) return;
         llvm::LLVMContext& context = builder_.getContext();
@@ -81,11 +81,12 @@ public:
         builder_.SetInsertPoint(next);
     }
 
-    /// An array pointer of the batch; call before go_to_body.
+    /// Loads an array pointer of the batch; call before go_to_body.
     llvm::Value* array(std::size_t offset) {
         return builder_.CreateLoad(builder_.getPtrTy(), member(offset));
     }
-    /// The same where it may be null, of numbers as wide as `integer()`; call before go_to_body.
+    /// Loads an array pointer that may be null, of numbers as wide as `integer()`; call before
+    /// go_to_body.
     OptionalArray optional_array(std::size_t offset) {
         llvm::Value* const given = array(offset);
         llvm::Value* const room = builder_.CreateAlloca(emitter_.vector_of(emitter_.integer()));
@@ -96,18 +97,18 @@ public:
         return {builder_.CreateSelect(there, given, room),
                 builder_.CreateZExt(there, builder_.getInt64Ty())};
     }
-    /// A std::size_t of the batch; call before go_to_body.
+    /// Loads a std::size_t of the batch; call before go_to_body.
     llvm::Value* size_member(std::size_t offset) {
         return builder_.CreateLoad(builder_.getInt64Ty(), member(offset));
     }
     llvm::IRBuilder<>& builder() { return builder_; }
     [[nodiscard]] bool is_float() const { return emitter_.is_float(); }
     LaneMask mask(llvm::Value* value) { return {&emitter_, value}; }
-    /// The same integer, as wide as the vectors' numbers, in all lanes.
+    /// The integer `value`, as wide as the vectors' numbers, in all lanes.
     llvm::Value* splat_integer(std::uint64_t value) {
         return llvm::ConstantInt::get(emitter_.vector_of(emitter_.integer()), value);
     }
-    /// The body's items of an array, `further` items behind them.
+    /// Loads from an array the integers of the body's items, offset by `further` items.
     llvm::Value* load_integers(const OptionalArray& array, llvm::Value* further) {
         return builder_.CreateAlignedLoad(emitter_.vector_of(emitter_.integer()),
                                           place_in(array, builder_.CreateAdd(item_, further)),
@@ -124,7 +125,7 @@ public:
         return {&emitter_,
                 builder_.CreateAlignedLoad(emitter_.real_vector(), address, alignment())};
     }
-    /// The same number, `array[index]`, in all lanes.
+    /// Loads the number `array[index]` into all lanes.
     Lanes load_uniform(llvm::Value* array, std::size_t index) {
         llvm::Value* const address = builder_.CreateConstGEP1_64(emitter_.real(), array, index);
         llvm::Value* const one = builder_.CreateLoad(emitter_.real(), address);
@@ -132,13 +133,13 @@ public:
                 builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.kind.lanes), one)};
     }
     void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
-    /// All ones where the mask holds.
+    /// Stores a mask: all bits of a number are 1 where it holds, else 0.
     void store(llvm::Value* array, const LaneMask& mask) {
         store_vector(array,
                      builder_.CreateSExt(mask.value, emitter_.vector_of(emitter_.integer())));
     }
 
-    /// An array of floats, in the vectors' type.
+    /// Loads floats of the body's items, converted to the vectors' type.
     Lanes load_floats(llvm::Value* array) {
         llvm::Type* const narrow = emitter_.vector_of(builder_.getFloatTy());
         llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
@@ -148,14 +149,14 @@ public:
                                ? numbers
                                : builder_.CreateFPExt(numbers, emitter_.real_vector())};
     }
-    /// A number of the batch itself, in all lanes; call before go_to_body.
+    /// Loads a number of the batch itself into all lanes; call before go_to_body.
     Lanes member_uniform(std::size_t offset) { return load_uniform(member(offset), 0); }
-    /// An int of the batch; call before go_to_body.
+    /// Loads an int of the batch; call before go_to_body.
     llvm::Value* count(std::size_t offset) {
         return builder_.CreateLoad(builder_.getInt32Ty(), member(offset));
     }
 
-    /// Begins a loop of one step and at most `more` further ones; in the body.
+    /// Begins a loop of one step and at most `more` further ones; call in the body.
     StepLoop begin_steps(const Lanes& start, llvm::Value* more) {
         llvm::BasicBlock* const before = builder_.GetInsertBlock();
         llvm::BasicBlock* const head =
@@ -168,7 +169,8 @@ public:
         left->addIncoming(more, before);
         return {{&emitter_, s}, head, s, left};
     }
-    /// Goes on with the next step where `again` holds in any lane.
+    /// Ends the loop's step: goes on with `next` where `again` holds in any lane and steps are
+    /// left.
     void end_steps(const StepLoop& loop, const Lanes& next, const LaneMask& again) {
         llvm::Value* const left = builder_.CreateSub(loop.steps_left, builder_.getInt32(1));
         llvm::Value* const wanted =
@@ -182,7 +184,7 @@ public:
         builder_.SetInsertPoint(done);
     }
 
-    /// Of a number of the vectors' type.
+    /// The number `value` in all lanes.
     Lanes splat(double value) { return like(Lanes{&emitter_, nullptr}, value); }
     LaneMask everywhere() {
         return {&emitter_,
@@ -215,7 +217,7 @@ private:
 
     static constexpr std::size_t nodes_a_block = 100;
     std::size_t nodes_ = 0;
-    llvm::BasicBlock* nowhere_ = nullptr;  ///< where an empty batch would go
+    llvm::BasicBlock* nowhere_ = nullptr;  ///< target of the branches for an empty batch
 };
 
 }  // namespace zeroset::jit

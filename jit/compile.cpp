@@ -36,7 +36,7 @@ auto on_large_stack(Work work) {
     return std::move(*call.result);
 }
 
-/// The vectors of the code in float and in double.
+/// The vectors of the code in float and of the code in double.
 struct Vectors {
     VectorKind in_float, in_double;
 };
@@ -58,13 +58,13 @@ KernelCache<MachineCode>& cache() {
     return instance;
 }
 
-/// Functions that are made when they are called.
+/// Cache of the functions that are made when they are called.
 KernelCache<void>& later_functions() {
     static KernelCache<void> instance(functions_kept);
     return instance;
 }
 
-/// One function to make.
+/// One function that is to be made.
 struct Piece {
     VectorKind kind;
     KernelPart part;
@@ -82,7 +82,7 @@ struct Piece {
 
 using Code = std::expected<std::shared_ptr<const MachineCode>, CompileError>;
 
-/// In whatever rounding mode the caller is.
+/// Code of a function, from the cache or made now; in any rounding mode of the caller.
 Code cached_code(const Expr& expr, const Piece& piece) {
     std::string key = piece.key(expr);
     if (auto known = cache().find(key)) return known;
@@ -123,13 +123,13 @@ void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCod
     }
 }
 
-/// A function that is made when it has been called for some items, as most formulas are drawn
-/// without it. Until then, and where LLVM fails, `otherwise` can do its work.
+/// A function whose code is made once it has been called for enough items, as most formulas are
+/// drawn without it. Until then, and where LLVM fails, `otherwise` does its work.
 template <class Batch>
 class OnCall {
 public:
-    /// `patience`: for how many items `otherwise` does the work of `call`, with the same bits; 0
-    /// where it has others.
+    /// `patience`: number of items for which `otherwise` does the work, giving the same bits as the
+    /// code; 0 where its results differ.
     OnCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise,
            std::size_t patience)
         : expr_(expr),
@@ -141,6 +141,7 @@ public:
     static void call(const void* code, const Batch* batch) {
         const auto& self = *static_cast<const OnCall*>(code);
         if (!self.ready_.load(std::memory_order_acquire)) {
+            // Let `otherwise` work during the patience and while another thread makes the code.
             const bool others_make_it = self.patience_ > 0 && self.begun_;
             if (others_make_it || self.items_.fetch_add(batch->size) < self.patience_)
                 return self.otherwise_(*batch);
@@ -186,7 +187,8 @@ void make_on_call(KernelFunction<Batch>& function, const Expr& expr, const Piece
     function = {OnCall<Batch>::call, std::move(code), OnCall<Batch>::call_meanwhile};
 }
 
-/// In place of the interpreter's function, when that has taken as long as its code will.
+/// Replaces `function`, the interpreter's, by an OnCall that makes code once the interpreter has
+/// evaluated `patient_nodes` nodes, which takes about as long.
 template <class Batch>
 void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& piece,
                 std::size_t patient_nodes) {
@@ -194,7 +196,7 @@ void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& 
                  patient_nodes / expr.nodes().size());
 }
 
-/// What is made at once for these options, the longest first: what the beam tracer needs.
+/// The functions made at once for these options, those that the beam tracer needs; longest first.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
     const bool hasty = options.hasty;
     std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form, hasty}};
@@ -209,7 +211,7 @@ std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& optio
     return pieces;
 }
 
-/// The codes of the pieces, two at a time.
+/// The codes of the pieces, made by two threads.
 std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
     std::vector<Code> codes(pieces.size());
     std::atomic<std::size_t> next = 0;
@@ -222,7 +224,7 @@ std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
     return codes;
 }
 
-/// The functions that few formulas need.
+/// Adds the functions that few formulas need, to be made when they are called.
 void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vectors,
                          const CompileOptions& options) {
     const bool hasty = options.hasty;

@@ -9,17 +9,17 @@
 namespace zeroset::jit {
 
 struct CompileOptions {
-    int lanes = 0;  ///< floats a vector: 4, 8 or 16, half as many doubles; 0: this machine's widest
-    /// Also all code in double; without, only that of points, and the interpreter's ranges and
-    /// forms.
+    int lanes = 0;  ///< floats in a vector: 4, 8 or 16; half as many doubles; 0: the machine's most
+    /// Makes all code in double as well. Without it only values at points have code in double;
+    /// ranges and forms in double are the interpreter's.
     bool with_double = false;
-    /// Only what a first picture needs is made at once; forms on rays are made when they are first
-    /// called, too.
+    /// Makes at once only what a first picture needs; forms on rays, too, are made when first
+    /// called.
     bool quick = false;
-    /// Code in half the time, which is slower by some 10 to 40 %.
+    /// Halves the time of compilation, for code that is slower by some 10 to 40 %.
     bool hasty = false;
-    /// How many nodes the interpreter evaluates for a function that few formulas need, before its
-    /// code is made.
+    /// Number of nodes that the interpreter evaluates for a function that few formulas need, before
+    /// its code is made.
     std::size_t patient_nodes = 0;
 
     bool operator==(const CompileOptions&) const = default;
@@ -29,29 +29,29 @@ struct CompileError {
     std::string message;
 };
 
-/// Machine code for the graph: at once what the beam tracer always needs (forms, Newton's method,
-/// values on rays), the other functions when they have been called for long enough, forms on rays
-/// when they are first called. Until then, and in Kernel::without_waiting until they are there, the
-/// interpreter does their work with the same bits, and forms that of forms on rays. Thread-safe;
-/// equal graphs compiled lately share their code, function by function: asking for double later
-/// makes what is missing. LLVM runs on threads of its own with a large stack.
+/// Makes machine code for the graph: at once what the beam tracer always needs (forms, Newton's
+/// method, values on rays), the other functions when they have been called for long enough, forms
+/// on rays when they are first called. Until then, and in Kernel::without_waiting until they are
+/// there, the interpreter does their work with the same bits, and forms do the work of forms on
+/// rays. Thread-safe. Equal graphs compiled lately share their code, function by function: a later
+/// call with double makes only what is missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
-/// Whether `compile` has all that it makes at once for these options.
+/// Whether all that `compile` makes at once for these options is in the cache.
 bool is_compiled(const Expr& expr, const CompileOptions& options = {});
 
-/// Machine code for the values alone, in double; at once.
+/// Makes machine code for the values alone, in double, at once.
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
 
-/// The LLVM IR or the assembly that `compile` makes machine code of; double's behind float's.
+/// The LLVM IR or the assembly of the code that `compile` makes: first in float, then in double.
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,
                                                   const CompileOptions& options = {});
 
-/// Compiles everything anew from here on: for measurements.
+/// Forgets all code, so that everything is compiled anew; for measurements.
 void forget_code();
 
-/// The widest vectors of this machine, in floats.
+/// Number of floats in this machine's widest vectors.
 int host_lanes();
 
 }  // namespace zeroset::jit

@@ -12,7 +12,8 @@ namespace {
 
 using Rounded = llvm::ConstrainedFPIntrinsic;
 
-/// Operand `k` of the sum if it is a product that nothing else uses, made each time the sum is.
+/// Operand `k` of the sum if it is a product in the same block that nothing else uses, else
+/// nullptr.
 Rounded* product_in(const Rounded& sum, unsigned k) {
     auto* const product = llvm::dyn_cast<Rounded>(sum.getArgOperand(k));
     const bool fits = product != nullptr &&
@@ -21,7 +22,7 @@ Rounded* product_in(const Rounded& sum, unsigned k) {
     return fits ? product : nullptr;
 }
 
-/// Of a sum or difference, if it is one.
+/// Fuses `sum`, if it is a sum or difference, with a product in it.
 void contract(Rounded& sum) {
     const bool minus = sum.getIntrinsicID() == llvm::Intrinsic::experimental_constrained_fsub;
     if (!minus && sum.getIntrinsicID() != llvm::Intrinsic::experimental_constrained_fadd) {
@@ -30,7 +31,7 @@ void contract(Rounded& sum) {
     Rounded* const first = product_in(sum, 0);
     Rounded* const second = product_in(sum, 1);
     if (first == nullptr && second == nullptr) return;
-    // The one that is ready last.
+    // Take the product that is ready last.
     const bool in_first = second == nullptr || (first != nullptr && second->comesBefore(first));
     Rounded* const product = in_first ? first : second;
     llvm::IRBuilder<> builder(&sum);

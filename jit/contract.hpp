@@ -6,9 +6,9 @@ class Module;
 
 namespace zeroset::jit {
 
-/// Makes one operation of each product with the sum or difference that alone uses it, where the
-/// machine can. That rounds once instead of twice: what bounds the roundings of both holds, and so
-/// does what holds of a sum however far its product was rounded upward.
+/// Fuses each product with the sum or difference that is its only user, where the machine can. A
+/// fused operation rounds once instead of twice: bounds of the roundings of both still hold, and so
+/// does what is true of a sum whatever the upward rounding of its product.
 void contract(llvm::Module& module);
 
 }  // namespace zeroset::jit

@@ -9,13 +9,13 @@
 
 namespace zeroset::jit {
 
-/// What was made most recently, by a text that names it. Thread-safe.
+/// A cache of the most recently used results, each under a text that names it. Thread-safe.
 template <class Made>
 class KernelCache {
 public:
     explicit KernelCache(std::size_t capacity) : capacity_(capacity) {}
 
-    /// What is under this key, or nullptr.
+    /// The result under this key, or nullptr.
     std::shared_ptr<const Made> find(std::string_view key) {
         const std::scoped_lock lock(mutex_);
         const auto found = std::ranges::find(entries_, key, &Entry::key);
@@ -41,7 +41,7 @@ private:
 
     std::size_t capacity_;
     std::mutex mutex_;
-    std::list<Entry> entries_;  ///< newest first
+    std::list<Entry> entries_;  ///< most recently used first
 };
 
 }  // namespace zeroset::jit

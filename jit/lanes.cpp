@@ -12,7 +12,7 @@
 namespace zeroset::jit {
 namespace {
 
-// Operations that are no intrinsics.
+// Keys of Emitter::once for operations that are not intrinsics.
 enum Operation : unsigned {
     Negation = 1U << 24U,
     Choice,
@@ -24,7 +24,7 @@ enum Operation : unsigned {
     LibraryCall = 1U << 25U,  ///< plus the function
 };
 
-/// In an order that is the same for a, b and b, a.
+/// The operands in an order that is the same for a, b and b, a.
 std::array<llvm::Value*, 3> unordered_pair(llvm::Value* a, llvm::Value* b,
                                            llvm::Value* c = nullptr) {
     return std::less<>()(a, b) ? std::array{a, b, c} : std::array{b, a, c};
@@ -35,7 +35,7 @@ Lanes intrinsic(llvm::Intrinsic::ID id, const Lanes& a) {
     return {a.emitter, a.emitter->once(id, {a.value}, make)};
 }
 
-/// Rounded in the mode of the time when it runs. `key`: the operands, as Emitter::once takes them.
+/// An operation that rounds in the mode set when it runs. `key`: the operands for Emitter::once.
 Lanes rounded(llvm::Intrinsic::ID id, const Lanes& a, llvm::ArrayRef<llvm::Value*> operands,
               const std::array<llvm::Value*, 3>& key) {
     const auto make = [&]() -> llvm::Value* {
@@ -48,7 +48,7 @@ Lanes rounded(llvm::Intrinsic::ID id, const Lanes& a, llvm::ArrayRef<llvm::Value
     return {a.emitter, a.emitter->once(id, key, make)};
 }
 
-/// Whether it is this number in all lanes.
+/// Whether `a` is this number in all lanes.
 bool is_number(const Lanes& a, double number) {
     const auto* const constant = llvm::dyn_cast<llvm::Constant>(a.value);
     const auto* const splat =
@@ -80,7 +80,7 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
         llvm::Value* const code =
             builder.CreateIntToPtr(builder.getInt64(address), builder.getPtrTy());
         llvm::CallInst* const made = builder.CreateCall(type, code, arguments);
-        // It leaves the rounding mode as it was, and may be left out.
+        // The call keeps the rounding mode, and may be removed where its result is unused.
         made->setDoesNotAccessMemory();
         made->setDoesNotThrow();
         made->addFnAttr(llvm::Attribute::WillReturn);

@@ -10,17 +10,18 @@
 #include <array>
 #include <tuple>
 
-// The carrier that builds IR: the same operations as engine/real/scalar.hpp, each on a vector of
-// floats or doubles. Private to jit/.
+// The carrier that builds IR: the operations of engine/real/scalar.hpp, each on a vector of floats
+// or doubles. Private to jit/.
 //
-// Arithmetic is emitted as constrained intrinsics with dynamic rounding, so no pass may fold or
-// reorder it as if rounding were to nearest; signs and comparisons are exact in every mode. LLVM
-// finds no common subexpressions in such code, so an operation is emitted once only. Code is
-// emitted in the order in which it runs: what has been emitted is known wherever more of it comes.
+// Arithmetic is emitted as constrained intrinsics with dynamic rounding, so that no pass may fold
+// or reorder it as if rounding were to nearest; signs and comparisons are exact in every mode. LLVM
+// finds no common subexpressions in such code, so Emitter::once emits each operation once only.
+// Code is emitted in the order in which it runs: a value emitted before is available in all later
+// code.
 
 namespace zeroset::jit {
 
-/// Where and how wide code is emitted. Outlives all Lanes made with it.
+/// The place and width at which code is emitted. Outlives all Lanes made with it.
 class Emitter {
 public:
     Emitter(llvm::IRBuilder<>& code, const VectorKind& vectors) : builder(code), kind(vectors) {}
@@ -35,13 +36,13 @@ public:
     [[nodiscard]] llvm::Type* real() const {
         return is_float() ? builder.getFloatTy() : builder.getDoubleTy();
     }
-    /// As wide as `real()`.
+    /// The integer type as wide as `real()`.
     [[nodiscard]] llvm::Type* integer() const {
         return is_float() ? builder.getInt32Ty() : builder.getInt64Ty();
     }
     [[nodiscard]] llvm::Type* real_vector() const { return vector_of(real()); }
 
-    /// An operation's result: that of `make()` where it is the first of its kind on the operands.
+    /// The result of an operation: of `make()` for new operands, else of the earlier emission.
     llvm::Value* once(unsigned operation, std::array<llvm::Value*, 3> operands, auto make) {
         auto& result = known_[{operation, operands[0], operands[1], operands[2]}];
         if (result == nullptr) result = make();
@@ -87,9 +88,9 @@ Lanes minimum(const Lanes& a, const Lanes& b);
 Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_false);
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear);
 Lanes square_root(const Lanes& a);
-/// Whether the machine rounds a product and a sum together.
+/// Whether the machine has an operation that rounds a product and a sum together.
 bool can_fuse();
-/// a b + c, with one rounding where the machine can.
+/// a b + c, rounded once where the machine can, else twice.
 Lanes fused(const Lanes& a, const Lanes& b, const Lanes& c);
 Lanes magnitude(const Lanes& a);
 Lanes round_down(const Lanes& a);
@@ -98,7 +99,7 @@ Lanes elementary(Elementary function, const Lanes& a, const Lanes& b);
 
 const Format& format_of(const Lanes& kind);
 
-/// See engine/algebra/frustum.hpp: two more where products are rounded on their own.
+/// ray_roundings of engine/algebra/frustum.hpp: two more where products are rounded on their own.
 double ray_roundings(const Lanes& kind);
 
 }  // namespace zeroset::jit

@@ -14,7 +14,7 @@
 namespace zeroset::jit {
 namespace {
 
-/// What the algebra of a range or form kernel asks and tells about switches.
+/// The switch board for the algebra of a range or form kernel.
 template <class Batch>
 SwitchLanes switch_lanes(BatchFunction& function, const Expr& expr, std::span<const Facts> facts) {
     using Held = decltype(Batch::held);
@@ -39,6 +39,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
     llvm::Value* const f_hi = function.array(offsetof(Batch, f_hi));
     llvm::Value* const continuous = function.array(offsetof(Batch, continuous));
 
+    // Read constants, coordinates and uniforms.
     const auto leaf = [&](const Node& node, const Facts& fact) -> Enclosure<Lanes> {
         if (fact.constant) {
             const auto box = fact.constant_box<Real>();
@@ -54,6 +55,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
     IntervalAlgebra<Lanes> algebra(&switches);
     const Enclosure<Lanes> f = evaluate(
         expr, facts, algebra, leaf, [&] { function.go_to_body(); }, [&] { function.count_node(); });
+    // Write the answer of each box.
     const Interval<Lanes> range = answer(f);
     function.store(f_neg_lo, range.neg_lo);
     function.store(f_hi, range.hi);
@@ -83,6 +85,7 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
         [&](std::size_t index) { return function.load_uniform(frustum, index); });
     std::optional<CellLanes<Lanes>> cell;
 
+    // Read constants, uniforms and coordinates over the cell.
     const auto leaf = [&](const Node& node, const Facts& fact) -> BeamValue<Lanes> {
         if (fact.constant) {
             return constant_form<Lanes>(
@@ -108,6 +111,7 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
     };
     const BeamValue<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    // Write the form, the range of the slope and the masks.
     const FormResult<Lanes> result = form_result(f);
     for (std::size_t i = 0; i < 3; ++i)
         function.store(k[i], result.k[i]);
@@ -157,7 +161,7 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
     function.finish();
 }
 
-/// Rays of pixels: x, y, z at depth s is origin + s direction.
+/// Rays of pixels: the point (x, y, z) at depth s is origin + s direction.
 struct RayLanes {
     std::array<Lanes, 3> origin, direction;
 
@@ -167,7 +171,7 @@ struct RayLanes {
     }
 };
 
-/// A RaysOf<Real>, to be read once.
+/// A RaysOf<Real> whose numbers are loaded once, before the loop.
 class RayBundle {
 public:
     using Layout = RaysOf<char>;
@@ -236,6 +240,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    // Make one Newton step along the ray, kept in [from, to]; repeat while it is far.
     const auto by = [&](std::size_t i) { return f.slope[i].value_or(function.splat(0.0)); };
     const Lanes along =
         fused(by(0), ray->direction[0], fused(by(1), ray->direction[1], by(2) * ray->direction[2]));
@@ -284,6 +289,7 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     DualAlgebra<Lanes> algebra;
     const Dual<Lanes> f =
         evaluate(expr, facts, algebra, leaf, varying, [&] { function.count_node(); });
+    // Make one Newton step with the given reciprocal of the slope, kept in [lo, hi].
     const Lanes newton = loop->s - f.value * function.load_floats(in[2]);
     const Lanes next = minimum(maximum(newton, lo), hi);
     function.end_steps(*loop, next, function.everywhere());
@@ -306,7 +312,7 @@ void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm:
     }
 }
 
-/// Takes out what nothing uses; LLVM would do it later, at a higher price.
+/// Removes instructions that nothing uses; LLVM would do it later, at a higher price.
 void remove_unused(llvm::Module& module) {
     for (llvm::Function& function : module) {
         for (llvm::BasicBlock& block : llvm::reverse(function)) {
@@ -318,7 +324,7 @@ void remove_unused(llvm::Module& module) {
     }
 }
 
-/// The others have the bits that the interpreter gives.
+/// Whether products and sums of the part are fused; the others have the bits of the interpreter.
 bool contracts(KernelPart part) {
     switch (part) {
         case KernelPart::Form:

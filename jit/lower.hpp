@@ -13,13 +13,13 @@ class Module;
 
 namespace zeroset::jit {
 
-/// The vectors that code works on.
+/// Kind of the vectors that code works on.
 struct VectorKind {
     RealType type;
     int lanes;
 };
 
-/// The batch functions of kernel.hpp.
+/// The batch functions of engine/kernel/kernel.hpp.
 enum class KernelPart : std::uint8_t {
     Range,
     Value,
@@ -27,19 +27,19 @@ enum class KernelPart : std::uint8_t {
     RayForm,
     Newton,
     RayValue,
-    Points,  ///< of a PointFunction: the values alone
+    Points,  ///< the values alone, for a PointFunction
 };
 
-/// Those of a Kernel.
+/// The parts of a Kernel.
 inline constexpr KernelPart kernel_parts[] = {KernelPart::Range,  KernelPart::Value,
                                               KernelPart::Form,   KernelPart::RayForm,
                                               KernelPart::Newton, KernelPart::RayValue};
 
-/// The name of its function.
+/// The name of the part's function.
 const char* symbol_of(KernelPart part);
 
-/// A module with one batch function over such vectors: a loop; what depends on w and the parameters
-/// only is computed before it.
+/// A module with one batch function over vectors of this kind: a loop over the items, with all that
+/// depends only on w and the parameters computed before it.
 std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelPart part,
                                     llvm::LLVMContext& context);
 

@@ -18,7 +18,7 @@ namespace orc = llvm::orc;
 
 CompileError message_of(llvm::Error error) { return {llvm::toString(std::move(error))}; }
 
-/// This machine's processor and features; floating point exactly as written.
+/// A target for this machine's processor and features, with floating point exactly as written.
 llvm::Expected<orc::JITTargetMachineBuilder> host_target(bool hasty) {
     static std::once_flag once;
     std::call_once(once, [] {

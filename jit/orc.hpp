@@ -10,7 +10,7 @@
 #include <memory>
 #include <string>
 
-// Private to jit/: what needs LLVM's execution engine.
+// The interface to LLVM's execution engine. Private to jit/.
 
 namespace zeroset::jit {
 
@@ -25,13 +25,13 @@ protected:
     std::uintptr_t entry_ = 0;
 };
 
-/// Makes a module with one function.
+/// A function that makes a module with one function.
 using Lowering = std::function<std::unique_ptr<llvm::Module>(llvm::LLVMContext&)>;
 
-/// By `lower`; the graph must outlive it.
+/// The lowering by `lower`; the graph must outlive it.
 Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part);
 
-/// `hasty`: CompileOptions::hasty.
+/// Compiles and links the module; `symbol` is its function, `hasty` CompileOptions::hasty.
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,
                                                                           const char* symbol,
                                                                           bool hasty);

@@ -6,12 +6,14 @@ namespace zeroset::jit {
 
 std::optional<HeldAt<Lanes>> SwitchLanes::held(SwitchIndex index) {
     llvm::IRBuilder<>& builder = function_.builder();
+    // Load the word that holds the switch, once for each word.
     llvm::Value*& word = loaded_[index / per_word()];
     if (word == nullptr) {
         llvm::Value* const column =
             builder.CreateMul(stride_, builder.getInt64(index / per_word()));
         word = function_.load_integers(words_, column);
     }
+    // Take the switch's code from it, and tell the outcome that is held.
     llvm::Value* const shifted = builder.CreateLShr(word, number(held_bits * (index % per_word())));
     llvm::Value* const code = builder.CreateAnd(shifted, number((1U << held_bits) - 1));
     const auto is = [&](unsigned outcome, unsigned outcomes) {
@@ -41,6 +43,7 @@ void SwitchLanes::report(SwitchIndex index, const LaneMask& two, const LaneMask&
     };
     llvm::Value* open = builder.CreateSelect(two.value, code(1),
                                              builder.CreateSelect(three.value, code(2), number(0)));
+    // Report the first open switch only.
     if (any_open_) {
         constexpr std::uint64_t outcomes = 3U << BranchBits::more_outcomes_shift;
         llvm::Value* const first =

@@ -8,16 +8,16 @@
 #include <optional>
 #include <vector>
 
-// Switches in machine code. Private to jit/.
+// Switches (engine/algebra/switches.hpp) in machine code. Private to jit/.
 
 namespace zeroset::jit {
 
-/// Emits what an algebra asks and tells about switches: reads HeldSwitches of the batch, and makes
-/// the BranchBits that it wants.
+/// Emits the code for an algebra's switches: reads the batch's HeldSwitches and makes its
+/// BranchBits.
 class SwitchLanes final : public SwitchBoard<Lanes> {
 public:
-    /// Offsets of the batch's members `held.words`, `held.stride` and `branches`. Before
-    /// go_to_body.
+    /// Takes the offsets of the batch's members `held.words`, `held.stride` and `branches`; call
+    /// before go_to_body.
     SwitchLanes(BatchFunction& function, std::size_t words_offset, std::size_t stride_offset,
                 std::size_t branches_offset, std::size_t switches)
         : function_(function),
@@ -25,7 +25,7 @@ public:
           stride_(switches > 0 ? function.size_member(stride_offset) : nullptr),
           branches_(function.optional_array(branches_offset)),
           loaded_((switches + per_word() - 1) / per_word(), nullptr) {}
-    /// Makes cuts, too, for the batch's members at these offsets; before go_to_body.
+    /// Lets cuts be made, too, for the batch's members at these offsets; call before go_to_body.
     void make_cuts(std::size_t from_offset, std::size_t to_offset) {
         cuts_ =
             Cuts{function_.optional_array(from_offset), function_.optional_array(to_offset), {}};
@@ -36,7 +36,7 @@ public:
     void report_kink(const LaneMask& may_be) override;
     [[nodiscard]] bool wants_cuts() const override { return cuts_.has_value(); }
     void report_cut(const LaneMask& open, const Lanes& at, const Lanes& aside) override;
-    /// Writes the bits and cuts; in the body.
+    /// Writes the bits and the cuts; call in the body.
     void store();
 
 private:
@@ -51,7 +51,7 @@ private:
     OptionalArray words_;
     llvm::Value* stride_;
     OptionalArray branches_;
-    std::vector<llvm::Value*> loaded_;  ///< words of the body's items
+    std::vector<llvm::Value*> loaded_;  ///< held words of the body's items, loaded so far
     llvm::Value* bits_ = nullptr;       ///< nullptr: none yet
     bool any_open_ = false;             ///< whether a switch has been reported
     struct Cuts {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Larger files are no documents.
+/// Files larger than this, in bytes, are not read as documents.
 constexpr std::uintmax_t largest_file = 64U << 20U;
 
 std::unexpected<std::string> cannot_read(const fs::path& path, const std::string& reason) {

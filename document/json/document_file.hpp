@@ -9,11 +9,11 @@
 
 namespace zeroset {
 
-/// How the names of documents end.
+/// The end of the file names of documents.
 inline constexpr const char* document_ending = ".zeroset.json";
 bool is_document_name(const std::string& name);
 
-/// A document's file, read. `note`: what in it was not understood, one sentence; or empty.
+/// A document from a file. `note` is one sentence on what the program did not understand, or empty.
 struct LoadedDocument {
     Document document;
     std::string note;
@@ -22,7 +22,7 @@ struct LoadedDocument {
 /// The document in a file, or one sentence that says why there is none; the file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
 
-/// Written whole or not at all.
+/// Writes the file as a whole or not at all.
 std::expected<void, FileError> save_document(const std::filesystem::path& path,
                                              const Document& document);
 

@@ -17,8 +17,6 @@
 namespace zeroset {
 namespace {
 
-// ---- writing
-
 std::string hexadecimal(std::uint32_t color) {
     std::array<char, 8> text{};
     std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
@@ -60,7 +58,7 @@ Json json_of(const StopCriterion& stop) {
     return {{"rule", rule->first}, {"value", stop.value}};
 }
 
-/// What is on or off in the field "look".
+/// The switches in the field "look".
 constexpr std::array<std::pair<const char*, bool Document::*>, 8> look_switches{
     {{"mark_undecided", &Document::mark_undecided},
      {"shadows", &Document::shadows},
@@ -77,8 +75,6 @@ Json look_of(const Document& document) {
         look[name] = document.*member;
     return look;
 }
-
-// ---- reading
 
 std::uint32_t color_of(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
@@ -242,7 +238,7 @@ ReadDocument document_of(const Json& json) {
     return read;
 }
 
-/// Refuses what is no document of this format.
+/// Throws Damage where `json` is not a document of a format that can be read.
 void check_format(const Json& json) {
     if (!json.is_object() || !json.contains("zeroset")) throw Damage{"it is no Zeroset document"};
     const Json& version = json["zeroset"];

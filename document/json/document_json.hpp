@@ -15,13 +15,13 @@ inline constexpr int document_format = 1;
 
 std::string text_of(const Document& document);
 
-/// A document read from text. Its rows have the ids 1, 2, ...
+/// A document read from text; its rows have the ids 1, 2, ...
 struct ReadDocument {
     Document document;
-    std::vector<std::string> unknown;  ///< fields that this program does not know
+    std::vector<std::string> unknown;  ///< names of the fields that this program does not know
 };
 
-/// The document, or in one clause why the text is none: of a newer format, or damaged where.
+/// The document, or one clause on why the text is none: no document, a newer format, or the damage.
 std::expected<ReadDocument, std::string> document_from(std::string_view text);
 
 /// Whether the text looks like a document rather than a formula.

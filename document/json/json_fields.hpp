@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-// How a document's JSON is read. Private to the *_json.cpp files.
+// Helpers for reading a document's JSON. Private to the *_json.cpp files.
 
 namespace zeroset {
 
 using Json = nlohmann::ordered_json;
 
-/// Why a text is no document; caught in document_from.
+/// The reason why a text is no document; thrown, and caught in document_from.
 struct Damage {
     std::string reason;
 };
 
-/// An object of the file whose fields are taken one by one; the others are unknown.
+/// An object of the file whose fields are taken one by one; those not taken are added to `unknown`.
 class Fields {
 public:
     Fields(const Json& json, std::string place, std::vector<std::string>& unknown);
@@ -29,9 +29,11 @@ public:
     Fields(const Fields&) = delete;
     Fields& operator=(const Fields&) = delete;
 
-    /// nullptr where it is missing.
+    /// The field, or nullptr where it is missing.
     const Json* find(const char* name);
+    /// The field; throws Damage where it is missing.
     const Json& get(const char* name);
+    /// The full name of a field, for messages.
     [[nodiscard]] std::string at(const std::string& name) const {
         return place_.empty() ? name : place_ + "." + name;
     }
@@ -44,7 +46,7 @@ private:
     std::vector<std::string> taken_;
 };
 
-// Values; `place` names them in the Damage that is thrown where they are of another kind.
+// Readers of values. They throw Damage that names `place` where a value is of another kind.
 
 double number_of(const Json& json, const std::string& place);
 std::string string_of(const Json& json, const std::string& place);
@@ -52,7 +54,7 @@ bool flag_of(const Json& json, const std::string& place);
 
 glm::dvec3 vector_of(const Json& json, const std::string& place);
 
-/// [x, y, z].
+/// The list [x, y, z].
 Json array_of(const glm::dvec3& v);
 
 template <std::size_t Count>

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// The fields "color" and "markers" of a document. Reading throws Damage.
+// Conversions of the fields "color" and "markers" of a document. Reading throws Damage.
 
 namespace zeroset {
 

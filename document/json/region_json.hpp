@@ -4,9 +4,9 @@
 
 namespace zeroset {
 
-/// The document's field `region`.
+/// The region as the document's field `region`.
 Json json_of(const Region& region);
-/// Throws Damage; what it does not know is added to `unknown`.
+/// The region from that field. Throws Damage; names of unknown fields are added to `unknown`.
 Region region_of(const Json& json, std::vector<std::string>& unknown);
 
 }  // namespace zeroset

@@ -4,10 +4,10 @@
 
 namespace zeroset {
 
-/// Milliseconds from then to now.
+/// Milliseconds from `start` to now.
 double ms_since(std::chrono::steady_clock::time_point start);
 
-/// The time so many seconds later.
+/// The time `seconds` after `start`.
 std::chrono::steady_clock::time_point until_after(std::chrono::steady_clock::time_point start,
                                                   double seconds);
 

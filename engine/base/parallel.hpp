@@ -9,7 +9,7 @@ namespace zeroset {
 /// returns when all are done. body must not throw.
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
-/// The threads that 0 stands for.
+/// The number of threads that parallel_for uses for `threads` 0.
 int core_count();
 
 }  // namespace zeroset

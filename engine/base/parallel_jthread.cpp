@@ -1,4 +1,4 @@
-// parallel_for without oneTBB, in which ThreadSanitizer sees races that are none.
+// parallel_for without oneTBB, in which ThreadSanitizer reports races that do not exist.
 
 #include "engine/base/parallel.hpp"
 

@@ -6,22 +6,22 @@
 
 namespace zeroset {
 
-/// Column, from 1 and in characters, of the byte at `offset` of its line in UTF-8 text.
+/// Column of the byte at `offset` in its line of UTF-8 text, counted from 1 in characters.
 std::size_t column_of(std::string_view text, std::size_t offset);
 
-/// The line of `text` that holds the byte at `offset`, without its end.
+/// The line of `text` that holds the byte at `offset`, without its line end.
 std::string_view line_at(std::string_view text, std::size_t offset);
 
-/// Part of a line, tabs as spaces, with the character at `caret` in it.
+/// Part of a line that holds the character at `caret`, with tabs as spaces.
 struct Excerpt {
     std::string text;
-    std::size_t caret;  ///< in characters from its start
+    std::size_t caret;  ///< in characters from the start of `text`
 };
 
-/// The line, or if it is long the part around its character `caret` (counted from 0).
+/// The line, or of a long line the part around its character `caret` (counted from 0).
 Excerpt excerpt(std::string_view line, std::size_t caret);
 
-/// Without spaces and line ends at both ends.
+/// `text` without blanks and line ends at its ends.
 std::string_view trimmed(std::string_view text);
 
 /// The number as a person would write it, with at most `digits` significant digits.

@@ -25,14 +25,15 @@ std::unexpected<FileError> cannot_write(const fs::path& path, const std::string&
     return std::unexpected(FileError{"cannot write '" + path.string() + "': " + reason});
 }
 
-/// A name in the same folder that no other process uses.
+/// A temporary name in the folder of `path` that no other process uses.
 fs::path beside(const fs::path& path) {
     fs::path temporary = path;
     temporary += "." + std::to_string(::getpid()) + ".part";
     return temporary;
 }
 
-/// New files that are not renamed yet. While its mutex is held none is begun, and none is renamed.
+/// Files that are written but not renamed yet. Holding the mutex keeps all threads from beginning
+/// and from renaming one.
 struct Unfinished {
     std::mutex mutex;
     std::vector<fs::path> files;
@@ -43,7 +44,7 @@ Unfinished& unfinished() {
     return instance;
 }
 
-/// A new file that is removed unless it is kept.
+/// A new file, which the destructor removes unless keep_as has renamed it.
 class NewFile {
 public:
     explicit NewFile(fs::path path) : path_(std::move(path)) {
@@ -113,7 +114,7 @@ std::expected<void, FileError> write_file(const fs::path& path, std::span<const 
 }
 
 void abandon_files() {
-    unfinished().mutex.lock();  // for good
+    unfinished().mutex.lock();  // never unlocked
     for (const fs::path& file : unfinished().files) {
         std::error_code ignored;
         fs::remove(file, ignored);

@@ -14,14 +14,15 @@
 #include <span>
 #include <string_view>
 
-// PNG as ISO/IEC 15948 has it: a header, one stream of filtered rows, the end.
+// PNG as in ISO/IEC 15948: a header, one stream of filtered rows, the end.
 
 namespace zeroset {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// More makes pictures of surfaces little smaller, and takes longer than drawing them.
+/// zlib's level. Higher ones make pictures of surfaces little smaller, and take longer
+/// than drawing them.
 constexpr int deflate_level = 4;
 
 enum class RowFilter : std::uint8_t { Sub = 1, Up = 2 };
@@ -44,7 +45,7 @@ void append_chunk(std::vector<std::byte>& png, std::string_view type,
     append_number(png, static_cast<std::uint32_t>(sum));
 }
 
-/// How much is left of a row by a filter: what deflates best has small differences.
+/// Sum of the absolute differences in a filtered row: small differences deflate best.
 std::uint32_t size_of(std::span<const std::uint8_t> differences) {
     std::uint32_t sum = 0;
     for (const std::uint8_t byte : differences)
@@ -53,7 +54,7 @@ std::uint32_t size_of(std::span<const std::uint8_t> differences) {
 }
 
 /// The rows as they are deflated: each as differences from the pixel before or from the row above,
-/// whichever are smaller.
+/// whichever are smaller, behind a byte for the filter.
 Bytes filtered(const std::uint8_t* pixels, std::size_t row_bytes, std::size_t rows,
                std::size_t channels) {
     Bytes result(rows * (row_bytes + 1));
@@ -77,7 +78,7 @@ Bytes filtered(const std::uint8_t* pixels, std::size_t row_bytes, std::size_t ro
     return result;
 }
 
-/// Empty where zlib cannot.
+/// The bytes deflated; empty where zlib fails.
 Bytes deflated(const Bytes& bytes) {
     uLongf size = compressBound(static_cast<uLong>(bytes.size()));
     Bytes result(size);
@@ -88,7 +89,7 @@ Bytes deflated(const Bytes& bytes) {
     return result;
 }
 
-/// IHDR of 8 bits a channel.
+/// The contents of IHDR for 8 bits per channel.
 Bytes header_of(int width, int height, int channels) {
     Bytes header;
     for (const int side : {width, height}) {

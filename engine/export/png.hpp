@@ -9,14 +9,14 @@
 
 namespace zeroset {
 
-/// A PNG of `width` x `height` pixels from the top, of `channels` bytes each: 3 (RGB) or 4 (RGBA).
-/// Empty where it cannot be made.
+/// A PNG file of `width` x `height` pixels, row by row from the top, of `channels` bytes each: 3
+/// (RGB) or 4 (RGBA). Empty where the encoder fails.
 std::vector<std::byte> encoded_png(const void* pixels, int width, int height, int channels);
 
-/// As a PNG file; empty when the encoder fails.
+/// The image as a PNG file; empty where the encoder fails.
 std::vector<std::byte> png_of(const RgbaImage& image);
 
-/// The picture in a PNG file; nothing when it cannot be read or is larger than 4096 pixels a side.
+/// The image in a PNG file; nullopt where it cannot be read or a side exceeds 4096 pixels.
 std::optional<RgbaImage> image_from_png(std::span<const std::byte> png);
 
 }  // namespace zeroset

@@ -9,7 +9,7 @@
 namespace zeroset {
 namespace {
 
-/// Of colours with gamma 2.
+/// Mean of opaque colours of gamma 2, taken in linear light.
 std::uint32_t mean_of(const std::array<std::uint32_t, 5>& colors) {
     std::uint32_t mean = 0xFF000000U;
     for (unsigned shift = 0; shift < 24; shift += 8) {
@@ -24,7 +24,7 @@ std::uint32_t mean_of(const std::array<std::uint32_t, 5>& colors) {
     return mean;
 }
 
-/// Alpha of a pixel of whose five rays so many hit.
+/// Alpha of a pixel of which `hits` of five rays hit a surface.
 std::uint32_t alpha_of(std::uint32_t hits) { return hits == 0 ? 255U : 51U * hits; }
 
 }  // namespace

@@ -6,19 +6,19 @@
 
 namespace zeroset {
 
-/// Mixes into each pixel's colour the four of `finer`, which holds `rect` at twice the resolution
-/// from its first pixel on: the mean of the five, of linear light, with an alpha that says how many
-/// of them hit; 255 where none does, so that all that is seen is background. The rest of the pixel
-/// stays.
+/// Mixes into each pixel of `rect` in `picture` the four of `finer` that cover it; `finer` holds
+/// `rect` at twice the resolution from its first pixel on. The colour becomes the mean of the five,
+/// in linear light. Alpha says how many of the five hit; it is 255 where none does, as then the
+/// pixel shows background alone. All else of the pixel stays.
 void blend_finer(const Framebuffer& finer, const PixelRect& rect, Framebuffer& picture);
 
-/// Whether only a part of the pixel shows something.
+/// Whether some, but not all, of the rays of a pixel from blend_finer hit.
 inline bool is_partly_drawn(std::uint32_t color) {
     return color >> 24U != 0 && color >> 24U != 255U;
 }
 
-/// What was drawn of a pixel that blend_finer has mixed with `background`, as opaque as it says;
-/// colours are not multiplied by alpha. Only of pixels that are partly drawn.
+/// The drawn part of a pixel that blend_finer has mixed with `background`: its colour, not
+/// multiplied by alpha, with the pixel's alpha. Only for pixels that are partly drawn.
 std::uint32_t without_background(std::uint32_t color, std::uint32_t background);
 
 }  // namespace zeroset

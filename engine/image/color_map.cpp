@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-// Each map is a path through OKLab (Björn Ottosson, 2020), in which distances are differences seen:
-// the lightness changes evenly, the hue too, and the chroma stays within what screens can show.
+// Each map is a path through OKLab (Björn Ottosson, 2020), where distances are perceived
+// differences: lightness and hue change evenly, and the chroma stays within what screens can show.
 
 namespace zeroset {
 namespace {
@@ -22,7 +22,7 @@ struct Lch {
     double lightness, chroma, hue_deg;
 };
 
-/// What shows as this much light on a screen (sRGB) after the shader's gamma of 2.
+/// The reflectance that the shader's gamma of 2 shows as `light`, linear, on an sRGB screen.
 float reflectance(double light) {
     const double within = std::clamp(light, 0.0, 1.0);
     const double shown =
@@ -43,7 +43,7 @@ Reflectance shown_as(const Lch& color) {
             reflectance(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
-/// From `first` through `middle` at `bend` to `last`.
+/// Piecewise linear: `first` at t = 0, `middle` at `bend`, `last` at 1.
 double bent(double t, double bend, double first, double middle, double last) {
     return t < bend ? std::lerp(first, middle, t / bend)
                     : std::lerp(middle, last, (t - bend) / (1.0 - bend));
@@ -103,7 +103,7 @@ Reflectance color_at(ColorMap map, double place) {
 std::uint32_t shown_color_at(ColorMap map, double place) {
     std::uint32_t color = 0xFF000000U;
     unsigned shift = 0;
-    // Gamma 2, as the shader.
+    // Apply a gamma of 2, as the shader does.
     for (const float light : color_at(map, place)) {
         color |= static_cast<std::uint32_t>(std::sqrt(light) * 255.0F + 0.5F) << shift;
         shift += 8;

@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// Scales of colours for numbers, perceptually even: equal steps of a number look like equal steps
-/// (of OKLab). All but Cycle also tell numbers apart by lightness, whatever the colour vision.
+/// Colour scales for numbers, perceptually even: equal steps of a number look like equal steps (in
+/// OKLab). All but Cycle also differ in lightness, so that any colour vision tells numbers apart.
 enum class ColorMap : std::uint8_t {
     Aurora,   ///< dark violet, teal, light yellow
     Ember,    ///< dark plum, red, pale
@@ -19,18 +19,18 @@ enum class ColorMap : std::uint8_t {
 };
 
 std::span<const ColorMap> color_maps();
-/// As it is typed: "aurora".
+/// The name as it is typed: "aurora".
 std::string_view name_of(ColorMap map);
 std::optional<ColorMap> color_map_named(std::string_view name);
 
 /// Linear reflectances of red, green and blue, 0 to 1.
 using Reflectance = std::array<float, 3>;
 
-/// The colour at `place`, 0 to 1 from one end of the map to the other; beyond, that of the end. For
-/// what is no number a grey that stands apart.
+/// The colour at `place`, from 0 at one end of the map to 1 at the other; beyond an end, that of
+/// the end. NaN gives a grey that stands apart.
 Reflectance color_at(ColorMap map, double place);
 
-/// The same as it shows in full light, RGBA as in Framebuffer::color.
+/// color_at(map, place) as it shows in full light, RGBA as in Framebuffer::color.
 std::uint32_t shown_color_at(ColorMap map, double place);
 
 }  // namespace zeroset

@@ -29,7 +29,7 @@ std::shared_ptr<Framebuffer> FramePool::take(int width, int height) {
     const auto give_back = [free = free_](Framebuffer* used) {
         std::unique_ptr<Framebuffer> owned(used);
         const std::scoped_lock lock(free->mutex);
-        // The oldest goes: sizes change.
+        // Drop the oldest frame, as sizes change.
         if (free->frames.size() == most_frames) free->frames.erase(free->frames.begin());
         free->frames.push_back(std::move(owned));
     };

@@ -8,13 +8,13 @@
 
 namespace zeroset {
 
-/// Framebuffers that come back when nobody looks at them any more: making one costs milliseconds.
-/// Thread-safe; its frames may outlive it.
+/// A pool of framebuffers, to which each returns when its last user lets go of it: making one costs
+/// milliseconds. Thread-safe; its frames may outlive it.
 class FramePool {
 public:
     FramePool() : free_(std::make_shared<Free>()) {}
 
-    /// A frame of this size; its pixels are whatever they were.
+    /// A frame of this size, with whatever pixels it had before.
     std::shared_ptr<Framebuffer> take(int width, int height);
 
 private:

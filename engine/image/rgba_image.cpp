@@ -16,7 +16,7 @@ public:
         ++count_;
     }
     [[nodiscard]] std::uint32_t count() const { return count_; }
-    /// Of at least one pixel; its alpha is 0.
+    /// The mean colour, with alpha 0; needs at least one pixel.
     [[nodiscard]] std::uint32_t color() const {
         std::uint32_t mean = 0;
         for (std::size_t i = 0; i < sums_.size(); ++i)
@@ -46,7 +46,7 @@ std::size_t index(const RgbaImage& image, int col, int row) {
            static_cast<std::size_t>(col);
 }
 
-/// The mean colour of the pixels around that show something, without alpha.
+/// The mean colour, with alpha 0, of the drawn pixels around (col, row); 0 where there are none.
 std::uint32_t color_around(const RgbaImage& image, int col, int row) {
     Mean mean;
     for (int y = std::max(row - 1, 0); y <= std::min(row + 1, image.height - 1); ++y) {

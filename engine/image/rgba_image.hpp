@@ -7,8 +7,8 @@
 
 namespace zeroset {
 
-/// A picture with transparency, row 0 at the top. Colours as in Framebuffer, not multiplied by
-/// their alpha.
+/// A picture with transparency, row 0 at the top. Colours are as in Framebuffer, not multiplied by
+/// alpha.
 struct RgbaImage {
     int width = 0;
     int height = 0;
@@ -16,9 +16,9 @@ struct RgbaImage {
     bool operator==(const RgbaImage&) const = default;
 };
 
-/// Half the size of `frame`, which has even sides: each pixel the mean of the drawn ones among
-/// four, as opaque as they are many. Pixels without any next to drawn ones take those colours, so
-/// that a stretched picture has no fringe.
+/// `frame`, whose sides are even, at half its size. Each pixel is the mean of the drawn ones among
+/// four; its alpha is their share. Transparent pixels next to drawn ones take their colour, so that
+/// a stretched picture has no fringe.
 RgbaImage halved(const Framebuffer& frame);
 
 }  // namespace zeroset

@@ -7,21 +7,21 @@
 
 // Beam forms: reduced affine arithmetic in three variables [ComSto93, Knoll09], over any carrier.
 //   f(u, v, t) is in c + k[0] u + k[1] v + k[2] t + [-e, e]  for u, v, t in [-1, 1]
-// The error e shrinks with the square of the cell, that of an interval with the cell.
+// The error e shrinks with the square of the cell's size, that of an interval with the size.
 //
 // Differs from the papers:
-// - The product keeps u^2, v^2 and t^2, which are never negative, in the middle of [0, 1].
-// - Rounding: all of this runs in upward rounding, so e, made of sums and products of numbers that
-//   are not negative, is an upper bound. The coefficients are rounded, and what that costs is
-//   gathered in one number r for each form, in units of the format's rounding: an operator adds
-//   the size of its result, and takes over the r of its operands by its derivatives. It bounds the
-//   rounding of an evaluation at a point by the same formula as well, in the units of whatever
-//   format that is made in.
-// - A form with an infinite or NaN member is one of which nothing is known; see Beam::range.
+// - The product encloses u^2, v^2 and t^2, which are never negative, in 1/2 + [-1/2, 1/2].
+// - Rounding: everything here runs in upward rounding, so e, made of sums and products of
+//   nonnegative numbers, is an upper bound. The rounding errors of the coefficients are gathered in
+//   one number r for each form, in units of the format's rounding: the r of an operator's result is
+//   the size of the result plus the r of each operand times a bound of the derivative by it. This
+//   r also bounds the rounding error of evaluating the same formula at a point, in units of the
+//   format of that evaluation.
+// - Nothing is known of f where a member of its form is infinite or NaN; see Beam::range.
 
 namespace zeroset {
 
-/// A form of which the rounding is in e already, or that has none.
+/// A form whose rounding errors are part of e, are bounded elsewhere (Beam::r), or do not exist.
 template <class Real>
 struct Affine {
     using Coefficients = std::array<std::optional<Real>, 3>;
@@ -31,8 +31,8 @@ struct Affine {
     Real e;            ///< not negative
 };
 
-/// The coefficients' error for an r of 1: each rounding is off by less than half `relative_gap`,
-/// and an operator makes no more than three of its result's size.
+/// Error of the coefficients for r = 1: each rounding is off by less than half `relative_gap`, and
+/// an operator makes at most three roundings of numbers as large as its result.
 template <class Real>
 Real form_rounding(const Real& kind) {
     return like(kind, 1.5 * format_of(kind).relative_gap);
@@ -43,7 +43,7 @@ void add_to(std::optional<Real>& sum, const Real& term) {
     sum = sum ? *sum + term : term;
 }
 
-/// The sum of |k|, rounded upward.
+/// Sum of |k[i]|, rounded upward; absent if all k[i] are.
 template <class Real>
 std::optional<Real> spread_of_coefficients(const Affine<Real>& a) {
     std::optional<Real> sum;
@@ -53,20 +53,20 @@ std::optional<Real> spread_of_coefficients(const Affine<Real>& a) {
     return sum;
 }
 
-/// How far f is from c at most.
+/// Upper bound of |f - c|.
 template <class Real>
 Real deviation(const Affine<Real>& a) {
     const auto linear = spread_of_coefficients(a);
     return linear ? *linear + a.e : a.e;
 }
-/// An upper bound of |f|.
+/// Upper bound of |f|.
 template <class Real>
 Real largest(const Affine<Real>& a) {
     return magnitude(a.c) + deviation(a);
 }
 
-/// The middle of an interval, 0 for one without an end; and how far its ends are from it, +inf
-/// where one is NaN.
+/// The interval as a form: c is its midpoint, 0 where an end is infinite or NaN; e is the distance
+/// from c to the farther end, +inf where an end is NaN.
 template <class Real>
 Affine<Real> centred(const Interval<Real>& a) {
     const Real far = like(a.hi, format_of(a.hi).largest_finite);
@@ -86,7 +86,7 @@ Affine<Real> operator-(const Affine<Real>& a) {
     return result;
 }
 
-/// Without the rounding of the sum.
+/// a + b, without the rounding errors of the sum.
 template <class Real>
 Affine<Real> operator+(const Affine<Real>& a, const Affine<Real>& b) {
     Affine<Real> result{a.c + b.c, a.k, a.e + b.e};
@@ -101,7 +101,7 @@ Affine<Real> operator-(const Affine<Real>& a, const Affine<Real>& b) {
     return a + (-b);
 }
 
-/// The linear part of a product, without its rounding.
+/// Sets result.k to the linear part of a b, without its rounding errors.
 template <class Real>
 void multiply_linear(const Affine<Real>& a, const Affine<Real>& b, Affine<Real>& result) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -111,8 +111,7 @@ void multiply_linear(const Affine<Real>& a, const Affine<Real>& b, Affine<Real>&
     }
 }
 
-/// The product of forms that deviate by no more than `da` and `db` from their middles, without its
-/// rounding.
+/// a b, where |a - a.c| <= da and |b - b.c| <= db, without the rounding errors of the coefficients.
 template <class Real>
 Affine<Real> product(const Affine<Real>& a, const Real& da, const Affine<Real>& b, const Real& db) {
     Affine<Real> result{
@@ -121,7 +120,7 @@ Affine<Real> product(const Affine<Real>& a, const Real& da, const Affine<Real>& 
     return result;
 }
 
-/// The same, where equal variables make the error smaller: their squares are never negative.
+/// a b, as `product`, with a smaller error where a and b share a variable: its square is in [0, 1].
 template <class Real>
 Affine<Real> centred_product(const Affine<Real>& a, const Real& da, const Affine<Real>& b,
                              const Real& db) {
@@ -136,13 +135,13 @@ Affine<Real> centred_product(const Affine<Real>& a, const Real& da, const Affine
     }
     if (!sum) return result;
     result.c = fused(*sum, like(a.c, 0.5), result.c);
-    // Five roundings, each of half the gap.
+    // `half` is below 1/2 by more than five relative rounding errors of relative_gap / 2.
     const double half = 0.5 * (1.0 - 4 * format_of(a.c).relative_gap);
     result.e = fused(*sizes, like(a.c, -half), result.e);
     return result;
 }
 
-/// a * factor + [-e, e], without its rounding.
+/// a * factor, without the rounding errors of the coefficients.
 template <class Real>
 Affine<Real> scaled(const Affine<Real>& a, const Real& factor) {
     Affine<Real> result{a.c * factor, {}, a.e * magnitude(factor)};
@@ -152,7 +151,7 @@ Affine<Real> scaled(const Affine<Real>& a, const Real& factor) {
     return result;
 }
 
-/// A form with its rounding apart.
+/// A form with its rounding errors kept in r, apart from e.
 template <class Real>
 struct Beam {
     Beam() = default;
@@ -160,18 +159,18 @@ struct Beam {
         : f(form), r(rounding), size(bound) {}
 
     Affine<Real> f;
-    /// The coefficients are off by no more than `form_rounding` r in sum; an evaluation at a point,
-    /// each operation of which is off by less than u times its result, by u r, but for terms of
-    /// u^2.
+    /// Rounding errors, in units: the coefficients together are off by at most form_rounding * r;
+    /// an evaluation at a point whose operations have relative errors below u is off by at most
+    /// u r, up to terms of u^2.
     Real r;
-    Real size;  ///< an upper bound of |f|, not a tight one
+    Real size;  ///< upper bound of |f|, not tight
 
-    /// e with all roundings.
+    /// e plus the rounding errors of the coefficients.
     const Real& error() const {
         if (!error_) error_ = fused(r, form_rounding(r), f.e);
         return *error_;
     }
-    /// How far the function is from c at most, with all roundings.
+    /// Upper bound of |f - c|, rounding errors included.
     const Real& spread() const {
         if (!spread_) {
             const auto linear = spread_of_coefficients(f);
@@ -179,18 +178,18 @@ struct Beam {
         }
         return *spread_;
     }
-    /// An upper bound of |f|, a tight one.
+    /// Tight upper bound of |f|, rounding errors included.
     const Real& largest() const {
         if (!largest_) largest_ = magnitude(f.c) + spread();
         return *largest_;
     }
-    /// The whole line where nothing is known.
+    /// Encloses f over the cell; the whole line where nothing is known.
     [[nodiscard]] Interval<Real> range() const {
         return without_nan(Interval<Real>{spread() - f.c, f.c + spread()});
     }
 
 private:
-    // Kept, as machine code would compute them again.
+    // Cached: where Real builds machine code, each use would emit their computation again.
     mutable std::optional<Real> error_{}, spread_{}, largest_{};
 };
 
@@ -210,7 +209,7 @@ Beam<Real> operator-(const Beam<Real>& a, const Beam<Real>& b) {
     return a + (-b);
 }
 
-/// An upper bound of |a b|, and of the rounding of a product so small that it loses digits.
+/// Upper bound of |a b| that also covers the rounding error of a product below the normal range.
 template <class Real>
 Real product_size(const Real& a, const Real& b) {
     return fused(a, b, like(a, format_of(a).smallest_normal));
@@ -225,7 +224,7 @@ Beam<Real> operator*(const Beam<Real>& a, const Beam<Real>& b) {
             fused(size_a, b.r, fused(size_b, a.r, size)), size};
 }
 
-/// a * c for the exact number c, a number of the format.
+/// a * c for an exact number c of the format.
 template <class Real>
 Beam<Real> scale(const Beam<Real>& a, double c) {
     const Real factor = like(a.r, c);
@@ -233,7 +232,7 @@ Beam<Real> scale(const Beam<Real>& a, double c) {
     return {scaled(a.f, factor), fused(a.r, magnitude(factor), size), size};
 }
 
-/// For a = c + d, d^2 is in [0, |d|^2].
+/// a^2: with a = c + d, d^2 is in [0, spread^2].
 template <class Real>
 Beam<Real> square(const Beam<Real>& a) {
     const Real& d = a.spread();
@@ -246,7 +245,7 @@ Beam<Real> square(const Beam<Real>& a) {
     return {f, fused(size_a + size_a, a.r, size), size};
 }
 
-/// For a = c + d with |d| <= q, d^2 is in [0, q^2] and d^3 in 3/4 q^2 d + [-1/4, 1/4] q^3.
+/// a^3: with a = c + d and |d| <= q, d^2 is in [0, q^2] and d^3 in 3/4 q^2 d + [-1/4, 1/4] q^3.
 template <class Real>
 Beam<Real> cube(const Beam<Real>& a) {
     const auto number = [&](double x) { return like(a.r, x); };
@@ -263,11 +262,11 @@ Beam<Real> cube(const Beam<Real>& a) {
     return {f, number(3) * size2 * a.r + number(4) * size, size};
 }
 
-/// A form all of whose roundings are in e: of a derivative, which is never evaluated at a point.
+/// Form of a derivative. It is never evaluated at a point, so e holds all rounding errors.
 template <class Real>
 struct SlopeBeam {
     Affine<Real> f;
-    Real size;  ///< an upper bound of |f|, not a tight one
+    Real size;  ///< upper bound of |f|, not tight
 
     [[nodiscard]] Interval<Real> range() const {
         const Real spread = deviation(f);
@@ -275,14 +274,14 @@ struct SlopeBeam {
     }
 };
 
-/// With the rounding of an operator's result.
+/// `f` with the rounding error of one operator added to e; `size` bounds the operator's result.
 template <class Real>
 SlopeBeam<Real> rounded(Affine<Real> f, const Real& size) {
     f.e = fused(size, form_rounding(size), f.e);
     return {f, size};
 }
 
-/// All of the beam's roundings.
+/// `a` with all its rounding errors moved into e.
 template <class Real>
 SlopeBeam<Real> slope_beam(const Beam<Real>& a) {
     Affine<Real> f = a.f;

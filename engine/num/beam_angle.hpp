@@ -3,21 +3,21 @@
 #include "engine/num/beam_functions.hpp"
 
 // Beam forms of the angle of a point (x, y), over any carrier, in upward rounding. The angle is the
-// imaginary part of log(x + iy): the size of its n-th derivative is (n - 1)! / rho^n at the
-// distance rho from the origin.
+// imaginary part of log(x + iy), so the size of its n-th derivative is at most (n - 1)! / rho^n at
+// the distance rho from the origin.
 
 namespace zeroset {
 
-/// The angle and its partial derivatives over a box, and at its middle.
+/// Bounds of the angle's partial derivatives over a box and at its middle.
 template <class Real>
 struct Turn {
     Interval<Real> by_y, by_x;
     Interval<Real> by_y_at_middle, by_x_at_middle;
-    Real curvature;  ///< an upper bound of 1 / rho^2
-    Real square;     ///< and of the square of the distance from the middle
+    Real curvature;  ///< upper bound of 1 / rho^2
+    Real square;     ///< upper bound of the squared distance of the box's points from its middle
 };
 
-/// By y and by x.
+/// Partial derivatives of the angle by y and by x: x / (x^2 + y^2) and -y / (x^2 + y^2).
 template <class Real>
 std::array<Interval<Real>, 2> slopes_of_angle(const Interval<Real>& y, const Interval<Real>& x) {
     const Interval<Real> square =
@@ -41,8 +41,9 @@ Turn<Real> turn_of(const Beam<Real>& y, const Beam<Real>& x, const Interval<Real
             y.spread() * y.spread() + x.spread() * x.spread()};
 }
 
-/// A function of y and x: `value` at their middles, from there on by these slopes, off by `error`;
-/// or its range where that is narrower, with the r of either.
+/// Form of a function of y and x: the plane through `value` at their middles with slopes `by_y` and
+/// `by_x`, off by at most `error`; or `range` where that is narrower. Its r is that of the one
+/// taken.
 template <class Real>
 Beam<Real> along_plane(const Beam<Real>& y, const Beam<Real>& x, const Interval<Real>& value,
                        const Interval<Real>& by_y, const Interval<Real>& by_x, const Real& error,
@@ -59,7 +60,7 @@ Beam<Real> along_plane(const Beam<Real>& y, const Beam<Real>& x, const Interval<
             largest(range)};
 }
 
-/// The angle; `at_middle` encloses that of the middles.
+/// Form of the angle; `at_middle` encloses the angle at the middles, `range` that over the box.
 template <class Real>
 Beam<Real> angle_form(const Beam<Real>& y, const Beam<Real>& x, const Turn<Real>& turn,
                       const Interval<Real>& at_middle, const Interval<Real>& range) {
@@ -70,14 +71,16 @@ Beam<Real> angle_form(const Beam<Real>& y, const Beam<Real>& x, const Turn<Real>
                        r);
 }
 
-/// How fast the angle changes with y and with x.
+/// Forms of the angle's partial derivatives by y and by x.
 template <class Real>
 std::array<Beam<Real>, 2> angle_slopes(const Beam<Real>& y, const Beam<Real>& x,
                                        const Turn<Real>& turn) {
     const Interval<Real>& by_y = turn.by_y_at_middle;
     const Interval<Real>& by_x = turn.by_x_at_middle;
+    // Second derivatives of the angle: yy, which is -xx, and xy.
     const Interval<Real> straight = scale(by_x * by_y, 2.0);
     const Interval<Real> mixed = power(by_x, 2, false) - power(by_y, 2, false);
+    // Taylor's remainder: the third derivatives are at most 2 / rho^3.
     const Real error = turn.curvature * square_root(turn.curvature) * turn.square;
     const Real zero = like(y.r, 0.0);
     const Real r_of_slopes = turn.curvature * (y.r + x.r);

@@ -14,7 +14,7 @@ Real largest(const Interval<Real>& a) {
     return maximum(a.neg_lo, a.hi);
 }
 
-/// The form `b` where the mask holds, else the interval.
+/// `form` where the mask holds, else the interval as a form.
 template <class Mask, class Real>
 Affine<Real> form_or_interval(const Mask& use_form, const Affine<Real>& form,
                               const Interval<Real>& otherwise) {
@@ -27,7 +27,7 @@ Affine<Real> form_or_interval(const Mask& use_form, const Affine<Real>& form,
     return result;
 }
 
-/// alpha a + shift + [-e, e], without its rounding.
+/// alpha a + shift + [-e, e], without the rounding errors of the coefficients.
 template <class Real>
 Affine<Real> linear_map(const Affine<Real>& a, const Real& alpha, const Real& shift,
                         const Real& e) {
@@ -37,34 +37,33 @@ Affine<Real> linear_map(const Affine<Real>& a, const Real& alpha, const Real& sh
     return result;
 }
 
-/// What is known of a function g of one variable over the range of its operand x, and at its middle
-/// c.
+/// Bounds of a function g of one variable, over the range of its operand x and at its middle c.
 template <class Real>
 struct FunctionBounds {
-    Interval<Real> range;      ///< of g
-    Interval<Real> slope;      ///< of g'
-    Interval<Real> curvature;  ///< of g''
-    Interval<Real> at_middle;  ///< g(c)
-    Interval<Real> slope_at_middle;
-    double rounding_ulp;  ///< of an evaluation at a point
+    Interval<Real> range;            ///< encloses g(x)
+    Interval<Real> slope;            ///< encloses g'(x)
+    Interval<Real> curvature;        ///< encloses g''(x)
+    Interval<Real> at_middle;        ///< encloses g(c)
+    Interval<Real> slope_at_middle;  ///< encloses g'(c)
+    double rounding_ulp;             ///< error of evaluating g at a point
 };
 
-/// The r of g, of slopes in `slope`: that of the operand by the greatest slope, and its own.
+/// r of g(x): the operand's r times the greatest |g'|, plus g's own error, `ulp` units of `size`.
 template <class Real>
 Real rounding_of(const Interval<Real>& slope, const Real& operand_r, double ulp, const Real& size) {
     return largest(slope) * operand_r + like(size, ulp) * size;
 }
 
-/// A line through a function's value at the middle c of its operand x.
+/// A line through a function's value at the middle c of its operand x, of slope `slope`.
 template <class Real>
 struct Line {
     Interval<Real> at_middle;
     Real slope;
-    Interval<Real> rest;  ///< what the function is more than the line
+    Interval<Real> rest;  ///< encloses the function minus the line
 };
 
-/// The function's form from a line, or from its range where that is narrower, with the r of either.
-/// Makes no more than four roundings of numbers below twice the range's.
+/// Form of a function from its line, or from its range where that is narrower, with the r of the
+/// one taken. Makes at most four roundings, of numbers below twice the bounds of the range.
 template <class Real>
 Beam<Real> along_line(const Beam<Real>& x, const Line<Real>& line, const Interval<Real>& range,
                       const Real& r_of_line, const Real& r_of_range) {
@@ -78,28 +77,29 @@ Beam<Real> along_line(const Beam<Real>& x, const Line<Real>& line, const Interva
             largest(range)};
 }
 
-/// [-size, size]
+/// The interval [-size, size].
 template <class Real>
 Interval<Real> within(const Real& size) {
     return {size, size};
 }
 
-/// g by Taylor's theorem: g(c + d) - g(c) - g'(c) d is g'' d^2 / 2 at some place between.
+/// Form of g(x) by Taylor's theorem: g(c + d) - g(c) - g'(c) d = g''(s) d^2 / 2 for some s between
+/// c and c + d.
 template <class Real>
 Beam<Real> curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
     const Real zero = like(x.r, 0.0);
     const Real& d = x.spread();
     const Real half_square = like(d, 0.5) * d * d;
     const Affine<Real> slope = centred(g.slope_at_middle);
-    const Interval<Real> bend{maximum(zero, g.curvature.neg_lo) * half_square,  // NaN stays
+    const Interval<Real> bend{maximum(zero, g.curvature.neg_lo) * half_square,  // keeps NaN
                               maximum(zero, g.curvature.hi) * half_square};
     const Line<Real> line{g.at_middle, slope.c, bend + within<Real>(slope.e * d)};
     const Real r = rounding_of(g.slope, x.r, g.rounding_ulp, largest(g.range));
     return along_line(x, line, g.range, r, r);
 }
 
-/// g' by the mean value theorem: g'' less its middle bounds the error. No value kernel computes it,
-/// so that its range has no r.
+/// Form of g'(x) by the mean value theorem: the slope is the middle of g'', and the rest of g''
+/// bounds the error. Its range has r = 0, as no value kernel computes g'.
 template <class Real>
 Beam<Real> slope_of_curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
     const Affine<Real> bend = centred(g.curvature);
@@ -108,13 +108,13 @@ Beam<Real> slope_of_curve(const Beam<Real>& x, const FunctionBounds<Real>& g) {
     return along_line(x, line, g.slope, r, like(r, 0.0));
 }
 
-/// Also bounded by [-1, 1].
+/// The part of the interval in [-1, 1].
 template <class Real>
 Interval<Real> within_one(const Interval<Real>& a) {
     return clamped(a, -1.0, 1.0);
 }
 
-/// g and g' at the middle.
+/// Enclosures of a wave g and of g' at the middle of its operand.
 template <class Real>
 struct WaveAtMiddle {
     Interval<Real> value, slope;
@@ -133,13 +133,14 @@ WaveAtMiddle<Real> cos_at(const Real& c) {
     return {sine.slope, -sine.value};
 }
 
-/// [a - d, a + d] within [-1, 1].
+/// [a - d, a + d], cut to [-1, 1].
 template <class Real>
 Interval<Real> wave_near(const Interval<Real>& a, const Real& d) {
     return within_one(without_nan(Interval<Real>{a.neg_lo + d, a.hi + d}));
 }
 
-/// What a sine or cosine does over the range of x: g'' is -g, so both bound each other.
+/// Bounds of a sine or cosine g over the range of x: as g'' = -g, g and g' bound each other's
+/// change.
 template <class Real>
 FunctionBounds<Real> wave_over(const Beam<Real>& x, const WaveAtMiddle<Real>& middle) {
     const Real one = like(x.r, 1.0);
@@ -151,14 +152,15 @@ FunctionBounds<Real> wave_over(const Beam<Real>& x, const WaveAtMiddle<Real>& mi
     return {range, slope, -range, middle.value, middle.slope, 4.0};
 }
 
-/// sqrt(x) less alpha x, on x >= 0, is at most 1 / (4 alpha) for any alpha > 0, and least at an
-/// end of the range.
+/// Form of sqrt(x): on x >= 0, sqrt(x) - alpha x is at most 1 / (4 alpha) for any alpha > 0, and
+/// least at an end of the range. Where `range` of x is not above 0, the form is the interval
+/// g.range.
 template <class Real>
 Beam<Real> sqrt(const Beam<Real>& x, const FunctionBounds<Real>& g, const Interval<Real>& range) {
     const auto number = [&](double value) { return like(x.r, value); };
     const Real alpha = number(1) / (g.range.hi - g.range.neg_lo);
     const Real most = number(0.25) / alpha;
-    // g.range.hi is a root rounded upward.
+    // g.range.hi is a root rounded upward; -below is a lower bound of that root.
     const Real below = g.range.hi * number(-(1.0 - format_of(alpha).relative_gap));
     const Real neg_least =
         maximum(alpha * -range.neg_lo + g.range.neg_lo, alpha * range.hi + below);
@@ -169,15 +171,16 @@ Beam<Real> sqrt(const Beam<Real>& x, const FunctionBounds<Real>& g, const Interv
             rounding_of(g.slope, x.r, g.rounding_ulp, size), size};
 }
 
-/// 1/y, where the range `box` of y does not hold 0; nothing is known elsewhere. For p = |y| on [l,
-/// h] and any beta, 1/p + beta p is greatest at an end and at least 2 sqrt(beta). Beta 1/(l h)
-/// makes the narrowest form, 1/h^2 one with the range of 1/p: better where h is several times l, as
-/// no false zero comes in beside the pole.
+/// Form of 1/y where the range `box` of y excludes 0; elsewhere nothing is known. For p = |y| in
+/// [l, h] and any beta > 0, 1/p + beta p is greatest at an end and at least 2 sqrt(beta). beta =
+/// 1/(l h) makes the narrowest form; beta = 1/h^2 makes one with the range of 1/p, better where h
+/// is several times l, as it brings no false zero beside the pole.
 template <class Real>
 Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     const auto number = [&](double value) { return like(y.r, value); };
     const auto negative = box.hi < number(0);
     const auto nonzero = either(negative, box.neg_lo < number(0));
+    // Bound p by [low, high].
     const Real low = select(negative, -box.hi, -box.neg_lo);
     const Real high = select(negative, box.neg_lo, box.hi);
     const Real one = number(1);
@@ -185,6 +188,7 @@ Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     const Real per_high = one / high;
     const auto wide = high > number(3) * low;
     const Real beta = select(wide, per_high, per_low) * per_high;
+    // Bound 1/p + beta p.
     const Real most = larger_bound(per_low + beta * low, per_high + beta * high);
     const Real least = number(2.0 - 4 * format_of(beta).relative_gap) * square_root(beta);
     const Affine<Real> rest = centred(Interval<Real>{-least, most});
@@ -194,12 +198,12 @@ Beam<Real> reciprocal(const Beam<Real>& y, const Interval<Real>& box) {
     return {form_or_interval(nonzero, form, unknown), size * (size * y.r + one), size};
 }
 
-/// |d| for d in [lo, hi] is in alpha d + [0, rest] for any alpha from -1 to 1.
+/// Linear enclosure of |d| for d in [lo, hi]: alpha d + [0, rest], with alpha in [-1, 1].
 template <class Real>
 struct Kink {
     using Mask = typename Enclosure<Real>::Mask;
 
-    Mask above, below;  ///< d is nowhere below 0, nowhere above 0
+    Mask above, below;  ///< d >= 0, or d <= 0, in the whole range
     Real alpha;
     Real rest;
 };
@@ -210,7 +214,7 @@ Kink<Real> kink_of(const Interval<Real>& d) {
     const Real zero = like(d.hi, 0.0);
     const auto above = d.neg_lo <= zero;
     const auto below = d.hi <= zero;
-    // 1 where NaN.
+    // The slope of the secant, 1 where NaN.
     const Real secant = maximum(minimum((d.hi - d.neg_lo) / (d.hi + d.neg_lo), one), -one);
     const Real alpha = select(above, one, select(below, -one, secant));
     const Real rest = maximum(maximum(d.hi * (one - alpha), d.neg_lo * (one + alpha)), zero);
@@ -223,7 +227,7 @@ Beam<Real> abs(const Beam<Real>& a, const Kink<Real>& kink) {
     return {linear_map(a.f, kink.alpha, half, half), a.r + a.size, a.size};
 }
 
-/// max(a, b) = (a + b + |a - b|) / 2; `kink` is that of a - b. The smaller for `sign` -1.
+/// max(a, b) = (a + b + |a - b|) / 2, or min(a, b) for `sign` -1; `kink` is that of a - b.
 template <class Real>
 Beam<Real> larger(const Beam<Real>& a, const Beam<Real>& b, const Kink<Real>& kink, double sign) {
     const Real half = like(a.r, 0.5);
@@ -233,13 +237,13 @@ Beam<Real> larger(const Beam<Real>& a, const Beam<Real>& b, const Kink<Real>& ki
     f.c = f.c + quarter * like(a.r, sign);
     f.e = f.e + quarter;
     const Real size = larger_bound(a.size, b.size);
-    // Where one of the forms is taken as it is, nothing is rounded.
+    // Where a - b keeps its sign, the result is an operand as it is and nothing is rounded.
     const Real rounding =
         select(either(kink.above, kink.below), like(a.r, 0.0), like(a.r, 4.0) * size);
     return {f, larger_bound(a.r, b.r) + rounding, size};
 }
 
-/// Between two forms: w a + (1 - w) b, whatever w in [0, 1].
+/// Form that encloses w a + (1 - w) b for every w in [0, 1].
 template <class Real>
 SlopeBeam<Real> hull(const SlopeBeam<Real>& a, const SlopeBeam<Real>& b) {
     SlopeBeam<Real> result = scale(a + b, 0.5);
@@ -268,13 +272,13 @@ SlopeBeam<Real> select(const Mask& condition, const SlopeBeam<Real>& a, const Sl
     return {select(condition, a.f, b.f), select(condition, a.size, b.size)};
 }
 
-/// Between the ends of an interval. `r`: of what it encloses.
+/// The interval as a form; `r` is that of the enclosed function.
 template <class Real>
 Beam<Real> interval_form(const Interval<Real>& a, const Real& r) {
     return {centred(a), r, largest(a)};
 }
 
-/// A factor of a derivative: its rounding is that of its middle.
+/// The interval as a factor of a derivative: its r covers the rounding of its middle.
 template <class Real>
 Beam<Real> factor(const Interval<Real>& a) {
     return interval_form(a, largest(a));

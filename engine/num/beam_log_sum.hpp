@@ -3,12 +3,12 @@
 #include "engine/num/beam_functions.hpp"
 #include "engine/num/log_sum.hpp"
 
-// Beam forms of ln(e^a + e^b), over any carrier, in upward rounding. With d = b - a it is
-// a + g(d) for g(d) = ln(1 + e^d), which is convex; its derivative is the share of e^b in the sum.
+// Beam forms of ln(e^a + e^b), over any carrier, in upward rounding. With d = b - a the sum is a +
+// g(d) for the convex g(d) = ln(1 + e^d); g'(d) is the share of e^b in e^a + e^b.
 
 namespace zeroset {
 
-/// Of g at a point.
+/// Enclosures of g' and g'' at a point d.
 template <class Real>
 struct SoftStep {
     Real ratio;                     ///< e^-|d|
@@ -31,7 +31,7 @@ SoftStep<Real> soft_step(const Real& d) {
     return {ratio, clamped(share, 0.0, 1.0), clamped(bend, 0.0, 0.25)};
 }
 
-/// Of g over the range of its operand with this middle.
+/// Bounds of g over the range x of its operand, whose middle is `middle`.
 template <class Real>
 FunctionBounds<Real> soft_step_bounds(const Interval<Real>& x, const Real& middle) {
     const auto number = [&](double value) { return like(middle, value); };
@@ -40,7 +40,7 @@ FunctionBounds<Real> soft_step_bounds(const Interval<Real>& x, const Real& middl
     const SoftStep<Real> hi = soft_step(x.hi);
     const SoftStep<Real> at = soft_step(middle);
     const Interval<Real> value = log_sum(point(middle), point(zero));
-    // ln(1 + t) is from t - t^2/2 to t.
+    // ln(1 + t) is in [t - t^2/2, t].
     const Real least = lo.ratio * (number(0.5) * lo.ratio - number(1.0));
     const Real most = minimum(hi.ratio + log_sum_error(hi.ratio), number(0.6931472));
     const Interval<Real> range{
@@ -59,16 +59,18 @@ struct LogSumBeam {
     Beam<Real> share;  ///< of the operand that is smaller at the middle
 };
 
-/// `first`: where a is taken for the larger one; `kink`: of a - b.
+/// ln(e^a + e^b). `first`: where a is taken for the larger operand; `kink` is that of a - b.
 template <class Real, class Mask>
 LogSumBeam<Real> log_sum(const Beam<Real>& a, const Beam<Real>& b, const Mask& first,
                          const Kink<Real>& kink) {
+    // Add g of the difference to the larger operand.
     const Beam<Real> larger_one = select(first, a, b);
     const Beam<Real> difference = select(first, b, a) - larger_one;
     const FunctionBounds<Real> g = soft_step_bounds(difference.range(), difference.f.c);
     const Beam<Real> rest = curve(difference, g);
     const Affine<Real> smooth = larger_one.f + rest.f;
-    // Where the operands differ widely, the sum is hardly more than the larger one.
+    // The sum exceeds the larger operand by at most ln 2, and hardly at all where they differ
+    // widely.
     const Beam<Real> extreme = larger(a, b, kink, 1.0);
     const Real most = select(either(kink.above, kink.below),
                              minimum(largest(g.range), like(a.r, 0.6931472)), like(a.r, 0.6931472));
@@ -78,7 +80,7 @@ LogSumBeam<Real> log_sum(const Beam<Real>& a, const Beam<Real>& b, const Mask& f
     sharp.e = sharp.e + half;
     const Real size = larger_bound(a.size, b.size) + like(a.r, 1.0);
     const auto better = smooth.e < sharp.e;  // false where NaN
-    // The operands' roundings count by their shares, which are 1 in sum.
+    // The operands' rounding errors are weighted by their shares, whose sum is 1.
     const Real rounding =
         fused(largest(g.slope), a.size + b.size, fused(like(a.r, 16.0), largest(g.range), size));
     return {{select(better, smooth, sharp),

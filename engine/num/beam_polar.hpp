@@ -9,7 +9,7 @@
 // Beam forms of a point (x, y) in polar coordinates, over any carrier, in upward rounding. With c
 // the middle of x + iy,
 //   (x + iy) / c = 1 + along + i across
-// where along and across are forms about 0. For |along| <= S < 1 and |across| <= T,
+// where along and across are forms with the middle 0. For |along| <= S < 1 and |across| <= T,
 //   length / |c| - 1 - along     is in [0, T Q / 2]  where Q = T / (1 - S),
 //   angle - angle of c - across  is in [-1, 1] (Q S + Q^3 / 3),  and the difference of the angles
 //                                                                in [-Q, Q]
@@ -20,15 +20,15 @@ template <class Real>
 struct PolarBeam {
     using Mask = typename Enclosure<Real>::Mask;
 
-    Mask beside;  ///< far enough from the origin for all that follows to hold
+    Mask beside;  ///< far enough from the origin for the bounds above to hold
     PolarPoint<Real> middle;
-    Affine<Real> along, across;  ///< all roundings in e
-    Real most_along, most_across;
-    Real per_nearest;  ///< 1 / (1 - S)
-    Real most_turn;    ///< Q
+    Affine<Real> along, across;    ///< e holds all rounding errors
+    Real most_along, most_across;  ///< S, T
+    Real per_nearest;              ///< 1 / (1 - S)
+    Real most_turn;                ///< Q
 };
 
-/// a x + b y about its middle.
+/// a x + b y minus its value at the middles of x and y.
 template <class Real>
 Affine<Real> linear_part(const Affine<Real>& x, const Real& a, const Affine<Real>& y,
                          const Real& b) {
@@ -52,7 +52,7 @@ PolarBeam<Real> polar_beam(const Beam<Real>& y, const Beam<Real>& x) {
     const Real to_y = middle.direction.im * middle.per_length;
     Affine<Real> along = linear_part(form_x, to_x, form_y, to_y);
     Affine<Real> across = linear_part(form_x, -to_y, form_y, to_x);
-    // Below 20 units of the terms, errors among them.
+    // Bound the rounding errors, those of the errors included, by 20 units of the terms.
     const Real spread = (x.spread() + y.spread()) * middle.per_length;
     const Real rounding = spread * number(10 * format_of(spread).relative_gap);
     along.e = along.e + rounding;
@@ -74,7 +74,7 @@ PolarBeam<Real> polar_beam(const Beam<Real>& y, const Beam<Real>& x) {
             most_across * per_nearest};
 }
 
-/// The difference between n times the angle and that of the middle; of infinite error near the
+/// Form of n times the angle, minus n times the angle of the middle. Its error is infinite near the
 /// origin.
 template <class Real>
 Beam<Real> turn_form(const PolarBeam<Real>& p, int n) {
@@ -87,8 +87,8 @@ Beam<Real> turn_form(const PolarBeam<Real>& p, int n) {
     return {turn, nothing, nothing};
 }
 
-/// The length of the vector; near the origin only its bounds, 0 and a + (sqrt 2 - 1) b for x and y
-/// of sizes up to a >= b.
+/// Form of the length of (x, y). Near the origin only bounds are known: 0 and a + (sqrt 2 - 1) b,
+/// where a >= b are upper bounds of |x| and |y| in some order.
 template <class Real>
 Beam<Real> length_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam<Real>& x) {
     const auto number = [&](double value) { return like(x.r, value); };
@@ -102,7 +102,8 @@ Beam<Real> length_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam
     form.c = length + half_bend;
     form.e = form.e + half_bend;
     const Interval<Real> range{number(0), size};
-    // Elsewhere the square may be lost at the point of an evaluation, or overflow.
+    // Near the origin the square of the length may underflow or overflow in an evaluation at a
+    // point.
     const Format& format = format_of(size);
     const Real lost = number(std::sqrt(format.smallest_normal) / format.relative_gap);
     const Real r = y.r + x.r + number(4) * size;
@@ -111,11 +112,11 @@ Beam<Real> length_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam
     return {form_or_interval(p.beside, form, range), select(p.beside, r, anywhere), size};
 }
 
-/// The derivatives of x + iy along the rays, seen in the middle's direction.
+/// Derivatives of (x, y) along the rays, split into the middle's direction and the one across it.
 template <class Real>
 struct PolarSlope {
     Affine<Real> outward, around;
-    Real size;  ///< of the terms of either
+    Real size;  ///< bounds the terms of either
 };
 
 template <class Real>
@@ -130,8 +131,8 @@ PolarSlope<Real> polar_slope(const PolarBeam<Real>& p, const SlopeBeam<Real>& y,
     return {turned(to.re, to.im), turned(-to.im, to.re), x.size + y.size};
 }
 
-/// With m the complex of `outward` and `around` and d that of `along` and `across`, it is the
-/// imaginary part of m / (1 + d) / |c|, and m / (1 + d) is m - m d + m d^2 / (1 + d).
+/// Derivative of the angle along the rays: the imaginary part of m / (1 + d) / |c|, with m =
+/// outward + i around and d = along + i across; m / (1 + d) is m - m d + m d^2 / (1 + d).
 template <class Real>
 SlopeBeam<Real> turning_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& m) {
     Affine<Real> rate = m.around - scaled(p.along, m.around.c) - scaled(p.across, m.outward.c);
@@ -147,7 +148,8 @@ SlopeBeam<Real> turning_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& 
     return rounded(scaled(rate, per_length), like(size, 16.0) * size);
 }
 
-/// The real part of m exp(-i turn), with the turn at most Q; whatever the turn near the origin.
+/// Derivative of the length along the rays: the real part of m exp(-i turn), with |turn| <= Q. Near
+/// the origin it is bounded for any turn.
 template <class Real>
 SlopeBeam<Real> length_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& m) {
     const auto number = [&](double value) { return like(m.size, value); };
@@ -162,8 +164,8 @@ SlopeBeam<Real> length_slope(const PolarBeam<Real>& p, const PolarSlope<Real>& m
     return rounded(select(p.beside, rate, any), number(16) * size);
 }
 
-/// A sine or cosine of n times the angle, and its derivative by that, at the middle: both off by no
-/// more than `error`.
+/// A sine or cosine of n times the angle, and its derivative by n times the angle, at the middle;
+/// both are off by at most `error`.
 template <class Real>
 struct WavePoint {
     Real value, slope;
@@ -176,25 +178,27 @@ WavePoint<Real> multiple_sin_at(const PolarBeam<Real>& p, int n) {
     const double unit = 0.5 * format_of(wave.re).relative_gap;
     return {wave.im, wave.re, like(wave.re, unit * power_error(n))};
 }
-/// The derivative of a wave is the wave a quarter of a turn ahead.
+/// Derivative of a wave: the wave a quarter of a turn ahead.
 template <class Real>
 WavePoint<Real> derivative(const WavePoint<Real>& wave) {
     return {wave.slope, -wave.value, wave.error};
 }
 
-/// A wave g by Taylor's theorem, its second derivative being -g; or its range where that is
-/// narrower. Its roundings are below 12 units.
+/// Form of a wave g by Taylor's theorem with g'' = -g, or its range where that is narrower. `turn`
+/// is the operand minus its middle. The roundings made here are below 12 units.
 template <class Real>
 Beam<Real> wave_along(const Beam<Real>& turn, const WavePoint<Real>& at) {
     const auto number = [&](double value) { return like(turn.r, value); };
     const Real one = number(1);
     const Real half = number(0.5);
     const Real& d = turn.spread();
+    // Bound the range by the mean value theorem.
     const Real steepest = minimum(magnitude(at.slope) + at.error + d, one);
     const Real far = fused(steepest, d, at.error);
-    // 1 where NaN.
+    // Upper bounds of g and -g, 1 where NaN.
     const Real hi = minimum(at.value + far, one);
     const Real neg_lo = minimum(far - at.value, one);
+    // Bound the remainder of Taylor's theorem by the range of g.
     const Real half_square = half * d * d;
     const Real above = maximum(neg_lo, number(0)) * half_square;
     const Real below = maximum(hi, number(0)) * half_square;
@@ -207,7 +211,7 @@ Beam<Real> wave_along(const Beam<Real>& turn, const WavePoint<Real>& at) {
     return {select(better, form, range), number(4), one};
 }
 
-/// A wave of n times the angle, `at` the middle.
+/// Form of a wave of n times the angle; `turn` is turn_form(p, n), `at` the wave at the middle.
 template <class Real>
 Beam<Real> wave_form(const PolarBeam<Real>& p, const Beam<Real>& y, const Beam<Real>& x,
                      const Beam<Real>& turn, const WavePoint<Real>& at, int n) {

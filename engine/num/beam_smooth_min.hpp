@@ -3,11 +3,12 @@
 #include "engine/num/beam_functions.hpp"
 #include "engine/num/smooth_min.hpp"
 
-// Beam forms of the blend min(a, b) - h^2/4, b + g(a - b), over any carrier, in upward rounding.
+// Beam forms of the blend min(a, b) - h^2/4 = b + g(a - b) (engine/num/smooth_min.hpp), over any
+// carrier, in upward rounding.
 
 namespace zeroset {
 
-/// Where the blend is one of its operands, or may be taken for it: nowhere both.
+/// Where the blend equals its first or its second operand, or may be replaced by it; never both.
 template <class Mask>
 struct BlendSides {
     Mask first, second;
@@ -20,7 +21,7 @@ auto blend_sides(const Interval<Real>& difference) {
     return BlendSides<std::remove_cvref_t<decltype(second)>>{difference.hi <= beyond, second};
 }
 
-/// -g(d) >= 0, rounded upward.
+/// -g(d), which is >= 0, rounded upward.
 template <class Real>
 Real blend_fall(const Real& d) {
     const Real zero = like(d, 0.0);
@@ -28,23 +29,23 @@ Real blend_fall(const Real& d) {
     return maximum(-d, zero) + like(d, 0.25) * height * height;
 }
 
-/// The share of a is (1 - d)/2 within [0, 1], for d = a - b.
+/// Share of a in the blend: (1 - d)/2 cut to [0, 1], with d = a - b.
 template <class Real>
 Real blend_share(const Real& d) {
     const Real half = like(d, 0.5);
     return maximum(minimum(half - half * d, like(d, 1.0)), like(d, 0.0));
 }
 
-/// g(d) = alpha d + rest.
+/// Linear enclosure of the blend: g(d) = alpha d + rest.
 template <class Real>
 struct BlendLine {
-    Real alpha;           ///< from 0 to 1
+    Real alpha;           ///< in [0, 1]
     Interval<Real> rest;  ///< over the range of d
 };
 
-/// For whatever alpha, g(d) - alpha d is at most -alpha (1 - alpha), and least at an end of the
-/// range. Where the whole range lies within [-1, 1], it is less by no more than a quarter of the
-/// square of the distance from the middle c, if alpha is g'(c).
+/// Line for g over `range`. For any alpha in [0, 1], g(d) - alpha d is at most -alpha (1 - alpha)
+/// and least at an end of the range. Where the range lies within [-1, 1] and alpha is g'(c) for the
+/// middle c, it is at most (d - c)^2 / 4 below that maximum.
 template <class Real>
 BlendLine<Real> blend_line(const Beam<Real>& difference, const Interval<Real>& range) {
     const Real one = like(range.hi, 1.0);
@@ -64,7 +65,7 @@ BlendLine<Real> blend_line(const Beam<Real>& difference, const Interval<Real>& r
     return {alpha, {most_below, alpha * (alpha - one)}};
 }
 
-/// The smooth minimum; `difference`: a - b.
+/// Form of the smooth minimum of a and b; `difference` is a - b.
 template <class Real, class Mask>
 Beam<Real> smooth_min(const Beam<Real>& a, const Beam<Real>& b, const Beam<Real>& difference,
                       const BlendSides<Mask>& sides) {
@@ -83,14 +84,14 @@ Beam<Real> smooth_min(const Beam<Real>& a, const Beam<Real>& b, const Beam<Real>
     return select(sides.first, a, select(sides.second, b, blend));
 }
 
-/// The share of a, g'(a - b).
+/// Form of the share of a in the blend, g'(a - b).
 template <class Real>
 Beam<Real> blend_share(const Beam<Real>& difference) {
     const Interval<Real> d = difference.range();
     const Real half = like(d.hi, 0.5);
     const Real zero = like(d.hi, 0.0);
     const Real one = like(d.hi, 1.0);
-    // From (1 - hi)/2 to (1 - lo)/2.
+    // Encloses the share for d in [lo, hi]: from (1 - hi)/2 to (1 - lo)/2.
     const auto enclosed = [&](const Real& lo, const Real& hi) {
         return Interval<Real>{maximum(minimum(half * hi - half, zero), -one), blend_share(lo)};
     };

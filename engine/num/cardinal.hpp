@@ -7,9 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// sin(x)/x, sinh(x)/x and atan(x)/x, 1 at 0, over any carrier: what differences of sines, of
-// exponentials and of angles come to (engine/rewrite/differences/differences.hpp). All are even and
-// smooth; what bounds their derivatives is tight near 0, where differences have them.
+// sin(x)/x, sinh(x)/x and atan(x)/x, 1 at 0, over any carrier. Rewritten differences of sines, of
+// exponentials and of angles contain them (engine/rewrite/differences/differences.hpp). All are
+// even and smooth; the bounds of their derivatives are tight near 0, where differences need them.
 
 namespace zeroset {
 
@@ -25,11 +25,11 @@ constexpr Elementary dividend(Cardinal function) {
     return Elementary::Sin;
 }
 
-/// The series are taken for x^2 up to this.
+/// The power series are used for x^2 below this.
 inline constexpr double series_ends_at_square = 0x1p-6;
 
-/// The coefficients of a power series, and the floats nearest to them: what is rounded when it is
-/// computed depends on the rounding mode.
+/// Coefficients of a power series, as doubles and as the nearest floats. They are converted at
+/// compile time, as a conversion at run time would depend on the rounding mode.
 template <std::size_t count>
 struct Coefficients {
     std::array<double, count> exact;
@@ -55,7 +55,7 @@ Real series(const Coefficients<count>& c, const Real& t) {
     return sum;
 }
 
-/// The series of the function in x^2; what is left out is below 2^-56.
+/// Power series of the function in t = x^2; the omitted terms are below 2^-56.
 template <class Real>
 Real cardinal_series(Cardinal function, const Real& t) {
     static constexpr Coefficients sine{
@@ -73,10 +73,10 @@ Real cardinal_series(Cardinal function, const Real& t) {
     return t;
 }
 
-/// In units of the last place: of `cardinal_at`, in any rounding mode.
+/// Error bound of `cardinal_at` in ulp, in any rounding mode.
 inline constexpr double cardinal_error_ulp = 8.0;
 
-/// Not rounded outward; `f`: the library's value of the dividend at x.
+/// Value of the function at x, not rounded outward; `f` is the library's value of the dividend.
 template <class Real>
 Real cardinal_at(Cardinal function, const Real& x, const Real& f) {
     const Real t = x * x;
@@ -84,8 +84,8 @@ Real cardinal_at(Cardinal function, const Real& x, const Real& f) {
     return select(small, cardinal_series(function, t), f / x);
 }
 
-/// The function's derivative, not rounded outward; `value`: the function's, `df`: the dividend's
-/// derivative.
+/// Derivative of the function at x, not rounded outward; `value` is the function's value, `df` the
+/// derivative of the dividend.
 template <class Real>
 Real cardinal_slope_at(Cardinal function, const Real& x, const Real& value, const Real& df) {
     static constexpr Coefficients sine{std::array{-1.0 / 3, 1.0 / 30, -1.0 / 840, 1.0 / 45360}};
@@ -100,7 +100,8 @@ Real cardinal_slope_at(Cardinal function, const Real& x, const Real& value, cons
     return select(small, x * by_x, (df - value) / x);
 }
 
-/// The function over an interval: monotone in |x|, but for the sine's from 3 on, where it is small.
+/// Range of the function over x. It is monotone in |x|, except that sin(x)/x for |x| > 3 is only
+/// known to be small.
 template <class Real>
 Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
     const Elementary top = dividend(function);
@@ -110,7 +111,7 @@ Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
     const Format& format = format_of(far);
     const auto number = [&](double value) { return like(far, value); };
     const auto value_at = [&](const Real& at, double most) {
-        // sinh of a large operand may come as infinite.
+        // The library's sinh of a large operand may be infinite.
         const Real f = minimum(elementary(top, at), number(most));
         return cardinal_at(function, at, f);
     };
@@ -118,6 +119,7 @@ Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
         return value * number(0.5 * cardinal_error_ulp * format.relative_gap) +
                number(format.smallest_normal);
     };
+    // sinh(x)/x rises with |x|; the others fall, sin(x)/x up to |x| = 3.
     if (function == Cardinal::Sinh) {
         const Real lowest = value_at(near, elementary_overflow(top, format.type));
         const Real highest = value_at(far, infinity);
@@ -142,7 +144,7 @@ Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
             select(monotone, hi, select(small, quarter, number(1)))};
 }
 
-/// What bounds the first two derivatives over |x| <= far: the first is in x times `by_x`.
+/// Bounds of the first two derivatives for |x| <= far; the first derivative lies in x * by_x.
 template <class Real>
 struct CardinalBends {
     Interval<Real> by_x, second;
@@ -159,7 +161,7 @@ CardinalBends<Real> cardinal_bends(Cardinal function, const Interval<Real>& x) {
         const Interval<Real> both_ways{third.neg_lo, all.hi};
         return {both_ways, both_ways};
     }
-    // The series alternate: two terms bound them from above; elsewhere they stay below a bound.
+    // Near 0 the series alternate, so two terms bound them from above; elsewhere a constant does.
     const bool sine = function == Cardinal::Sin;
     const Interval<Real> first = sine ? -third : -(third + third);
     const Real by_x = first.hi + square * number(sine ? 0.0625 : 0.8125);

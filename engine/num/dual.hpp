@@ -11,12 +11,12 @@
 #include <optional>
 
 // Value and gradient by forward differentiation, over any carrier. Not rounded outward. At a kink
-// the gradient is one of those beside it; where a derivative has no end it is very large, so that a
-// constant operand still has the slope 0.
+// the gradient is that of one side. An infinite derivative is replaced by a very large one, so that
+// a constant operand still has the slope 0.
 
 namespace zeroset {
 
-/// df/dx, df/dy, df/dz; an absent one is 0 for every point. Close together, as the interpreter
+/// df/dx, df/dy, df/dz; an absent one is 0 at every point. Stored compactly, as the interpreter
 /// keeps many of them in blocks of numbers.
 template <class Real>
 class Slopes {
@@ -25,7 +25,7 @@ public:
     Slopes(const Real& x, const Real& y, const Real& z) : slopes_{x, y, z}, known_(7) {}
 
     [[nodiscard]] bool has(std::size_t i) const { return (known_ >> i & 1U) != 0; }
-    /// One that is there.
+    /// The i-th slope, which must not be absent.
     [[nodiscard]] const Real& known(std::size_t i) const { return slopes_[i]; }
     [[nodiscard]] std::optional<Real> operator[](std::size_t i) const {
         return has(i) ? std::optional<Real>(slopes_[i]) : std::nullopt;
@@ -46,13 +46,13 @@ struct Dual {
     Slopes<Real> slope;
 };
 
-/// A derivative >= 0 that may be infinite, as a number.
+/// A derivative >= 0, possibly infinite, cut to at most 2^60.
 template <class Real>
 Real at_most_steep(const Real& derivative) {
     return minimum(derivative, like(derivative, 0x1p60));
 }
 
-/// g(a) from its value and g'(a).
+/// g(a) from its value and the derivative g'(a).
 template <class Real>
 Dual<Real> chain(const Real& value, const Real& derivative, const Dual<Real>& a) {
     Dual<Real> result{value, {}};
@@ -217,7 +217,7 @@ Dual<Real> angle_cos(const Dual<Real>& y, const Dual<Real>& x, int n) {
 template <class Real>
 Dual<Real> length(const Dual<Real>& y, const Dual<Real>& x) {
     const PolarPoint<Real> p = polar_point(y.value, x.value);
-    const Real per_length = at_most_steep(p.per_length);  // 0 times it is 0
+    const Real per_length = at_most_steep(p.per_length);  // finite, so 0 times it is 0
     return chain(p.length, y.value * per_length, y, x.value * per_length, x);
 }
 
@@ -296,8 +296,8 @@ Dual<Real> atanh(const Dual<Real>& a) {
                  a);
 }
 
-/// The root of |a| from its logarithm, corrected by one step of Newton's method; 0 and +inf are
-/// left alone.
+/// n-th root of `size` >= 0 from its logarithm, corrected by one step of Newton's method; 0 and
+/// +inf are returned unchanged.
 template <class Real>
 Real point_odd_root(const Real& size, int n) {
     if (n == 3) return elementary(Elementary::Cbrt, size);
@@ -305,7 +305,7 @@ Real point_odd_root(const Real& size, int n) {
     const Real root = elementary(Elementary::Exp, elementary(Elementary::Log, size) / degree);
     const Real zero = like(size, 0.0);
     const Real step = root * (size / point_power(root, n) - like(size, 1.0)) / degree;
-    const auto tiny = magnitude(step) < root;  // nowhere near 0 and +inf, where it is NaN
+    const auto tiny = magnitude(step) < root;  // false near 0 and +inf, where the step is NaN
     return root + select(tiny, step, zero);
 }
 
@@ -318,7 +318,7 @@ Dual<Real> odd_root(const Dual<Real>& a, int n) {
     return chain(value, at_most_steep(steepness), a);
 }
 
-/// a - b k with k = floor(a/b), which does not change nearby.
+/// a - b k with k = floor(a/b), which is treated as constant.
 template <class Real>
 Dual<Real> mod(const Dual<Real>& a, const Dual<Real>& b) {
     const Real k = round_down(a.value / b.value);

@@ -3,14 +3,15 @@
 #include "engine/num/enclosure.hpp"
 #include "engine/real/sleef.hpp"
 
-// Intervals of elementary functions over any carrier, in upward rounding. Library results are
-// taken in round-to-nearest and widened by their error bound. A partial function's range is the
-// image of the part of the box inside its domain. Masks that say where something surely is not are
-// negations of comparisons: an unknown operand (interval.hpp) leaves them open.
+// Intervals of elementary functions over any carrier, in upward rounding. Library results are taken
+// in round-to-nearest and widened by their error bound. A partial function's range is the image of
+// the part of the box inside its domain. Masks that say where something surely is not are negations
+// of comparisons, so an unknown operand (interval.hpp), which fails every comparison, proves
+// nothing.
 
 namespace zeroset {
 
-/// Bound of |true - result| for a library result, denormals included.
+/// Upper bound of |true value - result| for a library result, denormals included.
 template <class Real>
 Real library_error(Elementary function, const Real& result) {
     const Format& format = format_of(result);
@@ -18,7 +19,7 @@ Real library_error(Elementary function, const Real& result) {
     return magnitude(result) * like(result, relative) + like(result, format.smallest_normal);
 }
 
-/// [a, b] for library results a <= b up to their errors; the whole line where one is NaN.
+/// Encloses [a, b] for library results, a <= b up to their errors; the whole line where one is NaN.
 template <class Real>
 Interval<Real> widened(Elementary function, const Real& a, const Real& b) {
     // exp may round a finite value up.
@@ -32,8 +33,8 @@ Interval<Real> clamped(const Interval<Real>& a, double lo, double hi) {
     return {minimum(a.neg_lo, like(a.hi, -lo)), minimum(a.hi, like(a.hi, hi))};
 }
 
-/// An upper bound of the odd increasing library function at `a`. That of its lower end at `lo` is,
-/// negated, this one at -lo.
+/// Upper bound of the odd increasing library function at `a`. Its lower bound at `lo` is the
+/// negated upper bound at -lo.
 template <class Real>
 Real odd_up(Elementary function, const Real& a) {
     const Real result = elementary(function, a);
@@ -49,7 +50,7 @@ Interval<Real> odd_increasing(Elementary function, const Interval<Real>& a) {
     return {odd_up(function, a.neg_lo), odd_up(function, a.hi)};
 }
 
-/// As `widened`, for a function whose results overflow before its values do.
+/// The interval of `widened`, for a function whose library results overflow before its true values.
 template <class Real>
 Interval<Real> widened_over(Elementary function, const Real& a, const Real& b) {
     const Format& format = format_of(a);
@@ -65,7 +66,7 @@ Interval<Real> exp(const Interval<Real>& a) {
     return {minimum(value.neg_lo, like(a.hi, 0.0)), value.hi};
 }
 
-/// Log, Log10 or Log2.
+/// Enclosure of Log, Log10 or Log2.
 template <class Real>
 Enclosure<Real> logarithm(Elementary function, const Interval<Real>& a) {
     const Real zero = like(a.hi, 0.0);

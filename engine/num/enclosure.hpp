@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What is known of a function over a box, for each lane. An absent mask is true.
+/// Range, domain and continuity of a function over a box, for each lane. An absent mask is true.
 template <class Real>
 struct Enclosure {
     using Mask = decltype(std::declval<Real>() > std::declval<Real>());
@@ -18,12 +18,12 @@ struct Enclosure {
     std::optional<Mask> somewhere{};   ///< false: undefined on the whole box
     std::optional<Mask> everywhere{};  ///< true: proved defined on the whole box
     std::optional<Mask> continuous{};  ///< true: proved continuous where it is defined
-    /// Every value is at most apart->hi or at least -apart->neg_lo: what lies between is no value,
-    /// as beside a jump or a pole. Absent: nothing is known.
+    /// Every value is at most apart->hi or at least -apart->neg_lo; no value lies between them, as
+    /// beside a jump or a pole. Absent: nothing is known.
     std::optional<Interval<Real>> apart{};
 };
 
-/// Where all hold. Equal masks, as of shared operands, cost nothing.
+/// Lanes in which all masks hold. Equal masks, as of shared operands, cost nothing.
 template <class Mask>
 std::optional<Mask> conjunction(const std::optional<Mask>& a, const std::optional<Mask>& b) {
     if (!a) return b;
@@ -36,7 +36,7 @@ std::optional<Mask> conjunction(const std::optional<Mask>& a, const std::optiona
     return conjunction(a, conjunction(b, c));
 }
 
-/// g(operands...) from what g alone does on their ranges.
+/// Enclosure of g(operands...), where `g` is the enclosure of g alone on the operands' ranges.
 template <class Real, class... Operands>
 Enclosure<Real> composed(const Enclosure<Real>& g, const Operands&... operands) {
     return {g.range, conjunction(g.somewhere, operands.somewhere...),
@@ -44,7 +44,7 @@ Enclosure<Real> composed(const Enclosure<Real>& g, const Operands&... operands) 
             conjunction(g.continuous, operands.continuous...), g.apart};
 }
 
-/// Of two statements about the same values that hold, the one that leaves something out.
+/// The more useful of two valid `apart`: `a` if it excludes some values, else `b`.
 template <class Real>
 std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
                                       const std::optional<Interval<Real>>& b) {
@@ -52,7 +52,7 @@ std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
     return select(a->neg_lo + a->hi < like(a->hi, 0.0), *a, *b);
 }
 
-/// `apart` of v c, for `apart` of v and c in the interval. An interval with 0 inside says nothing.
+/// `apart` of v c from that of v and the interval c; the whole line where 0 is inside c.
 template <class Real>
 Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>& c) {
     const auto falls = c.hi <= like(c.hi, 0.0);
@@ -64,8 +64,8 @@ Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>&
     return select(size.neg_lo <= like(c.hi, 0.0), product, whole_line(c.hi));
 }
 
-/// What a kernel answers for the box: the range, or, with both members below 0, the values that
-/// there are none between where that leaves out 0. Both are -inf where nothing is defined.
+/// A kernel's answer for the box: the range; or `apart`, both of whose members are then below 0,
+/// where it excludes 0. Both members are -inf where f is defined nowhere.
 template <class Real>
 Interval<Real> answer(const Enclosure<Real>& f) {
     const Real zero = like(f.range.hi, 0.0);

@@ -4,12 +4,12 @@
 #include "engine/num/interval.hpp"
 #include "engine/num/steps.hpp"
 
-// The distance from the nearest even number, a continuous wave of triangles from 0 to 1: |a - n|
-// for the nearest integer n where that is even, 1 - |a - n| where it is odd.
+// Distance from the nearest even integer, a continuous triangle wave from 0 to 1: |a - n| for the
+// nearest integer n where n is even, 1 - |a - n| where n is odd.
 
 namespace zeroset {
 
-/// The nearest integer, and whether it is odd.
+/// The integer n nearest to a number, and whether n is odd.
 template <class Real>
 struct FoldAt {
     Real n;
@@ -23,11 +23,12 @@ FoldAt<Real> fold_at(const Real& a) {
     return {n, n * half - round_down(n * half) > like(a, 0.25)};
 }
 
-/// In upward rounding.
+/// Range of the fold over `a`, in upward rounding.
 template <class Real>
 Interval<Real> fold(const Interval<Real>& a) {
     const Real half = like(a.hi, 0.5);
     const Real one = like(a.hi, 1.0);
+    // Measure `a` from the integer nearest to its middle.
     const auto [n, odd] = fold_at(a.hi * half - a.neg_lo * half);
     const Interval<Real> v{a.neg_lo + n, a.hi - n};
     const Interval<Real> size = absolute(v);

@@ -17,14 +17,14 @@
 //              whole line are proper, a point at infinity is not. Proper operands give a proper
 //              range wherever the function is defined somewhere.
 //   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
-//              Enclosure::somewhere. Its members mean nothing: any claim holds of no point.
+//   empty      lo > hi, as of a box that was cut to nothing; or a range beside a false
+//              Enclosure::somewhere. Its members mean nothing, as no point belongs to it.
 //   unknown    NaN in both members, or in one beside +inf. Sums, multiples, powers and roots pass
 //              it on; every other operation answers as for the whole line, or wider. So an unknown
 //              operand never lets a box be rejected that the whole line would not: every
 //              comparison with NaN fails.
-//
-// Multiplication by choosing factors by sign follows [Lambov08]; where the structure of the
-// formula proves a factor not negative (engine/algebra/facts.hpp) it needs 3 to 5 operations of 12.
+// Multiplication by choosing factors by sign follows [Lambov08]. Where the structure of the formula
+// proves a factor nonnegative (engine/algebra/facts.hpp), it needs 3 to 5 operations instead of 12.
 
 namespace zeroset {
 
@@ -68,7 +68,7 @@ Interval<Real> select(const Mask& condition, const Interval<Real>& if_true,
             select(condition, if_true.hi, if_false.hi)};
 }
 
-/// The whole line where a member is NaN.
+/// `a`, or the whole line where a member is NaN.
 template <class Real>
 Interval<Real> without_nan(const Interval<Real>& a) {
     return select(unordered(a.neg_lo, a.hi), whole_line(a.hi), a);
@@ -82,7 +82,7 @@ Real larger_bound(const Real& p, const Real& q) {
 
 template <class Real>
 Interval<Real> minimum(const Interval<Real>& a, const Interval<Real>& b) {
-    // An unknown operand leaves min(a, b) the other's upper bound.
+    // Where one operand is unknown, the other's upper bound still bounds min(a, b).
     const Real hi = minimum(a.hi, b.hi);
     return {larger_bound(a.neg_lo, b.neg_lo), minimum(hi, like(hi, infinity))};
 }
@@ -143,7 +143,7 @@ Interval<Real> square_nonnegative(const Interval<Real>& a) {
 /// |a|: max(|lo|, |hi|) is max(-lo, hi), as lo <= hi.
 template <class Real>
 Interval<Real> absolute(const Interval<Real>& a) {
-    // NaN is the second argument wherever it is one.
+    // minimum and maximum return their second argument where one is NaN.
     return {minimum(like(a.hi, 0.0), minimum(a.neg_lo, a.hi)), maximum(a.neg_lo, a.hi)};
 }
 
@@ -155,8 +155,8 @@ Interval<Real> power_nonnegative(const Interval<Real>& a, int n) {
     return n % 2 == 0 ? half : multiply_nonnegative(half, a);
 }
 
-/// An upper bound of sign(h) |h|^n, whose size rounds away from zero when h > 0, towards it
-/// otherwise: h |h| does, and so does the product of one such bound and the size of another.
+/// Upper bound of sign(h) |h|^n, whose size is rounded away from zero where h > 0, towards zero
+/// otherwise: h |h| is such a bound, and so is one such bound times the size of another.
 template <class Real>
 Real signed_power_up(const Real& h, int n) {
     if (n == 1) return h;
@@ -173,7 +173,7 @@ Interval<Real> power(const Interval<Real>& a, int n, bool a_nonnegative) {
     return {signed_power_up(a.neg_lo, n), signed_power_up(a.hi, n)};
 }
 
-/// Where 0 is surely not in b, ends included.
+/// Where b surely does not contain 0, not even as an end.
 template <class Real>
 auto excludes_zero(const Interval<Real>& b) {
     const Real zero = like(b.hi, 0.0);
@@ -184,7 +184,7 @@ auto contains_zero(const Interval<Real>& b) {
     return no(excludes_zero(b));
 }
 
-/// a / b. The whole line where b has zeros on both sides; a half line where b only touches 0.
+/// a / b: the whole line where 0 is inside b, a half line where b only touches 0.
 template <class Real>
 Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     const Real zero = like(b.hi, 0.0);
@@ -194,7 +194,7 @@ Interval<Real> operator/(const Interval<Real>& a, const Interval<Real>& b) {
     const Real d_lo = maximum(-d.neg_lo, zero);  // +0, never -0
     const Interval<Real> quotient{n.neg_lo / select_negative(n.neg_lo, d.hi, d_lo),
                                   n.hi / select_negative(n.hi, d.hi, d_lo)};
-    // Zeros on both sides, or nothing but 0.
+    // 0 is inside b, or b holds nothing but 0.
     const auto unbounded = either(both(b.neg_lo > zero, b.hi > zero), d.hi <= zero);
     return select(unbounded, whole_line(zero), without_nan(quotient));
 }
@@ -210,11 +210,12 @@ Interval<Real> divide_by_nonnegative(const Interval<Real>& a, const Interval<Rea
     return select(unbounded, whole_line(zero), quotient);
 }
 
-/// For a / b where b has zeros inside: every quotient is at most hi or at least -neg_lo, as far as
-/// a has none.
+/// `apart` (enclosure.hpp) of a / b where 0 is inside b: every quotient is at most hi or at least
+/// -neg_lo. The whole line where a may contain 0.
 template <class Real>
 Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) {
-    const Real neg_size = minimum(a.neg_lo, a.hi);  // -|a| at least, where a has no zero
+    // Minus the least |a|, where a does not contain 0
+    const Real neg_size = minimum(a.neg_lo, a.hi);
     const Real behind = neg_size / b.hi;
     const Real before = neg_size / b.neg_lo;
     const auto positive = a.neg_lo < like(a.hi, 0.0);
@@ -226,14 +227,14 @@ Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) 
         whole_line(a.hi));
 }
 
-/// sqrt of the part of a that is not negative.
+/// Square root of the nonnegative part of a.
 template <class Real>
 Interval<Real> square_root(const Interval<Real>& a) {
     const Real zero = like(a.hi, 0.0);
-    const Real lo = maximum(zero, -a.neg_lo);  // in this order NaN stays
+    const Real lo = maximum(zero, -a.neg_lo);  // this order keeps NaN
     const Real up = square_root(lo);
-    // up is rounded upward: it is exact when its square, rounded upward, is lo again; otherwise
-    // one part in 2^22 (float) or 2^51 (double) below it is below the root.
+    // `up` is the root rounded upward. It is exact where its square, rounded upward, is lo again;
+    // otherwise `up` less one part in 2^22 (float) or 2^51 (double) is below the root.
     const Real below = up * like(up, -(1.0 - format_of(up).relative_gap));
     const Real neg_lo = select(up * up == lo, -up, below);
     return {neg_lo, square_root(maximum(zero, a.hi))};

@@ -3,11 +3,11 @@
 #include "engine/num/dual.hpp"
 #include "engine/num/elementary.hpp"
 
-// ln(e^a + e^b) over any carrier: max(a, b) + ln(1 + e^-|a - b|), where nothing overflows.
+// ln(e^a + e^b) over any carrier, as max(a, b) + ln(1 + e^-|a - b|), in which nothing overflows.
 
 namespace zeroset {
 
-/// Of operands that are apart by d >= 0.
+/// Terms of ln(e^a + e^b) for operands that differ by d >= 0.
 template <class Real>
 struct LogSumRest {
     Real ratio;  ///< e^-d
@@ -21,8 +21,8 @@ LogSumRest<Real> log_sum_rest(const Real& d) {
     return {ratio, half + half};
 }
 
-/// How far `rest`, a share of it or its like is off at most, in any rounding mode: each comes from
-/// an exponential by few roundings.
+/// Error bound of `rest`, of a share or of a similar term `value`, in any rounding mode: each comes
+/// from an exponential by few roundings.
 template <class Real>
 Real log_sum_error(const Real& value) {
     const Format& format = format_of(value);
@@ -31,15 +31,16 @@ Real log_sum_error(const Real& value) {
            like(value, format.smallest_normal);
 }
 
-/// In upward rounding.
+/// Range of ln(e^a + e^b), in upward rounding.
 template <class Real>
 Interval<Real> log_sum(const Interval<Real>& a, const Interval<Real>& b) {
     const auto number = [&](double value) { return like(a.hi, value); };
-    // The differences of the ends, rounded up either way.
+    // Differences of the upper ends in both directions, rounded upward.
     const Real above = a.hi - b.hi;
     const Real below = b.hi - a.hi;
     const Real least = maximum(-above, -below);
     const Real highest = log_sum_rest(select(unordered(above, below), number(0), least)).rest;
+    // Differences of the lower ends in both directions, rounded upward.
     const Real above_lo = b.neg_lo - a.neg_lo;
     const Real below_lo = a.neg_lo - b.neg_lo;
     const Real most = maximum(above_lo, below_lo);

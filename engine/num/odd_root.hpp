@@ -10,14 +10,14 @@ namespace zeroset {
 //
 // R = exp(log(a) / n) is an enclosure by construction, but wide: the error of log(a), a few ulp of
 // up to 104 (float) or 745 (double), becomes a relative error of the root. One step of Newton's
-// method in intervals makes it a few ulp: with f(r) = r^n - a and any m, the mean value theorem
-// puts every root r of f in R on r = m - f(m) / f'(s) for an s between m and r; with m in R, s is
-// in R, too. So the root is in m + (a - m^n) / (n R^(n-1)), each operation rounded outward, and in
-// R.
+// method in intervals reduces the width to a few ulp: for f(r) = r^n - a and any m, the mean value
+// theorem puts every root r of f in R at r = m - f(m) / f'(s), with an s between m and r. If m is
+// in R, so is s. So the root is in m + (a - m^n) / (n R^(n-1)), each operation rounded outward,
+// and in R.
 //
-// Its width is that of m^n, 2 (n-1) roundings, divided by n, plus the product of the relative
-// widths of R and of R^(n-1): for floats below 2^-15 and 2^-14, for doubles 2^-41 and 2^-40. Where
-// a power leaves the normal range, R alone is left.
+// The result's width is that of m^n, 2 (n-1) roundings, divided by n, plus the product of the
+// relative widths of R and of R^(n-1): for floats below 2^-15 and 2^-14, for doubles 2^-41 and
+// 2^-40. Where a power leaves the normal range, R alone is the result.
 template <class Real>
 Interval<Real> positive_odd_root(const Real& a, int n) {
     const Real log_a = elementary(Elementary::Log, a);
@@ -28,11 +28,11 @@ Interval<Real> positive_odd_root(const Real& a, int n) {
     const Interval<Real> missing = point(a) - power_nonnegative(point(middle), n);
     const Interval<Real> slope = scale(power_nonnegative(root, n - 1), n);
     const Interval<Real> newton = point(middle) + missing / slope;
-    // The second argument, `root`, where the step came out NaN.
+    // Where the Newton step is NaN, minimum returns its second argument, the end of `root`.
     return {minimum(newton.neg_lo, root.neg_lo), minimum(newton.hi, root.hi)};
 }
 
-/// An upper bound of the real n-th root of `a`, for odd n >= 3.
+/// Upper bound of the real n-th root of `a`, for odd n >= 3.
 template <class Real>
 Real odd_root_up(const Real& a, int n) {
     const Real zero = like(a, 0.0);

@@ -6,13 +6,14 @@
 
 namespace zeroset {
 
-/// Whether (conservatively) some phase + k / frequency lies in a, for a whole number k.
-/// `phase_lo <= phase <= phase_hi`, numbers of the format; the frequency is `periods_a_turn`, 1
-/// or 2, for each turn.
+/// Where phase + k / frequency may lie in `a` for some integer k; never false where it does.
+/// `phase_lo <= phase <= phase_hi`, numbers of the format; the frequency is `periods_a_turn`, 1 or
+/// 2, for each turn.
 //
-// Both ends, measured from the phase in turns, and then their distance from the whole number below
-// the upper one, are sums and products rounded upward: each is too high, which is the safe side.
-// The frequency alone may be too low where the factor is positive, or too high where it is
+// Both ends of `a` are measured from the phase in periods; a k exists if the last integer up to
+// the upper end is not below the lower end. All sums and products are rounded upward, which makes
+// them too high, the safe side. Only the frequency may be too low beside a positive factor, or too
+// high beside a negative one, by less than the slack.
 // negative, by less than the slack.
 template <class Real>
 auto meets_phase(const Interval<Real>& a, int periods_a_turn, double phase_lo, double phase_hi) {
@@ -26,14 +27,14 @@ auto meets_phase(const Interval<Real>& a, int periods_a_turn, double phase_lo, d
     return round_down(turns_above) + turns_neg_below >= like(a.hi, 0.0);
 }
 
-/// Where phases are told apart.
+/// Where `a` is near enough to 0 for phases to be told apart (Format::far).
 template <class Real>
 auto near_zero(const Interval<Real>& a) {
     const Real far = like(a.hi, format_of(a.hi).far);
     return both(a.neg_lo <= far, a.hi <= far);
 }
 
-/// sin or cos, whose maxima are at `phase` + 2 pi k and minima half a turn away; the phases are
+/// Range of sin or cos. The maxima are at max + 2 pi k, the minima at min + 2 pi k; both phases are
 /// given as enclosures by numbers of the format.
 template <class Real>
 Interval<Real> wave(Elementary function, const Interval<Real>& a, double max_lo, double max_hi,
@@ -60,14 +61,14 @@ Interval<Real> cos(const Interval<Real>& a) {
     return wave(Elementary::Cos, a, 0.0, 0.0, format_of(a.hi).pi_lo, format_of(a.hi).pi_hi);
 }
 
-/// Where no pole of tan or cot, at `phase` + pi k, is met for sure.
+/// Where `a` surely meets no pole of tan or cot; the poles are at phase + pi k.
 template <class Real>
 auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
     return both(near_zero(a), no(meets_phase(a, 2, phase_lo, phase_hi)));
 }
 
-/// tan or cot from its values at the ends, where it is smooth; across one pole it takes none
-/// between those of `apart`.
+/// Enclosure of tan or cot: `ends`, from the values at the ends of `a`, where it is smooth. Across
+/// a single pole it has no value between the members of `apart`.
 template <class Mask, class Real>
 Enclosure<Real> branched(const Interval<Real>& a, const Mask& smooth, const Interval<Real>& ends,
                          const Interval<Real>& apart) {
@@ -85,7 +86,7 @@ Enclosure<Real> tan(const Interval<Real>& a) {
     return branched(a, smooth, ends, ends);
 }
 
-/// An upper bound of 1 / t for the library result t of tan; `at_zero` where the true t may be 0.
+/// Upper bound of 1 / t for the library result t of tan; `at_zero` where the true t may be 0.
 template <class Real>
 Real cot_up(const Real& t, const Real& at_zero) {
     const Real zero = like(t, 0.0);
@@ -95,8 +96,8 @@ Real cot_up(const Real& t, const Real& at_zero) {
     return select(may_be_zero, at_zero, like(t, -1.0) / neg_lo);
 }
 
-/// The same for the values on the other side of the pole at 0, which are below 0 where the true t
-/// may be 0.
+/// An upper bound as of cot_up, for the values beyond the pole at 0: below 0 where the true t may
+/// be 0.
 template <class Real>
 Real cot_up_behind_pole(const Real& t) {
     const Real largest = magnitude(t) + library_error(Elementary::Tan, t);
@@ -114,17 +115,17 @@ Enclosure<Real> cot(const Interval<Real>& a) {
     return branched(a, smooth, falling, apart);
 }
 
-/// The angle of (x, y) from the corners where it is extreme, for a box of the right half plane or
-/// one that does not meet the x axis. For a box across the cut: from the least angle above it to
-/// the largest one below it.
+/// Range of the angle of (x, y), from the corners where it is extreme, for a box in the right half
+/// plane or one that does not meet the x axis. For a box across the cut, the negative x axis: from
+/// the least angle above the cut to the largest one below it.
 template <class Real>
 Interval<Real> angle_from_corners(const Interval<Real>& y, const Interval<Real>& x) {
     const Real zero = like(x.hi, 0.0);
     const Real x_lo = -x.neg_lo;
-    // At the cut a zero counts to the other part of a box, whatever its sign.
+    // At the cut a zero end of y counts to the side beyond the box, whatever its sign.
     const Real y_lo = -(y.neg_lo + zero);
     const Real y_hi = y.hi + zero;
-    // Above the x axis the angle falls with x, below it grows; it grows with y where x > 0.
+    // Above the x axis the angle falls with x, below it rises; it rises with y where x > 0.
     const auto left = x.hi < zero;
     const Real x_at_max = select(either(y_hi <= zero, both(left, y_lo < zero)), x.hi, x_lo);
     const Real y_at_max = select(x_at_max > zero, y_hi, y_lo);
@@ -134,7 +135,7 @@ Interval<Real> angle_from_corners(const Interval<Real>& y, const Interval<Real>&
                    elementary(Elementary::Atan2, y_at_max, x_at_max));
 }
 
-/// What atan2 needs to know of its box.
+/// The cases of a box that atan2 distinguishes.
 template <class Mask>
 struct AngleCases {
     Mask around_origin;  ///< the box meets the origin
@@ -149,27 +150,30 @@ auto angle_cases(const Interval<Real>& y, const Interval<Real>& x) {
     return AngleCases<decltype(contains_zero(y))>{origin, cut};
 }
 
-/// The sides of the cut of atan2 that a box has: 0 below the negative x axis, 1 on it and above. A
-/// box that does not meet the cut, or that meets the origin, has the outcome 0.
+/// Outcomes (steps.hpp) for the sides of atan2's cut that a box meets: 0 below the negative x axis,
+/// 1 on it and above. A box that does not meet the cut, or that meets the origin, has the outcome
+/// 0.
 template <class Real>
 Interval<Real> angle_sides(const Interval<Real>& y, const Interval<Real>& x) {
     const Real zero = like(x.hi, 0.0);
     return {zero, select(angle_cases(y, x).across_cut, like(zero, 1.0), zero)};
 }
 
-/// atan2(y, x) on these sides of the cut: the whole circle, and not continuous, where the box has
-/// both sides.
+/// Enclosure of atan2(y, x) on the given sides of the cut. Where the box has both sides, it is the
+/// whole circle and not continuous.
 template <class Real>
 Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
                       const Interval<Real>& sides) {
     const auto cases = angle_cases(y, x);
     const Real zero = like(x.hi, 0.0);
+    // Across the cut, tell whether the box is on one side only.
     const auto above = both(cases.across_cut, sides.neg_lo < zero);
     const auto below = both(cases.across_cut, sides.hi <= zero);
     const auto cut = either(cases.around_origin, both(cases.across_cut, no(either(above, below))));
     const double pi_hi = format_of(x.hi).pi_hi;
     const Interval<Real> circle{like(x.hi, pi_hi), like(x.hi, pi_hi)};
     const Interval<Real> corners = angle_from_corners(y, x);
+    // Take the whole circle on both sides, and from the corners to the cut on one.
     const Interval<Real> value{select(either(cut, below), circle.neg_lo, corners.neg_lo),
                                select(either(cut, above), circle.hi, corners.hi)};
     const auto jumps = both(cut, cases.across_cut);
@@ -177,7 +181,8 @@ Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
     return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut), apart};
 }
 
-/// atan2(y, x) up to a multiple of 2 pi: continuous across the cut, where it goes on above pi.
+/// Enclosure of atan2(y, x) up to a multiple of 2 pi: continuous across the cut, beyond which it
+/// exceeds pi.
 template <class Real>
 Enclosure<Real> angle(const Interval<Real>& y, const Interval<Real>& x) {
     const auto cases = angle_cases(y, x);

@@ -2,7 +2,7 @@
 
 #include "engine/real/scalar.hpp"
 
-// Directions as complex numbers of size 1, over any carrier. Not rounded outward.
+// Directions as complex numbers of absolute value 1, over any carrier. Not rounded outward.
 
 namespace zeroset {
 
@@ -29,16 +29,16 @@ Complex<Real> power(const Complex<Real>& a, int n) {
     return power(a, n - 1) * a;
 }
 
-/// x + iy is length (direction.re + i direction.im).
+/// The point x + iy = length (direction.re + i direction.im).
 template <class Real>
 struct PolarPoint {
-    Real square;  ///< of the length
-    Real length, per_length;
+    Real square;              ///< length^2
+    Real length, per_length;  ///< length, 1 / length
     Complex<Real> direction;
 };
 
-/// Where `square` is a normal number, length is off by less than 3 units, per_length by 4, and the
-/// direction's members by 5 of theirs.
+/// The point (x, y) in polar form. Where `square` is a normal number, length is off by less than 3
+/// units, per_length by 4, and the members of direction by 5.
 template <class Real>
 PolarPoint<Real> polar_point(const Real& y, const Real& x) {
     const Real square = x * x + y * y;
@@ -47,8 +47,8 @@ PolarPoint<Real> polar_point(const Real& y, const Real& x) {
     return {square, length, per_length, {x * per_length, y * per_length}};
 }
 
-/// How far the n-th power of a polar_point's direction is from the true one, in units: each of its
-/// n factors is off by 5, each product by 2.5.
+/// Error bound, in units, of the n-th power of a polar_point's direction: each of its n factors is
+/// off by 5, each product by 2.5.
 constexpr double power_error(int n) { return 7.5 * n; }
 
 }  // namespace zeroset

@@ -4,22 +4,24 @@
 #include "engine/num/interval.hpp"
 
 // The quadratic blend of width 1 over any carrier: min(a, b) - h^2/4 with h = max(1 - |a - b|, 0).
-// With d = a - b it is b + g(d) for the concave, increasing g that is d below -1, -(1 - d)^2/4 from
-// -1 to 1, and 0 above. Its derivatives by a and b are shares of at least 0 that are 1 in sum.
+// With d = a - b it is b + g(d), where g is concave and increasing: d for d <= -1, -(1 - d)^2/4
+// from -1 to 1, and 0 for d >= 1. Its derivatives by a and b are shares: nonnegative, with the sum
+// 1.
 
 namespace zeroset {
 
-/// In upward rounding: from the lower ends to the upper ends, as it increases with both operands.
+/// Range of the blend, in upward rounding. The blend increases with both operands, so its ends
+/// follow from theirs.
 template <class Real>
 Interval<Real> smooth_min(const Interval<Real>& a, const Interval<Real>& b) {
     const auto number = [&](double value) { return like(a.hi, value); };
     const Real zero = number(0);
-    // |a - b| at the lower ends from below; NaN where both are -inf.
+    // Lower bound of |a - b| at the lower ends; 0 where both are -inf and the difference is NaN.
     const Real above_lo = b.neg_lo - a.neg_lo;
     const Real below_lo = a.neg_lo - b.neg_lo;
     const Real least = select(unordered(above_lo, below_lo), zero, maximum(-above_lo, -below_lo));
     const Real most_height = maximum(number(1) - least, zero);
-    // At the upper ends from above.
+    // Upper bound of |a - b| at the upper ends; +inf where the difference is NaN.
     const Real above_hi = a.hi - b.hi;
     const Real below_hi = b.hi - a.hi;
     const Real most =

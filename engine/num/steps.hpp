@@ -2,19 +2,19 @@
 
 #include "engine/num/enclosure.hpp"
 
-// Functions that jump, and conditions, over any carrier, in upward rounding. Each has one of its
-// outcomes between its jumps, a whole number; what is known of it is the interval of the outcomes.
-// Those of a condition are 1 where it surely holds, 0 where it surely fails, 0 to 1 elsewhere.
+// Functions that jump, and conditions, over any carrier, in upward rounding. Between its jumps each
+// has a single outcome, an integer; what is known of it is an interval of outcomes. The outcomes of
+// a condition are 1 where it surely holds, 0 where it surely fails, 0 to 1 elsewhere.
 
 namespace zeroset {
 
-/// A condition with these outcomes: continuous where there is one.
+/// Enclosure of a condition with these outcomes; continuous where there is a single one.
 template <class Real>
 Enclosure<Real> stepped(const Interval<Real>& outcomes) {
     return {outcomes, {}, {}, outcomes.neg_lo == -outcomes.hi};
 }
 
-/// A number with these outcomes: it takes no value between two neighbours.
+/// Enclosure of a number with these outcomes: it takes no value between two neighbouring ones.
 template <class Real>
 Enclosure<Real> jumping(const Interval<Real>& outcomes) {
     Enclosure<Real> result = stepped(outcomes);
@@ -30,7 +30,7 @@ Real sign_of(const Real& a) {
     return select(a > zero, like(a, 1.0), select(a < zero, like(a, -1.0), zero));
 }
 
-/// An upper bound of the sign: 1 where `a` is NaN.
+/// Upper bound of the sign of `a`; 1 where `a` is NaN.
 template <class Real>
 Real sign_up(const Real& a) {
     const Real zero = like(a, 0.0);
@@ -38,7 +38,7 @@ Real sign_up(const Real& a) {
 }
 
 /// floor(a + 1/2), exact in any rounding mode: a - floor(a) is exact for a > 0 and where it is at
-/// most 1/2, and rounding never takes it across 1/2.
+/// most 1/2, and otherwise rounding never takes it across 1/2.
 template <class Real>
 Real nearest_integer(const Real& a) {
     const Real below = round_down(a);
@@ -46,7 +46,7 @@ Real nearest_integer(const Real& a) {
     return select(up, below + like(a, 1.0), below);
 }
 
-/// The outcomes of sign, floor, ceil and round.
+/// Outcomes of sign, floor, ceil and round over an interval.
 template <class Real>
 Interval<Real> sign_steps(const Interval<Real>& a) {
     return {sign_up(a.neg_lo), sign_up(a.hi)};
@@ -64,8 +64,9 @@ Interval<Real> round_steps(const Interval<Real>& a) {
     return {-nearest_integer(-a.neg_lo), nearest_integer(a.hi)};
 }
 
-/// a - b floor(a/b) for the floors in `steps`: from 0 to b, and a - b k where the floor is the same
-/// k on the whole box. If it is k or k - 1, the values are those of a - b k or of a - b (k - 1).
+/// a - b floor(a/b), where `steps` holds the possible floors. The values are between 0 and b, and
+/// equal to a - b k where the floor is a single k. Where it is k or k - 1, every value belongs
+/// to a - b k or to a - b (k - 1), which `apart` separates.
 template <class Real>
 Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Interval<Real>& steps) {
     const Real zero = like(a.hi, 0.0);
@@ -83,7 +84,7 @@ Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Inte
     return {select(one_step, tight, from_zero), {}, excludes_zero(b), one_step, apart};
 }
 
-/// A condition that holds for sure, or fails for sure.
+/// Outcomes of a condition, given where it surely holds and where it surely fails.
 template <class Real>
 Interval<Real> condition(const auto& holds, const auto& fails, const Real& kind) {
     const Real zero = like(kind, 0.0);
@@ -108,25 +109,27 @@ auto may_fail(const Interval<Real>& condition) {
     return condition.neg_lo >= like(condition.hi, 0.0);
 }
 
-/// What a mask of one side says of the whole: nothing where that side is never taken.
+/// `mask` of one operand of a choice, made true where that operand is never taken.
 template <class Mask>
 std::optional<Mask> where_taken(const Mask& taken, const std::optional<Mask>& mask) {
     if (!mask) return mask;
     return either(no(taken), *mask);
 }
 
-/// a where the condition c holds, b elsewhere. The hull of both where c is undecided, but for a
-/// side that is nowhere defined.
+/// Enclosure of a where the condition c holds, of b elsewhere. Where c is undecided, the hull of
+/// both, without an operand that is defined nowhere.
 template <class Real>
 Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
                        const Enclosure<Real>& b) {
     const auto holds = may_hold(c.range);
     const auto fails = may_fail(c.range);
+    // Count an operand where it may be taken and may be defined.
     const auto use_a = a.somewhere ? both(holds, *a.somewhere) : holds;
     const auto use_b = b.somewhere ? both(fails, *b.somewhere) : fails;
     const Interval<Real> hull{larger_bound(a.range.neg_lo, b.range.neg_lo),
                               larger_bound(a.range.hi, b.range.hi)};
     Enclosure<Real> result{select(use_a, select(use_b, hull, a.range), b.range)};
+    // Find the gap between the two ranges where both count, else take the one operand's gap.
     const Interval<Real> a_first{b.range.neg_lo, a.range.hi};
     const Interval<Real> b_first{a.range.neg_lo, b.range.hi};
     const Interval<Real> anything = whole_line(a.range.hi);
@@ -134,6 +137,7 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
         select(use_a, a.apart.value_or(anything), b.apart.value_or(anything));
     result.apart =
         select(both(use_a, use_b), select(a.range.hi < -b.range.neg_lo, a_first, b_first), taken);
+    // Combine the domains; an operand that is never taken does not matter.
     result.somewhere = c.somewhere;
     if (a.somewhere || b.somewhere) {
         result.somewhere = conjunction(c.somewhere, {either(use_a, use_b)});
@@ -146,7 +150,7 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
     return result;
 }
 
-/// a where the condition c holds, undefined elsewhere.
+/// Enclosure of a where the condition c holds; undefined elsewhere.
 template <class Real>
 Enclosure<Real> where(const Enclosure<Real>& a, const Enclosure<Real>& c) {
     Enclosure<Real> result = a;
@@ -156,8 +160,9 @@ Enclosure<Real> where(const Enclosure<Real>& a, const Enclosure<Real>& c) {
     return result;
 }
 
-/// Of a the sign of b: what `oriented` knows without the operands' domains. Beside a zero of b the
-/// values are on both sides of 0, as far from it as those of a.
+/// Enclosure of a where b > 0 and of -a where b < 0; the masks are those of `oriented` alone,
+/// without its operands'. Where b may be 0, the values are on both sides of 0, as far from it as
+/// those of a.
 template <class Real>
 Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
     const Real zero = like(b.hi, 0.0);
@@ -168,7 +173,8 @@ Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
         return select(above, v, select(below, -v, Interval<Real>{far, far}));
     };
     const auto known = either(above, below);
-    const Real neg_least = minimum(a.range.neg_lo, a.range.hi);  // where a has no zero
+    // Minus the least |a|, where a has no zero
+    const Real neg_least = minimum(a.range.neg_lo, a.range.hi);
     const auto says_nothing = either(known, unordered(a.range.neg_lo, a.range.hi));
     const Real size = select(says_nothing, like(zero, infinity), neg_least);
     std::optional<Interval<Real>> apart{Interval<Real>{size, size}};

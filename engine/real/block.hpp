@@ -11,9 +11,9 @@
 #include <cstdint>
 
 // The carrier of the interpreter: a block of floats or doubles in registers of 16 bytes, or of 32
-// and 64 where the translation unit is made for machines that have them. Each operation is
-// bit-equal to that of one number (engine/real/scalar.hpp), but for the fused ones of wide
-// registers; the elementary functions over doubles are those of kernels (`one_lane`).
+// or 64 bytes where the translation unit is compiled for machines that have them. Each operation is
+// bit-equal to that of a single number (engine/real/scalar.hpp), except the fused ones of wide
+// registers. The elementary functions over doubles are those of kernels (`one_lane`).
 
 #ifndef ZEROSET_BLOCK_BYTES
 #define ZEROSET_BLOCK_BYTES 16
@@ -21,7 +21,7 @@
 
 namespace zeroset {
 
-/// A register of so many bytes.
+/// A vector register of `bytes` bytes.
 template <class Real, std::size_t bytes>
 struct Register;
 template <>
@@ -53,10 +53,10 @@ struct Register<double, 64> {
 };
 #endif
 
-/// In any registers.
+/// Size of a block, whatever its registers.
 inline constexpr std::size_t block_bytes = 64;
 
-/// One bit for each lane.
+/// Mask of a block: one bit for each lane, the first lane lowest.
 struct BlockMask {
     std::uint16_t bits;
 };
@@ -68,11 +68,11 @@ struct Block {
 
     std::array<Register<Real, bytes>, block_bytes / bytes> registers;
 
-    /// The same number in all lanes.
+    /// A block with `value` in all lanes.
     static Block splat(Real value);
 };
 
-// Operations that all registers have.
+// Operations on one register: those of 16 bytes, and splat for all. block_wide.hpp has the others.
 namespace detail {
 
 template <std::size_t bytes>
@@ -136,7 +136,7 @@ inline int unordered(__m128d x, __m128d y) { return _mm_movemask_pd(_mm_cmpunord
 inline int sign_bits(__m128 x) { return _mm_movemask_ps(x); }
 inline int sign_bits(__m128d x) { return _mm_movemask_pd(x); }
 
-/// By the sign bits of `sign`.
+/// `if_set` where the sign bit of `sign` is set, else `if_clear`.
 inline __m128 blend(__m128 sign, __m128 if_set, __m128 if_clear) {
     return _mm_blendv_ps(if_clear, if_set, sign);
 }
@@ -144,7 +144,7 @@ inline __m128d blend(__m128d sign, __m128d if_set, __m128d if_clear) {
     return _mm_blendv_pd(if_clear, if_set, sign);
 }
 
-/// By the lowest bits, one for each lane.
+/// `if_set` where the lane's bit is set, else `if_clear`; lane i has bit i of `bits`.
 inline __m128 choose(unsigned bits, __m128 if_set, __m128 if_clear) {
     const __m128i each = _mm_setr_epi32(1, 2, 4, 8);
     const __m128i all = _mm_set1_epi32(static_cast<int>(bits));
@@ -167,7 +167,7 @@ inline __m128d fused(__m128d x, __m128d y, __m128d z) { return _mm_add_pd(_mm_mu
 
 namespace zeroset {
 
-/// function(a's register, b's register, ...) for each register.
+/// The block of the results of function(a's register, b's register, ...) for each register.
 template <class Real, std::size_t bytes, class Function, class... Blocks>
 Block<Real, bytes> by_registers(Function function, const Block<Real, bytes>& a,
                                 const Blocks&... others) {
@@ -177,7 +177,7 @@ Block<Real, bytes> by_registers(Function function, const Block<Real, bytes>& a,
     return result;
 }
 
-/// The bits that function(a's register, b's register) gives.
+/// The mask of the bits that function(a's register, b's register) returns for each register.
 template <class Real, std::size_t bytes, class Function>
 BlockMask mask_by_registers(Function function, const Block<Real, bytes>& a,
                             const Block<Real, bytes>& b) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// The operations on registers of 32 and 64 bytes that engine/real/block.hpp needs. It includes this
-// where the translation unit has them.
+// Operations on registers of 32 and 64 bytes, for engine/real/block.hpp alone. Empty where the
+// translation unit is compiled without them.
 
 #if ZEROSET_BLOCK_BYTES == 32
 namespace zeroset::detail {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-// What the algebra's error bounds need to know of the carrier's binary format.
+// Properties of a carrier's binary format that the error bounds of the algebra need.
 
 namespace zeroset {
 
@@ -13,20 +13,20 @@ enum class RealType : std::uint8_t { Float, Double };
 /// Every member but `type` and `far` is a number of the format itself.
 struct Format {
     RealType type;
-    double relative_gap;  ///< two units in the last place of 1: more than neighbours' distance
+    double relative_gap;  ///< 2 ulp of 1: more than the relative distance of neighbours
     double smallest_normal;
     double largest_finite;
-    double pi_lo;  ///< the neighbours around pi
+    double pi_lo;  ///< pi_lo and pi_hi: the neighbours around pi
     double pi_hi;
     double turns_per_radian;  ///< nearest to 1 / (2 pi)
     double turns_slack;       ///< above twice the error of turns_per_radian
-    double far;               ///< the size of operand from which no phase of a wave is told
+    double far;               ///< operand size beyond which the phase of a wave is unknown
     double per_ln10;          ///< nearest to 1 / ln(10)
     double per_ln2;           ///< nearest to 1 / ln(2)
 };
 
-// 1 / (2 pi) is 0x1.45f306dc9c882a53f...p-3: the float is off by 0.87 * 2^-27, the double by
-// 0.36 * 2^-55. At `far`, a period has 50 floats, or 402 doubles.
+// 1 / (2 pi) is 0x1.45f306dc9c882a53f...p-3: the nearest float is off by 0.87 * 2^-27, the nearest
+// double by 0.36 * 2^-55. At `far`, a period holds 50 floats, or 402 doubles.
 inline constexpr Format float_format{.type = RealType::Float,
                                      .relative_gap = 0x1p-22,
                                      .smallest_normal = 0x1p-126,

@@ -6,10 +6,10 @@
 #include <limits>
 #include <type_traits>
 
-// The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) asks of its carrier,
-// for float and double; format_of (engine/real/format.hpp) is one of them. jit/lanes.hpp has the
-// same for vectors of an IR under construction. The two must agree to the bit: each comment names
-// the machine instruction's meaning that they share.
+// The operations that the algebra (interval.hpp, elementary.hpp, dual.hpp) requires of its carrier,
+// for float and double; format_of (engine/real/format.hpp) belongs to them. jit/lanes.hpp
+// implements them for vectors of an IR under construction. Both must agree to the bit: the comments
+// name the machine instruction whose meaning they share.
 
 namespace zeroset {
 
@@ -24,11 +24,11 @@ inline float float_above(double value) {
     return std::nextafter(near, std::numeric_limits<float>::infinity());
 }
 
-/// The least enclosure's end in a carrier's type: not below `value`.
+/// The upper end, in the carrier's type, of the smallest enclosure of `value`.
 inline float upper_end(float /*kind*/, double value) { return float_above(value); }
 inline double upper_end(double /*kind*/, double value) { return value; }
 
-/// The second argument where the two are equal or unordered (x86 MAXPS, MINPS).
+/// Maximum and minimum; the second argument where both are equal or unordered (x86 MAXPS, MINPS).
 template <class Real>
     requires std::is_floating_point_v<Real>
 Real maximum(Real a, Real b) {
@@ -46,7 +46,7 @@ Real select(bool condition, Real if_true, Real if_false) {
     return condition ? if_true : if_false;
 }
 
-/// `if_set` where the sign bit of x is set, -0 and all (x86 BLENDVPS).
+/// `if_set` where the sign bit of x is set, as that of -0 is; else `if_clear` (x86 BLENDVPS).
 template <class Real>
     requires std::is_floating_point_v<Real>
 Real select_negative(Real x, Real if_set, Real if_clear) {
@@ -59,7 +59,7 @@ bool unordered(Real a, Real b) {
     return std::isunordered(a, b);
 }
 
-/// Rounded in the current mode.
+/// Square root, rounded in the current mode.
 template <class Real>
     requires std::is_floating_point_v<Real>
 Real square_root(Real a) {

@@ -11,7 +11,7 @@
 namespace zeroset {
 namespace {
 
-/// A number of double's precision.
+/// An MPFR number with the precision of double.
 struct DoubleNumber {
     mpfr_t value;
 
@@ -24,7 +24,7 @@ struct DoubleNumber {
     ~DoubleNumber() { mpfr_clear(value); }
 };
 
-/// While it lives, this thread's MPFR numbers have the exponents of double, denormals included.
+/// Gives this thread's MPFR numbers the exponents of double, denormals included, while it lives.
 class DoubleExponents {
 public:
     DoubleExponents() {
@@ -34,7 +34,7 @@ public:
     ~DoubleExponents() {
         mpfr_set_emin(emin_);
         mpfr_set_emax(emax_);
-        mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // or it would leak where a thread ends
+        mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);  // which would leak at the end of a thread
     }
     DoubleExponents(const DoubleExponents&) = delete;
     DoubleExponents& operator=(const DoubleExponents&) = delete;
@@ -65,7 +65,7 @@ int computed(Elementary function, mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b)
     return 0;
 }
 
-/// Code over a register of `bits`; 0 for a plain number.
+/// Code over a register of `bits` bits, or over a plain number for 0; nullptr where there is none.
 template <class Real>
 const void* code_of_width(Elementary function, int bits) {
     // SLEEF's "finz" functions (with fused multiply-add) give the same bits at every width, and so
@@ -82,7 +82,7 @@ const void* code_of_width(Elementary function, int bits) {
 
 template <class Real>
 Real one_lane_of(Elementary function, Real a, Real b) {
-    const UpwardRounding upward;  // what the code returns in; then back to the caller's mode
+    const UpwardRounding upward;  // the code returns in this mode; the guard restores the caller's
     const void* const code = code_of_width<Real>(function, 0);
     if (elementary_arity(function) == 1) return std::bit_cast<Real (*)(Real)>(code)(a);
     return std::bit_cast<Real (*)(Real, Real)>(code)(a, b);

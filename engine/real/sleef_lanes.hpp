@@ -2,8 +2,8 @@
 
 #include "engine/real/sleef.hpp"
 
-// Private to engine/num: one translation unit per instruction set defines these for float and
-// double.
+// Private to engine/real: tables of SLEEF's functions for float and double, each defined by the one
+// translation unit of its instruction set.
 
 namespace zeroset {
 

@@ -87,7 +87,7 @@ Camera framed(const Camera& camera, const Box& box, double aspect) {
         const glm::dvec3 offset = half * sign;
         const double across = std::max(std::abs(glm::dot(offset, frame.right)) / aspect,
                                        std::abs(glm::dot(offset, frame.up)));
-        // Only in perspective what is nearer shows larger.
+        // In perspective, what is nearer shows larger.
         const double nearer = frame.parallel() ? 0.0 : -glm::dot(offset, frame.forward);
         const double needed = margin * across / frame.half_height + nearer;
         distance = std::max(distance, needed);
@@ -134,7 +134,8 @@ Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad) {
         std::clamp(std::asin(height) + pitch_rad, -0.5 * std::numbers::pi + pole_margin,
                    0.5 * std::numbers::pi - pole_margin);
     const ViewFrame frame(camera);
-    const glm::dvec3 level = glm::normalize(glm::cross(frame.right, axis));  // towards the eye
+    // Orthogonal to `axis`, towards the eye
+    const glm::dvec3 level = glm::normalize(glm::cross(frame.right, axis));
     const glm::dvec3 outward = std::cos(yaw_rad) * level + std::sin(yaw_rad) * frame.right;
     Camera turned = camera;
     turned.eye =
@@ -153,7 +154,7 @@ Camera pan(const Camera& camera, double dx, double dy) {
 }
 
 Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
-    constexpr double nearest = 0x1p-46;  // of the coordinates: 64 ulp and more
+    constexpr double nearest = 0x1p-46;  // relative to the coordinates: at least 64 ulp
     Camera moved = camera;
     moved.eye = fixed + factor * (camera.eye - fixed);
     moved.look_at = fixed + factor * (camera.look_at - fixed);
@@ -163,7 +164,7 @@ Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
 
 glm::dvec3 point_under(const Camera& camera, double u, double v, std::optional<double> distance) {
     const ViewFrame frame(camera);
-    // An image of two pixels in height, its centre at (0, 0).
+    // Take an image 2 pixels high whose centre is (0, 0).
     const double at_look = frame.look_distance * glm::length(frame.direction(u, 1.0 - v, 0, 2));
     return frame.point(u, 1.0 - v, 0, 2, distance.value_or(at_look));
 }

@@ -8,17 +8,17 @@
 
 namespace zeroset {
 
-/// Where points of the world show in an image: ViewFrame::point the other way round.
+/// Projection of points of the world into an image in pixels, the inverse of ViewFrame::point.
 class ImagePlane {
 public:
     ImagePlane(const Camera& camera, int width_px, int height_px)
         : view_(camera), width_(width_px), height_(height_px) {}
 
-    /// As ViewFrame's.
+    /// Place of a point as of ViewFrame::homogeneous.
     [[nodiscard]] glm::dvec3 homogeneous(const glm::dvec3& point) const {
         return view_.homogeneous(point);
     }
-    /// Column and row of such a place; a pixel's centre is at (i + 0.5, j + 0.5).
+    /// Column and row of a place from homogeneous; a pixel's centre is at (i + 0.5, j + 0.5).
     [[nodiscard]] glm::dvec2 pixel(const glm::dvec3& place) const {
         return {0.5 * (width_ + height_ * place.x / place.z),
                 0.5 * height_ * (1 - place.y / place.z)};
@@ -28,7 +28,7 @@ public:
         if (!(place.z > 0)) return std::nullopt;
         return pixel(place);
     }
-    /// As Framebuffer::depth of a pixel that shows the point.
+    /// Distance of the point along its ray, as in Framebuffer::depth.
     [[nodiscard]] double distance(const glm::dvec3& point) const {
         return view_.distance_of(point);
     }

@@ -8,8 +8,8 @@
 namespace zeroset {
 namespace {
 
-/// A point of the ball of radius 1/2 about the centre, seen from far along the third axis; beyond
-/// 45 degrees a hyperbola goes on where the ball ends [Henriksen04].
+/// Direction of the point under `at` on the ball of radius 1/2 about the centre, seen from far
+/// along the third axis; beyond 45 degrees a hyperbola continues the ball [Henriksen04].
 glm::dvec3 on_ball(const glm::dvec2& at) {
     constexpr double squared_radius = 0.25;
     const double squared = glm::dot(at, at);
@@ -19,13 +19,13 @@ glm::dvec3 on_ball(const glm::dvec2& at) {
     return glm::normalize(glm::dvec3(at, height));
 }
 
-/// Columns: right, up, towards the eye.
+/// Rotation from the camera's axes (right, up, towards the eye) to the world's.
 glm::dmat3 world_from_camera(const Camera& camera) {
     const ViewFrame frame(camera);
     return {frame.right, frame.up, -frame.forward};
 }
 
-/// `camera` turned about the point looked at, by a turn of the world.
+/// `camera` turned about the point looked at by a rotation of the world's space.
 Camera turned(const Camera& camera, const glm::dquat& turn) {
     const ViewFrame frame(camera);
     Camera result = camera;
@@ -81,7 +81,7 @@ Camera roll_ball(const Camera& camera, const glm::dvec2& from, const glm::dvec2&
     const double sine = glm::length(axis);
     if (sine == 0) return camera;
     const double angle = std::atan2(sine, glm::dot(grabbed, released));
-    // The camera turns the other way round than what it sees.
+    // The camera turns opposite to what it shows.
     return turned(camera, glm::angleAxis(-angle, world_from_camera(camera) * (axis / sine)));
 }
 

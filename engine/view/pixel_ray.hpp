@@ -16,16 +16,17 @@ struct PixelRay {
     [[nodiscard]] glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// Through the point (col, row) of an image, in pixels; a pixel's centre is at (i + 0.5, j + 0.5).
+/// The ray through the point (col, row) of an image, in pixels. The centre of a pixel is at
+/// (i + 0.5, j + 0.5).
 inline PixelRay pixel_ray(const ViewFrame& view, double col, double row, int width_px,
                           int height_px) {
     return {view.origin(col, row, width_px, height_px),
             glm::normalize(view.direction(col, row, width_px, height_px))};
 }
 
-/// Where a point shows in the image: in heights of it from its centre, x to the right, y upwards,
-/// and at which distance along its ray. Nothing for what no ray meets: what is not in front of the
-/// eye of a perspective view.
+/// The place at which a point shows in the image, in heights of it from its centre, x to the right,
+/// y upwards, and the point's distance along its ray. Nothing for a point on no ray, which is one
+/// not in front of the eye of a perspective view.
 struct PlaceInView {
     glm::dvec2 place;
     double distance;

@@ -21,7 +21,7 @@ struct Isolated::Shared {
 
 namespace {
 
-constexpr int complained = 99;  ///< the child's exit status
+constexpr int complained = 99;  ///< exit status of a child that has a complaint
 
 template <std::size_t capacity>
 void write_to(std::array<char, capacity>& to, std::size_t& size, std::string_view from) {

@@ -10,10 +10,10 @@ namespace zeroset::test {
 
 struct Failure {
     std::string text;
-    std::string reason;  ///< a complaint, or how the process ended
+    std::string reason;  ///< the complaint, or how the process ended
 };
 
-/// Tries texts in a child process, whose crash is a failure of the text it was at.
+/// Tries texts in a child process; if that crashes, the text being tried has failed.
 class Isolated {
 public:
     using Target = std::optional<std::string> (*)(std::string_view);
@@ -26,8 +26,8 @@ public:
 
     [[nodiscard]] std::optional<Failure> failure_of(const std::string& text) const;
 
-    /// Gets texts from `next` in the child until it has no more or one fails. `next` is told
-    /// whether the text before was tried; it runs in the child.
+    /// Tries texts from `next` in the child until there are no more or one fails. The argument of
+    /// `next`, which runs in the child, says whether a text has been tried before.
     [[nodiscard]] std::optional<Failure> first_failure(
         const std::function<std::optional<std::string>(bool)>& next) const;
 
@@ -36,7 +36,7 @@ private:
 
     Target target_;
     std::size_t timeout_s_;
-    Shared* shared_;  ///< with the child
+    Shared* shared_;  ///< shared with the child
 };
 
 }  // namespace zeroset::test

@@ -40,7 +40,7 @@ Complaint about_error(const ParseError& error, std::string_view text) {
     return std::nullopt;
 }
 
-/// Equal but for the numbers of the parameters.
+/// Whether the graphs are equal except for the numbers of their parameters.
 bool same_graph(const Expr& a, const Expr& b) {
     const auto same = [&](Node left, Node right) {
         if (left.op == Op::Variable && right.op == Op::Variable) {
@@ -52,7 +52,7 @@ bool same_graph(const Expr& a, const Expr& b) {
     return std::ranges::equal(a.nodes(), b.nodes(), same);
 }
 
-/// Whether a canonical text cannot be read because it is larger than what was typed for it.
+/// Whether a canonical text cannot be read because it is larger than the text it was made of.
 bool too_large(const ParseError& error) {
     return error.reason.contains("nested more than") || error.reason.contains("is longer than");
 }
@@ -98,7 +98,7 @@ Complaint about_readings(const Program& program) {
     return std::nullopt;
 }
 
-/// A few boxes, and behind them a point of each.
+/// A few boxes, followed by one point in each of them.
 class BoxesAndPoints {
 public:
     static constexpr std::size_t boxes = batch_multiple / 2;
@@ -107,7 +107,7 @@ public:
         for (std::size_t axis = 0; axis < 3; ++axis) {
             for (std::size_t i = 0; i < boxes; ++i) {
                 const Interval<float> box = random_box(random);
-                // The ends are floats, so the nearest float lies in the box, too.
+                // Both ends are floats, so the float nearest to the point lies in the box, too.
                 constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
                 const auto point =
                     static_cast<float>(std::clamp(random.point_in(box), -largest, largest));
@@ -159,7 +159,7 @@ private:
     Uniforms uniforms_;
 };
 
-/// Both claim to enclose f: `wide` over boxes, `narrow` at points of them.
+/// Compares two kernels that claim to enclose f: `wide` over boxes, `narrow` at points of them.
 Complaint about_inclusion(const BoxesAndPoints::Ranges& wide,
                           const BoxesAndPoints::Ranges& narrow) {
     for (std::size_t box = 0; box < BoxesAndPoints::boxes; ++box) {

@@ -6,9 +6,9 @@
 
 namespace zeroset::test {
 
-/// Reads the text and does all that the program would do with it: its canonical texts read again,
-/// its surfaces tightened, interpreted and, where that is quick, compiled. What is wrong, if
-/// anything is; the same for the same text.
+/// Reads the text and does with it all that the program would do: reads its canonical texts again,
+/// tightens its surfaces, interprets and, where that is quick, compiles them. Returns what is
+/// wrong, if anything; equal texts give equal results.
 std::optional<std::string> complaint_about(std::string_view text);
 
 }  // namespace zeroset::test

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Names and types are libFuzzer's.
+// The entry point of libFuzzer, with its name and types.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const auto complaint =
         zeroset::test::complaint_about({reinterpret_cast<const char*>(data), size});

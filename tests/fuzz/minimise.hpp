@@ -9,8 +9,8 @@
 
 namespace zeroset::test {
 
-/// A text that fails, too, made by leaving out pieces of a failing one: stretches of half of it,
-/// then of a quarter, ... then single ones.
+/// A text that also fails, made from a failing one by leaving out pieces: half of them at a time,
+/// then a quarter, ... then single ones.
 template <class Fails>
 std::string minimised(const std::string& text, Fails fails) {
     std::vector<std::string> pieces = pieces_of(text);

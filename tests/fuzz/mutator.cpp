@@ -25,12 +25,12 @@ Kind kind_of(char c) {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// A place between two pieces, or an end.
+/// A random place between two of `size` pieces, or at an end.
 std::ptrdiff_t place(RandomNumbers& random, std::size_t size) {
     return static_cast<std::ptrdiff_t>(random.below(size + 1));
 }
 
-/// Two places in order, mostly near each other.
+/// Two random places in order, mostly near each other.
 std::pair<std::ptrdiff_t, std::ptrdiff_t> stretch(RandomNumbers& random, std::size_t size) {
     const std::ptrdiff_t begin = place(random, size);
     const std::size_t most = random.one_in(4) ? size : 6;
@@ -58,7 +58,7 @@ void remove_some(Pieces& pieces, RandomNumbers& random) {
     pieces.erase(pieces.begin() + begin, pieces.begin() + end);
 }
 
-/// Two pieces or longer stretches change places.
+/// Swaps two neighbouring pieces or longer stretches.
 void swap_some(Pieces& pieces, RandomNumbers& random) {
     const auto [begin, end] = stretch(random, pieces.size());
     if (begin == end) return;
@@ -74,7 +74,7 @@ void put_in_brackets(Pieces& pieces, RandomNumbers& random) {
     pieces.insert(pieces.begin() + begin, opener);
 }
 
-/// A stretch many times over: deep nesting, long sums, many statements.
+/// Repeats a stretch many times: deep nesting, long sums, many statements.
 void repeat_some(Pieces& pieces, RandomNumbers& random) {
     const auto [begin, end] = stretch(random, pieces.size());
     const Pieces once(pieces.begin() + begin, pieces.begin() + end);
@@ -91,7 +91,7 @@ void change_byte(Pieces& pieces, RandomNumbers& random) {
     piece[random.below(piece.size())] = static_cast<char>(random.bits() & 0xFFU);
 }
 
-/// Without the escapes of libFuzzer's dictionaries: \\ and \" and \xNN.
+/// The text without the escapes of libFuzzer's dictionaries: \\ and \" and \xNN.
 std::string unescaped(std::string_view text) {
     std::string word;
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -8,20 +8,21 @@
 
 namespace zeroset::test {
 
-/// The parts of a text that a mutation keeps whole: words, numbers, signs, spaces.
+/// The parts of a text that most mutations keep whole: words, numbers, signs, spaces.
 std::vector<std::string> pieces_of(std::string_view text);
 
-/// The quoted words of a dictionary in libFuzzer's form.
+/// The quoted words of a dictionary in libFuzzer's format.
 std::vector<std::string> read_dictionary(std::string_view file);
 
-/// Makes texts out of given ones and the language's words.
+/// Makes texts from given ones and from the language's words.
 class Mutator {
 public:
     Mutator(std::vector<std::string> texts, std::vector<std::string> words);
 
-    /// Mostly almost right, of at most 110'000 bytes; the same for the same random numbers.
+    /// A text that is mostly almost correct, of at most 110'000 bytes; equal for equal random
+    /// numbers.
     std::string next(RandomNumbers& random) const;
-    /// Takes a text to go on from.
+    /// Adds a text to those that are mutated.
     void keep(std::string text, RandomNumbers& random);
 
 private:
@@ -31,7 +32,7 @@ private:
     [[nodiscard]] Pieces some_pieces(RandomNumbers& random) const;
 
     Pieces texts_;
-    std::size_t given_;  ///< the first texts, which stay
+    std::size_t given_;  ///< number of the first texts, which are never replaced
     Pieces words_;
 };
 

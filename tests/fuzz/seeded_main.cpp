@@ -1,6 +1,6 @@
-// The fuzzer of the formula language for every compiler: mutates the corpus with the words of the
-// dictionary. Each text is tried in a child process, so that a crash, too, is found, minimised and
-// written to a file.
+// A fuzzer of the formula language that works with every compiler: mutates the corpus with the
+// words of the dictionary. Each text is tried in a child process, so that a crash, too, is found,
+// minimised and written to a file.
 
 #include "engine/language/parse.hpp"
 #include "tests/fuzz/isolated.hpp"
@@ -69,14 +69,14 @@ std::vector<std::string> corpus() {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(ZEROSET_FUZZ_DIR "/corpus"))
         paths.push_back(entry.path());
-    std::ranges::sort(paths);  // the same run for the same seed
+    std::ranges::sort(paths);  // so that equal seeds make equal runs
     std::vector<std::string> texts;
     for (const auto& path : paths)
         texts.push_back(contents(path));
     return texts;
 }
 
-/// Minimises the text and writes it beside.
+/// Minimises the failing text and writes it to a file in the current folder.
 void report(const Failure& failure, const Isolated& isolated) {
     std::printf("%s\n", failure.reason.c_str());
     const std::string small = minimised(failure.text, [&](const std::string& text) {

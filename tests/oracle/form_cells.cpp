@@ -14,7 +14,7 @@ glm::dvec3 random_vector(RandomNumbers& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-/// Where formulas have poles, jumps and ends of domains, or anywhere near.
+/// A place where formulas often have poles, jumps or ends of domains, or any other nearby.
 glm::dvec3 random_target(RandomNumbers& random) {
     if (random.one_in(3)) return glm::dvec3(0.0);
     if (random.one_in(2)) return random_vector(random, 3);
@@ -33,7 +33,7 @@ Camera random_camera(RandomNumbers& random) {
     return camera;
 }
 
-/// A clip box about the place looked at, now and then far from the origin or enormous.
+/// A view with a clip box about the place looked at, now and then far from the origin or enormous.
 struct RandomView {
     Scene scene;
     Camera camera;
@@ -55,7 +55,7 @@ Real inside(Real value, double lo, double hi) {
     return static_cast<Real>(std::clamp(static_cast<double>(value), lo, hi));
 }
 
-/// A place of the cell: a pixel's centre on its rim or within, at any depth.
+/// A place in the cell: the centre of a pixel on its rim or inside, at any depth.
 RayPlace random_place(RandomNumbers& random, const BeamView& view, const Tile& cell, double s_lo,
                       double s_hi) {
     const auto along = [&](int first, int pixels) {
@@ -89,7 +89,7 @@ void make_cell(RandomNumbers& random, const BeamView& view, int pixels, const De
     cells.s_radius[i] = static_cast<Real>(size);
     const auto s = static_cast<double>(cells.s[i]);
     const auto reach = static_cast<double>(cells.s_radius[i]);
-    // The sums are exact, or the places rounded inward.
+    // Round the places inward unless the sums are exact.
     const double lo = std::nextafter(s - reach, s);
     const double hi = std::nextafter(s + reach, s);
     cells.near[i] = random_place(random, view, cell, lo, hi);

@@ -13,7 +13,7 @@ inline constexpr std::size_t cells_a_batch = batch_multiple;
 
 /// A place on a ray of a view: base + (distance + s) (u right + v up) + s forward, exactly.
 struct RayPlace {
-    float col, row;  ///< of the ray, in pixels from the tile's first
+    float col, row;  ///< ray's place in pixels, from the tile's first
     double u, v, s;
 };
 
@@ -23,17 +23,17 @@ struct FormCells {
     ViewFrame view{Camera{}};
     glm::dvec3 base{};      ///< BeamView::base
     double distance = 0;    ///< BeamView::distance
-    RaysOf<double> rays{};  ///< of the tile, for values
+    RaysOf<double> rays{};  ///< rays of the tile, for values
     FrustumOf<Real> frustum{};
     std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};
-    std::array<RayPlace, cells_a_batch> near{};  ///< of each cell, a place in it
-    std::array<RayPlace, cells_a_batch> far{};   ///< on the same ray, not nearer
+    std::array<RayPlace, cells_a_batch> near{};  ///< a place in each cell
+    std::array<RayPlace, cells_a_batch> far{};   ///< a place on the same ray, not nearer
     Uniforms uniforms;
-    double w = 0;  ///< at the places
+    double w = 0;  ///< value of w at the places
 };
 
-/// Cells as tracers make them and at random, in views that hurt: from tiny to huge, along axes,
-/// beside the eye, deep in a zoom.
+/// Cells as tracers make them and random ones, in views that are likely to find faults: from tiny
+/// to huge, along axes, beside the eye, deep in a zoom.
 template <class Real>
 FormCells<Real> random_cells(RandomNumbers& random);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr mpfr_prec_t wide_bits = 256;
 
-/// What a form kernel says of the cells, and values at the near places.
+/// The answers of a form kernel for the cells, and values at the near places.
 template <class Real>
 struct FormAnswers {
     std::array<Real, cells_a_batch> c{}, e{}, r{}, slope_neg_lo{}, slope_hi{};
@@ -26,10 +26,11 @@ struct FormAnswers {
 
 template <class Batch>
 void run(const KernelFunction<Batch>& function, const Batch& batch) {
-    function.call(function.code.get(), &batch);  // past the check of the mode, which a mutant fails
+    // Call it without its check of the mode, which a mutant fails.
+    function.call(function.code.get(), &batch);
 }
 
-/// Values as the tracer takes them for its certificates.
+/// Computes values as the tracer does for its certificates.
 template <class Real>
 void find_values(const Kernel& kernel, const FormCells<Real>& cells,
                  std::array<double, cells_a_batch>& value) {
@@ -42,7 +43,7 @@ void find_values(const Kernel& kernel, const FormCells<Real>& cells,
         row[i] = from_middle(cells.near[i].row);
         s[i] = cells.near[i].s;
     }
-    const UpwardRounding upward;  // in a mutant, too: interpreters check it
+    const UpwardRounding upward;  // also in a mutant, as interpreters check the mode
     run(kernel.ray_value, RayValueBatch{cells_a_batch, col.data(), row.data(), per_slope.data(), 0,
                                         0.0, 0.0, s.data(), cells.rays.origin,
                                         cells.uniforms.template points<double>(), value.data()});
@@ -75,7 +76,7 @@ FormAnswers<Real> answers_of(const Kernel& kernel, const FormCells<Real>& cells)
     return out;
 }
 
-/// The formula along one ray.
+/// The formula's value and slope along one ray, by MPFI.
 class AlongRay {
 public:
     template <class Real>
@@ -103,16 +104,16 @@ private:
     std::vector<MpfiDual> variables_;
 };
 
-/// One cell's claims against the truth at its places.
+/// Checks the claims about one cell against the truth at its places.
 template <class Real>
 class CellCheck {
 public:
-    /// `turns`: where the formula is not continuous, its form may be that of its negative.
+    /// `turns`: where the formula is not continuous, its form may enclose its negative instead.
     CellCheck(const FormCells<Real>& cells, const FormAnswers<Real>& answers, std::size_t cell,
               bool turns, InclusionTally& tally)
         : cells_(cells), out_(answers), i_(cell), turns_(turns), tally_(tally) {}
 
-    /// What is wrong at a place where the formula is `truth`.
+    /// The first wrong claim at a place where the formula is `truth`, or an empty text.
     std::string at(const RayPlace& place, const MpfiDual& truth) {
         const MpfiEnclosure& f = truth.value;
         if (!f.somewhere) {
@@ -132,7 +133,7 @@ public:
                    ? ""
                    : "slope " + truth.slope.text() + " not enclosed by " + hex(slope());
     }
-    /// The mean value theorem between two places.
+    /// Checks the slope by the mean value theorem between the depths s and t of one ray.
     std::string between(double s, const MpfiDual& f, double t, const MpfiDual& g) {
         const bool known = f.value.everywhere && g.value.everywhere && s < t;
         if (!continuous() || !known) return "";
@@ -143,7 +144,7 @@ public:
                    ? ""
                    : "mean slope " + mean.text() + " not enclosed by " + hex(slope());
     }
-    /// The value computed at a place where the formula is `f`.
+    /// Checks the value computed at a place where the formula is `f`.
     std::string of_value(const MpfiEnclosure& f) {
         const auto r = static_cast<double>(out_.r[i_]);
         if (!continuous() || !f.everywhere || !(r < infinity)) return "";
@@ -164,7 +165,7 @@ private:
     [[nodiscard]] Interval<Real> slope() const {
         return {out_.slope_neg_lo[i_], out_.slope_hi[i_]};
     }
-    /// The variable of a form, in units of its radius.
+    /// A variable as the form takes it: its distance from the middle, in units of the radius.
     static MpfiInterval unit(double at, Real middle, Real radius) {
         if (radius == 0) return MpfiInterval(0.0);
         return (MpfiInterval(at) - MpfiInterval(static_cast<double>(middle))) /
@@ -199,7 +200,7 @@ private:
     InclusionTally& tally_;
 };
 
-/// Whether forms are only known to vanish where the node does, as it may be one that is turned.
+/// Whether a form may enclose the negative of the node instead, as only its zeros count there.
 bool turns(const Expr& expr, NodeId id) {
     const Node& node = expr.node(id);
     if (node.op == Op::Where) return turns(expr, node.a);
@@ -217,7 +218,7 @@ std::string described(const ViewFrame& view, double distance) {
            "\n";
 }
 
-/// The i-th cell, and what is wrong there.
+/// The i-th cell as text, after the reason for its failure.
 template <class Real>
 std::string described(const FormCells<Real>& cells, std::size_t i, const std::string& reason) {
     const auto number = [](Real a) { return hex(static_cast<double>(a)); };
@@ -245,7 +246,7 @@ std::string disproved_of_cell(MpfiEvaluator& evaluator, const FormCells<Real>& c
     return reason;
 }
 
-/// As simple as the formula can be while it fails on the cells.
+/// The failure of the simplest formula found that still fails on the cells.
 template <class Real>
 std::string shrunk_failure(MakeKernel make, Expr expr, const FormCells<Real>& cells) {
     const auto failure = [&](const Expr& formula) {

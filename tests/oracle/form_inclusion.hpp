@@ -7,13 +7,13 @@
 
 #include <string>
 
-// Checks that what a form kernel says of the cells of a view is true at points of these cells: the
-// form, the slope along rays, the bound of an evaluation's rounding and the marks of the domain,
-// against MPFI.
+// Checks the claims of a form kernel about the cells of a view at points of these cells, against
+// MPFI: the form, the slope along rays, the bound of an evaluation's rounding and the masks of the
+// domain.
 
 namespace zeroset::test {
 
-/// What MPFI disproves of a kernel's claims for the cells; empty if nothing.
+/// The first claim of a kernel about the cells that MPFI disproves, or an empty text.
 template <class Real>
 std::string disproved(const Kernel& kernel, const Expr& expr, const FormCells<Real>& cells,
                       InclusionTally& tally);

@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <cstdio>
 
-// Form kernels of random formulas against MPFI; `inclusion_checks --forms 1` makes many more of
-// these checks.
+// Checks of form kernels of random formulas against MPFI; `inclusion_checks --forms 1` makes many
+// more of them.
 
 namespace zeroset::test {
 namespace {
@@ -64,13 +64,13 @@ TYPED_TEST(FormInclusion, OfPiecesInMachineCodeHolds) {
     this->check([](const Expr& expr) { return by_pieces(machine_code(expr)); }, 15, 10, 27);
 }
 
-/// Bounds of their own cover the roundings of most forms; these rely on upward rounding.
+/// Most forms cover their roundings by bounds of their own; these rely on upward rounding.
 TYPED_TEST(FormInclusion, OfStepsHolds) {
     this->check_one("mod(x, w)", 500, 24);
     this->check_one("abs(w)", 500, 25);
 }
 
-/// Cells across jumps, where pieces say most.
+/// Checks cells across jumps, where pieces tell most.
 TYPED_TEST(FormInclusion, OfPiecesBesideJumpsHolds) {
     for (const char* const text :
          {"floor(x) + y", "ceil(3*x)*y", "round(x + y)", "sign(x)*y + sign(y)", "mod(x, 2)*z",

@@ -1,5 +1,5 @@
-// The interpreter, but its forms leave out what the rounding of their coefficients costs. Linked in
-// place of the engine's own choice of code; the checks of forms must find it wrong.
+// A mutant of the interpreter, whose forms leave out the rounding errors of their coefficients.
+// Linked in place of the engine's own choice of code; the checks of forms must find it wrong.
 
 #include "engine/num/beam.hpp"
 #include "engine/real/block.hpp"

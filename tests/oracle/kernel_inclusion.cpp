@@ -24,7 +24,7 @@ Place random_place(const Box4<Real>& box, RandomNumbers& random) {
     return at;
 }
 
-/// The box between two points.
+/// The smallest box that holds both points.
 std::vector<MpfiInterval> box_between(const Place& a, const Place& b) {
     std::vector<MpfiInterval> box;
     for (std::size_t v = 0; v < a.size(); ++v)
@@ -32,7 +32,7 @@ std::vector<MpfiInterval> box_between(const Place& a, const Place& b) {
     return box;
 }
 
-/// What the values of f on a part of the box disprove of the claims for the whole.
+/// The claim for the whole box that the values of f on a part of it disprove, or an empty text.
 template <class Real>
 std::string disproved_by(const MpfiEnclosure& part, const Outcome<Real>& outcome) {
     if (!part.somewhere) {

@@ -9,14 +9,14 @@
 #include <cmath>
 #include <string>
 
-// Checks that a range kernel agrees with MPFI: at points of a box and on smaller boxes in it.
+// Checks of range kernels against MPFI: at points of a box and on smaller boxes in it.
 
 namespace zeroset::test {
 
-/// How a kernel is made of a formula.
+/// A function that makes a kernel for a formula.
 using MakeKernel = Kernel (*)(const Expr& expr);
 
-/// Whether some of the values may be in the range of a kernel's answer.
+/// Whether some of the values may be in the range that a kernel answered.
 template <class Real>
 bool meets(const Interval<Real>& range, const MpfiInterval& values) {
     if (std::isnan(range.neg_lo) || std::isnan(range.hi)) return false;
@@ -26,17 +26,19 @@ bool meets(const Interval<Real>& range, const MpfiInterval& values) {
     return two_parts ? below || above : below && above;
 }
 
-/// What MPFI disproves of a kernel's answer for a box; empty if nothing. The same points each time.
+/// The claim of a kernel's answer for a box that MPFI disproves, or an empty text. Checks the same
+/// points at each call.
 template <class Real>
 std::string disproved(const Expr& expr, const Box4<Real>& box, const Outcome<Real>& outcome,
                       InclusionTally& tally);
 
-/// The same of the kernel's answer for one box, asked for in the tested mode.
+/// The disproved claim, or an empty text, of the kernel of `make` for one box, computed in the
+/// tested mode.
 template <class Real>
 std::string disproved(MakeKernel make, const FormulaOnBox<Real>& on);
 
 /// Checks a batch of random boxes of a random formula. The first failure is minimised and described
-/// as the text of a formula and a box.
+/// as the text of a formula and of a box.
 template <class Real>
 void check_kernel(MakeKernel make, int depth, RandomNumbers& random, InclusionTally& tally);
 

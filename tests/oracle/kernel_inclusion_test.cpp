@@ -12,7 +12,7 @@
 
 #include <cstdio>
 
-// Range kernels of random formulas against MPFI.
+// Checks of range kernels of random formulas against MPFI.
 
 namespace zeroset::test {
 namespace {
@@ -55,7 +55,7 @@ TYPED_TEST(KernelInclusion, OfPiecesInMachineCodeHolds) {
 
 Expr parsed(const char* text) { return parse(text).value(); }
 
-/// A kernel that takes tanh for atan.
+/// A kernel that computes atan instead of tanh.
 Kernel planted_bug(const Expr& expr) {
     ExprBuilder builder;
     std::vector<NodeId> copies;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// The enclosures of MPFI against point values of MPFR, operator by operator.
+// Checks of MPFI's enclosures against point values of MPFR, operator by operator.
 
 namespace zeroset::test {
 namespace {
@@ -65,13 +65,13 @@ TEST_P(MpfiOperator, EnclosesTheValuesOfMpfr) {
         }
         ++defined;
         ASSERT_TRUE(f.somewhere);
-        // The reference is rounded to nearest in 256 bits.
+        // Allow for the rounding of the reference, to nearest in 256 bits.
         const MpfrNumber error = truth.value * MpfrNumber(0x1p-250);
         const MpfrNumber above = truth.value.sign() < 0 ? truth.value - error : truth.value + error;
         const MpfrNumber below = truth.value.sign() < 0 ? truth.value + error : truth.value - error;
         const bool enclosed = mpfr_lessequal_p(f.range.lo(), above.get()) != 0 &&
                               mpfr_greaterequal_p(f.range.hi(), below.get()) != 0;
-        // Angle is known up to a turn.
+        // Angle is known only up to a turn.
         ASSERT_TRUE(enclosed || GetParam().op == Op::Angle);
     }
     EXPECT_GT(defined, 20);

@@ -32,7 +32,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double largest(const glm::dvec3& a) { return std::max({a.x, a.y, a.z}); }
 
-/// How far from the first root a certified depth may be (see engine/trace/tracer.hpp).
+/// Bound of a certified depth's distance from the first root (see engine/trace/tracer.hpp).
 double depth_error(const AuditSurface& surface, const AuditSettings& settings,
                    const glm::dvec3& direction, double depth) {
     const Box& clip = surface.clip;
@@ -56,7 +56,7 @@ std::string joined(std::initializer_list<double> numbers) {
 
 std::string joined(const glm::dvec3& a) { return joined({a.x, a.y, a.z}); }
 
-/// The exact oracle where the formula is a polynomial, else the other.
+/// The exact oracle where the formula is a polynomial, else the one by subdivision.
 class Oracle {
 public:
     Oracle(const Expr& expr, std::span<const double> uniforms)
@@ -72,15 +72,15 @@ private:
     SubdivisionOracle subdivision_;
 };
 
-/// What a picture says of a pixel.
+/// A pixel of a picture, with what it claims.
 struct Shown {
     Certificate certificate;
     double depth;
-    double error;  ///< that a certified depth may have
+    double error;  ///< bound of the error of a certified depth
 };
 
-/// Compares one pixel with a known first root, `first` and `last` of it as distances from the eye;
-/// what is wrong, or nothing.
+/// Compares a pixel with a known first root, which lies between the distances `first` and `last`
+/// from the eye. Returns what is wrong, or an empty text.
 std::string judge_hit(const Shown& shown, double first, double last, bool crosses,
                       AuditReport& report) {
     ++(crosses ? report.hit : report.touched);
@@ -126,7 +126,7 @@ Oracle oracle_of(const AuditSurface& surface) {
     return {program->surfaces.front(), uniforms};
 }
 
-/// Pixels whose right or lower neighbour is of another kind or much nearer or farther.
+/// Pixels whose right or lower neighbour differs in its certificate or by much in its depth.
 std::vector<std::size_t> edge_pixels(const AuditSurface& surface, const Framebuffer& frame) {
     const auto differ = [&](std::size_t i, std::size_t k) {
         if (frame.certificate[i] != frame.certificate[k]) return true;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// What a tracer says of the rays of a picture against what the oracles know of them.
+// Checks a tracer's claims about the rays of a picture against the oracles.
 
 namespace zeroset::test {
 
@@ -18,33 +18,34 @@ struct AuditSurface {
     Box clip;
     double w = 0.0;
     Camera camera;
-    Region region = {};  ///< its sections without caps: what they say of solids no oracle knows
+    Region region = {};  ///< sections are without caps, as no oracle knows of solids
 };
 
 /// The items of the gallery that are one surface.
 std::vector<AuditSurface> gallery_surfaces();
-/// `count` random surfaces of all families by turns, the same for the same seed.
+/// `count` random surfaces of all families in turn, equal for equal seeds.
 std::vector<AuditSurface> random_surfaces(std::size_t count, std::uint64_t seed);
 
-/// The same surfaces in random regions, every second one in an orthographic view.
+/// The surfaces cut by random regions, every second one in an orthographic view.
 std::vector<AuditSurface> cut_open(std::vector<AuditSurface> surfaces, std::uint64_t seed);
 
 struct AuditSettings {
     std::string tracer;
     int size_px = 24;  ///< width and height of the picture
     double d_stop = 14;
-    std::size_t rays = 0;  ///< asks the oracles about so many pixels at random; 0: about all
-    /// And about so many at random of those that differ from a neighbour: silhouettes, edges,
-    /// places that are hard to decide.
+    std::size_t rays = 0;  ///< number of random pixels that are checked; 0: all
+    /// Number of further random pixels among those that differ from a neighbour: silhouettes,
+    /// edges, places that are hard to decide.
     std::size_t edge_rays = 0;
-    /// 0: certified depths may be off the first root as TileHits allows; else by 2^-bits of the
-    /// clip box's longest edge, and the rounding of depths to float.
+    /// 0: certified depths may be off the first root as far as TileHits allows. Else: by at most
+    /// 2^-bits of the clip box's longest edge, plus the rounding of depths to float.
     double depth_bits = 0;
-    /// Draws with the interpreter: for small pictures, where making machine code takes longer.
+    /// Draws with the interpreter; for small pictures, for which machine code takes longer to make.
     bool interpreted = false;
 };
 
-/// Draws the surface with the same settings and writes depth.pfm and certificate.png.
+/// The command line that draws the surface with these settings and writes depth.pfm and
+/// certificate.png.
 std::string command_line(const AuditSurface& surface, const AuditSettings& settings);
 
 struct AuditReport {
@@ -57,20 +58,20 @@ struct AuditReport {
     std::size_t hit_not_drawn = 0;  ///< undecided, and nothing is shown
     std::size_t hit_behind = 0;     ///< undecided, and a later place is shown
     std::size_t empty_drawn = 0;    ///< undecided, and something is shown
-    /// Each with the pixel and the command line that repeats it.
+    /// Each failure with its pixel and the command line that repeats it.
     std::vector<std::string> failures;
 
     AuditReport& operator+=(const AuditReport& other);
-    /// One line.
+    /// The report in one line.
     [[nodiscard]] std::string text() const;
 };
 
-/// The picture of the tracer.
+/// The picture that the tracer draws.
 Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings);
 
-/// Asks the oracles about pixels of a picture. A failure: a ray that surely holds a root is
-/// reported as empty, one that surely holds none as certified, or a certified depth is farther from
-/// the first root than TileHits allows.
+/// Checks pixels of a picture by the oracles. It is a failure if a ray that surely holds a root is
+/// reported as empty, if one that surely holds none is certified, or if a certified depth is
+/// farther from the first root than TileHits allows.
 AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
                   const Framebuffer& frame);
 inline AuditReport audit(const AuditSurface& surface, const AuditSettings& settings) {

@@ -1,5 +1,5 @@
-// Every tracer against the oracles, ray by ray, on the gallery and on random surfaces: the test of
-// the same name at any size. Exits with 1 if a tracer says something false.
+// Checks every tracer against the oracles, ray by ray, on the gallery and on random surfaces:
+// tracer_oracle_test at any size. Exits with 1 if a claim of a tracer is wrong.
 
 #include "engine/render/tracers.hpp"
 #include "tests/oracle/ray_audit.hpp"

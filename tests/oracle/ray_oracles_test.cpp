@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-// The ray oracles on rays whose roots are known, and against each other.
+// Checks of the ray oracles on rays whose roots are known, and against each other.
 
 namespace zeroset::test {
 namespace {
@@ -25,7 +25,7 @@ Expr parsed(const std::string& text) {
     return parse("x").value();
 }
 
-/// Along x, y = z = 0, x = t - 2, in the cube of half edge 2.
+/// The ray along x with y = z = 0 and x = t - 2, in the cube of half edge 2.
 RayQuestion along_x() { return {{-2, 0, 0}, {1, 0, 0}, 0, 4, -1e-6, 4 + 1e-6}; }
 
 std::vector<RayRoot> roots_of(const std::string& text) {
@@ -66,7 +66,7 @@ TEST(PolynomialOracle, IsolatesTwentyRootsInARow) {
 }
 
 TEST(PolynomialOracle, TakesDecimalsAsTheyAreWritten) {
-    // Of the doubles nearest to 0.1 and 0.01 the square of the first is not the second.
+    // With the doubles nearest to 0.1 and 0.01, the square of the first is not the second.
     const auto roots = roots_of("(x - 0.1)^2 - x^2 + 0.2*x - 0.01 + x^3");
     ASSERT_EQ(roots.size(), 1U);
     EXPECT_NEAR(roots[0].from, 2, 1e-8);
@@ -92,7 +92,7 @@ TEST(SubdivisionOracle, FindsTheFirstRootWhereFIsContinuous) {
     for (const auto& [text, place] : cases) {
         const RayAnswer answer = answer_of(text);
         const bool known = answer.truth == RayTruth::Hit;
-        // Behind a pole or a jump nothing is known.
+        // Beyond a pole or a jump nothing is known.
         const bool behind = text.find('/') != std::string::npos || text.starts_with("if") ||
                             text.starts_with("floor");
         EXPECT_TRUE(known || behind) << text;

@@ -16,7 +16,7 @@ bool is_condition_node(const Node& node) {
 
 std::array<NodeId, 3> operands(const Node& node) { return {node.a, node.b, node.c}; }
 
-/// The formula with node `target` replaced: by another node of it, or by what `make` makes.
+/// The formula with node `target` replaced by the node that `make` makes or finds in the copy.
 template <class Make>
 Expr replaced(const Expr& expr, NodeId target, Make make) {
     ExprBuilder builder;
@@ -38,7 +38,7 @@ Expr replaced(const Expr& expr, NodeId target, Make make) {
     return builder.finish(copies.back());
 }
 
-/// Whether angles that are counted up to turns are seen by sin and cos only.
+/// Whether angles that are known only up to turns reach the value through sin or cos alone.
 bool hides_turns(const Expr& expr) {
     std::vector<bool> turns;
     for (const Node& node : expr.nodes()) {
@@ -59,7 +59,7 @@ bool is_shorter(Real a, Real b) {
     return hex(static_cast<double>(a)).size() < hex(static_cast<double>(b)).size();
 }
 
-/// The number with few bits.
+/// The number rounded to about `bits` bits.
 template <class Real>
 Real rounded(Real a, int bits) {
     if (a == 0 || !std::isfinite(a)) return a;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-// Makes a formula and a box on which something fails as simple as they can be.
+// Simplifies a formula and a box on which something fails, as far as it still fails.
 
 namespace zeroset::test {
 
@@ -17,15 +17,15 @@ struct FormulaOnBox {
     Box4<Real> box;
 };
 
-/// Formulas with fewer operators: with one of them replaced by one of its operands, by x
-/// or by 1, the most drastic ones first. All of them could have been parsed.
+/// Formulas with fewer operators: one of them is replaced by one of its operands, by x or by 1, the
+/// most drastic replacements first. All of them could come from the parser.
 std::vector<Expr> simpler_formulas(const Expr& expr);
 
-/// Boxes that are narrower or have shorter ends, in one variable.
+/// Boxes that are narrower, or have ends with fewer digits, in one variable.
 template <class Real>
 std::vector<Box4<Real>> simpler_boxes(const Box4<Real>& box);
 
-/// The first of the candidates that fails, too.
+/// The first simpler candidate that fails, too.
 template <class Real, class Fails>
 std::optional<FormulaOnBox<Real>> simpler_failure(const FormulaOnBox<Real>& failing, Fails fails) {
     for (const Expr& expr : simpler_formulas(failing.expr)) {
@@ -37,7 +37,8 @@ std::optional<FormulaOnBox<Real>> simpler_failure(const FormulaOnBox<Real>& fail
     return std::nullopt;
 }
 
-/// Fails, too, and nothing simpler that was tried does. `fails` says the same each time.
+/// A formula and a box that fail, too, while nothing simpler that was tried does. `fails` must
+/// answer the same each time.
 template <class Real, class Fails>
 FormulaOnBox<Real> shrunk(FormulaOnBox<Real> failing, Fails fails) {
     constexpr int most_steps = 300;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-// What each tracer says of single rays against the oracles, on the gallery and on random surfaces.
-// `ray_checks` does the same at any size.
+// Checks each tracer's claims about single rays against the oracles, on the gallery and on random
+// surfaces. `ray_checks` does the same at any size.
 
 namespace zeroset::test {
 namespace {
@@ -55,7 +55,7 @@ TEST_P(TracerAgainstOracles, OnSurfacesCutOpenAndParallelRays) {
     EXPECT_GT(report.hit_certified, report.hit * 8 / 10);
 }
 
-/// Pictures of the sphere that say something false.
+/// Changes a true picture of the sphere into false ones, which the audit must find.
 TEST_P(TracerAgainstOracles, FalsePicturesAreFound) {
     const AuditSurface sphere{"sphere", "x^2 + y^2 + z^2 - 1", Box::cube(1.5), 0.0,
                               suite_camera(1.5)};

@@ -13,8 +13,9 @@ namespace {
 
 constexpr int points_a_formula_box = 3;
 
-/// Facts are found in double, so that a kernel in double knows as much; one in float may not see
-/// that a constant is just outside of a domain.
+/// Checks the facts of the formula against the claims for a box. Facts are found in double, so a
+/// kernel in double knows as much; one in float may not see that a constant is just outside a
+/// domain.
 template <class Real>
 void check_facts(const Expr& expr, const Facts& facts, const Outcome<Real>& outcome,
                  InclusionTally& tally) {
@@ -62,7 +63,7 @@ Boxes<Real> random_boxes(RandomNumbers& random) {
     return result;
 }
 
-/// Past the kernel's own check of the mode, which the mutant fails.
+/// Calls the kernel without its own check of the rounding mode, which the mutant fails.
 template <class Batch>
 void run(const KernelFunction<Batch>& function, const Batch& batch) {
     function.call(function.code.get(), &batch);

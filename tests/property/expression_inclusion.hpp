@@ -18,26 +18,26 @@ inline constexpr std::size_t boxes_a_batch = batch_multiple;
 template <class Real>
 using Box4 = std::array<Interval<Real>, 4>;
 
-/// As many boxes as a batch has; all have the same w.
+/// The boxes of one batch; all have the same w.
 template <class Real>
 using Boxes = std::array<Box4<Real>, boxes_a_batch>;
 
 template <class Real>
 using Ranges = std::array<Outcome<Real>, boxes_a_batch>;
 
-/// Boxes that hurt, or half of the time usual ones.
+/// Random boxes: half of the time usual ones, else ones that are likely to find faults.
 template <class Real>
 Boxes<Real> random_boxes(RandomNumbers& random);
 
-/// What the kernel says of the boxes. Call it in the tested mode.
+/// The kernel's claims for the boxes. Call it in the tested mode.
 template <class Real>
 Ranges<Real> ranges_of(const Kernel& kernel, const Boxes<Real>& boxes);
 
-/// "x [lo, hi]" and so on, a line each.
+/// The box as text: "x [lo, hi]" and so on, each in a line.
 template <class Real>
 std::string described(const Box4<Real>& box);
 
-/// One batch of random boxes of a random formula, at random points of them.
+/// Checks one batch of random boxes of a random formula, at random points of them.
 template <class Real>
 void check_random_expression(int depth, RandomNumbers& random, InclusionTally& tally);
 

@@ -5,13 +5,13 @@
 
 #include <span>
 
-// Checks of the functions of interval.hpp that are more than a row of op.def.
+// Checks of those functions of interval.hpp that do more than an operator of op.def needs.
 
 namespace zeroset::test {
 
 enum class Domain : std::uint8_t { Any, FirstNonnegative, Nonnegative };
 
-/// `n` is an exponent, or the place of a factor.
+/// A function under test and its true value; `n` is an exponent, or the index of a factor.
 template <class Real>
 struct Helper {
     const char* name;
@@ -23,7 +23,7 @@ struct Helper {
 template <class Real>
 std::span<const Helper<Real>> helpers();
 
-/// One random box, at random points of it.
+/// Checks one random box, at random points of it.
 template <class Real>
 void check_helper(const Helper<Real>& helper, RandomNumbers& random, InclusionTally& tally);
 

@@ -1,7 +1,7 @@
-// Random inclusion checks by the hundred million: operators, helpers and whole formulas in float
-// and double against the reference of 256 bits, beam forms of whole formulas against MPFI, on all
-// cores. The same seed makes the same checks
-// whatever the number of threads. Exits with 1 if a range does not hold.
+// Random inclusion checks by the hundred million, on all cores: operators, helpers and whole
+// formulas in float and double against the reference of 256 bits, beam forms of whole formulas
+// against MPFI. The same seed makes the same checks, whatever the number of threads. Exits with 1
+// if a claim is wrong.
 
 #include "app/cli/report.hpp"
 #include "engine/interpret/interpret.hpp"
@@ -115,7 +115,7 @@ Kernel compiled(const Expr& expr) {
     return *kernel;
 }
 
-/// Many cells of one formula, which took long to compile.
+/// Checks many cells of one formula, as it took long to compile.
 void check_forms_of_code(RandomNumbers& random, InclusionTally& tally) {
     const int depth = random.between(1, 6);
     if (random.one_in(2)) {
@@ -131,7 +131,7 @@ void check_all_forms(RandomNumbers& random, Tallies& tallies) {
     if (random.one_in(2)) check_forms_of_code(random, tallies[FormsOfCode]);
 }
 
-/// About ten thousand checks.
+/// Makes about ten thousand checks.
 Tallies checked_chunk(std::uint64_t seed, bool only_forms) {
     RandomNumbers random(seed);
     Tallies tallies;
@@ -154,7 +154,7 @@ std::uint64_t total(const Tallies& tallies) {
     return checks;
 }
 
-/// Chunks of all threads, added up in the order of their seeds.
+/// Runs chunks of checks on all threads and adds up their tallies in the order of their seeds.
 class Run {
 public:
     explicit Run(const Options& options) : options_(options) {}

@@ -9,14 +9,14 @@
 #include <cstdio>
 #include <vector>
 
-// Every operator of op.def, the functions that they are made of, and whole formulas enclose the
-// real function: on random boxes, at random real points of them, against a reference of 256 bits.
-// `inclusion_checks` makes many more of these checks.
+// Every operator of op.def, the functions that the operators are made of, and whole formulas
+// enclose the real function: on random boxes, at random real points of them, against a reference of
+// 256 bits. `inclusion_checks` makes many more of these checks.
 
 namespace zeroset::test {
 namespace {
 
-/// Counts what a suite checks and prints the sum at its end.
+/// Counts the points that a suite checks and prints the sum at its end.
 class CountingTest : public ::testing::Test {
 protected:
     static void TearDownTestSuite() {
@@ -76,7 +76,8 @@ protected:
 TEST_F(InclusionOfHelpers, OfFloatsHolds) { enclose_real_values<float>(30000); }
 TEST_F(InclusionOfHelpers, OfDoublesHolds) { enclose_real_values<double>(10000); }
 
-/// Quotients over every divisor that has a zero: inside, at an end, as one point, of either sign.
+/// Checks quotients over every divisor that contains 0: inside, at an end, as one point, of either
+/// sign.
 TEST_F(InclusionOfHelpers, QuotientsByZeroHold) {
     const std::vector<float> ends{-1e30F, -3.0F, -1e-45F, -0.0F, 0.0F, 1e-45F, 2.0F, 1e30F};
     RandomNumbers random(4);

@@ -32,7 +32,7 @@ Input<Real> nonnegative_input(RandomNumbers& random) {
     return {absolute(random.interval<Real>()), facts};
 }
 
-/// A box with a hole in it.
+/// A box with a gap inside it that holds no value.
 template <class Real>
 Input<Real> divided_input(RandomNumbers& random) {
     Input<Real> input{random.interval<Real>(), {}};
@@ -67,7 +67,8 @@ double first_lane(const Block<double>& block) {
     return lanes[0];
 }
 
-/// A whole turn lies between the value of atan2 at a point and at its neighbour (x, y_beyond).
+/// Whether a whole turn lies between the values of atan2 at a point and at its neighbour
+/// (x, y_beyond).
 bool turns(Op op, const Reference& here, double y, double y_beyond, double x) {
     if (op != Op::Atan2 || y == y_beyond) return false;
     const Reference there = reference(op, 0, MpfrNumber(y_beyond), MpfrNumber(x));
@@ -81,8 +82,8 @@ bool is_step(const OpInfo& info) {
            info.op == Op::Ceil || info.op == Op::Round;
 }
 
-/// Which continuous piece of a function with steps the point (a, b) is on: the value of such a
-/// function, floor(a/b) for mod; 0 for others.
+/// The continuous piece that holds the point (a, b): for a function with steps its value, for mod
+/// floor(a/b), for others 0.
 double piece(const OpInfo& info, const Reference& truth, double a, double b) {
     if (!truth.defined || truth.is_unknown()) return 0;
     if (is_step(info)) return truth.value.nearest();

@@ -17,7 +17,7 @@ namespace zeroset::test {
 
 inline constexpr int points_a_box = 8;
 
-/// A box with what the formula's structure could tell of it.
+/// A box, and what the formula's structure could tell about it.
 template <class Real>
 struct Input {
     Interval<Real> box;
@@ -36,24 +36,24 @@ struct Inputs {
 
     Inputs(const OpInfo& info, RandomNumbers& random);
 
-    /// Points of the box, 0 in what is no operand; those drawn twice only once. -0 is not 0.
+    /// Distinct points of the box, 0 in places without an operand. -0 and 0 are distinct.
     std::vector<std::array<double, 3>> points(const OpInfo& info, RandomNumbers& random) const;
 };
 
-/// How an operator's range is computed.
+/// A function that computes an operator's range.
 template <class Real>
 using OperatorRange = Outcome<Real> (*)(const Node&, const Inputs<Real>&);
 
-/// One box at a time.
+/// The range over plain numbers, one box at a time.
 template <class Real>
 Outcome<Real> scalar_range(const Node& node, const Inputs<Real>& in);
-/// By the carrier of kernels in double.
+/// The range over blocks, the carrier of kernels in double.
 Outcome<double> block_range(const Node& node, const Inputs<double>& in);
 
-/// The operator with a random number where it has one.
+/// The operator's node, with a random number where it has one.
 Node random_operator_node(const OpInfo& info, RandomNumbers& random);
 
-/// Computes one range in the tested mode and compares its claims at points of the box.
+/// Computes one range in the tested mode and checks its claims at points of the box.
 template <class Real>
 void check_operator(OperatorRange<Real> range, const Node& node, const Inputs<Real>& in,
                     RandomNumbers& random, InclusionTally& tally);

@@ -18,13 +18,13 @@ using Column = std::array<Real, lanes>;
 template <class Real>
 using Words = std::vector<ContinuityMask<Real>>;
 
-/// A box or cell is asked about alone: all lanes of a batch are it.
+/// Fills all lanes of a column with one item: each box or cell is evaluated alone.
 template <class Number>
 void fill(const Number* from, std::size_t item, Column<Number>& column) {
     column.fill(from[item]);
 }
 
-/// The same words for all lanes.
+/// The held words of one item, for all lanes of a batch.
 template <class Real>
 struct HeldColumns {
     std::vector<ContinuityMask<Real>> words;
@@ -103,7 +103,7 @@ void range_by_pieces(const void* code, const RangeBatchOf<Real>* batch) {
     }
 }
 
-/// What a form kernel says of one cell.
+/// The answer of a form kernel for one cell.
 template <class Real>
 struct OneForm {
     Column<Real> c, e, r, slope_neg_lo, slope_hi;
@@ -111,7 +111,7 @@ struct OneForm {
     Column<ContinuityMask<Real>> continuous, nowhere;
     Column<ContinuityMask<Real>> branches{};  ///< not written by a kernel without branches
 
-    /// Writes it as cell i of a batch.
+    /// Writes the answer as cell i of a batch.
     void store(const FormBatchOf<Real>& batch, std::size_t i) const {
         batch.c[i] = c[0];
         batch.e[i] = e[0];

@@ -10,11 +10,12 @@
 #include <utility>
 #include <vector>
 
-// Surfaces whose roots on a ray are known: in the box, in regions, in both projections.
+// Surfaces whose roots on a ray are known in closed form: in the box, in regions, in both
+// projections.
 
 namespace zeroset::test {
 
-/// The first root at or behind `from`, or infinity.
+/// The first root at or beyond `from` on a ray, or infinity.
 using FirstRoot = std::function<double(const Ray& ray, double from)>;
 
 struct Analytic {
@@ -31,7 +32,7 @@ inline double first_of(std::vector<double> roots, double from) {
     return found == roots.end() ? infinity : *found;
 }
 
-/// Roots of a t^2 + 2 b t + c.
+/// Real roots of a t^2 + 2 b t + c.
 inline std::vector<double> quadratic(double a, double b, double c) {
     const double discriminant = b * b - a * c;
     if (discriminant < 0) return {};
@@ -52,7 +53,7 @@ inline double torus_distance(const glm::dvec3& p, double ring, double tube) {
     return std::abs(std::hypot(std::hypot(p.x, p.y) - ring, p.z) - tube);
 }
 
-/// The distance to the torus is a step that skips no root.
+/// The first root by steps as long as the distance to the torus, which skip no root.
 inline double torus_root(const Ray& ray, double from) {
     for (double t = from; t < ray.t_out + 1.0;) {
         const double step = torus_distance(ray.at(t), 1.0, 0.5);
@@ -70,7 +71,7 @@ inline double slanted_root(const Ray& ray, double from) {
     return first_of({plane_root(ray, {0.3, -0.5, 1.0}, 0.2)}, from);
 }
 
-/// Parallel rays, from anywhere, along an axis, too.
+/// Scenes with parallel rays, also from inside the clip box and along an axis.
 inline std::vector<Analytic> parallel_scenes() {
     const Box cube = Box::cube(2);
     Camera usual = default_camera(cube);
@@ -97,7 +98,7 @@ inline std::vector<Analytic> parallel_scenes() {
             {"parallel: torus from above", torus, torus_root, down, cube}};
 }
 
-/// Cut by balls and sections without caps.
+/// Scenes cut by balls and by sections without caps.
 inline std::vector<Analytic> region_scenes() {
     const Box cube = Box::cube(2);
     const Camera usual = default_camera(cube);

@@ -7,7 +7,7 @@
 
 namespace zeroset::test {
 
-/// The graph's machine code; where there is none, a failure of the test, and the interpreter's.
+/// The graph's machine code. Where there is none, the test fails and the interpreter is returned.
 inline Kernel compiled(const Expr& expr, const jit::CompileOptions& options) {
     auto kernel = jit::compile(expr, options);
     if (kernel) return *kernel;

@@ -9,14 +9,15 @@
 namespace zeroset::test {
 namespace {
 
-/// Places on the side of a sphere that is seen from the eye; true: nothing hides it.
+/// A sphere with places on its side towards the eye; `seen`: whether no other sphere hides the
+/// place.
 struct Watched {
     CsgSphere sphere;
     std::array<glm::dvec3, 24> places;
     std::array<bool, 24> seen;
 };
 
-/// Whether the sphere is between the eye and the place.
+/// Whether the sphere lies between the eye and the place.
 bool hides(const CsgSphere& sphere, const glm::dvec3& eye, const glm::dvec3& place) {
     const glm::dvec3 ray = place - eye;
     const double along = glm::dot(sphere.centre - eye, ray) / glm::dot(ray, ray);
@@ -37,7 +38,7 @@ Watched watched(const CsgSphere& sphere, const glm::dvec3& eye, RandomNumbers& r
     return result;
 }
 
-/// Notes what the sphere hides; false where nothing would be left to see.
+/// Marks the places that the sphere `by` hides; false where none is left to see.
 bool still_seen(Watched& watched, const CsgSphere& by, const glm::dvec3& eye) {
     bool any = false;
     for (std::size_t i = 0; i < watched.places.size(); ++i) {
@@ -47,7 +48,7 @@ bool still_seen(Watched& watched, const CsgSphere& by, const glm::dvec3& eye) {
     return any;
 }
 
-/// Adds the sphere if all can still be seen.
+/// Adds the sphere if something of every sphere can still be seen; returns whether it did.
 bool add(std::vector<Watched>& all, Watched added, const glm::dvec3& eye) {
     added.seen.fill(true);
     for (const Watched& other : all) {

@@ -14,12 +14,12 @@
 #include <type_traits>
 #include <vector>
 
-// What the tests of the library's elementary functions share: their names, close values by the C
+// Helpers for the tests of the library's elementary functions: their names, close values by the C
 // library in a wider type, and calls of their code at every width.
 
 namespace zeroset::test {
 
-/// A type so much wider that its C library functions are exact for our purposes.
+/// A type wide enough for its C library functions to count as exact here.
 template <class Real>
 using Wide = std::conditional_t<sizeof(Real) == 4, double, long double>;
 template <class Real>
@@ -33,10 +33,10 @@ struct Function {
     Elementary id;
     Op op;
     const char* name;
-    Wide<Real> (*close)(Wide<Real>, Wide<Real>);  ///< by the C library
+    Wide<Real> (*close)(Wide<Real>, Wide<Real>);  ///< close values, by the C library
 };
 
-/// The operator of the same name, which the reference knows.
+/// The operator of the same name, which the MPFR reference knows.
 inline Op op_of(Elementary function) {
     if (function == Elementary::Cbrt) return Op::OddRoot;
     static constexpr std::string_view names[] = {
@@ -72,13 +72,13 @@ Real from_bits(std::uint64_t bits) {
     return std::bit_cast<Real>(static_cast<Pattern<Real>>(bits));
 }
 
-/// Lanes of the widest registers.
+/// Number of lanes of the widest registers.
 inline constexpr std::size_t most_lanes = 16;
-/// Code of one or two operands over `a` and `b`, one register of it.
+/// A function that calls code of one or two operands with one register of `a` and of `b`.
 template <class Real>
 using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
 
-// Calls code over registers of so many bytes, from a function that has such registers.
+// Defines a Caller for registers of `bytes` bytes, compiled for a machine that has them.
 #define ZEROSET_CALLER(name, bytes, attributes)                                                  \
     template <class Real>                                                                        \
     attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
@@ -96,7 +96,7 @@ ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
 ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))
 #undef ZEROSET_CALLER
 
-/// The code of a function over registers of so many bytes, and how to call it.
+/// The code of a function over registers of one width, and how to call it.
 template <class Real>
 struct WideCode {
     void* code;  ///< nullptr where this machine has no such registers
@@ -104,12 +104,12 @@ struct WideCode {
     Caller<Real> call;
 };
 
-/// `bytes` is 16, 32 or 64.
+/// The code for registers of 16, 32 or 64 bytes.
 template <class Real>
 WideCode<Real> wide_code(Elementary function, std::size_t bytes) {
     const std::size_t lanes = bytes / sizeof(Real);
     const void* const address = elementary_code(function, static_cast<int>(lanes), type_of<Real>);
-    // A pointer to a function has no const to keep.
+    // Remove const, as a pointer to a function has none to keep.
     return {const_cast<void*>(address), lanes,
             bytes == 16   ? call_128<Real>
             : bytes == 32 ? call_256<Real>

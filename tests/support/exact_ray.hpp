@@ -7,14 +7,14 @@
 
 namespace zeroset::test {
 
-/// The ray of a pixel as ViewFrame's numbers give it, in 256 bits: t is 1 at a distance of 1 from
-/// the eye along the view.
+/// The ray of a pixel from ViewFrame's numbers, in 256 bits: t is 1 at a distance of 1 from the eye
+/// along the view.
 class ExactRay {
 public:
     ExactRay(const Camera& camera, int width_px, int height_px, int col, int row);
 
     [[nodiscard]] std::array<MpfrNumber, 3> at(const MpfrNumber& t) const;
-    /// Distance from the eye for a t of 1.
+    /// Distance of the point at t = 1 from the eye.
     [[nodiscard]] double length() const;
 
 private:

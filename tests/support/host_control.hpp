@@ -7,18 +7,19 @@
 namespace zeroset::test {
 
 inline constexpr int all_modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-/// How a host may treat denormals.
+/// The ways in which a host may treat denormals.
 inline constexpr unsigned all_flushes[] = {0U, _MM_FLUSH_ZERO_ON, _MM_DENORMALS_ZERO_ON,
                                            _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON};
 inline constexpr unsigned flush_all = all_flushes[3];
 
-/// The control word of vector registers, without what past operations left there.
+/// The control word of the vector registers, without the flags that past operations left in it.
 inline unsigned control() {
     constexpr unsigned sticky_flags = 0x3F;
     return _mm_getcsr() & ~sticky_flags;
 }
 
-/// A host's settings of this thread, for a test's life; then round-to-nearest.
+/// Sets a host's rounding mode and treatment of denormals on this thread while it lives; then
+/// restores the latter and sets round-to-nearest.
 class HostControl {
 public:
     HostControl(int mode, unsigned flush) {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-// What the inclusion tests share. Intervals are computed inside `in_tested_mode` only, everything
+// Helpers of the inclusion tests. Intervals are computed inside `in_tested_mode` only, everything
 // else in round-to-nearest.
 
 namespace zeroset::test {
@@ -22,8 +22,8 @@ inline constexpr int tested_mode = FE_TONEAREST;
 inline constexpr int tested_mode = FE_UPWARD;
 #endif
 
-/// function(arguments...) in the rounding mode under test. The volatile pointer keeps the
-/// compiler from moving the work out of the guard's life.
+/// The result of function(arguments...) in the rounding mode under test. The volatile pointer keeps
+/// the compiler from moving the work out of the guard's life.
 template <class Result, class... Arguments>
 Result in_tested_mode(Result (*function)(const Arguments&...), const Arguments&... arguments) {
     Result (*volatile opaque)(const Arguments&...) = function;
@@ -31,13 +31,13 @@ Result in_tested_mode(Result (*function)(const Arguments&...), const Arguments&.
     return opaque(arguments...);
 }
 
-/// An enclosure with what it claims of the function on the box.
+/// An enclosure and its claims about the function on the box.
 template <class Real>
 struct Outcome {
     Interval<Real> value;
-    bool somewhere = true;   ///< false: nowhere defined
-    bool everywhere = true;  ///< proved defined everywhere
-    bool continuous = true;  ///< proved continuous where defined
+    bool somewhere = true;   ///< false: claimed undefined on the whole box
+    bool everywhere = true;  ///< claimed defined on the whole box
+    bool continuous = true;  ///< claimed continuous where defined
     std::optional<Interval<Real>> apart{};
 };
 
@@ -50,7 +50,7 @@ bool contains(const Interval<Real>& range, const MpfrNumber& value) {
     return two_parts ? !(below && above) : !below && !above;
 }
 
-/// Whether the value is on one of the sides of Enclosure::apart.
+/// Whether the value does not lie inside the gap of Enclosure::apart.
 template <class Real>
 bool is_beside(const Interval<Real>& apart, const MpfrNumber& value) {
     return !(value > static_cast<double>(apart.hi) && value < -static_cast<double>(apart.neg_lo));
@@ -67,13 +67,13 @@ std::string hex(const Interval<Real>& a) {
     return "[" + hex(-static_cast<double>(a.neg_lo)) + ", " + hex(static_cast<double>(a.hi)) + "]";
 }
 
-/// What checks of inclusion found.
+/// Counts of the checks of inclusion.
 struct InclusionTally {
     std::uint64_t checks = 0;    ///< points at which a claim was compared with the truth
     std::uint64_t failures = 0;  ///< claims that were found wrong
     std::string first;           ///< describes the first failure
 
-    /// Notes a failure unless `reason` is empty. `place()` says where it is.
+    /// Counts a failure unless `reason` is empty. `place()` describes where it is.
     void note(const std::string& reason, const auto& place) {
         if (reason.empty()) return;
         if (failures++ == 0) first = reason + "\n" + place();
@@ -86,8 +86,8 @@ struct InclusionTally {
     }
 };
 
-/// What is wrong with the claims of `outcome` at a point of the box, where the function is `truth`;
-/// empty if nothing is. `whole_turns`: the value counts up to a multiple of 2 pi.
+/// The first wrong claim of `outcome` at a point of the box where the function is `truth`, or an
+/// empty text. `whole_turns`: the value counts up to a multiple of 2 pi.
 template <class Real>
 std::string complaint(const Outcome<Real>& outcome, const Reference& truth, InclusionTally& tally,
                       bool whole_turns = false) {

@@ -9,7 +9,7 @@
 
 namespace zeroset::test {
 
-/// The interpreter in registers of each width that this machine has, with its name.
+/// The interpreters, with their names, for the register widths that this machine has.
 inline std::vector<std::pair<std::string, const InterpreterCode*>> interpreter_codes() {
     std::vector<std::pair<std::string, const InterpreterCode*>> codes{
         {"interpreted in 16 bytes", &interpreter_code_16()}};

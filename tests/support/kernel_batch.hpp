@@ -10,8 +10,8 @@
 
 namespace zeroset::test {
 
-/// What a kernel answers, as bits. Every NaN is the same, and so is every gradient where f is NaN:
-/// the sign of a NaN decides about the slope of abs, and IEEE 754 leaves it open.
+/// The answers of a kernel, as bits. All NaNs are made equal, and so are all gradients where f is
+/// NaN: the sign of a NaN decides about the slope of abs, and IEEE 754 leaves it open.
 struct Bits {
     std::vector<std::uint64_t> range;  ///< -lo, hi, continuous of each box
     std::vector<std::uint64_t> value;  ///< f, df/dx, df/dy, df/dz of each point
@@ -19,20 +19,20 @@ struct Bits {
     bool operator==(const Bits&) const = default;
 };
 
-/// The bits of one item.
+/// The bits of the answers for a single item.
 Bits one_item(const Interval<float>& range, bool continuous, float value,
               const std::array<float, 3>& gradient);
-/// One item's part of the answers for a batch.
+/// The bits of one item of a batch.
 Bits item(const Bits& batch, std::size_t item);
 
-/// Boxes, points and one w, the same for every kernel.
+/// Boxes, points and one w, equal for all kernels.
 template <class Real>
 class KernelBatchOf {
 public:
-    /// `count` is a multiple of batch_multiple.
+    /// `count`: a multiple of batch_multiple.
     KernelBatchOf(RandomNumbers& random, std::size_t count);
 
-    /// All answers, computed in upward rounding.
+    /// All answers of the kernel, computed in upward rounding.
     [[nodiscard]] Bits run(const Kernel& kernel) const;
 
     [[nodiscard]] std::array<Interval<Real>, 3> box(std::size_t item) const;

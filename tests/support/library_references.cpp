@@ -24,7 +24,7 @@ Reference field(Reference f) {
     return [f](const Arguments& a) { return cut(a.p[0] * f(a)); };
 }
 
-/// A curve of (x, y) whose last three parameters turn it: f gets the turned point.
+/// A curve f of (x, y) that the three parameters from `first` on turn: f gets the turned point.
 Reference turned(std::size_t first, Reference f) {
     return [=](Arguments a) {
         if (a.p[first] > 0) {
@@ -55,7 +55,7 @@ Reference with_ellipsoids(double (*join)(std::array<double, 3>)) {
     return [=](const Arguments& a) { return a.p[3] - a.p[2] * join(ellipsoids(a)); };
 }
 
-/// Corners and edges of hexagons: the foot of the point in the sector of its nearest centre.
+/// The point (x, y) folded into a sector of the hexagon around its nearest centre.
 std::array<double, 2> hexagon(double x, double y) {
     const double wide = sqrt(3.0);
     std::array near{abs(std::fmod(abs(x), wide) - wide / 2), abs(std::fmod(abs(y), 3) - 1.5)};
@@ -145,7 +145,7 @@ double boy(Arguments a) {
                           108 * root * a.x * z * (a.x * a.x - 3 * a.y * a.y) + 4 * pow(z, 4)));
 }
 
-/// The cyclide by the terms of its polynomial.
+/// The cyclide, by the terms of its polynomial.
 double dupin(Arguments a) {
     const auto& p = a.p;
     const double x2 = a.x * a.x, y2 = a.y * a.y, z2 = a.z * a.z;

@@ -6,11 +6,11 @@
 #include <string>
 
 // The functions of library.def in plain arithmetic, written out step by step as their documentation
-// tells: polynomials by their terms, cells by their cases, patterns by their waves.
+// describes them: polynomials by their terms, cells by their cases, patterns by their waves.
 
 namespace zeroset::test {
 
-/// A point and what stands behind it in a call.
+/// A point and the parameters that follow it in a call.
 struct Arguments {
     double x, y, z;
     std::array<double, 10> p;
@@ -18,7 +18,7 @@ struct Arguments {
 using Reference = std::function<double(Arguments)>;
 using References = std::map<std::string, Reference>;
 
-/// By name.
+/// The references by the names of the functions.
 References library_references();
 
 }  // namespace zeroset::test

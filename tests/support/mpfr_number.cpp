@@ -26,7 +26,7 @@ Reference defined(MpfrNumber value) { return {true, std::move(value)}; }
 Reference undefined() { return {}; }
 Reference unknown() { return {true, MpfrNumber()}; }  // a new number is NaN
 
-/// Beyond any double, where periodic functions would need gigabytes of pi.
+/// Whether `a` is beyond any double, where periodic functions would need gigabytes of pi.
 bool out_of_reach(const MpfrNumber& a) {
     constexpr mpfr_exp_t limit = 5000;
     if (mpfr_zero_p(a.get()) != 0) return false;
@@ -40,11 +40,11 @@ Reference quotient(const MpfrNumber& a, const MpfrNumber& b) {
 
 Reference exponential(const MpfrNumber& a) {
     MpfrNumber result = computed(mpfr_exp, a);
-    if (result.sign() == 0) return unknown();  // it is above 0 in truth
+    if (result.sign() == 0) return unknown();  // the true value is above 0
     return defined(std::move(result));
 }
 
-/// Within [-1, 1], or in (-1, 1) for `open`.
+/// Whether `a` is in [-1, 1], or in (-1, 1) for `open`.
 bool within_one(const MpfrNumber& a, bool open) {
     if (a < -1.0 || a > 1.0) return false;
     return !open || (a > -1.0 && a < 1.0);
@@ -54,12 +54,12 @@ Reference logarithm(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const Mp
     return a.sign() <= 0 ? undefined() : defined(computed(function, a));
 }
 
-/// Sine and its like, which need many digits of pi for large operands.
+/// sin, cos, tan or cot, which need many digits of pi for large operands.
 Reference periodic(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const MpfrNumber& a) {
     return out_of_reach(a) ? unknown() : defined(computed(function, a));
 }
 
-/// floor(a + 1/2): mpfr_rint_round takes halves away from zero.
+/// floor(a + 1/2), made of mpfr_rint_round, which takes halves away from zero.
 MpfrNumber nearest_integer(const MpfrNumber& a) {
     const MpfrNumber nearest = computed(mpfr_rint_round, a);
     const MpfrNumber rest = a - nearest;
@@ -97,7 +97,7 @@ Reference wave(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), int n, const 
     return periodic(function, MpfrNumber(n) * turn.value);
 }
 
-/// A function of a divided by a, which is 1 at 0.
+/// function(a) / a, which is 1 at 0.
 Reference by_itself(int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const MpfrNumber& a) {
     if (a.sign() == 0) return defined(MpfrNumber(1.0));
     if (out_of_reach(a)) return unknown();
@@ -111,15 +111,15 @@ MpfrNumber fold(const MpfrNumber& a) {
     return MpfrNumber(2) * computed(mpfr_abs, turns - nearest_integer(turns));
 }
 
-/// ln(e^a + e^b)
+/// ln(e^a + e^b), without overflow.
 Reference log_sum(const MpfrNumber& a, const MpfrNumber& b) {
     const MpfrNumber distance = computed(mpfr_abs, a - b);
     const MpfrNumber rest = computed(mpfr_log1p, computed(mpfr_exp, -distance));
-    if (rest.sign() == 0) return unknown();  // it is above 0 in truth
+    if (rest.sign() == 0) return unknown();  // the true value is above 0
     return defined(computed(mpfr_max, a, b) + rest);
 }
 
-/// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0)
+/// The quadratic blend min(a, b) - h^2/4 with h = max(1 - |a - b|, 0).
 MpfrNumber smooth_min(const MpfrNumber& a, const MpfrNumber& b) {
     const MpfrNumber height = MpfrNumber(1.0) - computed(mpfr_abs, a - b);
     const MpfrNumber lesser = computed(mpfr_min, a, b);

@@ -10,8 +10,9 @@
 
 namespace zeroset::test {
 
-/// A number of 256 bits in nearly unlimited range, each operation rounded to nearest. Wider than
-/// the types under test, and so never rounded to one of them. Use it in round-to-nearest only.
+/// A number of 256 bits with a nearly unlimited exponent; each operation rounds to nearest. It is
+/// wider than the types under test, and so never rounded to one of them. Use it in round-to-nearest
+/// only.
 class MpfrNumber {
 public:
     static constexpr mpfr_prec_t precision_bits = 256;
@@ -36,7 +37,7 @@ public:
     [[nodiscard]] int sign() const { return mpfr_sgn(value_); }
     /// The nearest double.
     [[nodiscard]] double nearest() const { return mpfr_get_d(value_, MPFR_RNDN); }
-    /// Thirty digits.
+    /// The number in thirty digits.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -52,23 +53,22 @@ bool operator<(const MpfrNumber& a, double b);
 bool operator>(const MpfrNumber& a, double b);
 MpfrNumber pi();
 
-/// What the reference knows of a function at a point.
+/// The true value of a function at a point, as far as the reference knows it.
 struct Reference {
     bool defined = false;
-    MpfrNumber value;  ///< if defined; NaN when out of even this type's reach
+    MpfrNumber value;  ///< if defined; NaN where it is beyond the reach even of this type
 
     [[nodiscard]] bool is_unknown() const { return defined && value.is_nan(); }
 };
 
-/// The operator at its operands (those that it does not have are any number); `n` is the node's
-/// number. Angle is taken for atan2. Fails the running test for an
-/// operator that it does not know.
+/// The operator's value at its operands, of which those that it does not have are ignored; `n` is
+/// the node's number. Angle is computed as atan2. Fails the running test for an unknown operator.
 Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, const MpfrNumber& c);
 inline Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b) {
     return reference(op, n, a, b, b);
 }
 
-/// The whole formula at (x, y, z, w). A constant that is no double is taken in the middle of its
+/// The formula's value at (x, y, z, w). A constant that is no double is taken as the middle of its
 /// enclosure.
 Reference reference(const Expr& expr, const std::array<MpfrNumber, 4>& at);
 Reference reference(const Expr& expr, const std::array<double, 4>& at);

@@ -7,12 +7,12 @@
 
 namespace zeroset {
 
-/// How GoogleTest prints a row of op.def.
+/// Prints a row of op.def for GoogleTest.
 inline void PrintTo(const OpInfo& info, std::ostream* out) { *out << info.name; }
 
 namespace test {
 
-/// Whether this operand (0, 1, 2) is a condition.
+/// Whether operand number `operand` (0, 1, 2) is a condition.
 inline bool takes_condition(const OpInfo& info, int operand) {
     if (info.op == Op::If) return operand == 0;
     if (info.op == Op::Where) return operand == 1;

@@ -7,7 +7,7 @@
 namespace zeroset::test {
 namespace {
 
-/// min(f, g) for the graph f; g has other constants. The nodes of f come first.
+/// min(f, g) for the graph f, where g is f with other constants. The nodes of f come first.
 Expr beside_another(const Expr& expr) {
     ExprBuilder builder;
     std::vector<NodeId> own;

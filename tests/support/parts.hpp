@@ -5,11 +5,11 @@
 
 namespace zeroset::test {
 
-/// An interpreter of the choices of a formula, with code by `make` for its parts; their constants
-/// are uniforms, as if there were other parts of the same shapes.
+/// An interpreter of the choices of a formula, whose parts have code by `make`. The parts'
+/// constants are uniforms, as if there were other parts of the same shapes.
 Kernel interpret_with_parts(const Expr& expr, const MakeCode& make);
 
-/// The same with interpreters of the parts.
+/// An interpreter of the choices of a formula, whose parts are interpreted, too.
 Kernel interpret_with_parts(const Expr& expr);
 
 }  // namespace zeroset::test

@@ -22,7 +22,7 @@ NodeId random_leaf(ExprBuilder& builder, RandomNumbers& random) {
 NodeId random_condition(ExprBuilder& builder, RandomNumbers& random, int depth);
 NodeId random_node(ExprBuilder& builder, RandomNumbers& random, int depth);
 
-/// Up to three operands of the kinds that the operator takes, now and then the same one twice.
+/// Up to three operands of the kinds that the operator takes, now and then one of them twice.
 std::array<NodeId, 3> random_operands(ExprBuilder& builder, RandomNumbers& random,
                                       const OpInfo& info, int depth) {
     std::array<NodeId, 3> operands{};
@@ -69,7 +69,7 @@ NodeId made(ExprBuilder& builder, const OpInfo& info, const std::array<NodeId, 3
     return make_call(builder, info.op, a, b, c);
 }
 
-/// An operator whose value is a condition, or one whose value is a number.
+/// A random operator whose value is a condition, or for false one whose value is a number.
 const OpInfo& random_operator(RandomNumbers& random, bool condition) {
     for (;;) {
         const OpInfo& info = operators()[random.below(operators().size())];

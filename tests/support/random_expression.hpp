@@ -5,15 +5,15 @@
 
 namespace zeroset::test {
 
-/// A graph of every operator of op.def and x, y, z, w, about `depth` operators deep (a condition
-/// may be one deeper). All of it could have been parsed.
+/// A random graph of the operators of op.def and x, y, z, w, about `depth` operators deep (a
+/// condition may be one deeper). All of it could come from the parser.
 Expr random_expression(RandomNumbers& random, int depth);
 
-/// The operator on x, y, z, with `n` where it has a number. Operands that are conditions are
-/// x < y as the first, z <= x as the second.
+/// The operator on x, y, z, with `n` where it has a number. For operands that are conditions, the
+/// first is x < y, the second z <= x.
 Expr operator_on_variables(const OpInfo& info, int n = 3);
 
-/// How many random formulas a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
+/// Number of random formulas that a test tries: ZEROSET_FORMULAS in the environment, else `usual`.
 int formulas_to_try(int usual);
 
 }  // namespace zeroset::test

@@ -14,24 +14,24 @@
 
 namespace zeroset::test {
 
-/// Numbers and intervals chosen to hurt, the same for the same seed on every machine. Use it in
-/// round-to-nearest.
+/// Numbers and intervals that are likely to find faults, equal for equal seeds on every machine.
+/// Use it in round-to-nearest.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
     std::uint64_t bits() { return engine_(); }
-    /// 0 to count - 1.
+    /// A number from 0 to count - 1.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
     int between(int first, int last) {
         return first + static_cast<int>(below(static_cast<std::size_t>(last - first + 1)));
     }
     bool one_in(std::size_t count) { return below(count) == 0; }
-    /// In [0, 1).
+    /// A number in [0, 1).
     double uniform() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
     double uniform(double lo, double hi) { return lo + uniform() * (hi - lo); }
 
-    /// Any finite number of the type.
+    /// Any finite number of the type, often a critical one.
     template <class Real>
     Real number() {
         switch (below(12)) {
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    /// Never with a NaN or a lower end above the upper one; unbounded now and then.
+    /// An interval without NaN and with lo <= hi, now and then unbounded.
     template <class Real>
     Interval<Real> interval() {
         const Real unbounded = std::numeric_limits<Real>::infinity();
@@ -69,7 +69,7 @@ public:
         }
     }
 
-    /// A real number of the box, as a double: its ends, the critical places in it, anywhere.
+    /// A real number in the box, as a double: an end, a critical place or any other.
     template <class Real>
     double point_in(const Interval<Real>& box) {
         const auto largest = std::numeric_limits<double>::max();
@@ -91,7 +91,7 @@ public:
         }
     }
 
-    /// The number, moved by up to three of its neighbours.
+    /// `a`, moved by up to three neighbours.
     template <class Real>
     Real nudged(Real a) {
         const Real towards =

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// What the tests of the tracers share: scenes, settings, and the ray of a pixel in double.
+// Helpers of the tests of the tracers: scenes, settings, and the ray of a pixel in double.
 
 namespace zeroset::test {
 
@@ -38,9 +38,9 @@ inline TraceSettings settings_at(const std::string& tracer, double d_stop) {
 }
 
 struct Ray {
-    glm::dvec3 eye, direction;        ///< t is 0 at the former; the latter of length 1
-    double t_first = 0.0;             ///< what is before is not seen
-    double t_in = 0.0, t_out = -1.0;  ///< the part in the clip box and region that is seen
+    glm::dvec3 eye, direction;        ///< `eye` is where t = 0; `direction` has length 1
+    double t_first = 0.0;             ///< nothing before it is seen
+    double t_in = 0.0, t_out = -1.0;  ///< the visible part, in the clip box and region
 
     Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame,
         const Region& region = {}) {
@@ -70,13 +70,13 @@ struct Ray {
             narrow(gap > radius ? infinity : middle - half, middle + half);
         }
     }
-    /// Where the ray passes the section.
+    /// Distance at which the ray meets the section's plane.
     [[nodiscard]] double place_of(const Section& section) const {
         return (section.offset - glm::dot(section.normal, eye)) /
                glm::dot(section.normal, direction);
     }
     [[nodiscard]] glm::dvec3 at(double t) const { return eye + t * direction; }
-    /// Distance along the ray for 1 along its dominant axis.
+    /// Distance along the ray per unit along its dominant axis.
     [[nodiscard]] double stretch() const {
         const glm::dvec3 size = glm::abs(direction);
         return 1.0 / std::max({size.x, size.y, size.z});

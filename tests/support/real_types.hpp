@@ -5,7 +5,7 @@
 #include <string>
 #include <type_traits>
 
-// For suites that run over both types of kernels.
+// Types for suites that run over both number types of kernels.
 
 namespace zeroset::test {
 

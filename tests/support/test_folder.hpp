@@ -9,7 +9,7 @@
 
 namespace zeroset::test {
 
-/// An empty folder that no other test has; it goes with its object.
+/// An empty folder of its own for a test, removed together with the object.
 class TestFolder {
 public:
     TestFolder() {

@@ -9,8 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-// The two sides of a jump or a pole: what lies between them is no value. That they hold is checked
-// in tests/property; here, that they are as far apart as they are.
+// Tests of `apart`, the two sides of a jump or a pole between which there is no value.
+// tests/property checks that it holds; the tests here check that the sides are as far apart as they
+// can be.
 
 namespace zeroset {
 namespace {
@@ -21,7 +22,7 @@ Range range(float lo, float hi) { return {-lo, hi}; }
 
 class ApartCases : public ::testing::Test {
 protected:
-    /// Values are at most `below` or at least `above`.
+    /// Expects values of at most `below` or at least `above`.
     static void expect_sides(const std::optional<Range>& apart, double below, double above,
                              double error = 0.0) {
         ASSERT_TRUE(apart.has_value());
@@ -75,7 +76,7 @@ TEST_F(ApartCases, TangentsAreLargeBesideAPole) {
     expect_sides(tan(range(pole - step, pole + step)).apart, -cot_step, cot_step, 1e-5);
     expect_sides(cot(range(-step, step)).apart, -cot_step, cot_step, 1e-5);
     expect_nothing(tan(range(pole - step, pole + 3)).apart);
-    // With the pole at an end there is nothing on its other side.
+    // With the pole at an end, there are no values on its other side.
     EXPECT_LT(cot(range(0, step)).apart->hi, -1e37F);
     EXPECT_LT(cot(range(-step, 0)).apart->neg_lo, -1e37F);
 }

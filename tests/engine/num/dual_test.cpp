@@ -124,7 +124,7 @@ TEST(Dual, IsNoNumberWhereNothingIsDefined) {
 
 class DualOperator : public ::testing::TestWithParam<OpInfo> {};
 
-/// Central differences of the value, where both steps stay on one smooth piece.
+/// Compares slopes with central differences where both steps stay on one smooth piece.
 TEST_P(DualOperator, AgreesWithCentralDifferences) {
     const Expr expr = operator_on_variables(GetParam(), 5);
     RandomNumbers random(40);

@@ -19,14 +19,15 @@
 #include <numbers>
 #include <string>
 
-// The library's functions: their greatest measured error stays below the bound by which
-// enclosures are widened, in any rounding mode of the caller, with the same bits at any width.
+// Tests of the library's functions: their greatest measured error is below the bound by which
+// enclosures are widened; they give the same bits in any rounding mode of the caller and at any
+// width.
 
 namespace zeroset::test {
 namespace {
 
-/// Calls `visit(a, b)` for about two million operands in float, one million in double: all
-/// exponents evenly, and where it is hard.
+/// Calls `visit(a, b)` for about two million operands in float, one million in double: evenly over
+/// all exponents, and where the functions are hard to compute.
 template <class Real>
 void visit_operands(Elementary function, const std::function<void(Real, Real)>& visit) {
     RandomNumbers random(30 + static_cast<std::uint64_t>(function));
@@ -36,7 +37,7 @@ void visit_operands(Elementary function, const std::function<void(Real, Real)>& 
     std::uint64_t bits = random.below(stride);
     for (int i = 0; i < evenly; ++i, bits += stride)
         visit(from_bits<Real>(bits), from_bits<Real>(random.bits()));
-    // The double that is closest to a multiple of pi / 2 for its size.
+    // This double is the closest, for its size, to a multiple of pi / 2.
     if constexpr (!is_float) visit(0x1.6ac5b262ca1ffp+849, 1.0);
     const double lowest = is_float ? -104 : -745;
     const double highest = is_float ? 89 : 710;
@@ -50,7 +51,7 @@ void visit_operands(Elementary function, const std::function<void(Real, Real)>& 
     }
 }
 
-/// The distance of neighbours at a normal number.
+/// The distance between neighbouring numbers near a normal number.
 template <class Real>
 Wide<Real> ulp(Wide<Real> value) {
     int exponent = 0;
@@ -58,7 +59,7 @@ Wide<Real> ulp(Wide<Real> value) {
     return std::ldexp(Wide<Real>(1), exponent - std::numeric_limits<Real>::digits);
 }
 
-/// The greatest error of one function over all operands shown to it.
+/// The greatest error of a function over all operands that are added.
 template <class Real>
 class WorstError {
 public:
@@ -75,8 +76,8 @@ public:
         if (size < Wide<Real>(smallest)) {
             EXPECT_LE(error, Wide<Real>(smallest)) << place(a, b);
         } else if (size <= Wide<Real>(largest)) {
-            // The wider number is off by less than a thousandth of an ulp: it decides what is worth
-            // a look in full precision.
+            // `close` is off by less than a thousandth of an ulp: enough to select the operands
+            // that are worth a computation in full precision.
             const auto ulps = static_cast<double>(error / ulp<Real>(close));
             if (ulps > 0.999 * ulps_ || count_ % 64 == 0) add_exactly(a, b, result);
         } else if (!std::isinf(result)) {
@@ -141,7 +142,7 @@ private:
 
 template <class Real>
 class ElementaryCode : public ::testing::Test {
-    /// The functions go back to upward rounding whatever it was; later tests begin as this one did.
+    /// Restores the rounding mode after each test, as the functions leave upward rounding behind.
     NearestRounding as_before_;
 };
 TYPED_TEST_SUITE(ElementaryCode, RealTypes, RealTypeNames);
@@ -154,7 +155,8 @@ TYPED_TEST(ElementaryCode, HasErrorsBelowTheirBounds) {
     }
 }
 
-// 256 bits hold the nearest double, unless the value is closer than 2^-200 to a midpoint.
+// Compare with 256 bits: they give the nearest double unless the value is closer than 2^-200 to a
+// midpoint.
 TEST(CorrectlyRounded, IsTheNearestDouble) {
     RandomNumbers random(33);
     for (int i = 0; i < 3000; ++i) {

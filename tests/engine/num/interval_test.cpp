@@ -11,8 +11,8 @@
 #include <limits>
 #include <numbers>
 
-// Hand-picked cases in which the enclosure is known exactly. That it encloses at all is tested by
-// tests/property.
+// Hand-picked cases in which the enclosure is known exactly. tests/property checks that the
+// functions enclose at all.
 
 namespace zeroset {
 namespace {
@@ -265,7 +265,7 @@ TEST_F(IntervalCases, RemaindersKnowTheirStep) {
     expect_range(remainder(whole_line(0.0F), range(0.5F, 0.5F)).range, 0, 0.5F);
 }
 
-/// In ulps of the ends.
+/// Width of the interval in ulp of its upper end.
 float width(const Range& a) { return (a.hi + a.neg_lo) / (std::abs(a.hi) * 0x1p-23F); }
 
 TEST_F(IntervalCases, OddRootsAreNarrow) {

@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-// The contract of engine/num/interval.hpp for every operator of op.def: of proper operands, however
-// unbounded, a proper range and consistent masks; of an operand of which nothing is known (NaN), a
-// range that rejects nothing but what no operand could give.
+// The contract of engine/num/interval.hpp for every operator of op.def: proper operands, however
+// unbounded, give a proper range and consistent masks; with an unknown operand (NaN), the range
+// rejects only what no operand could give.
 
 namespace zeroset::test {
 namespace {
@@ -44,7 +44,7 @@ protected:
     using Box = Interval<Real>;
 
     static std::vector<Box> conditions() { return {{0, 0}, {-1, 1}, {0, 1}}; }
-    /// Every pair of ends in order of zeros, ordinary, tiny and huge numbers and infinities.
+    /// All proper pairs of ends among zeros, ordinary, tiny and huge numbers and infinities.
     static std::vector<Box> boxes() {
         using Limits = std::numeric_limits<Real>;
         std::vector<Real> ends{Limits::infinity(),
@@ -65,7 +65,7 @@ protected:
         return all;
     }
 
-    /// A node of each operator; powers and roots with several exponents.
+    /// Nodes of all operators; those with a number have several.
     static std::vector<Node> nodes() {
         std::vector<Node> all;
         for (const OpInfo& info : operators()) {
@@ -88,7 +88,7 @@ protected:
         return apply(algebra, node, operand(0), operand(1), operand(2));
     }
 
-    /// visit(operands, whether none is below 0) for every choice of special operands.
+    /// Calls visit_operands(operands, known to be nonnegative) for all choices of special operands.
     static void visit(const Node& node,
                       const std::function<void(const Operands<Real>&, bool)>& visit_operands) {
         const OpInfo& info = op_info(node.op);
@@ -125,7 +125,7 @@ TYPED_TEST(SpecialIntervals, GiveProperRanges) {
     }
 }
 
-/// Unknown, or as wide as `expected`.
+/// Whether `found` is unknown, or as wide as `expected`.
 template <class Real>
 bool is_as_wide(const Interval<Real>& found, const Interval<Real>& expected) {
     const auto open = [](Real member) { return std::isnan(member) || std::isinf(member); };

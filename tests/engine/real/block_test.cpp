@@ -12,8 +12,8 @@
 #include <limits>
 #include <numbers>
 
-// Enclosures over blocks are as narrow as their type lets them be: nothing in them was chosen for
-// a narrower one.
+// Tests that enclosures over blocks are as narrow as their number type allows, so that no constant
+// in them was chosen for a narrower type.
 
 namespace zeroset::test {
 namespace {
@@ -33,7 +33,7 @@ protected:
         return !f.everywhere || (f.everywhere->bits & 1U) != 0;
     }
 
-    /// Width of the operator's range at one point, in units of the value's last place.
+    /// Width of the operator's range at one point, in ulp of its upper end.
     static double width_ulp(const OpInfo& info, Real at) {
         const Facts facts;
         const Enclosure<Lanes> x{box(at, at)};

@@ -65,7 +65,7 @@ TEST(RoundingGuard, RestoresTheModeBefore) {
         }
         EXPECT_EQ(std::fegetround(), FE_UPWARD);
         {
-            const NearestCall call;  // of vector registers only: fegetround does not see it
+            const NearestCall call;  // sets vector registers only: fegetround does not see it
             EXPECT_EQ(third(), -0x1.555556p-2F);
         }
         EXPECT_EQ(third(), -0x1.555554p-2F);
@@ -87,7 +87,7 @@ TEST(RoundingGuard, WorksAndRestoresInEveryModeOfTheHost) {
     }
 }
 
-/// smallest normal / 4 * 2, with a denormal between.
+/// smallest normal / 4 * 2, through a denormal: 0 where denormals are flushed.
 float through_a_denormal() {
     const volatile float normal = std::numeric_limits<float>::min();
     const volatile float quarter = 0.25F;

@@ -12,14 +12,14 @@
 #include <cstring>
 #include <functional>
 
-// Interval operations on both sides of a call that switches to round-to-nearest and back are those
-// of upward rounding, though the compiler sees the same operands before and after: by value, where
-// the two modes differ.
+// Tests that interval operations before and after a call that switches to round-to-nearest and back
+// are rounded upward, though the compiler sees the same operands on both sides. The values tested
+// differ in the two modes.
 
 namespace zeroset::test {
 namespace {
 
-/// 1/3 in upward rounding, from both sides: (-lo, hi).
+/// Enclosure of 1/3 in upward rounding, as (-lo, hi).
 template <class Real>
 constexpr Interval<Real> third =
     sizeof(Real) == 4 ? Interval<Real>{Real(-0x1.555554p-2), Real(0x1.555556p-2)}
@@ -36,8 +36,8 @@ Real first_lane(const Block<Real>& block) {
     return lane;
 }
 
-/// A quotient, then a call, then the same quotient. Not inlined into the guard's function, inlined
-/// into itself as kernels' algebra is.
+/// A quotient, a call, and the same quotient again. Not inlined into the function that holds the
+/// guard, but itself inlines the operations, as kernels' algebra does.
 template <class Lanes>
 [[gnu::noinline]] std::array<Interval<Lanes>, 3> around_a_call(const Interval<Lanes>& one,
                                                                const Interval<Lanes>& three) {

@@ -27,7 +27,7 @@ private:
 class FlintRational {
 public:
     FlintRational() { fmpq_init(value_); }
-    /// Exactly the double.
+    /// The double's exact value.
     explicit FlintRational(double exact);
     FlintRational(const FlintRational& other) : FlintRational() { fmpq_set(value_, other.value_); }
     FlintRational& operator=(FlintRational other) noexcept {
@@ -42,7 +42,7 @@ private:
     fmpq_t value_;
 };
 
-/// With rational coefficients.
+/// A polynomial with rational coefficients.
 class RationalPolynomial {
 public:
     RationalPolynomial() { fmpq_poly_init(value_); }
@@ -54,7 +54,7 @@ public:
         return *this;
     }
     ~RationalPolynomial() { fmpq_poly_clear(value_); }
-    /// first + second t
+    /// The polynomial first + second t.
     static RationalPolynomial linear(const FlintRational& first, const FlintRational& second);
     [[nodiscard]] fmpq_poly_struct* get() { return value_; }
     [[nodiscard]] const fmpq_poly_struct* get() const { return value_; }
@@ -65,7 +65,7 @@ private:
     fmpq_poly_t value_;
 };
 
-/// With integer coefficients.
+/// A polynomial with integer coefficients.
 class IntegerPolynomial {
 public:
     IntegerPolynomial() { fmpz_poly_init(value_); }

@@ -7,15 +7,15 @@
 
 namespace zeroset::test {
 
-/// Evaluates whole formulas in intervals of MPFI, in the working precision: natural interval
-/// extensions. For one thread.
+/// Evaluates whole formulas in intervals of MPFI, in the working precision, as natural interval
+/// extensions. For use by one thread.
 class MpfiEvaluator {
 public:
     explicit MpfiEvaluator(const Expr& expr);
 
     /// An enclosure of f over the box: intervals of x, y, z, w and the parameters.
     MpfiEnclosure over(std::span<const MpfiInterval> box);
-    /// The same, with the slope along a line on which the variables have the given slopes.
+    /// An enclosure of f, with its slope along a line on which the variables have the given slopes.
     MpfiDual along(std::span<const MpfiDual> variables);
 
 private:
@@ -24,7 +24,7 @@ private:
     std::vector<MpfiDual> duals_;
 };
 
-/// Boxes that are points.
+/// The box that is a single point.
 std::vector<MpfiInterval> points(std::span<const double> at);
 
 }  // namespace zeroset::test

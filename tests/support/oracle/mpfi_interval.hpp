@@ -8,7 +8,7 @@
 
 namespace zeroset::test {
 
-/// The bits of the intervals that this thread makes while it lives.
+/// Sets the precision, in bits, of the intervals that this thread makes while it lives.
 class WorkingPrecision {
 public:
     explicit WorkingPrecision(mpfr_prec_t bits) : saved_(mpfr_get_default_prec()) {
@@ -22,7 +22,7 @@ private:
     mpfr_prec_t saved_;
 };
 
-/// An interval of MPFI in the working precision: every operation rounds outward. An operation
+/// An interval of MPFI in the working precision; every operation rounds outward. An operation
 /// without a result (0 times the infinite end of an unbounded interval) gives the whole line. Use
 /// it in round-to-nearest.
 class MpfiInterval {
@@ -37,7 +37,7 @@ public:
         mpfi_init(value_);
         mpfi_set(value_, other.value_);
     }
-    /// Leaves the other one fit for assignment and destruction only.
+    /// Leaves `other` fit for assignment and destruction only.
     MpfiInterval(MpfiInterval&& other) noexcept { *value_ = std::exchange(*other.value_, {}); }
     MpfiInterval& operator=(MpfiInterval other) noexcept {
         std::swap(*value_, *other.value_);
@@ -59,13 +59,13 @@ public:
     [[nodiscard]] bool is_bounded() const { return mpfi_bounded_p(value_) != 0; }
     [[nodiscard]] bool contains_zero() const { return !is_above(0) && !is_below(0); }
     [[nodiscard]] bool is_zero() const { return mpfi_is_zero(value_) != 0; }
-    /// Every number of it is above (below) the given one.
+    /// Whether every number of the interval is above (below) `a`.
     [[nodiscard]] bool is_above(double a) const { return mpfr_cmp_d(lo(), a) > 0; }
     [[nodiscard]] bool is_below(double a) const { return mpfr_cmp_d(hi(), a) < 0; }
     [[nodiscard]] bool is_point() const { return mpfr_equal_p(lo(), hi()) != 0; }
-    /// +1 or -1 where all numbers have that sign, else 0.
+    /// +1 or -1 where all numbers of the interval have that sign, else 0.
     [[nodiscard]] int sign() const { return is_above(0) ? 1 : is_below(0) ? -1 : 0; }
-    /// Doubles around it.
+    /// The ends as doubles, rounded outward.
     [[nodiscard]] double lower() const { return mpfr_get_d(lo(), MPFR_RNDD); }
     [[nodiscard]] double upper() const { return mpfr_get_d(hi(), MPFR_RNDU); }
     [[nodiscard]] std::string text() const;
@@ -83,17 +83,17 @@ MpfiInterval computed(MpfiFunction2 function, const MpfiInterval& a, const MpfiI
 MpfiInterval operator+(const MpfiInterval& a, const MpfiInterval& b);
 MpfiInterval operator-(const MpfiInterval& a, const MpfiInterval& b);
 MpfiInterval operator*(const MpfiInterval& a, const MpfiInterval& b);
-/// The whole line where 0 lies within b.
+/// a / b; the whole line where b contains 0.
 MpfiInterval operator/(const MpfiInterval& a, const MpfiInterval& b);
 MpfiInterval operator-(const MpfiInterval& a);
 /// a^n, tight for even n; n >= 0.
 MpfiInterval power(const MpfiInterval& a, int n);
-/// The real root of an odd degree.
+/// The real n-th root, for odd n.
 MpfiInterval odd_root(const MpfiInterval& a, int n);
 MpfiInterval hull(const MpfiInterval& a, const MpfiInterval& b);
 MpfiInterval minimum(const MpfiInterval& a, const MpfiInterval& b);
 MpfiInterval maximum(const MpfiInterval& a, const MpfiInterval& b);
-/// From an increasing function of MPFR that rounds as it is told.
+/// The range of an increasing function of MPFR that obeys its rounding mode.
 template <class Function>
 MpfiInterval increasing(Function function, const MpfiInterval& a) {
     MpfiInterval result;

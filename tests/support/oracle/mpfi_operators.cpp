@@ -13,7 +13,7 @@ using In = const MpfiEnclosure&;
 
 MpfiEnclosure nowhere() { return {Box::whole_line(), false, false, false}; }
 
-/// A result that is as defined and continuous as what it is made of.
+/// The enclosure of g(operands...): as defined and continuous as g and its operands are.
 template <class... Operands>
 MpfiEnclosure composed(MpfiEnclosure g, const Operands&... operands) {
     if (!(g.somewhere && ... && operands.somewhere)) return nowhere();
@@ -27,7 +27,7 @@ MpfiEnclosure total(Box range, const Operands&... operands) {
     return composed(MpfiEnclosure{std::move(range)}, operands...);
 }
 
-/// Numbers that periodic functions would need gigabytes of pi for.
+/// Whether the interval holds numbers for which periodic functions would need gigabytes of pi.
 bool out_of_reach(const Box& a) {
     constexpr mpfr_exp_t limit = 5000;
     const auto beyond = [](mpfr_srcptr end) {
@@ -38,7 +38,7 @@ bool out_of_reach(const Box& a) {
     return beyond(a.lo()) || beyond(a.hi());
 }
 
-/// The part of the operand within [lo, hi], where the function is defined.
+/// A function that is defined on [lo, hi] only.
 MpfiEnclosure on_domain(MpfiFunction1 function, In a, double lo, double hi) {
     if (a.range.is_above(hi) || a.range.is_below(lo)) return nowhere();
     const Box domain(lo, hi);
@@ -49,7 +49,7 @@ MpfiEnclosure on_domain(MpfiFunction1 function, In a, double lo, double hi) {
     return composed(g, a);
 }
 
-/// As `on_domain`, but the function is undefined at the ends.
+/// A function that is defined on (lo, hi) only.
 MpfiEnclosure within(MpfiFunction1 function, In a, double lo, double hi) {
     if (mpfr_cmp_d(a.range.lo(), hi) >= 0 || mpfr_cmp_d(a.range.hi(), lo) <= 0) return nowhere();
     MpfiEnclosure g = on_domain(function, a, lo, hi);
@@ -65,14 +65,14 @@ MpfiEnclosure wave(MpfiFunction1 function, In a) {
     return total(out_of_reach(a.range) ? Box(-1, 1) : computed(function, a.range), a);
 }
 
-/// tan and cot: unbounded where there is a pole.
+/// tan or cot: unbounded where a pole is met.
 MpfiEnclosure with_poles(MpfiFunction1 function, In a) {
     MpfiEnclosure g{out_of_reach(a.range) ? Box::whole_line() : computed(function, a.range)};
     g.everywhere = g.continuous = g.range.is_bounded();
     return composed(g, a);
 }
 
-/// A function of whole numbers.
+/// A function whose values are integers: continuous where there is only one of them.
 MpfiEnclosure stepped(Box range, In a) {
     MpfiEnclosure g{std::move(range)};
     g.continuous = g.range.is_point();
@@ -124,7 +124,8 @@ MpfiEnclosure modulo(In a, In b) {
 
 Box circle() { return hull(-Box::pi(), Box::pi()); }
 
-/// `counts_turns`: atan2, which jumps at its cut; else its value counts up to a multiple of 2 pi.
+/// The angle of (x, y). `counts_turns`: atan2, which jumps at its cut; else the value is known only
+/// up to a multiple of 2 pi.
 MpfiEnclosure angle(In y, In x, bool counts_turns) {
     const bool crosses_axis = y.range.contains_zero();
     if (y.range.is_zero() && x.range.is_zero()) return nowhere();
@@ -147,7 +148,7 @@ MpfiEnclosure angle_wave(MpfiFunction1 function, int n, In y, In x) {
     return wave(function, turn);
 }
 
-/// A function of a number divided by the number.
+/// function(a) / a, which is 1 at 0.
 Box by_itself(MpfiFunction1 function, const Box& a) {
     return a.is_zero() ? Box(1.0) : computed(function, a) / a;
 }
@@ -168,7 +169,7 @@ MpfiEnclosure cardinal(MpfiFunction1 function, In a) {
     return total(hull(near, by_itself(function, point_of(size.hi()))), a);
 }
 
-/// sin(a)/a: falls up to 3, and stays within 0.22 from there on.
+/// sin(a)/a, which falls up to |a| = 3 and stays within 0.22 from there on.
 MpfiEnclosure cardinal_sine(In a) {
     const Box size = computed(mpfi_abs, a.range);
     if (size.is_below(3)) return cardinal(mpfi_sin, a);
@@ -176,7 +177,7 @@ MpfiEnclosure cardinal_sine(In a) {
     return total(size.is_above(3) ? beyond : hull(Box(1.0), beyond), a);
 }
 
-/// The distance from the nearest even number: from the one below the middle of the box or the next.
+/// The distance from the nearest even integer: either the one below the lower end or the next one.
 MpfiEnclosure fold(In a) {
     const Box all = hull(Box(0.0), Box(1.0));
     if (!a.range.is_bounded()) return total(all, a);
@@ -188,7 +189,7 @@ MpfiEnclosure fold(In a) {
     return total(minimum(distance, Box(1.0)), a);
 }
 
-/// ln(e^a + e^b), which grows with each.
+/// ln(e^a + e^b), which increases with both operands.
 MpfiEnclosure log_sum(In a, In b) {
     if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
     const auto at = [](const Box& p, const Box& q) {
@@ -200,7 +201,7 @@ MpfiEnclosure log_sum(In a, In b) {
                  a, b);
 }
 
-/// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0), which grows with each.
+/// min(a, b) - h^2/4 with h = max(1 - |a - b|, 0), which increases with both operands.
 MpfiEnclosure smooth_min(In a, In b) {
     if (!a.range.is_bounded() || !b.range.is_bounded()) return total(Box::whole_line(), a, b);
     const auto at = [](const Box& p, const Box& q) {
@@ -212,7 +213,8 @@ MpfiEnclosure smooth_min(In a, In b) {
                  a, b);
 }
 
-/// A condition from what it surely is: decided, it is continuous whatever its operands are.
+/// A condition that surely holds, surely fails, or is open; decided, it is continuous whatever its
+/// operands are.
 template <class... Operands>
 MpfiEnclosure condition(bool holds, bool fails, const Operands&... operands) {
     MpfiEnclosure g = total(Box(holds ? 1 : 0, fails ? 0 : 1), operands...);

@@ -3,21 +3,21 @@
 #include "engine/expr/expr.hpp"
 #include "tests/support/oracle/mpfi_interval.hpp"
 
-// What each operator of op.def means over intervals of MPFI: written from the meaning that op.def
-// states, not from the algebra under test.
+// The meaning of each operator of op.def over intervals of MPFI, written from the meaning that
+// op.def states, not from the algebra under test.
 
 namespace zeroset::test {
 
-/// An enclosure over a box, with what is known of the domain there.
+/// An enclosure over a box, with its claims about the domain there.
 struct MpfiEnclosure {
-    MpfiInterval range;      ///< of the values at the points of the box where there is one
-    bool somewhere = true;   ///< false: proved nowhere defined; the range says nothing
+    MpfiInterval range;      ///< encloses the values where there are any
+    bool somewhere = true;   ///< false: proved undefined on the whole box; the range says nothing
     bool everywhere = true;  ///< proved defined everywhere
     bool continuous = true;  ///< proved continuous where defined
 };
 
-/// The operator at its operands; those that it does not have are any. Fails the running test for
-/// an operator that it does not know.
+/// The operator's enclosure at its operands, of which those that it does not have are ignored.
+/// Fails the running test for an unknown operator.
 MpfiEnclosure enclosed(const Node& node, const MpfiEnclosure& a, const MpfiEnclosure& b,
                        const MpfiEnclosure& c);
 
@@ -25,11 +25,11 @@ MpfiEnclosure enclosed(const Node& node, const MpfiEnclosure& a, const MpfiEnclo
 struct MpfiDual {
     MpfiEnclosure value;
     /// Encloses all slopes (g(s) - g(t)) / (s - t) between points s, t of a piece of the line on
-    /// which g is proved defined and continuous; elsewhere it says nothing.
+    /// which g is proved defined and continuous; means nothing elsewhere.
     MpfiInterval slope;
 };
 
-/// Of a function that is defined and continuous everywhere.
+/// A value and slope of a function that is defined and continuous everywhere.
 MpfiDual dual(MpfiInterval range, MpfiInterval slope);
 
 /// The slope of the operator at its operands, where its value is `f`.

@@ -2,7 +2,8 @@
 
 #include <utility>
 
-// Slopes between any two points, by the mean value theorem: with g' over the operands' ranges.
+// Slopes between any two points of a line, by the mean value theorem with g' over the operands'
+// ranges.
 
 namespace zeroset::test {
 namespace {
@@ -10,13 +11,13 @@ namespace {
 using Box = MpfiInterval;
 
 Box square(const Box& a) { return power(a, 2); }
-/// The root of what cannot be negative.
+/// The square root of a number that cannot be negative.
 Box root(const Box& a) { return computed(mpfi_sqrt, maximum(a, Box(0.0))); }
 Box one_over(const Box& a) { return Box(1.0) / a; }
 Box logarithm_of(double a) { return computed(mpfi_log, Box(a)); }
 Box range_of(Op op, const Box& a) { return enclosed({.op = op}, {a}, {a}, {a}).range; }
 
-/// Where one of two functions is taken, on the whole box or not.
+/// The slope of a choice: of the first or second function where that is taken on the whole box.
 Box slope_of_choice(bool first, bool second, const Box& a, const Box& b) {
     if (first) return a;
     return second ? b : hull(a, b);
@@ -26,7 +27,7 @@ Box slope_of_power(const Box& a, int n) {
     return Box(n) * (n > 0 ? power(a, n - 1) : one_over(power(a, 1 - n)));
 }
 
-/// Of the point (b, a).
+/// The slope of the angle of the point (b, a).
 Box slope_of_angle(const MpfiDual& a, const MpfiDual& b) {
     const Box& y = a.value.range;
     const Box& x = b.value.range;
@@ -36,7 +37,7 @@ Box wave_of(Op op, const Node& node, const MpfiDual& a, const MpfiDual& b) {
     return enclosed({.op = op, .number = node.number}, a.value, b.value, b.value).range;
 }
 
-/// Of f(x)/x, whose slope is at most `bend` times |x|; `df`: f's.
+/// The slope of f(x)/x, whose size is at most `bend` times |x|; `df` is the slope of f.
 Box slope_by_itself(const Box& x, const Box& value, const Box& df, double bend) {
     if (x.contains_zero()) return x * Box(-bend, bend);
     return (df - value) / x;

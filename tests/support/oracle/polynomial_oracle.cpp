@@ -48,7 +48,7 @@ std::optional<RationalPolynomial> constant(const Node& node) {
     return result;
 }
 
-/// Nothing for an operator that does not make a polynomial.
+/// The operator's polynomial; nullopt where the operator does not make one.
 std::optional<RationalPolynomial> applied(const Node& node, const RationalPolynomial& a,
                                           const RationalPolynomial& b) {
     RationalPolynomial result;
@@ -72,7 +72,7 @@ std::optional<RationalPolynomial> applied(const Node& node, const RationalPolyno
     return result;
 }
 
-/// f where each variable is a polynomial.
+/// The polynomial of f with a polynomial for each variable; nullopt where there is none.
 std::optional<RationalPolynomial> composed(const Expr& expr,
                                            std::span<const RationalPolynomial> variables) {
     std::vector<RationalPolynomial> values;
@@ -98,8 +98,7 @@ std::vector<RationalPolynomial> with_uniforms(std::vector<RationalPolynomial> va
     return variables;
 }
 
-/// The roots in (0, 1) of a polynomial without multiple roots, by their places in units of
-/// 2^-depth.
+/// Isolates the roots in (0, 1) of a polynomial without multiple roots, in intervals of 2^-depth.
 class Isolation {
 public:
     struct Root {
@@ -108,7 +107,8 @@ public:
 
     explicit Isolation(std::size_t most) : most_(most) {}
 
-    /// `p` over (0, 1) is the polynomial over (place, place + 1) 2^-depth.
+    /// Searches a part of (0, 1): `p` over (0, 1) is the polynomial over (place, place + 1)
+    /// 2^-depth.
     void search(const IntegerPolynomial& p, double place, int depth) {
         const int changes = sign_changes(p);
         if (changes == 0 || roots_.size() >= most_) return;
@@ -136,8 +136,8 @@ private:
         FlintOne() { fmpz_one(get()); }
     };
 
-    /// Of the coefficients of (1 + t)^n p(1 / (1 + t)): not less than the roots in (0, 1), and
-    /// exact where it is 0 or 1.
+    /// Number of sign changes in the coefficients of (1 + t)^n p(1 / (1 + t)): at least the number
+    /// of roots in (0, 1), and equal to it where it is 0 or 1.
     static int sign_changes(const IntegerPolynomial& p) {
         IntegerPolynomial q;
         fmpz_poly_reverse(q.get(), p.get(), p.degree() + 1);
@@ -151,7 +151,7 @@ private:
         }
         return changes;
     }
-    /// 2^n p(t / 2)
+    /// The polynomial 2^n p(t / 2).
     static IntegerPolynomial lower_half(const IntegerPolynomial& p) {
         IntegerPolynomial half = p;
         const long degree = p.degree();
@@ -166,7 +166,7 @@ private:
     std::vector<Root> roots_;
 };
 
-/// The same roots, each once.
+/// A polynomial with the roots of f, each a single one.
 IntegerPolynomial without_multiple_roots(const RationalPolynomial& f) {
     IntegerPolynomial p;
     fmpq_poly_get_numerator(p.get(), f.get());
@@ -189,7 +189,7 @@ int sign_at(const RationalPolynomial& f, double at) {
 
 std::optional<PolynomialOracle> PolynomialOracle::of(const Expr& expr,
                                                      std::span<const double> uniforms) {
-    // On this line no coordinate and no polynomial of them is constant by chance.
+    // Take a line on which no coordinate, and no polynomial of them, is constant by chance.
     const RationalPolynomial t =
         RationalPolynomial::linear(FlintRational(0.6180339887), FlintRational(0.7320508));
     const RationalPolynomial u =
@@ -202,7 +202,7 @@ std::optional<PolynomialOracle> PolynomialOracle::of(const Expr& expr,
 
 std::optional<std::vector<RayRoot>> PolynomialOracle::roots(const RayQuestion& ray,
                                                             std::size_t most) const {
-    // x(s) = eye + direction (outer_from + s (outer_to - outer_from)), s from 0 to 1.
+    // Substitute x(s) = eye + direction (outer_from + s (outer_to - outer_from)), s from 0 to 1.
     const FlintRational from(ray.outer_from);
     FlintRational length(ray.outer_to);
     fmpq_sub(length.get(), length.get(), from.get());

@@ -42,7 +42,7 @@ string polynomial_of(RandomNumbers& random, int degree, int terms) {
     return text;
 }
 
-/// The squared distance from a point, the axes scaled.
+/// The squared distance from a random point, with scaled axes.
 string squares(RandomNumbers& random) {
     string text;
     for (const char* axis : {"x", "y", "z"}) {

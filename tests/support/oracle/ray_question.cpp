@@ -7,17 +7,17 @@
 namespace zeroset::test {
 namespace {
 
-/// Above the relative error of a difference and a quotient in double.
+/// More than the relative error of a difference and a quotient in double.
 constexpr double slack = 0x1p-50;
 
-/// Of the coordinates of a clip box: what a tracer in float may add around it.
+/// Part of a clip box's coordinates that a tracer in float may add around the box.
 constexpr double outward = 0x1p-20;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double largest(const glm::dvec3& a) { return std::max({a.x, a.y, a.z}); }
 
-/// Where a ray is inside something, in t; its ends are known to `error`.
+/// The range of t in which a ray is inside something; its ends are known to within their errors.
 struct Stretch {
     double in = -unbounded, out = unbounded;
     double in_error = 0.0, out_error = 0.0;
@@ -33,7 +33,7 @@ struct Stretch {
     void miss() { out = -unbounded; }
 };
 
-/// The side n.p <= offset of a plane.
+/// Cuts the range to the side n.p <= offset of a plane.
 void keep_side(const glm::dvec3& normal, double offset, const glm::dvec3& eye,
                const glm::dvec3& direction, Stretch& stretch) {
     const double height = glm::dot(normal, eye) - offset;

@@ -8,18 +8,18 @@
 
 namespace zeroset::test {
 
-/// A ray eye + t * direction, its doubles taken as exact, and the part of it in a clip box and a
-/// region.
+/// A ray eye + t * direction, its doubles taken as exact, and its part in a clip box and a region.
 struct RayQuestion {
     std::array<double, 3> eye;
     std::array<double, 3> direction;
-    /// Surely inside and, in perspective, in front of the eye; empty if inner_from > inner_to.
+    /// The range of t surely inside and, in perspective, in front of the eye; empty if inner_from >
+    /// inner_to.
     double inner_from, inner_to;
-    /// The same with what a tracer may add at either end by rounding outward.
+    /// The range of t with all that a tracer may add at either end by rounding outward.
     double outer_from, outer_to;
 };
 
-/// The ray through a pixel's centre, as ViewFrame gives it; nothing when it surely passes by.
+/// The ray through a pixel's centre, as ViewFrame gives it; nullopt where it surely passes by.
 std::optional<RayQuestion> ray_question(const ViewFrame& view, const Box& clip,
                                         const Region& region, int col, int row, int width,
                                         int height);
@@ -30,14 +30,14 @@ enum class RayTruth : std::uint8_t {
     Unknown,  ///< not decided
 };
 
-/// What an oracle says of a ray.
+/// An oracle's answer about a ray.
 struct RayAnswer {
     RayTruth truth = RayTruth::Unknown;
-    double from = 0.0, to = 0.0;  ///< of a hit: t of its first root, which may be a touch
+    double from = 0.0, to = 0.0;  ///< of a hit: t of the first root, which may be a touch
     bool crosses = false;         ///< of a hit: f is proved to change its sign there
 };
 
-/// A first root that lies where only rounding reaches is not decided.
+/// A hit between `from` and `to`; not decided where the root may lie outside the inner range.
 RayAnswer hit_between(const RayQuestion& ray, double from, double to, bool crosses);
 
 }  // namespace zeroset::test

@@ -9,7 +9,8 @@ namespace {
 
 constexpr mpfr_prec_t working_bits = 128;
 
-/// Uneven, so that no end falls on a root of a formula in round numbers.
+/// Place at which pieces are divided; uneven, so that no end is a root of a formula in round
+/// numbers.
 constexpr double split = 0.4921875 + 0x1p-30;
 
 }  // namespace
@@ -32,13 +33,13 @@ MpfiDual SubdivisionOracle::along(double from, double to) {
     return evaluator_.along(variables_);
 }
 
-/// 0 where the sign is not proved.
+/// The proved sign of f, or 0.
 int SubdivisionOracle::sign_at(double t) {
     const MpfiDual f = along(t, t);
     return f.value.everywhere ? f.value.range.sign() : 0;
 }
 
-/// Whether f has opposite signs at two places.
+/// Whether f is proved to have opposite signs at two places.
 bool SubdivisionOracle::crosses(double from, double to) {
     const int sign = sign_at(from);
     return sign != 0 && sign_at(to) == -sign;
@@ -61,7 +62,8 @@ SubdivisionOracle::Piece SubdivisionOracle::look_at(double from, double to) {
     return mean_value.sign() != 0 ? Piece::Free : Piece::Undecided;
 }
 
-/// The root in a piece on which f is continuous and monotone, with opposite signs at its ends.
+/// Narrows a piece on which f is continuous and monotone, with opposite signs at its ends, to the
+/// root.
 RayAnswer SubdivisionOracle::narrowed(double from, double to) {
     const int first = sign_at(from);
     while (to - from > budget_.finest * (ray_.outer_to - ray_.outer_from)) {
@@ -87,7 +89,7 @@ RayAnswer SubdivisionOracle::answer(const RayQuestion& ray) {
         if (piece == Piece::Free) continue;
         if (piece == Piece::Crossed) return narrowed(from, to);
         if (to - from <= finest) {
-            // Not monotone: a kink, a multiple root, or several roots.
+            // f is not monotone here: a kink, a multiple root, or several roots.
             const double behind = std::min(to + finest, ray.outer_to);
             const MpfiEnclosure f = along(from, behind).value;
             const bool smooth = f.everywhere && f.continuous;

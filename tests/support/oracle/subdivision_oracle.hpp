@@ -8,14 +8,14 @@
 
 namespace zeroset::test {
 
-/// Looks for the first root on a ray by halving it: pieces are free of roots by an enclosure in
-/// MPFI, by the mean value form, or by a slope that keeps its sign. For any formula; what it
-/// cannot decide within its budget is unknown.
+/// Looks for the first root on a ray by dividing it: a piece is proved free of roots by an
+/// enclosure in MPFI, by the mean value form, or by a slope that keeps its sign. Works for any
+/// formula; answers Unknown where its budget does not suffice.
 class SubdivisionOracle {
 public:
     struct Budget {
-        int evaluations = 600;  ///< along one ray
-        double finest = 1e-8;   ///< of the clip box's part of the ray: no shorter pieces
+        int evaluations = 600;  ///< limit for one ray
+        double finest = 1e-8;   ///< shortest pieces, as a part of the ray's outer range
     };
 
     /// `uniforms` are w and the parameters.
