@@ -113,8 +113,8 @@ configure_and_build() {
     local preset=$1 target=$2 minutes=$3 dir=$root/build/$1
     configure "$preset"
     local ninja=(ninja -C "$dir")
-    # The first call updates build.ninja. The dry run names it by an absolute path, which is no target
-    # of ninja: else the dry run would stop at its update, which never counts as done there.
+    # The first call updates build.ninja. The dry run names it by an absolute path, which is not a
+    # target of ninja: else the dry run would stop at its update, which never counts as done there.
     quietly "$dir/build.log" "${ninja[@]}" --quiet build.ninja ||
         die "cmake failed; its output is above and in $dir/build.log"
     [[ $("${ninja[@]}" -f "$dir/build.ninja" -n "$target") == *"no work to do"* ]] && return

@@ -30,7 +30,7 @@ def table(head, rows):
 
 
 def replaced(text, pattern, replacement, name):
-    """Returns `text` with the one match of `pattern` replaced; exits unless there is exactly one."""
+    """Returns `text` with the one match of `pattern` replaced; exits if there is not just one."""
     result, count = re.subn(pattern, lambda _: replacement, text, flags=re.DOTALL)
     if count != 1:
         sys.exit(f"{name}: {count} places to be written, one is needed: {pattern}")

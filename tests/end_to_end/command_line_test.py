@@ -274,7 +274,7 @@ class RenderTest(ProgramTest):
         self.assertEqual(hits[3], 0)
 
     def test_equation_from_the_gallery_and_from_standard_input(self):
-        box = ("--box", "1.5", "--size", 40)  # equal to the item's box; --box resets the item's view
+        box = ("--box", "1.5", "--size", 40)  # the item's own; --box resets its view
         by_name = self.picture("@sphere", *box)
         typed = self.picture("-", *box, stdin="x^2 + y^2\n + z^2 - 1\n")
         self.assertEqual(by_name.rgb, typed.rgb)

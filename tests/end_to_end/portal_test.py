@@ -16,7 +16,7 @@ BALL = "x^2+y^2+z^2=1"
 
 
 def has_dbus(python):
-    """Returns True if this interpreter has the fake portal's modules; often only the system's has."""
+    """Returns True if this interpreter has the fake portal's modules; maybe only /usr/bin's has."""
     done = subprocess.run([python, "-c", "import dbus, gi"], capture_output=True, check=False)
     return done.returncode == 0
 

@@ -180,8 +180,8 @@ class RealWindowTest(unittest.TestCase):
         self.display.xdotool("mousemove", int(across * width), int(down * height))
 
     def drag(self, button, across, down):
-        """Drags from the middle of the picture until it changes; returns the picture at rest. A slow
-        frame may see many moves as one, so the moves continue until a change is seen."""
+        """Drags from the middle of the picture until it changes; returns the picture at rest. A
+        slow frame may see many moves as one, so the moves continue until a change is seen."""
         self.point(0.72, 0.55)
         before = self.rest(lambda _: True, "rest")
         self.display.xdotool("mousedown", button)

@@ -47,7 +47,7 @@ def room_of(rooms, path):
 
 
 def seen_from(rooms, room):
-    """Returns the rooms that a room may include; an arrow to a folder stands for the rooms in it."""
+    """Returns the rooms that a room may include; an arrow to a folder means all rooms in it."""
     return [
         other for arrow in rooms[room] for other in rooms
         if other == arrow or (arrow not in rooms and other.startswith(arrow + "/"))

@@ -79,8 +79,8 @@ void leave_field() {
     ImGui::GetCurrentContext()->WantTextInputNextFrame = -1;
 }
 
-/// Whether the caret was in the first and in the last line at the end of the previous frame; an
-/// arrow key then leaves the field.
+/// True where the caret was in the first, in the last line at the end of the previous frame: there
+/// the arrow keys Up, Down leave the field.
 struct CaretLines {
     bool first = true;
     bool last = true;

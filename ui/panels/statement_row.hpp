@@ -7,7 +7,7 @@
 
 namespace zeroset::ui {
 
-/// What the list must do with a row after this frame, or which row gets the keyboard next.
+/// Action that the list must take for a row, or the row that gets the keyboard next.
 enum class RowEvent : std::uint8_t {
     None,
     Next,  ///< insert a new row after this one

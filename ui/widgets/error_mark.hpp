@@ -13,7 +13,7 @@ namespace zeroset::ui {
 struct FieldView {
     ImGuiWindow* window;
     ImRect inside;    ///< the field without its scrollbar
-    ImVec2 text_pos;  ///< of the first character, even where it is scrolled out of sight
+    ImVec2 text_pos;  ///< position of the first character, even if it is scrolled out of sight
 };
 
 /// Returns the geometry of the field with this id, whose window is `window`. Call it while the

@@ -1,13 +1,13 @@
-// The files of readings/: what is typed and how it must be read.
+// Checks the files of readings/, which hold typed texts and how each must be read. A case is:
 //
 //   input, one line or more
 //   => TEXT         the reading of a statement; one such line for each, in order
-//   == TEXT         instead: the surface has the same graph as this text
-//   ~~ WORDS        behind them: a note with these words; one such line for each note, in order
-//   !! OFFSET WORDS instead: an error at this byte whose reason or hint has these words
-//   ?? OFFSET WORDS instead: an error that says the input is unfinished
+//   == TEXT         in place of "=> TEXT": the surface has the same graph as this text
+//   ~~ WORDS        after these: a note with these words; one such line for each note, in order
+//   !! OFFSET WORDS in place of all: an error at this byte whose reason or hint has these words
+//   ?? OFFSET WORDS in place of all: an error that says the input is unfinished
 //
-// Lines that start with # and empty lines between the cases mean nothing.
+// Lines that start with #, and empty lines between cases, are ignored.
 
 #include "engine/language/parse.hpp"
 
