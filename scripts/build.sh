@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What run.sh and test.sh share: packages and the build. Source it; it needs set -euo pipefail.
-# Everything it prints goes to stderr, so that stdout stays the program's.
+# Functions that run.sh and test.sh share: packages and the build. Sourced under set -euo pipefail.
+# Everything goes to stderr, so that stdout belongs to the program.
 
 root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/..")
 
@@ -11,7 +11,7 @@ die() {
     exit 1
 }
 
-# The packages in the named sections of packages.txt.
+# Prints the packages in the named sections of packages.txt.
 packages_of() {
     awk -v wanted=" $* " '
         { sub(/#.*/, ""); sub(/^[ \t]+/, ""); sub(/[ \t\r]+$/, "") }
@@ -19,8 +19,8 @@ packages_of() {
         inside && $0 != ""' "$root/packages.txt"
 }
 
-# The packages of the named sections that are neither installed nor provided by an installed one.
-# A package of a foreign architecture does not count.
+# Prints the packages of the named sections that are neither installed nor provided by an installed
+# package. Packages of a foreign architecture do not count.
 missing_packages() {
     # shellcheck disable=SC2016  # the fields are dpkg-query's, not the shell's
     dpkg-query -W -f='${db:Status-Status}|${Architecture}|${Package}|${Provides}\n' |
@@ -36,7 +36,7 @@ missing_packages() {
             !($0 in there)' - <(packages_of "$@")
 }
 
-# Runs a command without input, its output in a log that is shown only when the command fails.
+# Runs a command without input; its output goes to a log, which is shown only if the command fails.
 quietly() {
     local log=$1
     shift
@@ -46,7 +46,7 @@ quietly() {
     return 1
 }
 
-# Installs what is missing of the named sections; asks nothing, removes nothing.
+# Installs the missing packages of the named sections; asks nothing, removes nothing.
 install_packages() {
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         say "not a Debian system: building with what is installed (packages.txt lists what is needed)"
@@ -62,17 +62,17 @@ install_packages() {
     fi
     say "installing ${missing[*]}"
     local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
-    # A package source that does not answer is no reason to stop: the install tells.
+    # A failing package source is no error yet: the install below fails if it was needed.
     quietly "$root/build/apt-update.log" "${apt[@]}" update || true
     quietly "$root/build/apt-install.log" \
         "${apt[@]}" install -y --no-install-recommends --no-remove "${missing[@]}" ||
         die "could not install ${missing[*]}"
 }
 
-# Configures a preset when its directory is new, came from elsewhere or had other presets.
+# Configures a preset if its build directory is new, was copied from elsewhere or had other presets.
 configure() {
     local preset=$1 dir=$root/build/$1 fresh=()
-    # --fresh forgets a cache of another source directory, which cmake would refuse.
+    # --fresh discards the cache of another source directory, which cmake would refuse.
     grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt" || fresh=(--fresh)
     if ((${#fresh[@]} == 0)) && [[ -f $dir/build.ninja ]] &&
         cmp -s "$root/CMakePresets.json" "$dir/configured_presets.json"; then
@@ -84,17 +84,17 @@ configure() {
     cp -- "$root/CMakePresets.json" "$dir/configured_presets.json"
 }
 
-# Says every half minute how far the build is whose output goes to a log.
+# Reports every half minute the progress of a build whose output goes to a log.
 tell_progress() {
     local log=$1 step
-    # Whoever waits for the end of this script's output does not wait for the pause.
+    # sleep does not inherit this script's output, so that a reader of that does not wait for sleep.
     while sleep 30 >/dev/null 2>&1; do
         step=$(grep -o '^\[[0-9]*/[0-9]*\]' "$log" | tail -n 1 || true)
         [[ -z $step ]] || say "built ${step:1:-1}"
     done
 }
 
-# Runs ninja, its output in a log of which only what is no progress is shown when it fails.
+# Runs ninja with its output in a log; if it fails, shows the log without the progress lines.
 build_telling_progress() {
     local log=$1 teller result=0
     shift
@@ -108,13 +108,13 @@ build_telling_progress() {
     return "$result"
 }
 
-# Builds a target of a preset, on all cores; silent when there is nothing to do.
+# Builds a target of a preset on all cores; silent if there is nothing to do.
 configure_and_build() {
     local preset=$1 target=$2 minutes=$3 dir=$root/build/$1
     configure "$preset"
     local ninja=(ninja -C "$dir")
-    # First the build files follow the sources. Then the dry run names them by a path that ninja does
-    # not know as its own target: else it would stop at their check, which never counts as done.
+    # The first call updates build.ninja. The dry run names it by an absolute path, which is not a
+    # target of ninja: else the dry run would stop at its update, which never counts as done there.
     quietly "$dir/build.log" "${ninja[@]}" --quiet build.ninja ||
         die "cmake failed; its output is above and in $dir/build.log"
     [[ $("${ninja[@]}" -f "$dir/build.ninja" -n "$target") == *"no work to do"* ]] && return

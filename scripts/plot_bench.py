@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Plots what `zeroset bench --json FILE` measured as an SVG: time a frame and evaluations a ray of
-each surface, for each tracer.
+"""Plots the results of `zeroset bench --json FILE` as an SVG: time per frame and evaluations per
+ray of each surface, for each tracer.
 
     build/release/zeroset bench --tracer beams,k-bisection --json bench.json
     scripts/plot_bench.py bench.json resources/docs/bench.svg
@@ -16,13 +16,13 @@ ROW, BAR, LEFT, PANEL, GAP, TOP = 20, 7, 150, 360, 60, 70
 
 
 def log_axis(values):
-    """The decades around the values: (lowest exponent, highest)."""
+    """Returns the decades that contain the positive values: (lowest exponent, highest exponent)."""
     positive = [value for value in values if value > 0]
     return math.floor(math.log10(min(positive))), math.ceil(math.log10(max(positive)))
 
 
 def panel(rows, tracers, measure, left, title):
-    """Bars of one measure on a logarithmic scale."""
+    """Returns the SVG elements of one panel: bars of one measure on a logarithmic scale."""
     values = {(row["name"], tracer): measure(row[tracer]) for row in rows for tracer in tracers}
     low, high = log_axis(values.values())
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes what follows from rooms.txt: the tables of rooms in README.md and
-resources/docs/architecture.md, and the folders that .clang-format and .clang-tidy know.
+"""Generates from rooms.txt the tables of rooms in README.md and resources/docs/architecture.md, and
+the lists of folders in .clang-format and .clang-tidy.
 
-Usage: room_tables.py [--check]. With --check nothing is written: names the files that do not follow
-rooms.txt, then exits 1.
+Usage: room_tables.py [--check]. With --check nothing is written: prints the files that do not match
+rooms.txt and exits 1 if there are any.
 """
 
 import re
@@ -14,13 +14,13 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def folders(lines):
-    """The folders at the root with what they are for: lines "## FOLDER | PURPOSE"."""
+    """Returns (folder, purpose) of each folder at the root, from lines "## FOLDER | PURPOSE"."""
     rows = [line[3:].split("|") for line in lines if line.startswith("## ")]
     return [(name.strip(), purpose.strip()) for name, purpose in rows]
 
 
 def rooms(lines):
-    """The rooms with what they are for."""
+    """Returns (room, purpose) of each room that has a purpose."""
     rows = [line.split("|") for line in lines if line.strip() and not line.startswith("#")]
     return [(row[0].strip(), row[2].strip()) for row in rows if row[2].strip()]
 
@@ -30,7 +30,7 @@ def table(head, rows):
 
 
 def replaced(text, pattern, replacement, name):
-    """`text` with the one match of `pattern` replaced."""
+    """Returns `text` with the one match of `pattern` replaced; exits if there is not just one."""
     result, count = re.subn(pattern, lambda _: replacement, text, flags=re.DOTALL)
     if count != 1:
         sys.exit(f"{name}: {count} places to be written, one is needed: {pattern}")
@@ -38,7 +38,7 @@ def replaced(text, pattern, replacement, name):
 
 
 def written(lines):
-    """Each file that follows from rooms.txt, with its text."""
+    """Returns the generated text of each file, by its name."""
     code = "|".join(name for name, _ in folders(lines) if name != "resources")
     between = r"(?<=<!-- rooms -->\n).*?(?=\n<!-- end -->)"
     changes = {

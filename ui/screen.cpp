@@ -23,7 +23,7 @@ namespace zeroset::ui {
 
 namespace {
 
-/// The keyboard waits for a row only where it can get there.
+/// Drops the wish to give a row the keyboard if a dialog is open, the panel folded or the row gone.
 void check_focus(UiState& state, bool asks) {
     if (!state.focus) return;
     const auto row = std::ranges::find(state.document.statements, state.focus->row, &Statement::id);

@@ -7,13 +7,13 @@
 
 namespace zeroset::ui {
 
-/// Everything that is in the window: the picture and the panels around and over it. Between
+/// Draws the whole window: the picture and the panels around and over it. Called between
 /// Window::begin_frame and Window::end_frame.
 void draw_screen(UiState& state, const Texture& picture);
 
-/// The colour (as in Framebuffer::color) that missed pixels show on average.
+/// Average colour that shows through missed pixels (format as in Framebuffer::color).
 std::uint32_t behind_picture(Theme theme);
-/// How undecided pixels are marked in the picture.
+/// Colours that mark undecided and coarse pixels in the picture.
 Texture::Tint undecided_tint(Theme theme);
 
 }  // namespace zeroset::ui

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An environment variable that names a folder, as the specification has it: absolute.
+/// Path in an environment variable; nothing unless it is absolute, as the specification demands.
 std::optional<fs::path> folder_in(const char* variable) {
     const char* text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): read-only
     if (text == nullptr || *text != '/') return std::nullopt;

@@ -5,17 +5,17 @@
 
 namespace zeroset {
 
-// The program's folders as the XDG Base Directory Specification has them; nothing without a home.
-// They need not exist.
+// The program's folders by the XDG Base Directory Specification; nothing without a home. They need
+// not exist.
 
-/// What outlives a session: recent files, the document against a crash. $XDG_STATE_HOME/zeroset, by
-/// default ~/.local/state/zeroset.
+/// Folder of state that outlives a session: recent files, the document for recovery after a crash.
+/// $XDG_STATE_HOME/zeroset, by default ~/.local/state/zeroset.
 std::optional<std::filesystem::path> state_folder();
 
-/// What can be made anew. $XDG_CACHE_HOME/zeroset, by default ~/.cache/zeroset.
+/// Folder of files that can be recreated. $XDG_CACHE_HOME/zeroset, by default ~/.cache/zeroset.
 std::optional<std::filesystem::path> cache_folder();
 
-/// What the user has chosen. $XDG_CONFIG_HOME/zeroset, by default ~/.config/zeroset.
+/// Folder of the user's settings. $XDG_CONFIG_HOME/zeroset, by default ~/.config/zeroset.
 std::optional<std::filesystem::path> config_folder();
 
 }  // namespace zeroset

@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What the UI thread and the portal's thread share.
+/// The portal's thread, and the state that it shares with the UI thread under `mutex_`.
 class Portal::Thread {
 public:
     explicit Thread(std::function<void()> on_news)
@@ -47,7 +47,7 @@ public:
     }
     std::optional<FileAnswer> take_answer() {
         const std::scoped_lock lock(mutex_);
-        // A newer question waits for its own answer.
+        // A newer request is still to be sent; an answer to an older one is not for it.
         if (asked_) return std::nullopt;
         return std::exchange(answer_, std::nullopt);
     }
@@ -71,7 +71,7 @@ private:
         on_news_();
     }
     void run();
-    /// False at the end.
+    /// Carries out what the UI thread asked for; false when the thread must end.
     bool follow(PortalBus& bus);
 
     std::function<void()> on_news_;
@@ -125,7 +125,7 @@ std::optional<FileAnswer> Portal::take_answer() { return thread_->take_answer();
 std::optional<std::string> path_of_uri(const std::string& uri) {
     constexpr std::string_view prefix = "file://";
     if (!uri.starts_with(prefix)) return std::nullopt;
-    // A host may stand before the path; it is this one.
+    // A host may stand before the path; it is taken to be this one.
     const std::size_t begin = uri.find('/', prefix.size());
     if (begin == std::string::npos) return std::nullopt;
     std::string path;

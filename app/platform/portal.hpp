@@ -8,39 +8,39 @@
 
 namespace zeroset {
 
-/// Which theme the user of the desktop wants of its programs.
+/// Theme that the user prefers according to the desktop's settings.
 enum class ColorWish : std::uint8_t { None, Dark, Light };
 
-/// A file that is to be chosen in the desktop's dialog.
+/// A request for the desktop's file dialog.
 struct FileRequest {
     bool saves = false;
-    std::string folder;  ///< where it begins; absolute
-    std::string name;    ///< proposed for a file to be saved
-    std::string ending;  ///< of the files that are offered
+    std::string folder;  ///< folder shown first; absolute
+    std::string name;    ///< proposed name of a file to be saved
+    std::string ending;  ///< ending of the files that are offered
     std::string parent;  ///< Window::portal_name of the window that the dialog is modal to
 };
 
 struct FileAnswer {
-    bool asked = false;  ///< false: there is no such dialog; ask in another way
+    bool asked = false;  ///< false: there is no such dialog; use another way
     std::string path;    ///< empty: nothing was chosen
 };
 
-/// The desktop's portal on the session's D-Bus (org.freedesktop.portal.Settings and FileChooser).
-/// Its thread does all the waiting: members may be called from the UI thread and return at once.
-/// Without a bus or a portal there is no wish, and answers say so.
+/// Client of the desktop portal on the session's D-Bus (org.freedesktop.portal.Settings and
+/// FileChooser). A thread of its own does all the waiting: members are called from the UI thread
+/// and return at once. Without a bus or a portal there is no wish, and answers have `asked` false.
 class Portal {
 public:
-    /// `on_news` is called from the portal's thread when there is something to take.
+    /// `on_news` is called on the portal's thread when there is a wish or an answer to take.
     explicit Portal(std::function<void()> on_news);
     ~Portal();
     Portal(const Portal&) = delete;
     Portal& operator=(const Portal&) = delete;
 
-    /// The newest wish that was not taken yet.
+    /// Returns the newest wish that was not taken yet.
     std::optional<ColorWish> take_wish();
-    /// Opens the dialog, in place of one that is open.
+    /// Opens the dialog; an open one is closed first.
     void ask(const FileRequest& request);
-    /// Closes it: there will be no answer.
+    /// Closes the dialog; no answer will come.
     void give_up();
     std::optional<FileAnswer> take_answer();
 
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<Thread> thread_;
 };
 
-/// The path of a file URI, or nothing: "file:///a%20b" is "/a b".
+/// Returns the path of a file URI, or nothing: "file:///a%20b" gives "/a b".
 std::optional<std::string> path_of_uri(const std::string& uri);
 
 }  // namespace zeroset

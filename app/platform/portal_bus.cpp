@@ -25,7 +25,7 @@ struct FreeMessage {
 };
 using Message = std::unique_ptr<sd_bus_message, FreeMessage>;
 
-/// The number in a variant, which may be in another one: portals differ.
+/// Reads the number in a variant; some portals wrap it in a second variant.
 std::optional<ColorWish> read_wish(sd_bus_message* message) {
     while (sd_bus_message_enter_container(message, 'v', "v") > 0) {
     }
@@ -38,7 +38,7 @@ std::optional<ColorWish> read_wish(sd_bus_message* message) {
     }
 }
 
-/// The first of the URIs in a response's results.
+/// Returns the first URI in the results of a response.
 std::string read_first_uri(sd_bus_message* message) {
     std::string uri;
     if (sd_bus_message_enter_container(message, 'a', "{sv}") <= 0) return uri;
@@ -58,12 +58,12 @@ std::string read_first_uri(sd_bus_message* message) {
     return uri;
 }
 
-/// {key: <text>}
+/// Appends {key: <text>}.
 void append_text(sd_bus_message* message, const char* key, const std::string& text) {
     sd_bus_message_append(message, "{sv}", key, "s", text.c_str());
 }
 
-/// {key: <a path as bytes that end with 0>}
+/// Appends {key: <path as bytes that end with 0>}.
 void append_path(sd_bus_message* message, const char* key, const std::string& path) {
     sd_bus_message_open_container(message, 'e', "sv");
     sd_bus_message_append(message, "s", key);
@@ -73,7 +73,8 @@ void append_path(sd_bus_message* message, const char* key, const std::string& pa
     sd_bus_message_close_container(message);
 }
 
-/// The end of sd-bus's own deadline, CLOCK_MONOTONIC, as milliseconds from now; -1: none.
+/// Milliseconds from now until sd-bus's deadline (CLOCK_MONOTONIC); at least 0, at most one hour,
+/// -1: no deadline.
 int milliseconds_until(std::uint64_t deadline_us) {
     if (deadline_us == UINT64_MAX) return -1;
     timespec now{};
@@ -106,7 +107,7 @@ void PortalBus::process() {
     while (bus_ != nullptr && more > 0)
         more = sd_bus_process(bus_.get(), nullptr);
     if (more >= 0) return;
-    // The bus is gone, and with it the dialog.
+    // A lost bus takes the dialog with it.
     response_.reset();
     asked_.reset();
     bus_.reset();
@@ -202,7 +203,7 @@ int PortalBus::on_setting_read(sd_bus_message* message, void* self, sd_bus_error
     return 0;
 }
 
-/// The call has returned: the dialog is open, or there is none.
+/// Handles the return of the call that opens the dialog; an error means that there is no dialog.
 int PortalBus::on_asked(sd_bus_message* message, void* self, sd_bus_error* /*error*/) {
     auto& bus = *static_cast<PortalBus*>(self);
     if (sd_bus_message_is_method_error(message, nullptr) > 0 && !bus.request_.empty()) {

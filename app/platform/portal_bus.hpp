@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// The talk with the portal, for one thread. The handlers are called from process().
+/// The D-Bus connection to the portal; used by one thread. Handlers are called from process().
 class PortalBus {
 public:
     struct Handlers {
@@ -18,13 +18,13 @@ public:
         std::function<void(FileAnswer)> on_answer;
     };
 
-    /// Opens the session's bus and asks for the wish; see is_open().
+    /// Opens the session bus and asks for the theme wish; is_open() tells whether there is a bus.
     explicit PortalBus(Handlers handlers);
 
     [[nodiscard]] bool is_open() const { return bus_ != nullptr; }
-    /// Handles what has come.
+    /// Handles all messages that have arrived.
     void process();
-    /// Sleeps until something comes or `wake_fd` can be read, and reads that.
+    /// Sleeps until a message arrives or `wake_fd` becomes readable, and reads the latter.
     void wait(int wake_fd) const;
 
     void ask(const FileRequest& request);
@@ -49,10 +49,10 @@ private:
 
     Handlers handlers_;
     std::unique_ptr<sd_bus, CloseBus> bus_;
-    Slot response_;        ///< waits for the dialog's end
-    Slot asked_;           ///< waits for its beginning
-    std::string request_;  ///< the object that stands for the dialog; empty: there is none
-    unsigned count_ = 0;   ///< of dialogs so far
+    Slot response_;        ///< subscription to the dialog's response
+    Slot asked_;           ///< pending call that opens the dialog
+    std::string request_;  ///< D-Bus path of the open dialog's request; empty: no dialog
+    unsigned count_ = 0;   ///< number of dialogs opened so far
 };
 
 }  // namespace zeroset

@@ -35,7 +35,7 @@ void end_on_signals(void (*last_words)()) {
         if (now.sa_handler != SIG_IGN) sigaddset(&signals, signal);
     }
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    // A thread rather than a handler: it may wait until a file is renamed.
+    // A thread rather than a signal handler: it may wait until a file is renamed.
     std::thread([signals, last_words] {
         int signal = 0;
         while (::sigwait(&signals, &signal) != 0) {

@@ -1,4 +1,4 @@
-// What auto-frame makes of a document.
+// Tests of auto-framing a document.
 
 #include "document/framing.hpp"
 

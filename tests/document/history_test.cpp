@@ -1,4 +1,4 @@
-// Undo and redo, by value.
+// Tests of undo and redo, by value.
 
 #include "document/history.hpp"
 
@@ -9,7 +9,7 @@
 namespace zeroset::test {
 namespace {
 
-/// A document under edit whose clock and gestures the test moves.
+/// A document being edited, with a clock and gestures that the test advances.
 class Undo : public testing::Test {
 protected:
     void SetUp() override {

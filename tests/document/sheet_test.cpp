@@ -1,4 +1,4 @@
-// How rows are read together, and what happens to the others when one is wrong.
+// Tests of reading rows together, and of the effect of a wrong row on the others.
 
 #include "document/sheet.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 class Sheets : public testing::Test {
 protected:
-    /// Rows with the ids 1, 2, ...
+    /// Reads these texts as rows with the ids 1, 2, ...
     const SheetReading& read(const std::vector<std::string>& texts) {
         Sheet sheet;
         for (const std::string& text : texts)

@@ -1,4 +1,4 @@
-"""`zeroset bench`: suites, tables and figures."""
+"""Tests of `zeroset bench`: suites, tables and figures."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What takes long: its budget, its end by a signal, and the progress on a terminal."""
+"""Tests of long commands: time budget, end by a signal, and progress on a terminal."""
 
 import json
 import os
@@ -10,7 +10,7 @@ import time
 
 from zeroset_program import TIMEOUT_S, ProgramTest, environment, program, read_png, run
 
-# Undecidable for minutes: sixty squares, one into the other.
+# A formula that stays undecided for minutes: sixty nested squares.
 ENDLESS = "a_0 = x\n" + "\n".join(f"a_{i} = a_{i - 1}^2 + y" for i in range(1, 60)) + "\na_59 = 0"
 SPHERE = "x^2 + y^2 + z^2 = 1"
 
@@ -64,7 +64,8 @@ class BudgetTest(ProgramTest):
 
 
 def heed_signals():
-    """A shell's background jobs, and what they start, ignore SIGINT."""
+    """Restores the default signal actions: background jobs of a shell ignore SIGINT, and so would
+    the processes that they start."""
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_DFL)
 
@@ -104,7 +105,7 @@ class SignalTest(ProgramTest):
         self.assertEqual((self.folder / "out.png").read_bytes(), b"before")
 
     def test_a_signal_that_is_ignored_stays_so(self):
-        """As under nohup."""
+        """SIGHUP is ignored under nohup, and the program must leave it so."""
         process = self.start("render", "-", "--size", "64x64", "--budget", 3, "-o", "out.png",
                              stdin=ENDLESS,
                              preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
@@ -114,7 +115,7 @@ class SignalTest(ProgramTest):
         self.assertEqual(process.returncode, 0)
 
     def on_terminal(self, *arguments, stdin):
-        """What the program writes to standard error where that is a terminal."""
+        """Returns what the program writes to standard error if that is a terminal."""
         ours, theirs = pty.openpty()
         written = []
 

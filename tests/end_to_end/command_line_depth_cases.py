@@ -1,4 +1,4 @@
-"""`zeroset render --depth` against closed forms: several surfaces, cameras, boxes and sizes."""
+"""Compares `zeroset render --depth` with closed forms, for several surfaces, cameras and boxes."""
 
 import math
 
@@ -10,7 +10,7 @@ GRAZING = 0.2  # cosine to the normal below which a small error of f is a large 
 CUBE = Box.of(2)
 OFF_CENTRE = Box(0.5, 3.0, -2.0, 1.5, -0.25, 2.25)
 ABOVE = Camera((0.5, 0.3, 5), up=(0, 1, 0))
-# name, surface, box, camera, width, height
+# (name, surface, box, camera, width, height)
 SCENES = [
     ("sphere, default camera", Sphere(), CUBE, None, 33, 17),
     ("sphere cut by the box", Sphere(radius=1.5), Box(-1, 1, -2, 2, -1.2, 2), None, 31, 31),
@@ -45,11 +45,11 @@ SCENES = [
 
 
 class Expected:
-    """What a ray must show of a surface."""
+    """The hit or miss of a surface that a ray must show."""
 
     def __init__(self, surface, box, ray, cell):
         self.surface, self.ray = surface, ray
-        self.stretch = cell / max(map(abs, ray.direction))  # of a cell along the dominant axis
+        self.stretch = cell / max(map(abs, ray.direction))  # length of a cell on the ray
         self.margin = 4.0 * self.stretch
         self.first, self.inside, self.clear = math.inf, False, False
         self.piece = box.clip(ray)
@@ -65,7 +65,7 @@ class Expected:
         self.clear = self.inside and cosine > GRAZING
 
     def is_near(self, t):
-        """Whether the ray's point at t is so close to the surface that it may be drawn."""
+        """Returns True if the ray's point at t is so close to the surface that it may be drawn."""
         reach = 4.0 * self.surface.cells_early * self.margin
         return abs(self.surface.distance(self.ray.at(t))) < reach
 
@@ -78,7 +78,7 @@ class DepthTest(ProgramTest):
                            "--size", f"{width}x{height}", "--dstop", d_stop)
         self.assertEqual((depth.width, depth.height), (width, height))
         largest = max(map(abs, box.lo + box.hi))
-        float_cell = 2.0 ** (math.frexp(largest)[1] - 22)  # no slice is finer than two ulp
+        float_cell = 2.0 ** (math.frexp(largest)[1] - 22)  # slices are at least two ulp thick
         cell = max(box.edge() * 2.0 ** -d_stop, float_cell)
         rounding = 2.0 ** -20 * (largest + math.sqrt(dot(shown.eye, shown.eye)))
         clear = 0
@@ -91,7 +91,7 @@ class DepthTest(ProgramTest):
 
     def check_pixel(self, expected, got, rounding, where):
         self.assertFalse(math.isnan(got) or got < 0.0, where)
-        if expected.inside:  # whatever else is drawn: no root is passed by
+        if expected.inside:  # no root may be missed, whatever else is drawn
             self.assertLess(got, expected.first + expected.margin + rounding, where)
         if expected.clear:
             early = expected.surface.cells_early * expected.stretch + rounding

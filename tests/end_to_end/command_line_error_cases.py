@@ -1,4 +1,4 @@
-"""Everything a user can type wrong: the exit code, one clear line, and no file left behind."""
+"""Tests of wrong command lines: each gives its exit code, one clear line and no file."""
 
 import json
 import os
@@ -9,7 +9,7 @@ from zeroset_program import ProgramTest, read_png, run
 WRONG = 2
 RUN_TIME = 1
 
-# Options of `render x` that are wrong, and words that the line must have.
+# (wrong options of `render x`, words that the error line must contain)
 WRONG_OPTIONS = [
     (["--nope"], ["--nope"]),
     (["--color-by", ""], ["--color-by", "expression"]),
@@ -69,7 +69,7 @@ WRONG_OPTIONS = [
     (["-o", "second.png"], ["output"]),
 ]
 
-# Other command lines that are wrong.
+# (other wrong command lines, words that the error line must contain)
 WRONG_COMMANDS = [
     (["render", "x"], ["-o"]),
     (["render", "x", "-o"], ["output"]),
@@ -94,7 +94,7 @@ WRONG_COMMANDS = [
     (["--nope"], ["--nope"]),
 ]
 
-# A formula, and the column (from 1) under which the caret stands.
+# (wrong formula, column from 1 that the caret marks)
 WRONG_FORMULAS = [
     ("x +", 4),
     ("x + * y", 5),
@@ -123,7 +123,7 @@ class WrongInputTest(ProgramTest):
         self.old.write_bytes(b"an older file")
 
     def check_refused(self, result, code, words=()):
-        """One line, nothing else on stdout or in the folder; returns the lines of stderr."""
+        """Expects one error line, nothing on stdout and no file; returns the lines of stderr."""
         self.assertEqual(result.code, code, str(result))
         self.assertEqual(result.out, "", str(result))
         self.assertTrue(result.err.endswith("\n"), str(result))
@@ -209,7 +209,7 @@ class WrongInputTest(ProgramTest):
 
 
 class UnwritableTest(ProgramTest):
-    """What goes wrong at run time."""
+    """Tests of errors at run time."""
 
     def check_failed(self, result, words):
         self.assertEqual(result.code, RUN_TIME, str(result))

@@ -1,4 +1,4 @@
-"""`zeroset explain`: how a formula is read, with values and code."""
+"""Tests of `zeroset explain`: how a formula is read, with values and code."""
 
 import json
 import math
@@ -54,7 +54,7 @@ class ExplainTest(ProgramTest):
 
     def test_texts_as_others_write_them(self):
         texts = [
-            # A name that could be a product, a line that starts with a sign.
+            # Names that could be products, and lines that start with a sign.
             ("cx=0.25\n-(x-cx)^2 + y", -0.5625 + 2),
             ("Iso(x,y,z,t)=x*y-z\nIso2(x,y,z,t)=Iso(x,y,z,t)%2\n-Iso2(z,x,y,t)", -1),
             ("sq(u)=u*u; sq(u)=sq(u)+1; sq(x)+z", 5),

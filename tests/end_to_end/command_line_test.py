@@ -1,4 +1,4 @@
-"""The command line against its contract: what each subcommand writes, prints and refuses."""
+"""Tests of the command line's contract: what each subcommand writes, prints and refuses."""
 
 import json
 import math
@@ -12,7 +12,7 @@ from command_line_explain_cases import ExplainTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
-# Run by unittest.
+# The test cases that unittest runs from here, imported ones included.
 __all__ = ["BenchTest", "BudgetTest", "DepthTest", "ExplainTest", "SignalTest", "UnwritableTest",
            "WrongInputTest"]
 
@@ -77,7 +77,7 @@ class RenderTest(ProgramTest):
         self.assertGreater(packets["evaluations"]["range"], packets["certified"])
 
     def test_certified_width(self):
-        """Four cells of the finest bisection; unknown where the criterion is no width."""
+        """The width is four cells of the finest bisection; unknown if the stop rule is no width."""
         small = (SPHERE, "--size", 8, "--box", 2)
         self.assertEqual(self.stats(*small, "--dstop", 10)["certified_width"], 4 * 4 / 1024)
         self.assertEqual(self.stats(*small, "--dstop", 12)["certified_width"], 4 * 4 / 4096)
@@ -106,7 +106,7 @@ class RenderTest(ProgramTest):
         self.assertIn("only the tracer beams finds jumps", done.err)
 
     def test_certificates_in_colours(self):
-        """Green, amber, red and black pixels are as many as the statistics say."""
+        """The numbers of green, amber, red and black pixels agree with the statistics."""
         stats = self.stats("1/(1/x) = 0; z = sign(x)", "--size", "60x60", "--dstop", 12, "--certificate",
                            "c.png")
         image = read_png(self.folder / "c.png")
@@ -124,7 +124,7 @@ class RenderTest(ProgramTest):
         self.assertTrue(0 < frame["min"] <= frame["median"] <= frame["max"], frame)
 
     def test_same_depths_whatever_the_threads_and_repeats(self):
-        """To the last bit; but the code for many frames rounds otherwise than that for one."""
+        """Depths agree to the last bit, except that the code for many frames rounds differently."""
         once, often = [], []
         for depths, options in ((once, ["--threads", 1]), (once, ["--threads", 2]), (once, []),
                                 (often, ["--threads", 1, "--repeat", 1]),
@@ -162,14 +162,14 @@ class RenderTest(ProgramTest):
         self.assertEqual(len({plain, both, picture({"shadows": True})}), 3)
 
     def look(self, *options):
-        """The bytes of a small picture of a ball with a parameter."""
+        """Returns the file of a small picture of a ball with a parameter."""
         result = run("render", "x^2 + y^2 + z^2 = a", "--size", "240x180", "-o", "out.png", *options,
                      cwd=self.folder)
         self.assertEqual(result.code, 0, result)
         return (self.folder / "out.png").read_bytes()
 
     def test_the_solid_is_that_of_the_surface_itself(self):
-        """A restriction that leaves nothing at the faces of the box does not turn the caps out."""
+        """A restriction that leaves nothing at the box's faces does not change the solid side."""
         ball, cut = "1 - x^2 - y^2 - z^2", ["--size", "80x60", "--section", "x=0"]
         whole = self.depth(ball, *cut).values
         self.assertEqual(self.depth(f"{ball} = 0, x^2 + y^2 + z^2 < 3", *cut).values, whole)
@@ -187,7 +187,7 @@ class RenderTest(ProgramTest):
         pictures = {mode: self.look("--color-by", mode, "--w", 2, "--set", "a=1.5")
                     for mode in modes}
         self.assertEqual(pictures["plain"], self.look("--w", 2, "--set", "a=1.5"))
-        # All curvatures and slopes of a ball are the same: one colour, with another legend.
+        # Curvature and slope of a ball are constant: one colour, but each with its own legend.
         self.assertEqual(len(set(pictures.values())), len(modes))
         self.assertNotEqual(self.look("--color-by", "height"),
                             self.look("--color-by", "height", "--color-map", "ember"))
@@ -235,7 +235,7 @@ class RenderTest(ProgramTest):
                                    "0,-1,0"))
 
     def error_of(self, *options):
-        """Hits, and the largest error of depth on clear hits of the unit sphere."""
+        """Returns the number of hits, and the largest depth error of clear ones, of a sphere."""
         camera, worst = Camera.default(Box.of(2)), 0.0
         depth = self.depth(SPHERE, "--size", "40x40", *camera.options(), *options)
         for col, row, got in depth.pixels():
@@ -274,7 +274,7 @@ class RenderTest(ProgramTest):
         self.assertEqual(hits[3], 0)
 
     def test_equation_from_the_gallery_and_from_standard_input(self):
-        box = ("--box", "1.5", "--size", 40)  # the gallery's; a box of one's own resets the view
+        box = ("--box", "1.5", "--size", 40)  # the item's own; --box resets its view
         by_name = self.picture("@sphere", *box)
         typed = self.picture("-", *box, stdin="x^2 + y^2\n + z^2 - 1\n")
         self.assertEqual(by_name.rgb, typed.rgb)

@@ -1,8 +1,8 @@
-"""A desktop's portal, made up for a test, on the session's bus: fake_portal.py FOLDER.
+"""A fake desktop portal for a test, on the session's bus: fake_portal.py FOLDER.
 
-It answers a dialog with what the file FOLDER/answer says: "fail" (there is no dialog), "cancel", or
-a URI. What it was asked goes to FOLDER/asked, a JSON line each. The theme is the number in
-FOLDER/scheme; a SIGUSR1 announces that it has changed.
+The file FOLDER/answer determines the answer to a dialog: "fail" (there is no dialog), "cancel", or
+a URI. Each request is appended to FOLDER/asked as a line of JSON. The theme is the number in
+FOLDER/scheme; on SIGUSR1 the portal announces that it has changed.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Every picture of the gallery, against what an independent reckoning says must be there."""
+"""Compares every picture of the gallery with an independent computation of its hits."""
 
 import json
 import math
@@ -9,7 +9,7 @@ from zeroset_program import SOURCE_DIR, ProgramTest, main
 
 SIZE = 96
 D_STOP = 12
-FINE_D_STOP = 16  # where the silhouettes of all but the wildest polynomials are clear
+FINE_D_STOP = 16  # silhouettes of all but the wildest polynomials are clear here
 
 # Name: half edge of the clip box, w, and how many of 96 x 96 rays from the default direction meet
 # the surface. Counted once by certified isolation of each ray's roots in interval arithmetic.
@@ -67,13 +67,13 @@ HITS = {
     "lidinoid": (3.1416, 0, 5105),
     "machined_cube": (1.2, 0, 3736),
 }
-LOST = 5    # rays so close to an edge of the clip box that rounding decides
-GAINED = 30  # rays that pass a surface so closely that they stay undecided
+LOST = 5    # most rays lost at edges of the clip box, where rounding decides
+GAINED = 30  # most undecided rays, which pass a surface very closely
 GAINED_BY = {"barth_decic": 60, "chmutov_octic": 150, "sarti_dodecic": 350}
 
 
 def gallery():
-    """The items of the gallery's files."""
+    """Yields the items of the gallery's files."""
     for path in sorted((SOURCE_DIR / "resources" / "gallery").glob("*.json")):
         yield from json.loads(path.read_text(encoding="utf-8"))["items"]
 
@@ -86,13 +86,13 @@ def camera_of(item):
 
 
 def function_of(item):
-    """f(x, y, z) of the item's equation; NaN where it is undefined."""
+    """Returns the function f(x, y, z) of the item's equation; NaN where it is undefined."""
     left, _, right = item["equation"].replace("^", "**").partition("=")
     text = re.sub(r"\babs\b", "fabs", f"({left}) - ({right or '0'})")
     names = {name: getattr(math, name) for name in
              ("sqrt", "fabs", "sin", "cos", "acos", "atan2", "exp", "log")}
     names.update(min=min, max=max, w=item.get("w", 0.0), __builtins__={})
-    compiled = eval(f"lambda x, y, z: {text}", names)  # of our own files
+    compiled = eval(f"lambda x, y, z: {text}", names)  # the text is from our own files
 
     def f(point):
         try:
@@ -104,7 +104,7 @@ def function_of(item):
 
 
 def first_sign_change(f, ray, t_in, t_out, steps=200):
-    """Where f first changes its sign continuously, at samples along the ray; None: nowhere."""
+    """Returns where f first changes sign continuously between samples along the ray, or None."""
     def on_ray(i):
         return t_in + (t_out - t_in) * i / steps
 
@@ -113,7 +113,7 @@ def first_sign_change(f, ray, t_in, t_out, steps=200):
         after = f(ray.at(on_ray(i)))
         if before * after < 0.0:
             root = bisected(f, ray, on_ray(i - 1), on_ray(i), before)
-            if abs(f(ray.at(root))) < min(abs(before), abs(after)):  # no pole, no jump
+            if abs(f(ray.at(root))) < min(abs(before), abs(after)):  # neither a pole nor a jump
                 return root
         before = after
     return None
@@ -158,7 +158,7 @@ class GalleryPicturesTest(ProgramTest):
                 self.check_depths(item)
 
     def check_depths(self, item):
-        """At some pixels: no sign change is passed by, and hits are mostly at sign changes."""
+        """Expects, at some pixels, that no sign change is missed and most hits are at one."""
         box, camera, f = Box.of(item["box"]), camera_of(item), function_of(item)
         depth = self.depth("@" + item["name"], *camera.options(), "--size", SIZE,
                            "--dstop", FINE_D_STOP)
@@ -185,10 +185,10 @@ class GalleryPicturesTest(ProgramTest):
 
 
 class TrapTest(ProgramTest):
-    """Surfaces that a careless program draws where they are not."""
+    """Tests of surfaces that a careless program draws where they are not."""
 
     def points(self, item):
-        """Where the pixels of the item's picture are in space."""
+        """Returns the points in space that the hits of the item's picture show."""
         camera = camera_of(item)
         depth = self.depth("@" + item["name"], *camera.options(), "--size", SIZE,
                            "--dstop", FINE_D_STOP)

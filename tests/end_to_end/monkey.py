@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Random input to the real window: monkey.py PROGRAM [--seconds 600] [--seed N]
 
-Keys, clicks, drags, the wheel, other window sizes, typed formulas and plain noise, on an X display of its
-own. Ends with 1 and says which seed and step it was when the program ends, writes a sanitizer's report, takes
-more than --patience seconds to answer, or its memory grows without end. With a program built with
-AddressSanitizer, leaks at the end are found, too, but for those of a window that is closed at once: OpenGL
-drivers leave some, and cannot be named once they are unloaded.
+Sends keys, clicks, drags, the wheel, other window sizes, typed formulas and plain noise, on an X
+display of its own. Exits with 1 and prints seed and step when the program ends, writes a
+sanitizer's report, takes more than --patience seconds to answer, or its memory keeps growing. With
+a program built with AddressSanitizer, leaks at the end are found, too, except those of a window
+that is closed at once: OpenGL drivers leave some, and cannot be named once they are unloaded.
 """
 
 import argparse
@@ -29,7 +29,7 @@ KEYS = ["Return", "Escape", "Tab", "Up", "Down", "Left", "Right", "Home", "End",
 PIECES = ["x", "y", "z", "w", "a", "b", "2", "0.5", "1e-9", "1e30", "+", "-", "*", "/", "^", "(",
           ")", "=", "<", ";", ",", "sin ", "sqrt(", "exp(", "log(", "abs(", "max(", "x^2+y^2",
           "+z^2=1", "|x|", "f(u)=", "f(", "mod(", "atan2(", "|", "²", "√", "é"]
-GROWTH_KB = 400_000  # of memory, from the end of the first third on
+GROWTH_KB = 400_000  # allowed growth of memory after the first third of the time
 
 
 class Monkey:
@@ -71,7 +71,7 @@ class Monkey:
         sys.exit(f"{what}; seed {self.options.seed}, step {self.step}\n{report}")
 
     def leak(self):
-        """LeakSanitizer's count of bytes and allocations."""
+        """Returns LeakSanitizer's summary line, which counts bytes and allocations, or None."""
         report = self.log.read_text(errors="replace")
         if "ERROR: LeakSanitizer" not in report:
             return None
@@ -130,11 +130,11 @@ class Monkey:
             for words in split(act()):
                 self.display.xdotool(*words)
         except subprocess.CalledProcessError:
-            time.sleep(0.5)  # the window may have been closed while it was looked for
+            time.sleep(0.5)  # the window may have closed during the search
         self.step += 1
 
     def check_alive(self):
-        """A program that was closed as it should be is opened again."""
+        """Starts the program again if it was closed regularly."""
         if self.process.poll() is None:
             return
         self.check_end()
@@ -142,7 +142,7 @@ class Monkey:
         self.open()
 
     def check_answer(self):
-        """The help comes and goes: the window's pixels change."""
+        """Expects that opening and closing the help changes the window's pixels."""
         self.display.xdotool("key", "Escape", "key", "Escape", "key", "Escape")
         end = time.monotonic() + self.options.patience
         before = self.display.screenshot().rgb
@@ -183,7 +183,7 @@ class Monkey:
               f"{settled_kb // 1000} MB after a third, at most {self.peak_kb // 1000} MB")
 
     def close(self):
-        """Closes the window by its keys; a question about the work is answered with D."""
+        """Closes the window by its keys; D answers the question about unsaved work."""
         end = time.monotonic() + self.options.patience
         while self.process.poll() is None:
             self.display.xdotool("key", "--delay", 50, "Escape", "Escape", "ctrl+q", "d")
@@ -193,7 +193,7 @@ class Monkey:
 
 
 def split(words):
-    """xdotool's commands one by one: after a text to type there can be none."""
+    """Splits xdotool's arguments into single commands: none may follow a text to type."""
     if words[0] == "key" and "type" in words:
         at = words.index("type")
         return [words[:at], words[at:-2], words[-2:]]

@@ -1,4 +1,4 @@
-"""The real window beside a desktop's portal: its theme and its dialogs for files."""
+"""Tests of the real window with a fake desktop portal: theme and file dialogs."""
 
 import json
 import os
@@ -16,7 +16,7 @@ BALL = "x^2+y^2+z^2=1"
 
 
 def has_dbus(python):
-    """Whether this interpreter has the modules of the made-up portal: they may be the system's."""
+    """Returns True if this interpreter has the fake portal's modules; maybe only /usr/bin's has."""
     done = subprocess.run([python, "-c", "import dbus, gi"], capture_output=True, check=False)
     return done.returncode == 0
 
@@ -58,7 +58,7 @@ class PortalTest(RealWindowTest):
         self.portal.send_signal(signal.SIGUSR1)
 
     def is_light(self):
-        """Whether the panel's colour, in the middle of it, is near white."""
+        """Returns True if the colour in the middle of the panel is near white."""
         return min(self.display.screenshot(100, 300, 104, 304).at(1, 1)) > 200
 
     def asked(self):
@@ -117,7 +117,7 @@ class PortalTest(RealWindowTest):
         self.quit_by_key()
 
     def opens_once_more(self, before):
-        """Whether there was another dialog since there were so many; asks for one."""
+        """Returns True if there were more than `before` dialogs; asks for one if not."""
         if len(self.asked()) == before:
             self.display.xdotool("key", "ctrl+o")
         return len(self.asked()) > before

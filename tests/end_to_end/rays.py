@@ -1,4 +1,4 @@
-"""The camera's rays and where they meet surfaces of known form, in double precision.
+"""The camera's rays and their intersections with surfaces of known form, in double precision.
 
 Written from the contract of the command line alone: vertical field of view, rays through pixel
 centres, row 0 at the top, the part of the ray in the clip box and in front of the eye counts.
@@ -40,7 +40,7 @@ class Box:
 
     @classmethod
     def of(cls, value):
-        """Of a half edge, or of x0, x1, y0, y1, z0, z1."""
+        """Returns the box of a half edge, or of (x0, x1, y0, y1, z0, z1)."""
         if isinstance(value, (int, float)):
             return cls(-value, value, -value, value, -value, value)
         return cls(*value)
@@ -49,16 +49,16 @@ class Box:
         return scale(0.5, add(self.lo, self.hi))
 
     def edge(self):
-        """The longest one: the domain that d_stop divides."""
+        """Returns the longest edge, which d_stop bisections divide."""
         return max(sub(self.hi, self.lo))
 
     def option(self):
-        """As --box takes it."""
+        """Returns the text for the option --box."""
         ends = (f"{lo!r},{hi!r}" for lo, hi in zip(self.lo, self.hi))
         return ",".join(ends)
 
     def clip(self, ray):
-        """(t_in, t_out) of the ray's part in the box and in front of the eye, or None."""
+        """Returns (t_in, t_out) of the ray's part in the box and in front of the eye, or None."""
         t_in, t_out = 0.0, math.inf
         for start, step, lo, hi in zip(ray.eye, ray.direction, self.lo, self.hi):
             if step == 0.0:
@@ -84,7 +84,7 @@ class Camera:
 
     @classmethod
     def default(cls, box, aspect=1.0):
-        """From the default direction, at a distance that suits most boxes."""
+        """Returns a camera in the default direction, at a distance that suits most boxes."""
         half = 0.5 * math.sqrt(sum(e * e for e in sub(box.hi, box.lo))) / math.sqrt(3.0)
         distance = 4.0 * half / min(1.0, aspect)
         return cls(add(box.centre(), scale(distance, unit(DEFAULT_DIRECTION))), box.centre())
@@ -96,7 +96,7 @@ class Camera:
                 "--fov", repr(float(self.fov))]
 
     def ray(self, col, row, width, height):
-        """Through the centre of a pixel."""
+        """Returns the ray through the centre of a pixel."""
         forward = unit(sub(self.look_at, self.eye))
         right = unit(cross(forward, self.up))
         up = cross(right, forward)
@@ -106,14 +106,14 @@ class Camera:
 
 
 class Surface:
-    """`distance(p)` is the signed distance, `normal(p)` holds for p on the surface,
-    `roots(ray, t_in, t_out)` are the roots there, in order, at least the first."""
+    """A surface with `distance(p)`, the signed distance; `normal(p)`, for p on the surface; and
+    `roots(ray, t_in, t_out)`, the roots in that range in order, at least the first."""
 
-    cells_early = 1.5  # of d_stop: how far from its root a clear hit may be drawn
+    cells_early = 1.5  # how far before its root a clear hit may be drawn, in cells of d_stop
 
 
 def _quadratic(a, b, c):
-    """Real roots of a t^2 + 2 b t + c, in order."""
+    """Returns the real roots of a t^2 + 2 b t + c in order; none if a = 0."""
     discriminant = b * b - a * c
     if a == 0.0 or discriminant < 0.0:
         return []
@@ -141,7 +141,7 @@ class Sphere(Surface):
 
 
 class Cylinder(Surface):
-    """About the z axis."""
+    """A cylinder about the z axis."""
 
     def __init__(self, radius=1.0):
         self.radius = radius
@@ -181,7 +181,7 @@ class Plane(Surface):
 
 
 class Torus(Surface):
-    """About the z axis."""
+    """A torus about the z axis."""
 
     def __init__(self, ring=1.0, tube=0.5):
         self.ring, self.tube = ring, tube
@@ -195,7 +195,7 @@ class Torus(Surface):
         return unit(sub(p, ring_point))
 
     def roots(self, ray, t_in, t_out):
-        """The first one. The distance to the torus is a step that skips no root."""
+        """Returns the first root. A step of the distance to the torus skips no root."""
         t = t_in
         while t <= t_out:
             step = abs(self.distance(ray.at(t)))
@@ -206,8 +206,8 @@ class Torus(Surface):
 
 
 class QuarticTorus(Torus):
-    """(x^2 + y^2 + z^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + y^2): here the squares occur twice, so that
-    intervals of it are wide and K-bisection stops some cells early."""
+    """The torus (x^2 + y^2 + z^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + y^2). The squares occur twice, so
+    that intervals of it are wide and K-bisection stops some cells early."""
 
     cells_early = 12.0
 

@@ -1,4 +1,4 @@
-"""The real window on an X display of its own: what the tests that drive it share."""
+"""Common parts of the tests that drive the real window on an X display of its own."""
 
 import os
 import shutil
@@ -10,27 +10,27 @@ from pathlib import Path
 
 from zeroset_program import environment, program, read_xwd
 
-PATIENCE_S = 20.0  # for anything that is awaited
+PATIENCE_S = 20.0  # longest wait for any condition
 POLL_S = 0.03
-REST_S = 0.15      # a window at rest sleeps for so long; it refines what moved after 0.12
+REST_S = 0.15      # a window that sleeps so long is at rest; refining starts after 0.12 s
 SAME = 0.002       # fraction of pixels that may differ between equal pictures
 
 
 def check_tools():
-    """Ends the script where something that it drives the window with is not installed."""
+    """Ends the script if a tool that drives the window is not installed."""
     missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
     if missing:
         raise SystemExit("needed and not installed: " + ", ".join(missing))
 
 
 def switches_of(*processes):
-    """How often all their threads together have gone to sleep; None while one does not sleep."""
+    """Returns how often all threads of the processes went to sleep; None while one is awake."""
     total = 0
     for process in processes:
         for thread in Path(f"/proc/{process}/task").iterdir():
             try:
                 status = (thread / "status").read_text()
-            except OSError:  # it has just ended
+            except OSError:  # the thread has just ended
                 return None
             fields = dict(line.split(":\t", 1) for line in status.splitlines() if ":\t" in line)
             if not fields["State"].startswith("S"):
@@ -50,7 +50,7 @@ class Display:
              "-fbdir", self.folder.name, "-nolisten", "tcp", "-noreset"],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write_end)
-        with os.fdopen(read_end) as answer:  # ends without a number if the server fails
+        with os.fdopen(read_end) as answer:  # empty if the server fails
             number = answer.readline().strip()
         if not number:
             self.close()
@@ -78,7 +78,7 @@ class Display:
 
 
 class RealWindowTest(unittest.TestCase):
-    """A test with a display, `self.display`, on which start() opens the window."""
+    """Base of tests with a display, `self.display`, on which start() opens the window."""
 
     SCALE = 1
     SCREEN = (800, 600)
@@ -113,7 +113,7 @@ class RealWindowTest(unittest.TestCase):
             return None
 
     def wait_for(self, condition, what):
-        """The first true value of condition()."""
+        """Waits for the first true value of condition() and returns it."""
         end = time.monotonic() + PATIENCE_S
         while time.monotonic() < end:
             value = condition()
@@ -122,8 +122,8 @@ class RealWindowTest(unittest.TestCase):
             time.sleep(POLL_S)
         return self.fail(f"waited in vain for: {what}")
 
-    # The parts of the window: the picture at the right of the panel, and in the panel the first row
-    # and what stands below it.
+    # Screenshots of parts of the window: the picture at the right of the panel, and in the panel
+    # the first row and the line below it.
 
     PANEL = 378  # width of the panel, at scale 1
 
@@ -133,13 +133,13 @@ class RealWindowTest(unittest.TestCase):
                                        height - 40 * self.SCALE)
 
     def bar(self):
-        """Below the first row's text: how it was read, or the error."""
+        """Returns a screenshot of the line below the first row: its reading or its error."""
         return self.display.screenshot(10 * self.SCALE, 74 * self.SCALE,
                                        (self.PANEL - 10) * self.SCALE, 94 * self.SCALE)
 
     def sleeps_on(self):
-        """Whether no thread of the window and of its display runs, or waits for a processor, during
-        REST_S: then nothing is left to be drawn, however slow the machine is."""
+        """Returns True if no thread of the window and of its display runs or waits for a processor
+        during REST_S: then nothing is left to be drawn, however slow the machine is."""
         processes = self.started.pid, self.display.server.pid
         before, end = switches_of(*processes), time.monotonic() + REST_S
         while before is not None and switches_of(*processes) == before:
@@ -149,7 +149,7 @@ class RealWindowTest(unittest.TestCase):
         return False
 
     def rest(self, condition, what):
-        """The first picture that fulfils the condition and has come to rest."""
+        """Waits for the first picture at rest that fulfils the condition and returns it."""
         image = None
 
         def at_rest():
@@ -169,7 +169,7 @@ class RealWindowTest(unittest.TestCase):
         return a.rows(4).difference(b.rows(4)) <= SAME
 
     def surface(self, image):
-        """Fraction of pixels that are no background; that is the same along a row."""
+        """Returns the fraction of pixels unlike the background, which is constant along a row."""
         drawn = sum(image.at(col, row) != image.at(image.width - 1, row)
                     for row in range(0, image.height, 4) for col in range(0, image.width, 4))
         return drawn * 16 / (image.width * image.height)
@@ -180,8 +180,8 @@ class RealWindowTest(unittest.TestCase):
         self.display.xdotool("mousemove", int(across * width), int(down * height))
 
     def drag(self, button, across, down):
-        """From the middle of the picture until it has changed; returns it at rest. A slow frame
-        may see many moves as one, so that they go on until one is seen."""
+        """Drags from the middle of the picture until it changes; returns the picture at rest. A
+        slow frame may see many moves as one, so the moves continue until a change is seen."""
         self.point(0.72, 0.55)
         before = self.rest(lambda _: True, "rest")
         self.display.xdotool("mousedown", button)
@@ -199,15 +199,15 @@ class RealWindowTest(unittest.TestCase):
         return self.changed(before, f"a drag with button {button}")
 
     def field(self):
-        """The text of the first row."""
+        """Returns a screenshot of the first row's text."""
         return self.display.screenshot(50 * self.SCALE, 46 * self.SCALE, 300 * self.SCALE,
                                        70 * self.SCALE)
 
     def type_equation(self, text):
-        """Into the first row, instead of what is there."""
+        """Types a text into the first row in place of its text."""
         self.display.xdotool("key", "Escape")
         self.display.xdotool("mousemove", 150 * self.SCALE, 58 * self.SCALE, "click", 1)
-        # Marked in the frame of the click, the click would take the marks away.
+        # The click must be over: in the same frame it would undo the selection.
         self.rest(lambda _: True, "rest")
         unmarked = self.field()
         self.display.xdotool("key", "ctrl+a")
@@ -216,7 +216,7 @@ class RealWindowTest(unittest.TestCase):
         self.point(0.72, 0.55)
 
     def red_pixels(self):
-        """Pixels of the error's colour below the field."""
+        """Returns the number of pixels in the error's colour below the field."""
         bar = self.bar()
         return sum(r > g + 50 and r > b + 50
                    for r, g, b in zip(bar.rgb[0::3], bar.rgb[1::3], bar.rgb[2::3]))
@@ -225,7 +225,7 @@ class RealWindowTest(unittest.TestCase):
         return self.display.xdotool("getwindowname", self.window).strip()
 
     def quit_by_key(self):
-        """With D for "Don't save" where it asks."""
+        """Quits by Ctrl+Q; D answers "Don't save" if there is a question."""
         self.display.xdotool("key", "ctrl+q", "d")
         self.assertEqual(self.started.wait(5.0), 0)
         self.assertEqual(self.started.stdout.read(), b"")

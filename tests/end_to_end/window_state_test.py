@@ -1,4 +1,4 @@
-"""The real window: what moves by itself, other sizes, files that are opened."""
+"""Tests of the real window: animation, other sizes, opened files."""
 
 import json
 from pathlib import Path
@@ -6,13 +6,13 @@ from pathlib import Path
 from real_window import RealWindowTest, check_tools
 from zeroset_program import main
 
-SLIDER_DOWN = 146  # of the first slider: below the row of the statement and the place for another
-PLAY_ACROSS = 21   # of its button
+SLIDER_DOWN = 146  # y of the first slider, below one statement and the button that adds one
+PLAY_ACROSS = 21   # x of the slider's play button
 
 
 class WindowStateTest(RealWindowTest):
     def test_w_is_scrubbed(self):
-        """From 0 towards its end; the ball grows."""
+        """Dragging the slider of w from 0 towards its end makes the ball grow."""
         self.start("x^2 + y^2 + z^2 = w + 1")
         ball = self.rest(lambda _: True, "the ball")
         self.display.xdotool("mousemove", 185, SLIDER_DOWN, "mousedown", 1)
@@ -42,14 +42,14 @@ class WindowStateTest(RealWindowTest):
         self.quit_by_key()
 
     def test_the_picture_follows_the_windows_size(self):
-        """Of the same height, narrower, and back."""
+        """The window becomes narrower and then wide again."""
         self.start("x^2 + y^2 + z^2 = 1")
         whole = self.rest(lambda _: True, "the ball")
         width, height = self.SCREEN
         self.display.xdotool("windowsize", self.window, width - 200, height)
 
         def is_narrow(image):
-            """Black where the window was."""
+            """Returns True if the uncovered right edge is black."""
             return all(image.at(image.width - 1, row) == (0, 0, 0)
                        for row in range(0, image.height, 16))
 

@@ -1,4 +1,4 @@
-"""The real window, driven by keys and mouse on an X display of its own."""
+"""Tests of the real window, driven by keys and mouse on an X display of its own."""
 
 import json
 import os
@@ -44,7 +44,7 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def test_letters_in_the_field_are_text(self):
-        """R resets the view and Escape leaves the field, but only where they should."""
+        """R resets the view only outside the field; Escape leaves the field."""
         self.start(TORUS)
         turned = self.drag(1, 0.2, 0.1)
         self.type_equation("y^2=x^2")
@@ -58,7 +58,7 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def marked_pixels(self, image):
-        """Pixels of the colour of what is undecided and not drawn."""
+        """Returns the number of pixels in the colour of undecided pixels without a surface."""
         return sum(r > 190 and g < 60 and 100 < b < 170
                    for r, g, b in zip(image.rgb[0::3], image.rgb[1::3], image.rgb[2::3]))
 
@@ -72,12 +72,12 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def accent_pixels(self, image):
-        """Pixels of the colour of markers."""
+        """Returns the number of pixels in the colour of markers."""
         return sum(abs(r - 0x6F) < 4 and abs(g - 0xA8) < 4 and abs(b - 0xF5) < 4
                    for r, g, b in zip(image.rgb[0::3], image.rgb[1::3], image.rgb[2::3]))
 
     def test_a_click_keeps_a_marker(self):
-        """Undo takes it away."""
+        """Undo removes the marker."""
         first = self.start("x^2 + y^2 + z^2 = 3; x + y + z = 0.5")
         before = self.accent_pixels(first)
         few = 12 * self.SCALE * self.SCALE
@@ -89,7 +89,7 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def test_a_parameter_has_a_slider(self):
-        """Below the row of the statement and the place for another."""
+        """The slider is below the statement's row and the button that adds a row."""
         self.start("x^2 + y^2 + z^2 = a")
         ball = self.rest(lambda _: True, "the ball")
         left, right, down = (place * self.SCALE for place in (185, 215, 146))
@@ -116,7 +116,7 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def test_saves_and_restores_after_a_crash(self):
-        """The theme, too, though the window was never closed."""
+        """The theme is restored, too, although the window was never closed."""
         dark = self.start(BALL)
         self.display.xdotool("key", "Escape", "ctrl+k")
         self.display.xdotool("type", "--delay", 5, "light theme")
@@ -149,7 +149,7 @@ class WindowTest(RealWindowTest):
         self.quit_by_key()
 
     def after_key(self, key, image):
-        """Whether the picture at rest is like this one after the key."""
+        """Presses the key and returns True if the picture at rest is then equal to `image`."""
         self.display.xdotool("key", key)
         return self.same(self.rest(lambda _: True, "rest"), image)
 
@@ -161,7 +161,7 @@ class WindowTest(RealWindowTest):
         self.drag(1, 0.15, 0.1)
         self.display.xdotool("key", "ctrl+z")
         self.rest(lambda image: self.same(image, torus), "the view before the drag")
-        # A rest while typing makes two steps of it.
+        # A pause while typing divides it into two undo steps.
         self.wait_for(lambda: self.after_key("ctrl+z", ball), "the text before")
         self.wait_for(lambda: self.after_key("ctrl+shift+z", torus), "the text again")
         self.quit_by_key()
@@ -186,7 +186,7 @@ class WindowTest(RealWindowTest):
 
 
 class LargeScaleWindowTest(WindowTest):
-    """The same at twice the size, for screens of high resolution."""
+    """Runs the tests of WindowTest at scale 2, for high-resolution screens."""
 
     SCALE = 2
     SCREEN = (1600, 1200)

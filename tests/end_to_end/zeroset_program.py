@@ -1,4 +1,4 @@
-"""What the end-to-end tests share: running the program, and reading the files it and X write."""
+"""Common parts of the end-to-end tests: running the program, reading files that it and X write."""
 
 import array
 import os
@@ -16,14 +16,14 @@ SOURCE_DIR = Path(__file__).resolve().parents[2]
 
 
 def program():
-    """The program under test: the script's first argument."""
+    """Returns the path of the program under test, the script's first argument."""
     return os.environ["ZEROSET_PROGRAM"]
 
 
 def main(at_once=1):
-    """unittest.main for scripts called as SCRIPT PATH_OF_PROGRAM [unittest's arguments]. Without
-    arguments so many of the tests run at once, each in a process of its own: for those that mostly
-    wait."""
+    """Runs unittest.main for scripts called as SCRIPT PATH_OF_PROGRAM [unittest's arguments].
+    Without arguments, `at_once` tests run at a time, each in a process of its own; meant for tests
+    that mostly wait."""
     if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
         sys.exit(f"usage: {sys.argv[0]} PATH_OF_PROGRAM [TEST...]")
     os.environ["ZEROSET_PROGRAM"] = os.path.abspath(sys.argv.pop(1))
@@ -41,7 +41,7 @@ def test_names(suite):
 
 
 def run_apart(at_once):
-    """Runs each test of the script; 0 or 1: whether one has failed."""
+    """Runs each test of the script in its own process; returns 0 if there are any and all pass."""
     names = list(test_names(unittest.defaultTestLoader.loadTestsFromModule(
         sys.modules["__main__"])))
 
@@ -60,7 +60,7 @@ def run_apart(at_once):
 
 
 def environment(**changes):
-    """The process's environment without a display; a change to None removes a variable."""
+    """Returns this process's environment without a display; a change to None removes a variable."""
     result = dict(os.environ, LC_ALL="C.UTF-8")
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "ZEROSET_SCALE", "ZEROSET_EGL", "XDG_STATE_HOME",
                  "XDG_CONFIG_HOME", "XDG_CACHE_HOME"):
@@ -73,7 +73,7 @@ def environment(**changes):
 
 
 class Result:
-    """What a finished run left behind."""
+    """Exit code and output of a finished run."""
 
     def __init__(self, arguments, done):
         self.arguments = arguments
@@ -95,7 +95,7 @@ def run(*arguments, stdin="", cwd=None, timeout=TIMEOUT_S, env=None):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with an empty folder of its own, `self.folder`."""
+    """Base of tests with an empty folder of their own, `self.folder`."""
 
     longMessage = True
 
@@ -105,19 +105,19 @@ class ProgramTest(unittest.TestCase):
         self.folder = Path(holder.name)
 
     def run_ok(self, *arguments, **how):
-        """Runs the program in the test's folder; it must succeed without a word on stderr."""
+        """Runs the program in the test's folder; it must succeed with nothing on stderr."""
         result = run(*arguments, cwd=self.folder, **how)
         self.assertEqual(result.code, 0, str(result))
         self.assertEqual(result.err, "", str(result))
         return result
 
     def depth(self, *arguments, **how):
-        """The depth picture of `zeroset render ARGUMENTS`."""
+        """Returns the depth picture of `zeroset render ARGUMENTS`."""
         self.run_ok("render", *arguments, "--depth", "depth.pfm", **how)
         return read_pfm(self.folder / "depth.pfm")
 
     def picture(self, *arguments, **how):
-        """The colours of `zeroset render ARGUMENTS`."""
+        """Returns the colour picture of `zeroset render ARGUMENTS`."""
         self.run_ok("render", *arguments, "-o", "picture.png", **how)
         return read_png(self.folder / "picture.png")
 
@@ -126,7 +126,7 @@ class ProgramTest(unittest.TestCase):
 
 
 class Depth:
-    """Distances from the eye; row 0 is the top."""
+    """A picture of distances from the eye; row 0 is the top."""
 
     def __init__(self, width, height, values):
         self.width, self.height, self.values = width, height, values
@@ -135,7 +135,7 @@ class Depth:
         return self.values[row * self.width + col]
 
     def pixels(self):
-        """(col, row, depth) of every pixel."""
+        """Yields (col, row, depth) of every pixel."""
         for index, value in enumerate(self.values):
             yield index % self.width, index // self.width, value
 
@@ -144,7 +144,7 @@ class Depth:
 
 
 def read_pfm(path):
-    """A grayscale little-endian PFM, whose file holds the rows from the bottom."""
+    """Reads a grayscale little-endian PFM, which stores its rows from bottom to top."""
     data = Path(path).read_bytes()
     magic, size, scale, body = data.split(b"\n", 3)
     width, height = (int(number) for number in size.split())
@@ -158,7 +158,7 @@ def read_pfm(path):
 
 
 class Image:
-    """Three bytes a pixel, red first; row 0 is the top."""
+    """A picture of three bytes per pixel, red first; row 0 is the top."""
 
     def __init__(self, width, height, rgb):
         self.width, self.height, self.rgb = width, height, rgb
@@ -168,17 +168,17 @@ class Image:
         return tuple(self.rgb[start:start + 3])
 
     def rows(self, step=1):
-        """Every step-th row, as a picture."""
+        """Returns every step-th row as a picture."""
         lines = [self.rgb[3 * row * self.width:3 * (row + 1) * self.width]
                  for row in range(0, self.height, step)]
         return Image(self.width, len(lines), b"".join(lines))
 
     def colors(self):
-        """The set of colours in the picture."""
+        """Returns the set of colours in the picture."""
         return {self.rgb[i:i + 3] for i in range(0, len(self.rgb), 3)}
 
     def difference(self, other, tolerance=0):
-        """The fraction of pixels in which a channel differs by more than `tolerance`."""
+        """Returns the fraction of pixels in which a channel differs by more than `tolerance`."""
         if (self.width, self.height) != (other.width, other.height):
             return 1.0
         if self.rgb == other.rgb:
@@ -209,7 +209,7 @@ def _unfilter(kind, line, above, bpp):
 
 
 def read_png(path):
-    """An 8-bit RGB PNG without interlacing; checks the checksums."""
+    """Reads an 8-bit RGB PNG without interlacing; checks the checksums."""
     data = Path(path).read_bytes()
     if data[:8] != b"\x89PNG\r\n\x1a\n":
         raise ValueError(f"{path} is no PNG")
@@ -239,8 +239,8 @@ def read_png(path):
 
 
 def read_xwd(data, crop=None):
-    """A screenshot as Xvfb -fbdir keeps it: 32 bits a pixel, ZPixmap. `crop` is the part of it:
-    left, top, right, bottom."""
+    """Reads a screenshot as Xvfb -fbdir stores it: 32 bits per pixel, ZPixmap. `crop` is the part
+    to read: left, top, right, bottom."""
     fields = struct.unpack_from(">25I", data)
     header_size, version, _, _, width, height, _, byte_order = fields[:8]
     bits, stride, entries = fields[11], fields[12], fields[19]

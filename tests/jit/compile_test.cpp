@@ -13,12 +13,13 @@
 #include <thread>
 #include <vector>
 
-// Which code is made when, and which is shared.
+// Tests of which code is compiled when, and which code is shared.
 
 namespace zeroset::test {
 namespace {
 
-/// f's c and e over cells without width, on the view axis from depth 0 to 2.
+/// Returns the form's centres c and errors e over cells without width across the view, at depths
+/// 0, 1/8, 2/8, ... with radius 1/16.
 std::vector<float> centres_and_errors(const KernelFunction<FormBatch>& form) {
     constexpr std::size_t count = batch_multiple;
     using Column = std::array<float, count>;
@@ -93,7 +94,7 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
     EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), centres_and_errors(quick.form_float));
     const auto of_rays = centres_and_errors(quick.ray_form_float);
     const auto interpreted = centres_and_errors(interpret(expr).ray_form_float);
-    for (std::size_t i = 0; i < of_rays.size(); ++i)  // but for fused roundings
+    for (std::size_t i = 0; i < of_rays.size(); ++i)  // equal except for fused roundings
         EXPECT_NEAR(of_rays[i], interpreted[i], 1e-6F);
     EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
@@ -154,7 +155,7 @@ TEST(Jit, CompilesOnManyThreadsAtOnce) {
     std::array<int, threads> differences{};
     const auto work = [&](int thread) {
         for (int i = 0; i < 4; ++i) {
-            // Some graphs are made by all threads, some by one.
+            // For even i all threads compile the same graph, else each thread its own.
             const int number = i % 2 == 0 ? i : 10 * thread + i;
             const auto expr = parse("x^3 + sin(y*" + std::to_string(number) + ") - z");
             const auto kernel = jit::compile(*expr);

@@ -15,7 +15,8 @@
 #include <utility>
 #include <vector>
 
-// Where forms on rays say that a switch may change (FormBatchOf::cut_from).
+// Tests of the depths at which forms on rays report that a switch may change
+// (FormBatchOf::cut_from).
 
 namespace zeroset::test {
 namespace {
@@ -27,7 +28,7 @@ struct CutBatch {
     FormCells<Real, cells> forms;
     std::array<Real, cells> from, to;
 
-    /// Along the x axis from 0 to 2.
+    /// Evaluates the kernel's form on the x axis from x = 0 to 2.
     explicit CutBatch(const Kernel& kernel) {
         const UpwardRounding upward;
         FrustumOf<Real> frustum{};
@@ -69,7 +70,7 @@ std::vector<std::pair<std::string, Kernel>> kernels_of(std::string_view text) {
 template <class Real>
 class Cuts : public testing::Test {
 protected:
-    /// The first place where a switch of the text may change is x, and close to it.
+    /// Expects a narrow bracket around x as the first place where a switch of the text may change.
     static void expect_at(std::string_view text, double x) {
         for (const auto& [name, kernel] : kernels_of(text)) {
             const CutBatch<Real> batch(kernel);

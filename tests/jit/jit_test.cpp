@@ -24,12 +24,12 @@
 #include <thread>
 #include <vector>
 
-// Machine code against the interpreter, bit for bit, at every lane count of this machine.
+// Compares machine code with the interpreter bit for bit, at every lane count of this machine.
 
 namespace zeroset::test {
 namespace {
 
-/// Where two answers first differ.
+/// Describes the first item at which two answers differ; "none" if they are equal.
 std::string difference(const std::vector<std::uint64_t>& expected,
                        const std::vector<std::uint64_t>& found) {
     const auto [a, b] = std::ranges::mismatch(expected, found);
@@ -40,7 +40,7 @@ std::string difference(const std::vector<std::uint64_t>& expected,
     return text;
 }
 
-/// Batches for kernels of both types.
+/// Batches of the same size in float and double.
 struct Batches {
     KernelBatch floats;
     KernelBatchOf<double> doubles;
@@ -162,7 +162,7 @@ TEST(Jit, AnswersForASmallestBatchOnly) {
     expect_same_bits(parsed("x^2 + y^2 + z^2 - 1"), batches);
 }
 
-/// A length and an angle's sine begin with the same root and quotient.
+/// Length and AngleSin begin with the same square root and quotient; the code has them once.
 TEST(Jit, EmitsWhatOperatorsShareOnce) {
     ExprBuilder builder;
     const NodeId y = builder.variable(1);

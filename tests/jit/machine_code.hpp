@@ -12,7 +12,7 @@
 
 namespace zeroset::test {
 
-/// How many floats the vectors of machine code can have here.
+/// Returns the vector widths, in floats, that machine code can use on this machine.
 inline std::vector<int> machine_lanes() {
     std::vector<int> lanes{4, 8, 16};
     std::erase_if(lanes, [](int n) { return elementary_code(Elementary::Sin, n) == nullptr; });

@@ -13,15 +13,14 @@
 #include <utility>
 #include <vector>
 
-// Newton's method and values along rays: machine code and the interpreter.
+// Tests of Newton's method and of values along rays, in machine code and in the interpreter.
 
 namespace zeroset::test {
 namespace {
 
 constexpr std::size_t pixels = batch_multiple;
 
-/// From the eye (0, 0, 0) along x; a column is 1 in y, a row -2 in z; rays of column c lean by c/4
-/// in y.
+/// Rays with the origin (0, col, -2 row) and the direction (1, col / 4, 0), from the eye (0, 0, 0).
 template <class Real>
 RaysOf<Real> some_rays() {
     RaysOf<Real> rays{};
@@ -32,7 +31,7 @@ RaysOf<Real> some_rays() {
     return rays;
 }
 
-/// One batch with the pixel (i % 4, i / 4) at item i.
+/// A batch whose item i is the pixel (i % 4, i / 4).
 template <class Real>
 struct RayBatch {
     RaysOf<Real> rays = some_rays<Real>();
@@ -77,7 +76,7 @@ struct RayBatch {
     }
 };
 
-/// In registers of each width that this machine has.
+/// Returns the interpreters for every register width that this machine has.
 std::vector<std::pair<std::string, Kernel>> interpreters_of(const Expr& expr) {
     std::vector<std::pair<std::string, Kernel>> kernels;
     for (const auto& [name, code] : interpreter_codes()) {
@@ -122,7 +121,7 @@ TYPED_TEST(RayKernel, FindsRootsAndTheirGradients) {
         batch.s.fill(Real{3});
         batch.newton(kernel, Real{1e-2F}, 20);
         for (std::size_t i = 0; i < pixels; ++i) {
-            // s^2 + c + c s / 4 = 4
+            // The root solves s^2 + c + c s / 4 = 4.
             const double c = batch.col[i];
             const double root = -c / 8 + std::sqrt(c * c / 64 + 4 - c);
             EXPECT_NEAR(static_cast<double>(batch.s[i]), root, 1e-4) << name << ", pixel " << i;
@@ -145,7 +144,7 @@ TYPED_TEST(RayKernel, TakesOneStepWhereNoOtherIsWanted) {
         large_steps.s.fill(Real{4});
         large_steps.newton(kernel, Real{2}, 20);
         for (std::size_t i = 0; i < pixels; ++i) {
-            EXPECT_EQ(one.s[i], Real{2.5}) << name;  // 4 - 12/8
+            EXPECT_EQ(one.s[i], Real{2.5}) << name;  // one Newton step: 4 - 12/8
             EXPECT_EQ(large_steps.s[i], Real{2.5}) << name;
             EXPECT_EQ(one.per_slope[i], Real{0.125}) << name;
         }
@@ -167,7 +166,7 @@ TYPED_TEST(RayKernel, StaysOnTheStretch) {
     using Real = TypeParam;
     for (const auto& [name, kernel] : kernels_of("sqrt(x) - 3")) {
         RayBatch<Real> batch;
-        batch.s.fill(Real{0});  // the slope is infinite there, in the next pixels undefined
+        batch.s.fill(Real{0});  // the slope is infinite at 0, and undefined at pixel 1's start
         batch.from[1] = Real{-2};
         batch.s[1] = Real{-1};
         batch.newton(kernel, Real{1e-3F}, 10);

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// Machine code rounds upward on both sides of its calls, and never rejects a box of which nothing
+// Machine code rounds upward before and after its calls, and never rejects a box of which nothing
 // is known.
 
 namespace zeroset::test {
@@ -26,7 +26,7 @@ class JitRounding : public ::testing::Test {
 protected:
     using Boxes = std::array<Interval<Real>, 3>;
 
-    /// The range over the box, the same in all lanes.
+    /// Returns the range over the box, which is the same in all lanes.
     static Interval<Real> range(const Kernel& kernel, const Boxes& box) {
         std::array<std::vector<Real>, 3> neg_lo;
         std::array<std::vector<Real>, 3> hi;
@@ -50,7 +50,7 @@ protected:
         return {f_neg_lo.back(), f_hi.back()};
     }
 
-    /// Every kernel of a graph: the interpreter's and machine code of each width.
+    /// Returns every kernel of a graph: the interpreter's, and machine code of each width.
     static std::vector<Kernel> kernels(const Expr& expr) {
         std::vector<Kernel> all{interpret(expr)};
         for (int lanes = 4; lanes <= jit::host_lanes(); lanes *= 2)
@@ -58,7 +58,7 @@ protected:
         return all;
     }
 
-    /// Whether a tracer may pass by a box with this range.
+    /// True if the range excludes 0, so that a tracer may skip the box.
     static bool is_rejected(const Interval<Real>& f) { return f.neg_lo < 0 || f.hi < 0; }
 };
 TYPED_TEST_SUITE(JitRounding, RealTypes, RealTypeNames);
@@ -100,7 +100,7 @@ TYPED_TEST(JitRounding, RejectsNoUnknownBoxOfRandomFormulas) {
     RandomNumbers random(21);
     for (int i = 0; i < 300; ++i) {
         const Expr expr = random_expression(random, 1 + i % 6);
-        // Machine code has the interpreter's bits; here it is compiled now and then.
+        // Machine code gives the interpreter's bits, so compiling every tenth expression is enough.
         const auto kernels =
             i % 10 == 0 ? TestFixture::kernels(expr) : std::vector<Kernel>{interpret(expr)};
         auto unknown = std::array{random.interval<TypeParam>(), random.interval<TypeParam>(),

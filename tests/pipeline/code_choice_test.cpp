@@ -23,7 +23,7 @@ std::optional<CodeUse> code_for(const std::string& text, int size, int threads =
     return code_for_one(picture, *formula, nullptr);
 }
 
-/// Octics, one for each k.
+/// Returns `count` surfaces of degree 8, each with a sine.
 std::string octics(int count) {
     std::string text;
     for (int k = 1; k <= count; ++k) {
@@ -33,7 +33,7 @@ std::string octics(int count) {
     return text;
 }
 
-/// The least of many spheres, of which a small cell has one or two.
+/// Returns the minimum of many spheres, of which only one or two matter in a small cell.
 std::string spheres(int count) {
     std::string text = "1";
     for (int k = 0; k < count; ++k) {
@@ -43,7 +43,7 @@ std::string spheres(int count) {
     return text;
 }
 
-/// A function of many folds, all of which matter everywhere.
+/// Returns a function with many folds, all of which matter everywhere.
 std::string folds(int count) {
     std::string text = "x + y*z";
     for (int k = 1; k <= count; ++k) {

@@ -15,7 +15,7 @@
 namespace zeroset::test {
 namespace {
 
-/// The number behind the colour of a point.
+/// Returns the number that determines the colour of a point.
 double value(const PointFunction& function, const Scene& scene, const glm::dvec3& at) {
     std::array<std::array<double, batch_multiple>, 3> x{};
     for (int k = 0; k < 3; ++k)
@@ -75,7 +75,7 @@ TEST(ColorFormulas, AreOfEachSurface) {
 }
 
 TEST(ColorFormulas, OfAQuotientAreThoseOfWhatWasTyped) {
-    // The drawn form has no denominator.
+    // The drawn form has no denominator, but the colour is that of the typed formula.
     const Colored steep("x/(1 + z^2) = 1", {ColorBy::Gradient});
     EXPECT_NEAR(steep.at({1, 0, 0}), 1.0, 1e-15);
     EXPECT_NEAR(steep.at({5, 0, 2}), std::hypot(0.2, 0.8), 1e-15);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-// Compilation in the background: the newest text wins, and nothing waits or is lost at the end.
+// Tests of background compilation: the newest text wins, nothing blocks or is lost at the end.
 
 namespace zeroset::test {
 namespace {
@@ -19,23 +19,24 @@ constexpr auto patience = std::chrono::seconds(60);
 
 Sheet one_row(const std::string& text) { return {{1, text}}; }
 
-/// Takes results as the window does: when woken.
+/// Takes results when the job calls, as the window does.
 class Receiver {
 public:
-    /// The result for `text`, or nothing if it does not come.
+    /// Returns the result for `text`, or nothing if it does not arrive in time.
     std::optional<FormulaResult> result_for(const std::string& text) {
         return first_of<std::optional<FormulaResult>>([&] {
             std::optional<FormulaResult> result = job.take();
             return result && result->sheet == one_row(text) ? result : std::nullopt;
         });
     }
-    /// The formula with code in double, or nullptr if it does not come.
+    /// Returns the formula with code in double, or nullptr if it does not arrive in time.
     std::shared_ptr<const Formula> deepened() {
         return first_of<std::shared_ptr<const Formula>>([&] { return job.take_double(); });
     }
 
 private:
-    /// What `take` gives first, asked after each call of the job; empty if it gives nothing.
+    /// Returns the first result of `take`, tried after each call of the job; empty after
+    /// `patience`.
     template <class Result, class Take>
     Result first_of(Take take) {
         const auto end = std::chrono::steady_clock::now() + patience;
@@ -58,7 +59,7 @@ private:
     int calls_ = 0, seen_ = 0;
 
 public:
-    FormulaJob job{[this] { wake(); }};  // ends before what it wakes
+    FormulaJob job{[this] { wake(); }};  // declared last: destroyed before what it wakes
 };
 
 TEST(FormulaJob, CompilesAText) {
@@ -126,7 +127,7 @@ TEST(FormulaJob, MakesCodeInDoubleForAFormula) {
     EXPECT_EQ(receiver.job.take_double(), nullptr);
     receiver.job.submit_double(*result->formula);
     receiver.job.submit(one_row("x + )"),
-                        {});  // what is shown can be deepened while the text has an error
+                        {});  // the shown formula can be deepened although the new text is wrong
     const auto deep = receiver.deepened();
     ASSERT_NE(deep, nullptr);
     EXPECT_EQ(deep->text, "x^2 + y");
@@ -154,7 +155,7 @@ TEST(FormulaJob, MakesTheFormulasOfColors) {
     EXPECT_EQ(result->colors->values.size(), 1U);
     EXPECT_FALSE(result->color_error);
 
-    // The last good ones stay; another formula begins plain.
+    // Wrong colours leave the last good ones; a new formula starts with plain ones.
     receiver.job.submit(one_row(text), {}, {ColorBy::Expression, "b"});
     const auto wrong = receiver.result_for(text);
     ASSERT_TRUE(wrong && wrong->color_error);

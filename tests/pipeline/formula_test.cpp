@@ -8,12 +8,12 @@
 #include <array>
 #include <string>
 
-// Text to machine code, and how a person is told what is wrong with the text.
+// Tests of making machine code of a text, and of the messages about a wrong text.
 
 namespace zeroset::test {
 namespace {
 
-/// For w = 0.
+/// Returns the value for w = 0.
 float value_at(const Kernel& kernel, float x, float y, float z) {
     const UpwardRounding upward;
     Uniforms uniforms;
@@ -111,7 +111,7 @@ TEST(CompileFormula, MakesCodeOfPartsBesideThatOfAll) {
     EXPECT_FALSE(two.kernels[1].interpreted);
 }
 
-/// How the formula is drawn at first; then its machine code is made.
+/// Returns how the formula is drawn at first; checks that machine code can be made of it.
 CodeState first_code(const std::string& text) {
     const Formula formula = prepared_formula(text, Box::cube(2.0)).value();
     EXPECT_TRUE(with_machine_code(formula).has_value());

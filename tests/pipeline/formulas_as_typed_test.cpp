@@ -15,8 +15,8 @@
 #include <string>
 #include <utility>
 
-// Formulas as people type them, from the text to the picture: kinds of formulas that were drawn
-// wrongly once, each with its family.
+// Draws formulas as people type them, from the text to the picture: one family of formulas for each
+// kind that was once drawn wrongly.
 
 namespace zeroset::test {
 namespace {
@@ -61,7 +61,7 @@ bool is_hit(const Framebuffer& frame, std::size_t pixel) {
     return std::isfinite(frame.depth[pixel]);
 }
 
-/// Pixels of both pictures that show something else.
+/// Number of pixels in which the two pictures differ by more than a small tolerance.
 int differing_pixels(const Framebuffer& a, const Framebuffer& b) {
     constexpr int tolerance = 3;
     int count = 0;
@@ -78,7 +78,7 @@ int differing_pixels(const Framebuffer& a, const Framebuffer& b) {
     return count;
 }
 
-/// Hits that are as good as black.
+/// Number of hits that are nearly black.
 int black_pixels(const Framebuffer& frame) {
     int count = 0;
     for (std::size_t i = 0; i < frame.color.size(); ++i) {
@@ -127,7 +127,7 @@ TEST(FormulasAsTyped, DistancesOfBoxesHaveNoBlackFaces) {
     }
 }
 
-/// A factor before one operand changes nothing: not its side, not its normals.
+/// A constant factor of one operand changes neither its side nor its normals.
 TEST(FormulasAsTyped, OperandsOfUnlikeScalesLookAsThoseOfLikeOnes) {
     const auto cut_sphere = [](double scale) {
         return drawn("max(" + digits(scale) + "*(x^2+y^2+z^2-1), z-0.5)", 1.5, 14);
@@ -154,14 +154,14 @@ TEST(FormulasAsTyped, JumpsAtRandomPlacesAreNoRoots) {
             const Drawn picture = drawn(text, 1);
             EXPECT_EQ(picture.counts.certified + picture.counts.undecided, 0U) << text;
         }
-        // A root on a side is one, and no other surface than where both sides have one.
+        // Each side of the jump shows its own roots, and the jump leaves no pixel undecided.
         const Drawn steps = drawn("if(x < " + c + ", z - 0.1, z + 0.1)", 1);
         EXPECT_GT(steps.counts.certified, 200U) << c;
         EXPECT_EQ(steps.counts.undecided, 0U) << c;
     }
 }
 
-/// What is made of jumps and continuous is as certain as what is made of none.
+/// Expressions of jumps that are continuous are as certain as those without jumps.
 TEST(FormulasAsTyped, RepeatedShapesAreCertain) {
     for (const std::string text : {"(mod(x,1)-0.5)^2+(mod(y,1)-1/2)^2+(mod(z,1)-.5)^2-0.2",
                                    "abs(mod(x+1,2)-1)+abs(mod(y+1,2)-1)-0.7",
@@ -172,7 +172,7 @@ TEST(FormulasAsTyped, RepeatedShapesAreCertain) {
     }
 }
 
-/// Where f is 0 in a piece of space, each ray that meets it has a proved first root.
+/// Where f is 0 in a solid region, each ray that meets it has a proved first root.
 TEST(FormulasAsTyped, SolidsOfZerosAreCertain) {
     for (const std::string text : {"if(abs(x) < 0.5, 0, 1)", "(x^2+y^2+z^2-2)*if(y < 0.2, 1, 0)",
                                    "(z-2)*if(if(abs(x)<1/3,1,0)+if(abs(y)<1/3,1,0) <= 0, 1, 0)"}) {
@@ -182,7 +182,7 @@ TEST(FormulasAsTyped, SolidsOfZerosAreCertain) {
     }
 }
 
-/// Where f touches 0, or jumps to it, because a part of it crosses 0 there.
+/// A root at which f only touches 0, or jumps to it, is proved by a part of f that crosses 0 there.
 TEST(FormulasAsTyped, RootsOfPartsAreProved) {
     const std::pair<std::string, std::string> typed[] = {
         {"(x^2 + y^2 + z^2 - 0.8)^2", "x^2 + y^2 + z^2 - 0.8"},

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-// The gallery's files, as they are compiled into the program.
+// Tests of the gallery's files, which are compiled into the program.
 
 namespace zeroset::test {
 namespace {
@@ -52,7 +52,7 @@ TEST(Gallery, EveryEquationIsRead) {
     }
 }
 
-/// Whether some corner of the box is in front of the eye and in a square image.
+/// True if a corner of the box is in front of the eye and inside a square image.
 bool sees_a_corner(const Camera& camera, const Box& box) {
     const ViewFrame view(camera);
     for (int corner = 0; corner < 8; ++corner) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Fails on an #include against the arrows between the rooms of the house (rooms.txt).
+"""Fails on an #include that rooms.txt, the table of arrows between rooms, does not allow.
 
-A room may include itself and the rooms that its row lists; a folder that is no room stands for all
-rooms inside it. Arrows make no circle.
+A room may include itself and the rooms that its row lists; a folder that is not a room stands for
+all rooms inside it. The arrows must not form a cycle.
 
 LLVM is for jit/ alone, window libraries (ImGui, GLFW, OpenGL, EGL) for ui/ alone and there not for
-ui/model; tests may use both. Other rooms see of jit/ its public header only, and that one must not
+ui/model; tests may use both. Other rooms may include only the public header of jit/, which must not
 lead to LLVM.
 
 Usage: check_layers.py ROOT. Prints file:line: reason for each violation, then exits 1.
@@ -25,21 +25,21 @@ LIBRARIES = {
         {"ui", "tests"},
     ),
 }
-# Rooms of plain values in a part of the house that may use the library.
+# Rooms of plain values, which must not use the libraries that the folder around them may use.
 WITHOUT_LIBRARIES = {"ui/model"}
 SUFFIXES = {".c", ".cc", ".cpp", ".def", ".h", ".hpp", ".inc", ".inl", ".ipp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
 def rooms_of(root):
-    """Of each room in ROOT/rooms.txt, the rooms that it may include."""
+    """Returns {room: rooms and folders that its row of ROOT/rooms.txt lists}."""
     lines = (root / "rooms.txt").read_text(encoding="utf-8").splitlines()
     rows = [line.split("|") for line in lines if line.strip() and not line.startswith("#")]
     return {row[0].strip(): row[1].split() for row in rows}
 
 
 def room_of(rooms, path):
-    """The innermost room that a path lies in, or None."""
+    """Returns the innermost room that contains a path, or None."""
     folder = path.rpartition("/")[0]
     while folder and folder not in rooms:
         folder = folder.rpartition("/")[0]
@@ -47,7 +47,7 @@ def room_of(rooms, path):
 
 
 def seen_from(rooms, room):
-    """The rooms that a room may include; a folder that is no room stands for those inside it."""
+    """Returns the rooms that a room may include; an arrow to a folder means all rooms in it."""
     return [
         other for arrow in rooms[room] for other in rooms
         if other == arrow or (arrow not in rooms and other.startswith(arrow + "/"))
@@ -55,7 +55,7 @@ def seen_from(rooms, room):
 
 
 def circle(rooms):
-    """Rooms that lead to each other, as a text, or None."""
+    """Returns a cycle of arrows as a text, or None."""
     try:
         TopologicalSorter({room: seen_from(rooms, room) for room in rooms}).prepare()
     except CycleError as error:
@@ -64,14 +64,14 @@ def circle(rooms):
 
 
 def includes_of(path):
-    """(line number, header) of each include directive in a file."""
+    """Returns (line number, header) of each include directive in a file."""
     lines = path.read_text(encoding="utf-8").splitlines()
     matches = ((number, INCLUDE.match(line)) for number, line in enumerate(lines, 1))
     return [(number, match.group(1)) for number, match in matches if match]
 
 
 def resolved(root, source, header):
-    """The header's path from the root, as written when it is no file of the project."""
+    """Returns the header's path from the root; as written if it is not a file of the project."""
     for base in (source.parent, root):
         candidate = (base / header).resolve()
         if candidate.is_file() and candidate.is_relative_to(root):
@@ -84,7 +84,7 @@ def library_of(header):
 
 
 def leads_to_llvm(graph, header, seen=None):
-    """Whether a header is LLVM's or reaches one through headers of the project."""
+    """Returns True if a header is one of LLVM's or includes one through headers of the project."""
     seen = set() if seen is None else seen
     if header in seen:
         return False
@@ -95,7 +95,7 @@ def leads_to_llvm(graph, header, seen=None):
 
 
 def objection(rooms, graph, source, header):
-    """Why `source` may not include `header`, or None."""
+    """Returns the reason why `source` may not include `header`, or None."""
     room, target = room_of(rooms, source), room_of(rooms, header)
     if room is None:
         return "this file lies in no room of rooms.txt"
@@ -113,7 +113,7 @@ def objection(rooms, graph, source, header):
 
 
 def include_graph(root, rooms):
-    """For each source file of the rooms, its includes with their line numbers."""
+    """Returns {source file of the rooms: its includes with their line numbers}."""
     files = [
         path for part in dict.fromkeys(room.split("/")[0] for room in rooms)
         for path in sorted((root / part).rglob("*"))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_layers.py finds one violation of each kind and passes a clean tree."""
+"""Tests that check_layers.py finds one violation of each kind and passes a clean tree."""
 
 import subprocess
 import sys
@@ -38,7 +38,7 @@ CLEAN = {
     "tests/ui/window_test.cpp": '#include <EGL/egl.h>\n#include "jit/lower.hpp"\n',
 }
 
-# source file, the include that is against the arrows, part of the reason
+# (source file, its forbidden include, part of the reason)
 VIOLATIONS = [
     ("engine/expr/a.cpp", '"jit/compile.hpp"', "engine/expr/ may not include jit/"),
     ("engine/expr/a.cpp", '"ui/window/window.hpp"', "engine/expr/ may not include ui/"),

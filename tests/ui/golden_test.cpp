@@ -1,6 +1,6 @@
-// The panels against small pictures of what they looked like when somebody last looked at them:
-// tests/ui/goldens, each the window's mean colours in squares. ZEROSET_WRITE_GOLDENS=1 writes them
-// anew; look at the window itself then, with `zeroset ui-shot`.
+// Compares the panels with small reference pictures in tests/ui/goldens, each the mean colours of
+// the window in squares. ZEROSET_WRITE_GOLDENS=1 rewrites them; look at the window itself then,
+// with `zeroset ui-shot`.
 
 #include "engine/export/png.hpp"
 #include "engine/image/framebuffer.hpp"
@@ -29,9 +29,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int square_units = 8;  ///< of the window, for a pixel of its golden
-/// Of 255. A caret that blinks and other drivers' roundings stay below; a line of text that moves
-/// by half its height does not.
+constexpr int square_units =
+    8;  ///< side of the square of the window that one golden pixel covers, in design units
+/// Largest difference of one colour channel, of 255, and largest mean difference. A blinking caret
+/// and other drivers' roundings stay below; a line of text that moves by half its height does not.
 constexpr int most_of_a_pixel = 40;
 constexpr double most_of_all = 0.75;
 
@@ -39,7 +40,7 @@ int channel(std::uint32_t color, int index) {
     return static_cast<int>(color >> (8U * static_cast<unsigned>(index)) & 0xFFU);
 }
 
-/// The mean of each square of pixels; what is left over at the right and below is not seen.
+/// Returns the mean colour of each square of pixels, without incomplete ones at right and below.
 RgbaImage reduced(const Framebuffer& frame, int square) {
     RgbaImage image{frame.width / square, frame.height / square, {}};
     for (int row = 0; row < image.height; ++row) {

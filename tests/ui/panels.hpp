@@ -1,6 +1,7 @@
 #pragma once
 
-// The panels on a window that nobody sees, for each look they can have.
+// Fixture that draws the panels on an offscreen window, for each combination of theme, size and
+// scale.
 
 #include "document/colors.hpp"
 #include "document/row_program.hpp"
@@ -48,7 +49,7 @@ inline std::string name_of(const Look& look) {
 
 inline void PrintTo(const Look& look, std::ostream* out) { *out << name_of(look); }
 
-/// A disc of many colours on nothing.
+/// Returns a disc of many colours on an empty background.
 inline Framebuffer disc() {
     constexpr int size = 96;
     Framebuffer frame(size, size);
@@ -64,7 +65,7 @@ inline Framebuffer disc() {
     return frame;
 }
 
-/// Rows with the ids 1, 2, ..., read as they would be.
+/// Sets rows with the ids 1, 2, ..., reads them and colours their surfaces.
 inline void set_rows(UiState& state, const std::vector<std::string>& texts) {
     Sheet sheet;
     state.document.statements.clear();
@@ -93,7 +94,7 @@ inline UiState usual_state(Theme theme) {
     return state;
 }
 
-/// Columns and rows [lo, hi).
+/// A rectangle of pixels: columns [left, right), rows [top, bottom).
 struct Rectangle {
     int left = 0, top = 0, right = 0, bottom = 0;
 };
@@ -109,7 +110,7 @@ protected:
         state_ = usual_state(GetParam().theme);
     }
 
-    /// The picture when the layout is settled, checked for what must hold in every state.
+    /// Returns the frame after the layout has settled; checks what must hold in every state.
     Framebuffer draw() {
         for (int i = 0; i <= frames_to_settle; ++i) {
             draw_frame();
@@ -136,14 +137,14 @@ protected:
             const bool is_clipped = (shown->Flags & ImGuiWindowFlags_ChildWindow) != 0;
             EXPECT_TRUE(inside || is_clipped) << shown->Name << " sticks out of the window";
             const bool is_field = std::string(shown->Name).contains("/##equation_");
-            if (is_field) continue;  // scrolls, and says nothing of its text's width
+            if (is_field) continue;  // scrolls, so its content may be wider
             EXPECT_LE(shown->ContentSize.x, shown->WorkRect.GetWidth() + 1.0F)
                 << shown->Name << " is too narrow for what is in it";
         }
         EXPECT_EQ(std::ranges::count(frame.color, 0xFFFF00FFU), 0) << "magenta";
         if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;  // covers the picture
         EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
-        if (state_.show_help) return;  // so does this in a small window
+        if (state_.show_help) return;  // the help covers the picture of a small window
         const auto middle =
             frame.color.begin() + static_cast<std::ptrdiff_t>(frame.index(0, frame.height / 2));
         const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_));
@@ -157,7 +158,7 @@ protected:
             std::lround(static_cast<float>(design_units) * GetParam().window.scale));
     }
 
-    /// Thin letters hardly reach their colour.
+    /// Tolerance of a colour channel for letters; thin ones hardly reach their colour.
     static constexpr int letters = 40;
     static constexpr int exact = 2;
 
@@ -170,7 +171,7 @@ protected:
                std::abs(channel(a, 16) - channel(b, 16)) <= tolerance;
     }
 
-    /// Of the pixels like a colour within `area`; empty if there is none.
+    /// Bounding box of the pixels like `color` within `area`; left > right if there is none.
     static Rectangle bounds(const Framebuffer& frame, std::uint32_t color, const Rectangle& area,
                             int tolerance = letters) {
         Rectangle box{area.right, area.bottom, area.left, area.top};
@@ -184,7 +185,7 @@ protected:
         return box;
     }
 
-    /// The slider's grab on its track.
+    /// Colour of the slider's grab blended with its track.
     [[nodiscard]] std::uint32_t blended_grab() const {
         const std::uint32_t alpha = colors().grab >> 24U;
         std::uint32_t mixed = 0;
@@ -196,7 +197,7 @@ protected:
         return mixed;
     }
 
-    /// A row's field, an area of the window.
+    /// Returns ImGui's window of a row's text field.
     static const ImGuiWindow& field(int row) {
         const std::string list = child("##side/##list_")->Name;
         const ImGuiID id =
@@ -207,7 +208,7 @@ protected:
     }
     static bool is_typing(int row) { return ImGui::GetActiveID() == field(row).ChildId; }
 
-    /// The mark in a row's field.
+    /// Bounding box of the error mark in a row's field.
     [[nodiscard]] Rectangle mark(const Framebuffer& frame, int row) const {
         const ImRect place = field(row).Rect();
         return bounds(frame, colors().error,
@@ -215,8 +216,7 @@ protected:
                        static_cast<int>(place.Max.x), static_cast<int>(place.Max.y)});
     }
 
-    /// Expects ink above the mark and none of it beside: the marked character stands between
-    /// spaces.
+    /// Expects ink above the mark and none beside it: the marked character stands between spaces.
     void expect_under_character(const Framebuffer& frame, const Rectangle& marked) const {
         ASSERT_LT(marked.left, marked.right) << "no mark";
         const int wide = marked.right - marked.left;
@@ -235,9 +235,9 @@ protected:
         EXPECT_EQ(beside, 0);
     }
 
-    /// In design units.
+    /// Clicks at a point in design units.
     void click(int x, int y) { click_at(glm::vec2(px(x), px(y))); }
-    /// In window coordinates.
+    /// Clicks at a point in window coordinates.
     void click_at(glm::vec2 at) {
         for (const bool pressed : {false, true, false}) {
             OffscreenWindow::point(at, pressed);
@@ -245,7 +245,7 @@ protected:
         }
     }
 
-    /// What stands in an open section of the side panel: "view", "look".
+    /// Window with the contents of an open section of the side panel: "view", "look".
     static const ImGuiWindow* section(const std::string& id) {
         for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
             if (window->WasActive && std::string(window->Name).contains("/##" + id + "_"))
@@ -253,7 +253,7 @@ protected:
         }
         return nullptr;
     }
-    /// Scrolls to a line of a section, counted from 0; where its checkbox is.
+    /// Scrolls to a line of a section, counted from 0; returns the place of its checkbox.
     glm::vec2 section_line(const std::string& id, int line) {
         draw();
         ImGuiWindow* const all = section(id)->ParentWindow;
@@ -266,7 +266,7 @@ protected:
         return {place.x + 0.4F * row, place.y + down + 0.4F * row};
     }
 
-    /// A key, in GLFW's numbers, pressed and released.
+    /// Presses and releases a key (GLFW's number).
     void press(int key) {
         for (const bool pressed : {true, false}) {
             OffscreenWindow::key(key, pressed);
@@ -282,7 +282,8 @@ protected:
     }
 
     static const ImGuiWindow& panel(const char* name) { return *ImGui::FindWindowByName(name); }
-    /// The window inside another whose name begins with `name`, which ImGui completes.
+    /// Returns the active window whose name begins with `name`; ImGui appends to names of child
+    /// windows.
     static const ImGuiWindow* child(const std::string& name) {
         for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
             if (window->WasActive && std::string(window->Name).starts_with(name)) return window;
@@ -320,7 +321,7 @@ inline std::vector<Look> all_looks() {
     return looks;
 }
 
-/// Fewer, for what depends little on the look.
+/// Returns fewer looks, for tests that depend little on the look.
 inline std::vector<Look> different_looks() {
     return {{Theme::Dark, {min_width, min_height, 1.0F}},
             {Theme::Light, {min_width, min_height, 2.0F}},

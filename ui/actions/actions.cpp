@@ -83,14 +83,15 @@ bool is_colored_by(const UiState& state) {
     return state.document.coloring.by == by;
 }
 
-/// They are there while their section is open.
+/// Shows or hides the clip handles. They are shown only while the clip section is open, so that
+/// showing them opens it.
 void switch_handles(UiState& state) {
     Layout& layout = state.layout;
     layout.handles = !has_clip_handles(layout);
     layout.clip_open = layout.clip_open || layout.handles;
 }
 
-/// At the pointer, or in the middle of the picture.
+/// Asks for a marker at the pointer or, if that is elsewhere, at the middle of the picture.
 void keep_marker(UiState& state) {
     state.click = PictureClick{.cursor = state.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
 }
@@ -111,7 +112,7 @@ constexpr const char* view = "View";
 constexpr const char* document = "Document";
 constexpr const char* window = "Window";
 
-// The sections in the order of the help; in each the actions from the most used on.
+// All actions: the sections in the order of the help, in each section the most used actions first.
 constexpr auto table = std::to_array<Action>({
     {.section = picture,
      .name = "Reset the view",

@@ -8,33 +8,33 @@
 
 namespace zeroset::ui {
 
-/// Something that a person does by its name: with its keys, in a menu, in the palette. The table
-/// of all actions is the one place that says which keys there are; the help shows it, too.
+/// A command that the user runs by its keys, from a menu or from the palette. The table of actions
+/// is the only place that assigns keys; the help is generated from it.
 struct Action {
-    const char* section;     ///< of the help
-    const char* name;        ///< what it does, in a few words; each has its own
-    const char* keys = "";   ///< as for chords_of; the first are shown
-    const char* about = "";  ///< for the help, where the name does not say it all
+    const char* section;     ///< section of the help
+    const char* name;        ///< what the action does, in a few words; unique
+    const char* keys = "";   ///< list of chords as for chords_of; the first one is shown
+    const char* about = "";  ///< additional text for the help, if the name does not say it all
     void (*run)(UiState&) = nullptr;
-    bool (*enabled)(const UiState&) = nullptr;  ///< absent: always
-    bool (*is_on)(const UiState&) = nullptr;    ///< of a switch or a choice
-    bool repeats = false;                       ///< while its keys are held
-    bool chooses = false;   ///< one of several: it is taken in place of the others
-    bool in_fields = true;  ///< its keys act while a field has the keyboard, too
+    bool (*enabled)(const UiState&) = nullptr;  ///< nullptr: always
+    bool (*is_on)(const UiState&) = nullptr;    ///< state of a switch or a choice; nullptr: neither
+    bool repeats = false;                       ///< runs again while its keys are held
+    bool chooses = false;   ///< one of several alternatives: choosing it replaces the others
+    bool in_fields = true;  ///< its keys also act while a text field has the keyboard
 };
 
-/// All of them, section by section.
+/// Returns all actions, section by section.
 std::span<const Action> actions();
 
-/// The one with this name, which there must be.
+/// Returns the action with this name, which must exist.
 const Action& action_named(std::string_view name);
 
 bool is_enabled(const Action& action, const UiState& state);
 
-/// The keys of `action` that are shown; empty: none.
+/// Returns the first chord of the action's keys; empty if it has none.
 std::string shown_keys(const Action& action);
 
-/// "Name (Ctrl+N)".
+/// Returns the name with the shown keys, as in "Name (Ctrl+N)".
 std::string described(const Action& action);
 
 }  // namespace zeroset::ui

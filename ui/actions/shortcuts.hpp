@@ -4,8 +4,8 @@
 
 namespace zeroset::ui {
 
-/// Runs the actions whose keys were pressed. Call first in a frame, and not while a dialog is open.
-/// Also counts the gestures.
+/// Runs the actions whose keys were pressed, and counts mouse presses in `state.gesture`. Called
+/// first in a frame, unless a dialog is open.
 void follow_shortcuts(UiState& state);
 
 }  // namespace zeroset::ui

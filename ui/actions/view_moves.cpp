@@ -12,9 +12,9 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr double step_of_orbit = 1.0 / 12.0;  ///< of the picture's height: 15 degrees
+constexpr double step_of_orbit = 1.0 / 12.0;  ///< in heights of the picture: 15 degrees
 
-/// Where the camera is, or is going.
+/// The camera at the end of the move under way; without a move, the current camera.
 const Camera& destination(const UiState& state) {
     return state.move ? state.move->to : *state.document.camera;
 }
@@ -25,7 +25,7 @@ void step(UiState& state, const PointerMotion& motion) {
     state.move.reset();
 }
 
-/// The same view with what is up in the world up in the picture.
+/// Turns the view so that the world's up direction points up in the picture.
 void turn_upright(UiState& state) {
     if (!state.document.camera) return;
     const Camera& camera = destination(state);
@@ -36,7 +36,7 @@ void turn_upright(UiState& state) {
 
 void move_view(UiState& state, const Camera& camera) {
     if (camera_defect(camera) != nullptr) return;
-    ++state.gesture;  // a step of undo by itself
+    ++state.gesture;  // makes the move an undo step of its own
     const Camera& from = *state.document.camera;
     state.move = ViewMove{from, camera, from, 0.0, false};
 }
@@ -45,7 +45,7 @@ void follow_move(UiState& state, double elapsed_s) {
     if (!state.move) return;
     ViewMove& move = *state.move;
     if (state.document.camera != move.last) return state.move.reset();
-    // The frame in which it begins says nothing: the window may have slept before.
+    // The elapsed time of the first frame does not count: the window may have slept before it.
     move.elapsed_s += move.begun ? elapsed_s : 0.0;
     move.begun = true;
     const double part = std::min(move.elapsed_s / view_move_s, 1.0);
@@ -91,7 +91,7 @@ void set_trackball(UiState& state, bool freely) {
 
 void orbit_step(UiState& state, const glm::ivec2& steps) {
     PointerMotion motion;
-    // The picture turns the other way round than the eye.
+    // The picture turns opposite to the eye.
     motion.orbit = -step_of_orbit * glm::dvec2(steps);
     step(state, motion);
 }

@@ -10,35 +10,35 @@
 
 namespace zeroset::ui {
 
-/// Seconds that a move to another view takes.
+/// Duration of a move to another view, in seconds.
 inline constexpr double view_move_s = 0.18;
 
-/// Moves the document's camera to `camera`, smoothly; from where it is, if another move is under
-/// way.
+/// Moves the document's camera smoothly to `camera`, from its current place if another move is
+/// under way.
 void move_view(UiState& state, const Camera& camera);
-/// Goes on with the move under way. Call once a frame. It ends at its time, and at once when
-/// anything else changes the camera.
+/// Advances the move under way; called once per frame. The move ends after view_move_s, or as soon
+/// as anything else changes the camera.
 void follow_move(UiState& state, double elapsed_s);
 
-// Moves, each from where a move under way ends. Nothing happens without a camera.
+// Each of these moves starts where a move under way would end. None does anything without a camera.
 
-/// To look against `outward`.
+/// Looks in the direction opposite to `outward`.
 void look_from(UiState& state, const glm::dvec3& outward);
 void look_from(UiState& state, Side side);
-/// Whether that is the view already.
+/// True if the view, or the end of the move under way, already looks opposite to `outward`.
 bool looks_from(const UiState& state, const glm::dvec3& outward);
 void look_from_opposite(UiState& state);
 void centre_on(UiState& state, const glm::dvec3& point);
-/// Sets what is up, and turns the picture so.
+/// Sets the up direction and turns the view upright.
 void set_up(UiState& state, const glm::dvec3& up);
-/// Turning freely or not; the picture is turned upright where it is not.
+/// Chooses between turning freely and turning upright; the latter turns the view upright first.
 void set_trackball(UiState& state, bool freely);
 
-// Small steps, at once.
+// These small steps happen at once, without a smooth move.
 
-/// In steps to the right and upwards, as seen by the eye.
+/// Orbits the eye by steps of 15 degrees to the right and upwards.
 void orbit_step(UiState& state, const glm::ivec2& steps);
-/// Comes nearer by some notches of the wheel.
+/// Zooms in by so many notches of the wheel.
 void zoom_step(UiState& state, double notches);
 
 }  // namespace zeroset::ui

@@ -41,7 +41,7 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
     return lines;
 }
 
-/// What stands before the text: a tick where a switch is on.
+/// Draws a tick before the text of a switch that is on.
 void draw_tick(const ImVec2& lo, float height, const Palette& colors) {
     const float size = em(0.45F);
     const ImVec2 at(lo.x + em(0.7F), lo.y + 0.5F * height + 0.1F * size);
@@ -53,7 +53,7 @@ void draw_tick(const ImVec2& lo, float height, const Palette& colors) {
                    ImVec2(at.x + 0.7F * size, at.y - 0.8F * size), colors.accent, thick);
 }
 
-/// Whether it was clicked.
+/// Draws one line; true if it was clicked.
 bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
     const float height = em(1.8F);
     const ImVec2 lo = ImGui::GetCursorScreenPos();
@@ -81,7 +81,7 @@ void follow_arrows(CommandPalette& palette, std::size_t count) {
     if (palette.selected != before) palette.follow = true;
 }
 
-/// The line that was clicked, if any.
+/// Draws all lines; returns the index of the clicked one, if any.
 std::optional<std::size_t> draw_lines(UiState& state, const std::vector<PaletteLine>& lines) {
     CommandPalette& shown = state.command_palette;
     std::optional<std::size_t> clicked;

@@ -8,21 +8,21 @@
 
 namespace zeroset::ui {
 
-/// A line of the palette.
+/// One entry of the command palette.
 struct PaletteLine {
     std::string text;
-    std::string hint;  ///< its keys, or what kind of line it is
+    std::string hint;  ///< keys of the action, or the kind of the entry
     bool enabled = true;
-    bool is_on = false;  ///< a switch that is on
+    bool is_on = false;  ///< true for a switch that is on
     std::function<void(UiState&)> run = {};
 };
 
-/// What `typed` abbreviates, the best first: actions, surfaces of the gallery, recent files. With
-/// nothing typed all of them, in that order.
+/// Returns the entries that `typed` abbreviates, best match first, of actions, gallery surfaces and
+/// recent files. If `typed` is empty, returns all of them in that order.
 std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed);
 
-/// The palette, while `command_palette.open`: a field and the lines it finds. Enter or a click runs
-/// one and closes it, Escape closes it.
+/// Draws the command palette while `command_palette.open`: a text field and the matching entries.
+/// Enter or a click runs an entry and closes the palette; Escape closes it.
 void draw_command_palette(UiState& state);
 
 }  // namespace zeroset::ui

@@ -13,7 +13,8 @@
 namespace zeroset::ui {
 namespace {
 
-/// Enter gives the first answer, Escape the last, and each has its first letter.
+/// Chooses an answer by key: Enter the first, Escape the last, a letter the answer that begins with
+/// it.
 void follow_keys(Question& question) {
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const char first = question.answers[i].front();
@@ -56,7 +57,7 @@ void draw_question(Question& question, const Palette& colors) {
     ImGui::EndPopup();
 }
 
-/// While the desktop asks: how to give that up.
+/// Draws a question that cancels the desktop's file dialog, while that is open.
 void draw_waiting(FileChoice& choice, const Palette& colors) {
     Question question{"Choose the file in the desktop's dialog.", {"Cancel"}, {}};
     draw_question(question, colors);

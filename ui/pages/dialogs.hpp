@@ -4,7 +4,7 @@
 
 namespace zeroset::ui {
 
-/// Draws the question or the file choice there is. Escape gives up.
+/// Draws the question or the file choice of `state.dialogs`, if there is one. Escape cancels it.
 void draw_dialogs(UiState& state);
 
 }  // namespace zeroset::ui

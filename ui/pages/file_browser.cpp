@@ -26,7 +26,7 @@ struct Entry {
     bool is_folder;
 };
 
-/// Folders first, each sorted by name; hidden ones left out.
+/// Returns folders, then documents, each sorted by name; without hidden ones.
 std::vector<Entry> entries_of(const std::string& folder) {
     std::vector<Entry> entries;
     std::error_code error;
@@ -49,7 +49,8 @@ void go_to(FileChoice& choice, const fs::path& folder) {
     if (choice.purpose == Purpose::Open) choice.name.clear();
 }
 
-/// What the field says, as a path.
+/// Path of the typed name in the shown folder; a file to save gets the document ending if it has
+/// none.
 fs::path typed_path(const FileChoice& choice) {
     fs::path path = fs::path(choice.folder) / choice.name;
     std::error_code ignored;
@@ -58,7 +59,7 @@ fs::path typed_path(const FileChoice& choice) {
     return path;
 }
 
-/// Opens the folder that was typed, or takes the file; asks once before a file is replaced.
+/// Opens the typed folder or accepts the typed file; asks once before a file is replaced.
 void accept(FileChoice& choice) {
     if (choice.name.empty()) return;
     const fs::path path = typed_path(choice);

@@ -5,11 +5,11 @@
 
 namespace zeroset::ui {
 
-/// How the files of documents end.
+/// Ending of document files.
 inline constexpr const char* document_ending = ".zeroset.json";
 
-/// The choice of a document's file: folders and documents of a folder, and a field for the name.
-/// Finishes the choice.
+/// Draws the file browser: folders and documents of a folder, and a field for the name. Sets the
+/// chosen path and `finished`.
 void draw_file_browser(FileChoice& choice, const Palette& colors);
 
 }  // namespace zeroset::ui

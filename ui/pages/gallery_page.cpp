@@ -21,11 +21,12 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* popup = "##gallery page";
-/// The page covers the picture where that is as wide, else the whole window.
+/// Width of the picture from which the page covers only it; a narrower picture's page covers the
+/// window.
 constexpr float least_width_em = 34.0F;
-constexpr float card_em = 13.0F;  ///< the least width of a card
+constexpr float card_em = 13.0F;  ///< least width of a card
 constexpr float gap_em = 0.7F;
-/// A window as high has room for what is to be said of the selected surface.
+/// Least height of the window for showing details of the selected surface.
 constexpr float details_from_em = 26.0F;
 constexpr float details_em = 6.0F;
 constexpr glm::vec2 picture_size(320.0F, 240.0F);  ///< at scale 1
@@ -118,11 +119,11 @@ void draw_picture(const GalleryPage& page, std::size_t item, const ImVec2& lo, c
         return;
     }
     const auto id = static_cast<std::uintptr_t>(picture->second);
-    // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
+    // ImGui's texture handle is a pointer that the OpenGL renderer uses as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);  // NOLINT
 }
 
-/// Whether it was clicked.
+/// Draws a card; true if it was clicked.
 bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
     const Palette& colors = palette(state.theme);
     GalleryPage& page = state.gallery_page;
@@ -158,7 +159,7 @@ void draw_group_title(const std::string& group, bool first, const Palette& color
     ImGui::PopStyleColor();
 }
 
-/// The item that was clicked, if any.
+/// Draws all cards; returns the clicked item, if any.
 std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& cards,
                                       const Grid& grid) {
     const Palette& colors = palette(state.theme);
@@ -175,7 +176,7 @@ std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& c
     return clicked;
 }
 
-/// The sentence and the source of the selected surface.
+/// Draws equation, description and source of the selected surface.
 void draw_details(const UiState& state) {
     const Palette& colors = palette(state.theme);
     const GalleryEntry& entry = state.gallery[state.gallery_page.selected];

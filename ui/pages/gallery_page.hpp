@@ -4,8 +4,9 @@
 
 namespace zeroset::ui {
 
-/// The gallery, while `gallery_page.open`: cards in groups over the picture, or over all where that
-/// is narrow. A click or Enter sets `surface`; arrows select, letters search, Escape closes.
+/// Draws the gallery while `gallery_page.open`: groups of cards over the picture, or over the whole
+/// window if the picture is narrow. A click or Enter sets `surface`; arrows select, letters search,
+/// Escape closes.
 void draw_gallery_page(UiState& state);
 
 }  // namespace zeroset::ui

@@ -20,7 +20,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// What is done with the pointer or in a field, before the actions of the same section.
+/// Help on pointer gestures and text fields, listed before the actions of the same section.
 std::vector<HelpSection> gestures_help() {
     return {{"Picture",
              {{"left drag", "orbit"},
@@ -94,7 +94,7 @@ void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const P
     ImGui::EndTable();
 }
 
-/// Whether anything of it was found.
+/// Draws the sections as far as they match `filter`; true if anything matched.
 bool draw_sections(const std::vector<HelpSection>& sections, const std::string& filter,
                    FontRole typed, const Palette& colors) {
     bool any = false;
@@ -130,7 +130,7 @@ void draw_keys(const Palette& colors) {
     ImGui::EndChild();
 }
 
-/// At the right, above the status line; over it where the window is too low for that.
+/// Places the window at the right above the status line, or over that if the window is too low.
 void place_window() {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float margin = std::min(em(1.0F), 0.02F * window.y);
@@ -155,7 +155,7 @@ void follow_help_keys(UiState& state) {
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
     state.show_help = false;
-    // No longer just pressed: the text field would give up what was typed.
+    // Mark Escape as no longer just pressed: otherwise the text field would discard what was typed.
     ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
 }
 

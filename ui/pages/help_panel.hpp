@@ -4,11 +4,13 @@
 
 namespace zeroset::ui {
 
-/// Escape closes the help and then does nothing else. First in a frame.
+/// Closes the help on Escape, and hides that key press from everything else. Called first in a
+/// frame.
 void follow_help_keys(UiState& state);
 
-/// The help, while `show_help`: `language_help` as far as it has the words of `help_filter`, and
-/// the keys. Takes no keyboard when it opens, so that typing goes on. Edits both.
+/// Draws the help while `show_help`: the entries of `language_help` that match `help_filter`, and
+/// the keys. It takes no keyboard when it opens, so that typing can go on. Edits `show_help` and
+/// `help_filter`.
 void draw_help_panel(UiState& state);
 
 }  // namespace zeroset::ui

@@ -28,7 +28,8 @@ constexpr int free_axis = 3;
 constexpr std::array<const char*, 4> axis_names{"x", "y", "z", "free"};
 constexpr const char* about_free = "free: at first across the view, through the point looked at.";
 
-/// Some numbers side by side over the rest of the line; true when a finite one was typed.
+/// Draws input fields for numbers side by side on the rest of the line; true when a finite one was
+/// typed.
 template <std::size_t Count>
 bool draw_numbers(const char* id, const std::array<double*, Count>& numbers) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -120,7 +121,7 @@ void draw_axis(const Document& document, Section& section) {
     draw_tooltip(std::string("The direction that the section is across.\n") + about_free);
 }
 
-/// The place of the section along its axis, or along its normal.
+/// Slider of the section's offset along its axis or normal.
 void draw_place(const Box& clip, Section& section) {
     const int axis = axis_of(section);
     const double sign = axis == free_axis ? 1.0 : section.normal[axis];
@@ -134,7 +135,7 @@ void draw_place(const Box& clip, Section& section) {
     section.offset = sign * slider.value;
 }
 
-/// False when it is to be taken away.
+/// Draws the settings of one section; false when the user removes it.
 bool draw_section(UiState& state, Section& section) {
     draw_axis(state.document, section);
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);

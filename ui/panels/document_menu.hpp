@@ -5,8 +5,8 @@
 
 namespace zeroset::ui {
 
-/// The button that opens the menu of the document: new, open, recent files, save, copy, paste.
-/// Sets `state.command` and `state.open_path`.
+/// Draws the button that opens the document menu: new, open, recent files, save, copy, paste. Sets
+/// `state.command` and `state.open_path`.
 void draw_document_menu(UiState& state, const IconLook& look);
 
 }  // namespace zeroset::ui

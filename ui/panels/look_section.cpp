@@ -33,7 +33,7 @@ void draw_color_by(ColorChoice& coloring) {
     }
     for (const ColorBy by : color_modes()) {
         if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
-        // What was chosen for one quantity says nothing of another.
+        // Settings of the old quantity mean nothing for the new one.
         coloring = {by, coloring.expression};
     }
     ImGui::EndCombo();
@@ -79,7 +79,7 @@ void draw_map(ColorChoice& coloring) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const bool open = ImGui::BeginCombo("##color_map", "");
-    // Over the combo's own field.
+    // The preview covers the combo's own field.
     draw_map_preview(canvas, ImVec2(at.x + padding.x, at.y + padding.y), shown);
     if (!open) return;
     for (const ColorMap map : color_maps())
@@ -87,7 +87,7 @@ void draw_map(ColorChoice& coloring) {
     ImGui::EndCombo();
 }
 
-/// One end of the range; true when another finite number was typed.
+/// Draws a field for one end of the range; true when another finite number was typed.
 bool draw_end(const char* id, double& end, float width) {
     ImGui::SetNextItemWidth(width);
     double typed = end;

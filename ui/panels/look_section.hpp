@@ -4,10 +4,10 @@
 
 namespace zeroset::ui {
 
-/// What the colours of the surfaces tell, their map and range, and the marks of undecided pixels.
-/// Edits the document's `coloring` and `mark_undecided`.
+/// Draws the settings of surface colours: the coloured quantity, colour map, range, and marks of
+/// undecided pixels. Edits the document's `coloring` and `mark_undecided`.
 void draw_look_section(UiState& state);
-/// Its height, window coordinates.
+/// Height of the section's contents in window coordinates.
 float look_section_height(const UiState& state);
 
 }  // namespace zeroset::ui

@@ -22,14 +22,14 @@ namespace {
 constexpr float row_em = 1.9F;
 constexpr float most_rows = 6.0F;
 
-/// Digits for reading; copying gives all.
+/// Resolution of the shown coordinates, about five digits; copying uses all digits.
 double shown_resolution(const Marker& marker) {
     const double reach =
         std::max({std::abs(marker.at.x), std::abs(marker.at.y), std::abs(marker.at.z), 1e-300});
     return 1e-4 * std::pow(10.0, std::floor(std::log10(reach)));
 }
 
-/// What a row says: the coordinates, or how far the marker is from the selected one, too.
+/// Text of a row: the coordinates and, if another marker is selected, the distance from it.
 std::string row_text(const Marker& marker, const Marker* selected) {
     std::string text = coordinates_text(marker.at, shown_resolution(marker));
     if (selected == nullptr || selected == &marker) return text;
@@ -49,7 +49,7 @@ void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float he
                    selected ? colors.bar : colors.text, number.c_str());
 }
 
-/// A line of the list; false: the marker is to be removed.
+/// Draws a line of the list; false when the user removes the marker.
 bool draw_row(UiState& state, const Marker& marker, const Marker* selected) {
     const Palette& colors = palette(state.theme);
     const bool is_selected = selected == &marker;

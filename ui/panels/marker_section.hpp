@@ -4,10 +4,10 @@
 
 namespace zeroset::ui {
 
-/// The list of markers: each with its coordinates and its distance from the selected one; to
-/// select, copy and remove. Edits the document's `markers` and `selected_marker`.
+/// Draws the list of markers with coordinates and distances from the selected one. Markers can be
+/// selected, copied and removed. Edits the document's `markers` and `selected_marker`.
 void draw_marker_section(UiState& state);
-/// Its height, window coordinates.
+/// Height of the section's contents in window coordinates.
 float marker_section_height(const UiState& state);
 
 }  // namespace zeroset::ui

@@ -23,7 +23,7 @@ constexpr const char* about_w =
 constexpr const char* how =
     "Double-click or Ctrl+click: type any number. Right click: back to the usual value and range.";
 
-/// A number with its label; true when a finite one was typed.
+/// Draws a number field with its label; true when a finite number was typed.
 bool draw_number(const char* label, const char* id, double& number) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", label);

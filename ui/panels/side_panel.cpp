@@ -25,9 +25,9 @@
 namespace zeroset::ui {
 namespace {
 
-/// The list of statements keeps this height before the sections below it scroll.
+/// Least height of the list of statements before the sections below it must scroll.
 constexpr float least_list_em = 9.0F;
-/// Of the room for both, when the list needs it.
+/// Largest part of the height of list and sections that a long list takes.
 constexpr float most_for_list = 0.7F;
 
 constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -36,7 +36,7 @@ constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWind
 
 float button_size() { return std::ceil(em(2.0F)); }
 
-/// The action as a sign; its name and keys show under the pointer.
+/// Draws the action as an icon button whose tooltip shows its name and keys.
 void draw_action(UiState& state, const char* name, Icon icon, IconLook look) {
     const Action& action = action_named(name);
     look.enabled = is_enabled(action, state);
@@ -70,7 +70,7 @@ void draw_header(UiState& state) {
     ImGui::PopStyleVar();
 }
 
-/// The line that opens and closes a section.
+/// Draws the title line of a section; a click opens or closes the section.
 void draw_section_title(const char* title, bool& open, const Palette& colors) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const float height = std::ceil(em(1.9F));
@@ -85,14 +85,14 @@ void draw_section_title(const char* title, bool& open, const Palette& colors) {
     canvas.AddText(ImVec2(lo.x + em(1.5F), middle - 0.5F * ImGui::GetFontSize()), color, title);
 }
 
-/// Drags the panel's right edge.
+/// Draws the panel's right edge and lets the user drag it.
 void draw_edge(UiState& state, float width, float height) {
     const Palette& colors = palette(state.theme);
     const ImRect grip(ImVec2(width - em(0.5F), 0.0F), ImVec2(width, height));
     const ImGuiID id = ImGui::GetID("##edge");
     bool hovered = false;
     bool held = false;
-    // No item of the layout: it stands beside the content.
+    // The edge is added without layout: it lies beside the content.
     ImGui::PushClipRect(ImVec2(0.0F, 0.0F), grip.Max, false);
     if (ImGui::ItemAdd(grip, id)) ImGui::ButtonBehavior(grip, id, &hovered, &held);
     const bool lit = held || hovered;
@@ -109,13 +109,13 @@ void draw_edge(UiState& state, float width, float height) {
     ImGui::PopClipRect();
 }
 
-/// What stands below the list, one after the other.
+/// A section below the list of statements, with the flag that says whether it is open.
 struct FoldedSection {
     const char* title;
     const char* id;
     bool Layout::* open;
     void (*draw)(UiState&);
-    float (*height)(const UiState&);  ///< of what is drawn, window coordinates
+    float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
 constexpr std::array<FoldedSection, 5> sections{
     {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
@@ -159,8 +159,8 @@ void draw_folded(UiState& state) {
     ImGui::PopStyleVar(2);
 }
 
-/// The list has the room it needs, but in a low window only the greater part of it; the sections
-/// have the rest, and scroll.
+/// Draws the list of statements and the sections below it. The list has the height it needs, in a
+/// low window at most `most_for_list` of it; the sections have the rest, and scroll.
 void draw_sections(UiState& state) {
     ImGuiStorage& kept = *ImGui::GetStateStorage();
     const ImGuiID needed = ImGui::GetID("##list_height");

@@ -4,9 +4,9 @@
 
 namespace zeroset::ui {
 
-/// The panel at the window's left: the document's menu and the buttons above, then one section
-/// below the other: statements with their sliders, settings of the view. Its right edge can be
-/// dragged; folded, only a button is left over the picture.
+/// Draws the panel at the window's left: the document's menu and buttons at the top, below them the
+/// list of statements with their sliders, then the sections of settings. Its right edge can be
+/// dragged; when it is folded, only a button over the picture is left.
 void draw_side_panel(UiState& state);
 
 }  // namespace zeroset::ui

@@ -29,7 +29,7 @@ struct Button {
     const char* action;
 };
 
-/// In one row, all as wide.
+/// Draws the buttons in one row with equal widths.
 void draw_buttons(UiState& state, std::span<const Button> buttons) {
     const float gap = em(0.35F);
     const auto count = static_cast<float>(buttons.size());

@@ -4,10 +4,10 @@
 
 namespace zeroset::ui {
 
-/// The settings of space: axes, clip box and grid, views from the axes, what is up and how dragging
-/// turns.
+/// Draws the settings of space: axes, clip box and grid, views along the axes, the up direction and
+/// how dragging turns the view.
 void draw_space_section(UiState& state);
-/// Its height, window coordinates.
+/// Height of the section's contents in window coordinates.
 float space_section_height(const UiState& state);
 
 }  // namespace zeroset::ui

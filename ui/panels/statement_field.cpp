@@ -26,9 +26,9 @@ std::ptrdiff_t lines_of(const std::string& text) {
     return 1 + std::count(text.begin(), text.end(), '\n');
 }
 
-/// What the field's callback does to the text under edit, and learns of it.
+/// Input and output of the text field's callback.
 struct FieldEdit {
-    const std::string* reload = nullptr;  ///< becomes the text
+    const std::string* reload = nullptr;  ///< new text of the field, if not null
     std::optional<RowFocus::Caret> caret;
     bool in_first_line = true;
     bool in_last_line = true;
@@ -56,8 +56,8 @@ int on_edit(ImGuiInputTextCallbackData* data) {
 
 bool is_active(ImGuiID field) { return ImGui::GetActiveID() == field; }
 
-/// The keys that mean something to the list, asked before the field takes them; the others are for
-/// the field.
+/// Returns the event of a key that the list handles, checked before the field sees it; None leaves
+/// the key to the field.
 FieldEvent list_key(const std::string& text) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyAlt && is_pressed(ImGuiKey_UpArrow)) return FieldEvent::MoveUp;
@@ -73,13 +73,14 @@ FieldEvent list_key(const std::string& text) {
     return FieldEvent::None;
 }
 
-/// The letters of the next frame are for others.
+/// Takes the keyboard from the field; characters of the next frame go elsewhere.
 void leave_field() {
     ImGui::ClearActiveID();
     ImGui::GetCurrentContext()->WantTextInputNextFrame = -1;
 }
 
-/// Where the caret was at the end of the frame before tells whether an arrow leaves the field.
+/// True where the caret was in the first, in the last line at the end of the previous frame: there
+/// the arrow keys Up, Down leave the field.
 struct CaretLines {
     bool first = true;
     bool last = true;
@@ -96,15 +97,15 @@ FieldEvent arrow_key(const CaretLines& caret) {
 CaretLines caret_lines(ImGuiID field, const std::string& text) {
     const ImGuiInputTextState* typing = ImGui::GetInputTextState(field);
     if (typing == nullptr) return {};
-    // ImGui counts in characters; line ends are one in both.
+    // ImGui counts in characters, not bytes; line ends count as one in both.
     const ImWchar* const begin = typing->TextW.Data;
     const ImWchar* const caret = begin + std::min(typing->Stb.cursor, typing->CurLenW);
     const auto before = std::count(begin, caret, static_cast<ImWchar>('\n'));
     return {before == 0, before == lines_of(text) - 1};
 }
 
-/// Asks ImGui for the keyboard, which gives it in the frame after; asked in that one again, it
-/// would begin anew and lose the frame's keys.
+/// Asks ImGui for the keyboard, which it gives in the next frame. A second request in that frame
+/// would begin again and lose the frame's keys.
 void ask_for_keyboard(ImGuiID field) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const int frame = ImGui::GetFrameCount();
@@ -113,14 +114,16 @@ void ask_for_keyboard(ImGuiID field) {
     ImGui::SetKeyboardFocusHere();
 }
 
-/// Where the caret is to be in a field that gets the keyboard.
+/// Returns the wished caret position if the keyboard is to go to this field, and asks for the
+/// keyboard.
 std::optional<RowFocus::Caret> wished_caret(const UiState& state, int row, ImGuiID field) {
     if (!state.focus || state.focus->row != row) return std::nullopt;
     if (!is_active(field)) ask_for_keyboard(field);
     return state.focus->caret;
 }
 
-/// Shift+Enter begins a line; ImGui has Ctrl+Enter for it.
+/// Makes Shift+Enter insert a line break while it lives, by pretending that it is ImGui's
+/// Ctrl+Enter.
 class ShiftEnter {
 public:
     ShiftEnter() : ctrl_(ImGui::GetIO().KeyCtrl), mods_(ImGui::GetIO().KeyMods) {
@@ -142,7 +145,7 @@ private:
     ImGuiKeyModFlags mods_;
 };
 
-/// The field itself; whether its text changed.
+/// Draws the text field itself; true if its text changed.
 bool edit_text(const char* id, std::string& text, float width, FieldEdit& edit) {
     constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_CtrlEnterForNewLine |
                                           ImGuiInputTextFlags_NoUndoRedo |
@@ -177,7 +180,7 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     if (typing) event = list_key(statement.text);
     if (typing && event == FieldEvent::None) event = arrow_key(caret);
     const bool escape = typing && is_pressed(ImGuiKey_Escape);
-    // Before the field sees it: it would bring back what the text was at first.
+    // Leave before the field sees Escape: it would restore the text it had when editing began.
     if (escape) leave_field();
     if (event == FieldEvent::TabForward || event == FieldEvent::TabBackward) {
         ImGui::NavMoveRequestCancel();
@@ -191,7 +194,7 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     const bool changed = edit_text(id, statement.text, width, edit);
     if (edit.caret && is_active(field)) state.focus.reset();
     if (changed && came_at_once(typed, statement.text)) event = FieldEvent::Paste;
-    // After the field has taken the letters that came before the key.
+    // Leave only after the field has taken the characters typed before the key.
     if (is_active(field) && event != FieldEvent::None) leave_field();
     if (typing || is_active(field)) state.typing_row = statement.id;
 

@@ -8,28 +8,28 @@
 
 namespace zeroset::ui {
 
-/// What happened in a row's field during a frame.
+/// Outcome of one frame of a row's text field; mostly a key that the list must act on.
 enum class FieldEvent : std::uint8_t {
     None,
     NextRow,  ///< Enter
-    Up,       ///< an arrow beyond the first line
-    Down,     ///< or the last
+    Up,       ///< Up in the first line
+    Down,     ///< Down in the last line
     TabForward,
     TabBackward,
-    DeleteBack,  ///< Backspace or Delete in an empty field
+    DeleteBack,  ///< Backspace in an empty field
     DeleteAhead,
-    MoveUp,  ///< Alt with an arrow
+    MoveUp,  ///< Alt+Up
     MoveDown,
     Duplicate,  ///< Ctrl+D
-    Paste,      ///< several lines arrived at once
+    Paste,      ///< text of several lines was inserted at once
 };
 
-/// Height of a field for this text, window coordinates.
+/// Height of a field that shows `text`, in window coordinates.
 float statement_field_height(const std::string& text);
 
-/// The text field of a row, with the mark of its error. Shift+Enter begins a new line in it;
-/// Escape leaves it. Edits the statement's text, fulfils `state.focus` and `state.reload` for this
-/// row, and sets `state.typing_row` while it has the keyboard.
+/// Draws the text field of a row, with a mark at its error. Shift+Enter inserts a line break;
+/// Escape leaves the field. Edits the statement's text, fulfils `state.focus` and `state.reload`
+/// for this row, and sets `state.typing_row` while the field has the keyboard.
 FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowError* error,
                                 float width, const char* hint);
 

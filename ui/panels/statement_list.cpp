@@ -32,13 +32,13 @@ auto at(UiState& state, std::size_t index) {
     return rows(state).begin() + static_cast<std::ptrdiff_t>(index);
 }
 
-/// There is always a row.
+/// Gives the keyboard to the row at `index`, or to the last row; the list is never empty.
 void focus(UiState& state, std::size_t index, Caret caret) {
     const std::size_t last = rows(state).size() - 1;
     state.focus = RowFocus{rows(state)[std::min(index, last)].id, caret};
 }
 
-/// Into the first line of the row below.
+/// Gives the keyboard to the row below, with the caret in its first line.
 void focus_down(UiState& state, std::size_t index) {
     const std::size_t below = std::min(index + 1, rows(state).size() - 1);
     const bool lines = below > index && rows(state)[below].text.contains('\n');
@@ -80,7 +80,7 @@ void move_row(UiState& state, std::size_t index, std::ptrdiff_t by) {
     std::iter_swap(at(state, index), rows(state).begin() + other);
 }
 
-/// Pasted statements become rows of their own.
+/// Divides a row whose text contains several statements, as after pasting, into one row for each.
 void split_row(UiState& state, std::size_t index) {
     const std::vector<std::string> texts = rows_of(rows(state)[index].text);
     if (texts.size() < 2) {
@@ -112,7 +112,7 @@ void do_event(UiState& state, std::size_t index, RowEvent event) {
     }
 }
 
-/// The place below the last row, where a new one begins.
+/// Draws the button below the last row that adds a row.
 void draw_adder(UiState& state) {
     const Palette& colors = palette(state.theme);
     const ImVec2 lo = ImGui::GetCursorScreenPos();
@@ -131,7 +131,7 @@ void draw_adder(UiState& state) {
                    "Add a statement");
 }
 
-/// For a list that is empty but for one row.
+/// Returns the hint for an empty field; nullptr if the list has more than one row.
 const char* hint_for(const UiState& state) {
     if (state.document.statements.size() > 1) return nullptr;
     const bool wide = ImGui::GetContentRegionAvail().x > em(32.0F);

@@ -4,12 +4,12 @@
 
 namespace zeroset::ui {
 
-/// The rows of the document's statements with a place to add one, then the sliders of parameters
-/// and of w. Fills the window that it is drawn in.
+/// Draws a row for each statement of the document, a button that adds one, then the sliders of
+/// parameters and w. Fills the current ImGui window.
 void draw_statement_list(UiState& state);
 
-/// Rows added to the document: of each statement of a text, after the row at `index`; the keyboard
-/// goes to the last.
+/// Inserts a row for each statement of a text after the row at `index`; the keyboard goes to the
+/// last new row.
 void insert_rows(UiState& state, std::size_t index, const std::string& text);
 
 }  // namespace zeroset::ui

@@ -21,30 +21,30 @@
 namespace zeroset::ui {
 namespace {
 
-/// Widths of what stands beside the field, in em.
+/// Widths of grip, swatch and buttons beside the field, in em.
 constexpr float grip_em = 0.9F;
 constexpr float swatch_em = 1.5F;
 constexpr float button_em = 1.5F;
-/// Readings of one row that are shown, and notes on them.
+/// Largest numbers of readings and notes that are shown for one row.
 constexpr std::size_t most_readings = 4;
 constexpr std::size_t most_notes = 4;
-/// A reading of the text before the one that is still read.
+/// Opacity of a reading of an older text, while the new one is not read yet.
 constexpr float old_reading_faded = 0.5F;
 
-/// What a row is drawn with.
+/// Everything that the parts of a row need for drawing.
 struct Row {
     UiState& state;
     Statement& statement;
     const RowReport* report;  ///< nullptr: not read yet
     const Palette& colors;
-    ImRect place;  ///< from the last frame, for what appears under the pointer
+    ImRect place;  ///< from the previous frame, to find the row under the pointer
     bool hovered;
     bool typing;
 
     [[nodiscard]] bool is_surface() const {
         return std::ranges::find(state.surface_rows, statement.id) != state.surface_rows.end();
     }
-    /// Of the text as it stands.
+    /// Error of the row's current text; nullptr if there is none or it is not read yet.
     [[nodiscard]] const RowError* error() const {
         const bool known = report != nullptr && report->error && report->text == statement.text;
         return known ? &*report->error : nullptr;
@@ -69,7 +69,7 @@ RowEvent event_of(FieldEvent event) {
     return RowEvent::None;
 }
 
-/// Drags the row: past the middle of a neighbour it changes places with it.
+/// Draws the grip. Dragging it past the middle of a neighbouring row exchanges the two rows.
 RowEvent draw_grip(const Row& row, float height) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##grip", ImVec2(em(grip_em), height));
@@ -88,7 +88,7 @@ RowEvent draw_grip(const Row& row, float height) {
     return RowEvent::None;
 }
 
-/// What kind of statement it is, where a surface has its swatch.
+/// Draws a sign for the kind of statement in place of a surface's swatch.
 void draw_kind(const Row& row, const ImVec2& centre) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     if (row.error() != nullptr && !row.error()->unfinished) {
@@ -124,7 +124,7 @@ void draw_swatch(const Row& row, float height) {
     draw_surface_popup("##color", row.statement, row.colors);
 }
 
-/// Eye and cross, at the right end of the row.
+/// Draws the eye and the cross at the right end of the row.
 RowEvent draw_buttons(const Row& row, float height) {
     const float size = em(button_em);
     const float left = ImGui::GetCursorPosX();
@@ -185,7 +185,7 @@ void draw_readings(const Row& row, float width) {
     ImGui::PopFont();
 }
 
-/// What was read in an unusual way, each in lines of its own.
+/// Draws the notes on unusual readings, each on its own lines.
 void draw_notes(const Row& row, float width) {
     ImGui::PushStyleColor(ImGuiCol_Text, row.colors.accent);
     ImGui::PushFont(font(FontRole::Small));
@@ -220,14 +220,15 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Nothing is to be said of a row that was read as it stands.
+/// True if a reading says more than the text; a row that was read as written needs no reading
+/// shown.
 bool says_more(const Row& row) {
     const auto& readings = row.report->readings;
     return readings.size() > 1 || (readings.size() == 1 && without_blanks(readings.front().text) !=
                                                                without_blanks(row.statement.text));
 }
 
-/// Below the field: how the row was read, or why not.
+/// Draws the readings or the error below the field.
 void draw_answer(const Row& row, float width) {
     if (const RowError* error = row.error()) {
         draw_error(row, *error, width);
@@ -250,7 +251,7 @@ void draw_back(const Row& row, ImDrawList& canvas, const ImRect& place) {
                          rounding, ImDrawFlags_RoundCornersLeft);
 }
 
-/// The row as it was laid out in the frame before.
+/// The row's rectangle with the height it had in the previous frame.
 ImRect last_place(ImGuiID id) {
     const ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -260,7 +261,7 @@ ImRect last_place(ImGuiID id) {
 
 RowEvent either(RowEvent a, RowEvent b) { return a != RowEvent::None ? a : b; }
 
-/// All that is in the row, from the pen's place on.
+/// Draws all parts of the row, starting at ImGui's cursor.
 RowEvent draw_parts(Row& row, const char* hint) {
     const float spacing = em(0.3F);
     const float height = statement_field_height("");

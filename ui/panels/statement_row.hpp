@@ -7,24 +7,24 @@
 
 namespace zeroset::ui {
 
-/// What is to be done with a row, or has the keyboard leave it.
+/// Action that the list must take for a row, or the row that gets the keyboard next.
 enum class RowEvent : std::uint8_t {
     None,
-    Next,  ///< a new row after this one
+    Next,  ///< insert a new row after this one
     FocusUp,
     FocusDown,
-    FocusNext,  ///< Tab
+    FocusNext,  ///< Tab: the next row gets the keyboard
     FocusPrevious,
-    RemoveBack,  ///< and go on at the end of the row before
+    RemoveBack,  ///< remove the row and continue at the end of the row before
     RemoveAhead,
     MoveUp,
     MoveDown,
     Duplicate,
-    Split,  ///< its text may be several statements
+    Split,  ///< divide the row: its text may contain several statements
 };
 
-/// One row of the list: grip, swatch, text, eye, cross, and below them how it was read or what is
-/// wrong with it. `hint` stands in its field while that is empty, or nullptr. Edits
+/// Draws one row of the list: grip, swatch, text, eye, cross, and below them its readings or its
+/// error. `hint` is shown in an empty field; nullptr: no hint. Edits
 /// state.document.statements[index].
 RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint);
 

@@ -27,7 +27,7 @@ constexpr const char* keys_hint =
     "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
     "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
 
-/// Digits in groups of three, 1 234 567.
+/// Formats a number with its digits in groups of three, as in 1 234 567.
 std::string grouped(std::size_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t at = digits.size(); at > 3; at -= 3) {
@@ -42,7 +42,7 @@ std::string milliseconds(double ms) {
     return text.data();
 }
 
-/// Goes on with the line, as far as the window is wide.
+/// Adds text to the line, unless the window is too narrow for it.
 void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const bool first = ImGui::GetCursorPosX() <= style.WindowPadding.x;
@@ -57,7 +57,7 @@ void add_text(std::uint32_t color, const std::string& text, const char* between 
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-/// How much is seen at the point looked at, and in which type: "view 3.2e-07 wide, double".
+/// Width of the view at the point looked at, and the precision: "view 3.2e-07 wide, double".
 std::string view_scale(const UiState& state) {
     const PictureStatus& picture = state.picture;
     const ViewFrame view(state.shown.camera);
@@ -93,7 +93,7 @@ void draw_figures(const UiState& state, const Palette& colors) {
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
 
-/// The surface's colour, and the number of its row where there are several.
+/// Adds the surface's colour and, if there are several, the number of its row.
 void add_surface(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
     const std::vector<Statement>& rows = state.document.statements;
     const auto row = std::ranges::find(rows, pointed.row, &Statement::id);
@@ -111,15 +111,15 @@ void add_surface(const UiState& state, const PointedFacts& pointed, const Palett
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-/// "f = 1.2e-16".
+/// Formats a number with `format`, -0 as 0; for example "f = 1.2e-16".
 std::string small_number(const char* format, double number) {
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), format, number == 0.0 ? 0.0 : number);
     return text.data();
 }
 
-/// What is under the pointer: to the digits that tell neighbouring pixels apart, as far as they are
-/// known.
+/// Draws the facts of the point under the pointer, with as many digits as distinguish neighbouring
+/// pixels and are certain.
 void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
     const PointFacts& facts = pointed.facts;
     const double resolution = std::max(0.1 * pointed.pixel_size, facts.within);
@@ -138,7 +138,7 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
 }
 
-/// About the picture, or what is under the pointer.
+/// Draws note and news, then facts of the point under the pointer or, without one, of the picture.
 void draw_known(const UiState& state, const Palette& colors) {
     if (!state.note.empty()) add_text(colors.warning, state.note);
     if (!state.done.empty()) add_text(colors.accent, state.done);
@@ -173,7 +173,7 @@ void draw_status_panel(const UiState& state) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
         if (!state.doing.empty()) add_text(colors.accent, state.doing);
-        // What is known of a dimmed picture says nothing about the text in the rows.
+        // Figures of a dimmed picture do not describe the text in the rows.
         if (state.dimmed == 0.0F) draw_known(state, colors);
         draw_keys_hint();
         ImGui::PopFont();

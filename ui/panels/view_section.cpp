@@ -27,7 +27,7 @@ void draw_d_stop(StopCriterion& stop) {
                "Search depth: a ray's search ends at cells of the box's edge times "
                "2^-d_stop. More is finer and slower.");
     int depth = static_cast<int>(std::lround(stop.value));
-    // Another rule can come from the command line; it stays until the slider is moved.
+    // The command line can set another stop rule; it stays until the slider is moved.
     const char* rule = stop.rule == StopRule::Epsilon ? "epsilon"
                        : stop.rule == StopRule::Delta ? "delta"
                                                       : nullptr;

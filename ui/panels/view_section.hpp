@@ -4,10 +4,10 @@
 
 namespace zeroset::ui {
 
-/// The settings of the view: search depth, projection, shadows, first view and theme. Edits the
-/// document's `stop`, `camera`, `shadows` and `antialias`, `theme` and `reset_view`.
+/// Draws the settings of the view: search depth, projection, shadows, first view and theme. Edits
+/// the document's `stop`, `camera`, `shadows` and `antialias`, and `theme` and `reset_view`.
 void draw_view_section(UiState& state);
-/// Its height, window coordinates.
+/// Height of the section's contents in window coordinates.
 float view_section_height(const UiState& state);
 
 }  // namespace zeroset::ui

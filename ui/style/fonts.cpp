@@ -21,13 +21,13 @@ struct FontChoice {
     float size;  ///< design units
 };
 
-/// In the order of FontRole.
+/// File and size of each FontRole, indexed by it.
 constexpr std::array<FontChoice, 4> choices{{{"DejaVuSans.ttf", 14.0F},
                                              {"DejaVuSans.ttf", 12.0F},
                                              {"DejaVuSansMono.ttf", 15.0F},
                                              {"DejaVuSansMono.ttf", 12.0F}}};
 
-/// Pairs of first and last character that formulas and their explanations use.
+/// Ranges of characters (first, last) that formulas and their explanations use; ends with 0.
 constexpr std::array<ImWchar, 17> glyph_ranges{
     0x0020, 0x017F,  // Latin, with × · ÷ and the superscripts 1 to 3
     0x0370, 0x03FF,  // Greek
@@ -36,7 +36,7 @@ constexpr std::array<ImWchar, 17> glyph_ranges{
     0x2190, 0x21FF,  // arrows
     0x2200, 0x22FF,  // mathematical operators, with − √ ≤ ≥ ≠ ≈ ∞
     0x25A0, 0x25FF,  // geometric shapes
-    0xFFFD, 0xFFFD,  // the replacement of what is missing
+    0xFFFD, 0xFFFD,  // replacement character
     0};
 
 void add_font(ImFontAtlas& atlas, const FontChoice& choice, float content_scale) {

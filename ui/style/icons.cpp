@@ -16,7 +16,7 @@ namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
 
-/// Draws in a square from (-1, -1) to (1, 1), y downwards.
+/// Draws into a square whose coordinates run from (-1, -1) to (1, 1), y downwards.
 class Pen {
 public:
     Pen(ImDrawList& canvas, const ImVec2& centre, float size, std::uint32_t color)
@@ -57,7 +57,7 @@ private:
 };
 
 void draw_eye(Pen& pen) {
-    // Two arcs that meet at the corners.
+    // The outline is two arcs that meet at the corners of the eye.
     const float half_angle = std::atan2(1.0F, 0.75F);
     pen.arc({0.0F, 0.6F}, 1.12F, -0.5F * pi - half_angle, -0.5F * pi + half_angle);
     pen.arc({0.0F, -0.6F}, 1.12F, 0.5F * pi - half_angle, 0.5F * pi + half_angle);
@@ -73,7 +73,7 @@ void draw_closed_eye(Pen& pen) {
     }
 }
 
-/// An arrow bent back to the left (side -1) or to the right (1).
+/// Draws an arrow bent back to the left (side -1) or to the right (side 1).
 void draw_turn(Pen& pen, float side) {
     pen.lines({{side * 0.45F, -0.8F}, {side * 0.85F, -0.4F}, {side * 0.45F, 0.0F}});
     pen.lines({{side * 0.85F, -0.4F}, {-side * 0.2F, -0.4F}});

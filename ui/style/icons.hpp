@@ -8,7 +8,7 @@ struct ImVec2;
 
 namespace zeroset::ui {
 
-/// Signs drawn as lines, sharp at every scale.
+/// Icons drawn as vectors, so that they are sharp at every scale.
 enum class Icon : std::uint8_t {
     Plus,
     Cross,
@@ -30,18 +30,18 @@ enum class Icon : std::uint8_t {
     Copy,
 };
 
-/// The sign in a square of `size` about `centre`, window coordinates.
+/// Draws the icon in a square of side `size` about `centre`, in window coordinates.
 void draw_icon(ImDrawList& canvas, Icon icon, const ImVec2& centre, float size,
                std::uint32_t color);
 
-/// How an icon button looks.
+/// Size and colour of an icon button.
 struct IconLook {
-    float size;           ///< of the button, window coordinates
-    std::uint32_t color;  ///< of the sign; brighter under the pointer
+    float size;           ///< side of the button in window coordinates
+    std::uint32_t color;  ///< colour of the icon; the text colour replaces it under the pointer
     bool enabled = true;
 };
 
-/// A square button without a frame until the pointer is over it; true when it is clicked.
+/// A square button with a background only under the pointer. Returns true when it is clicked.
 bool icon_button(const char* id, Icon icon, const IconLook& look, const std::string& tooltip);
 
 }  // namespace zeroset::ui

@@ -7,25 +7,25 @@
 
 namespace zeroset::ui {
 
-/// Whether the key went down in this frame, or repeats.
+/// True if the key went down or repeated in this frame.
 inline bool is_pressed(ImGuiKey key) {
     const int index = ImGui::GetKeyIndex(key);
     return index >= 0 && ImGui::IsKeyPressed(index);
 }
 
-/// The same without repeats.
+/// True if the key went down in this frame; repeats do not count.
 inline bool is_pressed_once(ImGuiKey key) {
     const int index = ImGui::GetKeyIndex(key);
     return index >= 0 && ImGui::IsKeyPressed(index, false);
 }
 
-/// Whether a letter went down or repeats, from 'a' to 'z'; windows number the keys as GLFW does and
-/// report letters by what they type, wherever they lie on the keyboard.
+/// True if the key of the letter `letter` ('a' to 'z') went down or repeated in this frame. Windows
+/// number keys as GLFW does, and a letter key by what it types, wherever it lies on the keyboard.
 inline bool is_letter_pressed(char letter) {
     return ImGui::IsKeyPressed(GLFW_KEY_A + (letter - 'a'));
 }
 
-/// Whether a letter was typed in this frame, by what it says; `lower` from 'a' to 'z'.
+/// True if the letter was typed in this frame, in either case; `lower` is from 'a' to 'z'.
 inline bool is_typed(char lower) {
     const ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
     const char upper = static_cast<char>(lower - 'a' + 'A');

@@ -24,7 +24,8 @@ bool draw_elided(const std::string& text, float width) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const float baseline = ImGui::GetCurrentWindow()->DC.CurrLineTextBaseOffset;
     const ImVec2 lo(at.x, at.y + baseline);
-    const ImVec2 hi(lo.x + width, lo.y + size.y + em(0.2F));  // an underscore hangs out
+    const ImVec2 hi(lo.x + width,
+                    lo.y + size.y + em(0.2F));  // room for an underscore
     ImGui::RenderTextEllipsis(ImGui::GetWindowDrawList(), lo, hi, lo.x + width, lo.x + width,
                               text.c_str(), text.c_str() + text.size(), &size);
     ImGui::Dummy(ImVec2(std::min(size.x, width), size.y + baseline));

@@ -10,7 +10,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// 0xRRGGBBAA, the way colours are usually written, to the stored order.
+/// Converts a colour from 0xRRGGBBAA, the usual notation, to the byte order of Palette.
 constexpr std::uint32_t rgba(std::uint32_t color) {
     return (color >> 24U) | ((color >> 8U) & 0xFF00U) | ((color << 8U) & 0xFF0000U) |
            (color << 24U);

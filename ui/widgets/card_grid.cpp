@@ -8,7 +8,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// The groups, in the order in which they first occur.
+/// Returns the names of the groups in the order in which they first occur.
 std::vector<std::string> groups_of(const std::vector<GalleryEntry>& gallery) {
     std::vector<std::string> groups;
     for (const GalleryEntry& entry : gallery) {

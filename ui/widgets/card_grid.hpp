@@ -8,20 +8,21 @@
 
 namespace zeroset::ui {
 
-/// A card of the gallery's page.
+/// Place of one gallery entry on the gallery page.
 struct Card {
-    std::size_t item;  ///< line of the gallery
-    int row;           ///< from 0 through all groups
+    std::size_t item;  ///< index of the entry in the gallery
+    int row;           ///< counted from 0 through all groups
     int col;
 };
 
-/// The cards whose texts have all words of `search`, group by group in the gallery's order; each
-/// group begins a row of its own.
+/// Returns the cards of the entries that contain all words of `search`, group by group in the
+/// gallery's order; each group begins a new row.
 std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::string& search,
                            int columns);
 
-/// The item selected after a step of so many rows and columns from `selected`; a step along a row
-/// goes on in the next one. The first card where `selected` has none. `cards` is not empty.
+/// Returns the item selected after a step of `rows` and `cols` from `selected`; a step along a row
+/// continues in the next one. Returns the first item if `selected` has no card. `cards` is not
+/// empty.
 std::size_t stepped(const std::vector<Card>& cards, std::size_t selected, int rows, int cols);
 
 }  // namespace zeroset::ui

@@ -31,7 +31,7 @@ constexpr int function_keys = 12;
 
 bool is_upper(char letter) { return letter >= 'A' && letter <= 'Z'; }
 
-/// "F1" to "F12", or a name of the table; 0: neither.
+/// Key number of "F1" to "F12" or of a name in the table; 0 if the name is neither.
 int named_key(std::string_view name) {
     const auto* const found =
         std::ranges::find(named_keys, name, &std::pair<std::string_view, int>::first);

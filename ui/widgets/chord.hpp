@@ -6,24 +6,24 @@
 
 namespace zeroset::ui {
 
-/// Keys that are pressed together, written as "Ctrl+Shift+Z", "F1", "R" or "+".
+/// A key with modifiers, written as "Ctrl+Shift+Z", "F1", "R" or "+".
 struct Chord {
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
-    int key = 0;         ///< GLFW's number, letters by what they type; 0: `letter` says it
-    char letter = '\0';  ///< what is typed, in lower case: a key that is no command of a field
+    int key = 0;  ///< GLFW's number of the key, a letter key by what it types; 0: see `letter`
+    char letter = '\0';  ///< typed character, lower case, of a key that types text
     bool operator==(const Chord&) const = default;
 };
 
-/// Nothing where the text names no keys.
+/// Parses one chord; nothing if the text names no key.
 std::optional<Chord> chord_of(std::string_view text);
 
-/// Of a list such as "Ctrl+Shift+Z, Ctrl+Y"; what names no keys is left out.
+/// Parses a list of chords such as "Ctrl+Shift+Z, Ctrl+Y"; entries that name no key are left out.
 std::vector<Chord> chords_of(std::string_view list);
 
-/// Whether it went down in this frame, or with `repeats` is held. A typed letter is left to the
-/// field that has the keyboard and to an open popup.
+/// True if the chord went down in this frame or, with `repeats`, repeated by being held. A typed
+/// character does not count while a text field has the keyboard or a popup is open.
 bool is_pressed(const Chord& chord, bool repeats);
 
 }  // namespace zeroset::ui

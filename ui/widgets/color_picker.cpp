@@ -22,7 +22,7 @@ float swatch() { return em(2.0F); }
 float swatch_gap() { return em(0.4F); }
 float popup_width() { return in_a_row * swatch() + (in_a_row - 1) * swatch_gap(); }
 
-/// 0xRRGGBB to ImGui's opaque 0xAABBGGRR.
+/// Converts 0xRRGGBB to ImGui's 0xAABBGGRR with full opacity.
 std::uint32_t opaque(std::uint32_t rgb) {
     return 0xFF000000U | (rgb & 0xFFU) << 16U | (rgb & 0xFF00U) | (rgb >> 16U & 0xFFU);
 }
@@ -59,7 +59,7 @@ void draw_palette(Statement& statement, const Palette& colors) {
     }
 }
 
-/// Which side sections fill.
+/// Draws the choice of the side that sections fill, as three buttons.
 void draw_solid_choice(Statement& statement, const Palette& colors) {
     ImGui::TextDisabled("Solid");
     draw_tooltip("The side that sections fill");

@@ -9,7 +9,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// One after the UTF-8 character at `at`, at most the text's size.
+/// Index of the byte after the UTF-8 character at `at`; at most the text's size.
 std::size_t next_character(const std::string& text, std::size_t at) {
     ++at;
     while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U) {
@@ -18,7 +18,7 @@ std::size_t next_character(const std::string& text, std::size_t at) {
     return std::min(at, text.size());
 }
 
-/// Where the character at `at` stands in the field; a narrow place after the end of a line.
+/// Rectangle of the character at byte `at`, window coordinates; a line's end is as wide as "0".
 ImRect character_place(const FieldView& view, const std::string& text, std::size_t at) {
     at = std::min(at, text.size());
     const std::size_t before = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
@@ -34,7 +34,7 @@ ImRect character_place(const FieldView& view, const std::string& text, std::size
     return {x, y, x + wide, y + ImGui::GetFontSize()};
 }
 
-/// A triangle whose tip is at an edge of the field, towards what lies beyond it.
+/// Draws a triangle at the edge of `room` that points towards `place` outside it.
 void draw_arrow(ImDrawList& canvas, const ImRect& room, const ImRect& place, std::uint32_t color) {
     const float size = em(0.4F);
     const auto arrow = [&](ImVec2 tip, ImVec2 back) {
@@ -56,7 +56,7 @@ void draw_arrow(ImDrawList& canvas, const ImRect& room, const ImRect& place, std
     }
 }
 
-/// What the window around the field shows of it.
+/// Part of the field that the surrounding window does not clip.
 ImRect visible_part(const FieldView& view) {
     ImRect part = view.inside;
     part.ClipWithFull(ImGui::GetCurrentWindow()->ClipRect);
@@ -88,7 +88,7 @@ void draw_error_mark(const FieldView& view, const std::string& text, std::size_t
     ImDrawList& canvas = *view.window->DrawList;
     const ImRect clip = visible_part(view);
     canvas.PushClipRect(clip.Min, clip.Max, false);
-    const float thick = em(0.15F);  // as much as is free above the next line's letters
+    const float thick = em(0.15F);  // the free space above the next line's letters
     const float y = place.Max.y;
     const bool seen = place.Min.x >= room.Min.x && place.Max.x <= room.Max.x &&
                       place.Min.y + 0.5F * place.GetHeight() >= room.Min.y &&

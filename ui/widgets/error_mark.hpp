@@ -9,22 +9,23 @@
 
 namespace zeroset::ui {
 
-/// What of the text a field of several lines shows, window coordinates. ImGui makes a window of
-/// the field.
+/// Geometry of a multi-line text field in window coordinates. ImGui makes a window of the field.
 struct FieldView {
     ImGuiWindow* window;
-    ImRect inside;    ///< without the scrollbar
-    ImVec2 text_pos;  ///< of the first character, wherever it was scrolled to
+    ImRect inside;    ///< the field without its scrollbar
+    ImVec2 text_pos;  ///< position of the first character, even if it is scrolled out of sight
 };
 
-/// Of the field with this id, whose window is `window`; in the field's font.
+/// Returns the geometry of the field with this id, whose window is `window`. Call it while the
+/// field's font is set.
 FieldView view_of(ImGuiID field, ImGuiWindow& window);
 
-/// Underlines the character at byte `at` of the text, or points to where it was scrolled to.
+/// Underlines the character at byte `at` of the text, or draws an arrow towards it where it is
+/// scrolled out of sight.
 void draw_error_mark(const FieldView& view, const std::string& text, std::size_t at,
                      std::uint32_t color);
 
-/// In place of the text of an empty field.
+/// Draws `hint` where the text of an empty field would stand.
 void draw_hint(const FieldView& view, const char* hint, std::uint32_t color);
 
 }  // namespace zeroset::ui

@@ -18,15 +18,15 @@
 namespace zeroset::ui {
 namespace {
 
-/// Of the columns at the left and at the right of a slider, in em.
+/// Widths of the columns left (label) and right (value) of a slider, in em.
 constexpr float label_width = 3.6F;
 constexpr float value_width = 4.3F;
 
-/// Leaves room for draw_value on the line of the slider that follows. Its format begins with "##":
-/// ImGui does not draw what comes after, so that the grab covers no number.
+/// Reserves room for draw_value at the right of the next slider. That slider's format must begin
+/// with "##": ImGui does not draw what comes after it, so that the grab covers no number.
 void begin_slider(float right) { ImGui::SetNextItemWidth(-em(value_width) - right); }
 
-/// The value of the slider before, `right` before the end of its line.
+/// Draws the value of the last slider so that it ends `right` before the end of the line.
 void draw_value(const char* text, float right) {
     const float width = ImGui::CalcTextSize(text).x;
     ImGui::SameLine();
@@ -41,7 +41,7 @@ void type_into(ImGuiID slider) {
     gui.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
-/// Three decimals, as on the slider; other numbers that were typed as short as they can be.
+/// Formats with three decimals, as the slider does; very large or small numbers as short as "1e9".
 std::string short_number(double value) {
     std::array<char, 32> text{};
     const bool fixed = value == 0.0 || (std::abs(value) < 1e4 && std::abs(value) >= 5e-4);

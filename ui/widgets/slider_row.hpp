@@ -6,16 +6,16 @@
 
 namespace zeroset::ui {
 
-/// A label; the control that follows fills the rest of the line. A long label is cut.
+/// Draws a label, cut where it is too long; the control that follows fills the rest of the line.
 void draw_label(const std::string& label, const std::string& explanation);
 
-/// The rest of a line: an integer slider and, at its right, `shown` or the number if it is null.
-/// True when it was moved.
+/// An integer slider that fills the rest of the line, with `shown`, or the number if it is null, at
+/// its right. Returns true when it was moved.
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown);
 
-/// The rest of a line but for `right` at its end (window coordinates): the slider and its value.
-/// Ctrl+click or double-click on it, or a click on the value, types a number, beyond the ends, too:
-/// it moves them. A right click sets all to `usual`.
+/// A slider with its value, which fills the rest of the line except `right` (window coordinates) at
+/// its end. Ctrl+click or double-click on the slider, or a click on the value, lets one type a
+/// number; a number beyond an end moves that end. A right click sets the whole slider to `usual`.
 void draw_slider(const char* id, Slider& slider, const Slider& usual, float right);
 
 }  // namespace zeroset::ui

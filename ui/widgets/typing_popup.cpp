@@ -6,7 +6,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// By then a field has the keyboard, or it will not get it.
+/// Number of frames after which a field that does not have the keyboard will not get it.
 constexpr int patience_frames = 5;
 
 bool is_opening(const TypingPopup& popup) {

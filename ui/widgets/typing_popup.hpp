@@ -7,18 +7,19 @@
 
 namespace zeroset::ui {
 
-/// Opens or closes ImGui's popup `name` as `popup.open` says, which becomes false when a click
-/// beside it or another popup has closed it. Whether it is there; then call draw_popup.
+/// Opens or closes ImGui's popup `name` to match `popup.open`, and clears that flag when a click
+/// outside or another popup has closed it. Returns true while it is open; then call draw_popup.
 bool follow_popup(TypingPopup& popup, const char* name);
 
-/// Draws such a popup, which ends when it says so; placed and sized by the caller.
+/// Draws the popup `name` by `draw` and closes it once `popup.open` is false. The caller sets place
+/// and size.
 void draw_popup(const TypingPopup& popup, const char* name, const std::function<void()>& draw);
 
-/// The popup's field, in the line where it stands; has the keyboard when the popup opens. Whether
-/// the text was changed.
+/// The popup's text field, at the current line; it takes the keyboard when the popup appears.
+/// Returns true if the text was changed.
 bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text);
 
-/// Whether a field is about to get the keyboard: keys are to be held until then.
+/// True while a field is about to get the keyboard; keys must be held back until it has it.
 bool awaits_keyboard(const UiState& state);
 
 }  // namespace zeroset::ui

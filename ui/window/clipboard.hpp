@@ -4,7 +4,7 @@
 
 namespace zeroset::ui {
 
-/// The desktop's clipboard as UTF-8; while a Window is alive.
+/// Text of the desktop's clipboard in UTF-8. Only while a Window is alive.
 std::string clipboard();
 void set_clipboard(const std::string& text);
 

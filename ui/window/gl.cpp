@@ -5,7 +5,8 @@
 namespace zeroset::ui {
 namespace {
 
-// Of the one context that is current; Dear ImGui's renderer has one table of functions, too.
+// Loader and functions of the current OpenGL context; only one is used at a time. Globals, because
+// Dear ImGui's renderer has one global table of functions, too.
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 GlLoader current_loader = nullptr;
 Gl current;
@@ -44,14 +45,14 @@ bool load_gl(GlLoader loader) {
 
 // Dear ImGui's renderer asks libGL for OpenGL's functions, whatever the context is; libGL knows
 // nothing of OSMesa's. So the linker sends the program's calls of dlsym here (--wrap=dlsym in
-// CMakeLists.txt), and the question for libGL's loader is answered with the context's.
-// The names are the linker's.
+// CMakeLists.txt), and a request for libGL's loader gets the loader of the current context. The
+// linker prescribes the names.
 // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 extern "C" {
 void* __real_dlsym(void* library, const char* name);
 void* __wrap_dlsym(void* library, const char* name);
 
-// A sanitizer calls it before it is ready to watch it.
+// Not instrumented: a sanitizer calls this function before its own setup is complete.
 #if __has_cpp_attribute(clang::disable_sanitizer_instrumentation)
 [[clang::disable_sanitizer_instrumentation]]
 #endif

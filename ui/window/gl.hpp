@@ -5,11 +5,11 @@
 namespace zeroset::ui {
 
 using GlFunction = void (*)();
-/// Finds a function of OpenGL for the current context; nullptr where it has none.
+/// Returns an OpenGL function of the current context; nullptr if the context lacks it.
 using GlLoader = GlFunction (*)(const char* name);
 
-/// The functions of OpenGL that we call. Nothing is linked against an OpenGL library: every kind of
-/// context brings its own.
+/// The OpenGL functions that this program calls. Nothing is linked against an OpenGL library: every
+/// kind of context brings its own.
 struct Gl {
     decltype(&glBindTexture) bind_texture = nullptr;
     decltype(&glClear) clear = nullptr;
@@ -22,18 +22,18 @@ struct Gl {
     decltype(&glTexParameteri) tex_parameter = nullptr;
     decltype(&glTexSubImage2D) tex_sub_image = nullptr;
     decltype(&glViewport) viewport = nullptr;
-    /// glGetGraphicsResetStatus; nullptr where the driver does not tell.
+    /// glGetGraphicsResetStatus; nullptr if the driver does not offer it.
     GLenum (*reset_status)() = nullptr;
 };
 
-/// Those of the context that load_gl() was last called for.
+/// Functions of the context for which load_gl() was last called.
 const Gl& gl();
 
-/// Whether the driver says that the current context is lost.
+/// True if the driver reports that the current context is lost.
 bool is_context_lost();
 
-/// Fills gl(), and lets Dear ImGui's renderer take its functions from the same loader. False where
-/// a function is missing. GuiContext calls it.
+/// Fills gl() and makes Dear ImGui's renderer use the same loader. Returns false if a function is
+/// missing. Called by GuiContext.
 bool load_gl(GlLoader loader);
 
 }  // namespace zeroset::ui

@@ -6,26 +6,26 @@
 namespace zeroset::ui {
 
 /// The Dear ImGui context with its OpenGL renderer, our fonts and our theme. An OpenGL 3.3 context
-/// must be current during its whole life. One at a time; the window's thread.
+/// must be current during its whole life. At most one exists at a time, on the window's thread.
 class GuiContext {
 public:
-    /// `loader` is for the current context.
+    /// `loader` belongs to the current OpenGL context.
     explicit GuiContext(GlLoader loader);
     ~GuiContext();
     GuiContext(const GuiContext&) = delete;
     GuiContext& operator=(const GuiContext&) = delete;
 
-    /// False where OpenGL's functions cannot be loaded: it is of no use then.
+    /// False if OpenGL's functions could not be loaded; the object must not be used then.
     [[nodiscard]] bool ready() const { return ready_; }
 
-    /// Call first in a frame; rebuilds fonts and style when something changed.
+    /// Begins a frame; rebuilds fonts and style when an argument changed.
     ///   content_scale     framebuffer pixels per design unit
     ///   pixels_per_point  framebuffer pixels per unit of the window's coordinates
     void begin_frame(Theme theme, float content_scale, float pixels_per_point);
     /// Draws the frame's panels into the current framebuffer.
     static void end_frame(int width_px, int height_px);
 
-    /// Whether a text field has the keyboard.
+    /// True while a text field has the keyboard.
     [[nodiscard]] static bool wants_text();
 
 private:

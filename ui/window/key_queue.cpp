@@ -12,19 +12,19 @@ constexpr int command_mods = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
-/// Shift has done its work on characters when they arrive; it matters to commands only.
+/// True for both Shift keys. Shift has already acted on characters when they arrive; it matters to
+/// commands only.
 bool is_shift(int key) { return key == GLFW_KEY_LEFT_SHIFT || key == GLFW_KEY_RIGHT_SHIFT; }
 
-/// A key that acts by itself (arrows, Enter, Escape) or through Ctrl, Alt or Super.
+/// True for a key that acts by itself (arrows, Enter, Escape) or together with Ctrl, Alt or Super.
 bool is_command(const KeyEvent& event) {
     if (is_modifier(event.key)) return false;
     return event.key >= GLFW_KEY_ESCAPE || (event.mods & command_mods) != 0;
 }
 
-/// What has happened so far in a frame. A text field takes the frame's characters first, then at
-/// most one command under the modifiers held at the end of the frame, which may change who gets
-/// the keys after it; Escape leaves it before it
-/// takes anything.
+/// The events of one frame so far. In a frame, a text field first takes the characters, then at
+/// most one command under the modifiers held at the end of the frame; that command may move the
+/// keyboard elsewhere. Escape leaves the field before it takes any characters.
 class FrameEvents {
 public:
     [[nodiscard]] bool fits(const KeyEvent& event) const {

@@ -38,8 +38,8 @@ OffscreenWindow::OffscreenWindow(std::unique_ptr<OffscreenContext> context,
                                  std::unique_ptr<GuiContext> gui, glm::ivec2 size_px, float scale)
     : context_(std::move(context)), gui_(std::move(gui)), size_px_(size_px), scale_(scale) {
     ImGuiIO& io = ImGui::GetIO();
-    io.ConfigInputTextCursorBlink = false;                  // the same picture whenever it is taken
-    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;  // nothing is outlined
+    io.ConfigInputTextCursorBlink = false;                  // pictures must not depend on time
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;  // no outline of the focused item
     io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
     io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
     io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
@@ -120,7 +120,7 @@ Framebuffer OffscreenWindow::pixels() const {
     gl().pixel_store(GL_PACK_ALIGNMENT, 4);
     gl().read_pixels(0, 0, frame.width, frame.height, GL_RGBA, GL_UNSIGNED_BYTE,
                      frame.color.data());
-    // OpenGL's rows are from the bottom.
+    // OpenGL stores rows from bottom to top.
     for (int top = 0, bottom = frame.height - 1; top < bottom; ++top, --bottom) {
         auto* const row = frame.color.data() + frame.index(0, top);
         std::swap_ranges(row, row + frame.width, frame.color.data() + frame.index(0, bottom));

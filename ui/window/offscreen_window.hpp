@@ -19,7 +19,7 @@
 
 namespace zeroset::ui {
 
-/// An OpenGL 3.3 core context that draws into memory; current on the thread that made it.
+/// An OpenGL 3.3 core context that renders into memory; current on the thread that created it.
 class OffscreenContext {
 public:
     OffscreenContext() = default;
@@ -30,27 +30,27 @@ public:
     [[nodiscard]] virtual GlLoader loader() const = 0;
 };
 
-/// The context, or in a few words why there is none.
+/// A context, or the reason in a few words why there is none.
 using OffscreenContextOr = std::expected<std::unique_ptr<OffscreenContext>, std::string>;
-/// On the graphics card or Mesa's software renderer. Needs libEGL when it is called.
+/// Creates a context by EGL, on the graphics card or Mesa's software renderer. Opens libEGL.
 OffscreenContextOr make_egl_context(glm::ivec2 size_px);
-/// On Mesa's software renderer. Needs libOSMesa when it is called.
+/// Creates a context by OSMesa, Mesa's software renderer. Opens libOSMesa.
 OffscreenContextOr make_osmesa_context(glm::ivec2 size_px);
 
 struct OffscreenOptions {
-    int width = 1280;  ///< at scale 1
+    int width = 1280;  ///< design units
     int height = 800;
     float scale = 1.0F;  ///< pixels per design unit
 };
 
-/// A window that is not seen: what is drawn on it is read back.
+/// An invisible window; tests and screenshots read its pixels back.
 class OffscreenWindow final : public Window {
 public:
-    /// `gui` belongs to `context`.
+    /// `gui` was created for `context`.
     OffscreenWindow(std::unique_ptr<OffscreenContext> context, std::unique_ptr<GuiContext> gui,
                     glm::ivec2 size_px, float scale);
 
-    /// Sleeps while there was no wake() and all is laid out.
+    /// Sleeps until wake() or `at_most_s` seconds, unless the layout still has to settle.
     void wait(std::optional<double> at_most_s) override;
     void wake() override;
     void begin_frame(Theme theme) override;
@@ -62,22 +62,22 @@ public:
     [[nodiscard]] std::string portal_name() const override { return {}; }
     void set_title(const std::string& /*title*/) override {}
 
-    /// The pointer's place in pixels, and whether its left button is down, from the next frame on.
+    /// Sets the pointer's position (pixels) and the left button's state from the next frame on.
     static void point(glm::vec2 at, bool pressed);
-    /// The same for the right button.
+    /// Sets the state of the right button from the next frame on.
     static void press_right(bool pressed);
-    /// Turns the wheel before the next frame; notches, away from the hand above 0.
+    /// Turns the wheel by `notches` before the next frame; positive is away from the user.
     static void turn_wheel(float notches);
-    /// A key, in GLFW's numbers, is down from the next frame on, or up again.
+    /// Sets whether a key (GLFW's number) is down from the next frame on.
     static void key(int key, bool pressed);
     static void hold_ctrl(bool pressed);
     static void hold_shift(bool pressed);
     static void hold_alt(bool pressed);
-    /// Pixels per design unit from the next frame on.
+    /// Sets the pixels per design unit from the next frame on.
     void set_scale(float scale) { scale_ = scale; }
-    /// UTF-8 typed before the next frame.
+    /// Types UTF-8 text before the next frame.
     static void type(std::string_view text);
-    /// The colours of the last frame; nothing else of the Framebuffer is set.
+    /// Returns the last frame; only its size and colours are set.
     [[nodiscard]] Framebuffer pixels() const;
 
 private:
@@ -94,7 +94,7 @@ private:
 using OffscreenWindowOr = std::expected<std::unique_ptr<OffscreenWindow>, std::string>;
 OffscreenWindowOr make_offscreen_window(const OffscreenOptions& options,
                                         OffscreenContextOr (*make_context)(glm::ivec2 size_px));
-/// With EGL, else with OSMesa; or one line that says what both miss.
+/// Creates a window by EGL or, if that fails, by OSMesa; else returns one line with both reasons.
 OffscreenWindowOr make_offscreen_window(const OffscreenOptions& options);
 
 }  // namespace zeroset::ui

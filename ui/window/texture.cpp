@@ -14,7 +14,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// Diagonal stripes, each half of the period.
+/// True on diagonal stripes that are half of the period wide.
 bool is_on_stripe(std::size_t pixel, int width) {
     constexpr std::size_t period_px = 8;
     const auto columns = static_cast<std::size_t>(width);

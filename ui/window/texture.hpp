@@ -11,12 +11,12 @@ namespace zeroset::ui {
 
 enum class Filter : std::uint8_t { Nearest, Linear };
 
-/// A picture as an OpenGL texture. Lives while the window's OpenGL context is current; the
-/// window's thread.
+/// A picture as an OpenGL texture. Lives while the window's context is current; window's thread.
 class Texture {
 public:
-    /// Colours for undecided pixels, as in Palette: `solid` where nothing is drawn, stripes of both
-    /// where something is; and of the stripes over certified ones with a coarse bracket.
+    /// Colours of uncertain pixels, as in Palette. Undecided pixels: `solid` where nothing is
+    /// drawn, stripes of `solid` and `pale` where a surface is. Certified pixels with a coarse
+    /// bracket: stripes of `coarse`.
     struct Tint {
         std::uint32_t solid;
         std::uint32_t pale;
@@ -28,17 +28,17 @@ public:
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// Missed pixels (and parts of smoothed ones) become transparent, so that the theme's
-    /// background shows through them; they keep the colour `behind` (as in Palette) so that a
-    /// stretched picture has no fringe.
+    /// Uploads a frame. Missed pixels, and the missed parts of smoothed ones, become transparent,
+    /// so that the theme's background shows through. Missed pixels get the colour `behind` (as in
+    /// Palette), so that a scaled picture has no fringe.
     void upload(const Framebuffer& frame, std::uint32_t behind,
                 const std::optional<Tint>& tint = std::nullopt);
     void upload(const RgbaImage& image);
     void set_filter(Filter filter) const;
 
-    /// OpenGL's name of it.
+    /// OpenGL's name of the texture.
     [[nodiscard]] unsigned int name() const { return name_; }
-    /// In pixels; 0 before the first upload.
+    /// Width in pixels; 0 before the first upload.
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 
@@ -49,7 +49,7 @@ private:
     int width_ = 0;
     int height_ = 0;
     std::vector<std::uint32_t> pixels_;
-    std::vector<std::uint32_t> backgrounds_;  ///< of the frame's rows
+    std::vector<std::uint32_t> backgrounds_;  ///< background colour of each row of the frame
 };
 
 }  // namespace zeroset::ui

@@ -18,9 +18,9 @@
 namespace zeroset::ui {
 namespace {
 
-/// The functions of EGL 1.5 that are used. The library is opened when it is first wanted, so that
-/// the program starts without it. It stays, and so does the display, which is one for the process:
-/// drivers leave threads and memory behind when they are closed.
+/// The functions of EGL 1.5 that are used. The library is opened on first use, so that the program
+/// starts without it. Neither it nor the display, one per process, is ever closed: drivers leave
+/// threads and memory behind on closing.
 struct Egl {
     decltype(&eglGetPlatformDisplay) get_platform_display = nullptr;
     decltype(&eglInitialize) initialize = nullptr;
@@ -34,7 +34,8 @@ struct Egl {
     decltype(&eglGetError) get_error = nullptr;
     decltype(&eglGetProcAddress) get_proc_address = nullptr;
 
-    /// False where there is no such library. The environment variable ZEROSET_EGL names another.
+    /// Opens the library; the environment variable ZEROSET_EGL names another file. False if there
+    /// is none.
     bool load();
 };
 
@@ -65,7 +66,7 @@ public:
     EglContext(const EglContext&) = delete;
     EglContext& operator=(const EglContext&) = delete;
 
-    /// False at the first step that fails.
+    /// Creates the context and makes it current; false at the first step that fails.
     bool open(glm::ivec2 size_px);
     [[nodiscard]] GlLoader loader() const override { return egl_.get_proc_address; }
 

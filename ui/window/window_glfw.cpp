@@ -38,14 +38,14 @@ std::optional<float> scale_override() {
     return scale;
 }
 
-/// The library's own words for its newest failure.
+/// GLFW's description of its last error.
 std::string glfw_reason() {
     const char* reason = nullptr;
     glfwGetError(&reason);
     return reason == nullptr ? "unknown reason" : reason;
 }
 
-/// glfwInit as a lifetime.
+/// Calls glfwInit and, at the end of its life, glfwTerminate.
 class GlfwLibrary {
 public:
     GlfwLibrary() : ready_(glfwInit() == GLFW_TRUE) {}
@@ -65,7 +65,7 @@ struct DestroyWindow {
 };
 using WindowHandle = std::unique_ptr<GLFWwindow, DestroyWindow>;
 
-/// The wished size, within the part of the main screen that windows may cover.
+/// The requested size, limited to the work area of the primary monitor.
 std::pair<int, int> fitting_size(const WindowOptions& options) {
     const float scale = scale_override().value_or(1.0F);
     int width = static_cast<int>(static_cast<float>(options.size.width) * scale);
@@ -87,7 +87,7 @@ WindowHandle open_window(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    // So that the driver tells when it has reset the graphics card.
+    // Lets the driver report a reset of the graphics card.
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_MAXIMIZED, options.size.maximized ? GLFW_TRUE : GLFW_FALSE);
@@ -122,7 +122,7 @@ private:
         window.changed_ = true;
         return window;
     }
-    /// The window, which notes the time of the event.
+    /// Returns the window; records the event if it is the first input since take_events().
     static GlfwWindow& of(GLFWwindow* handle, InputEvent::Kind kind) {
         GlfwWindow& window = of(handle);
         if (!window.events_.input) {
@@ -146,7 +146,7 @@ private:
     WindowEvents events_;
     bool holds_keys_ = false;
     bool lost_ = false;
-    float limited_scale_ = 0.0F;  ///< that the least size is for
+    float limited_scale_ = 0.0F;  ///< content scale for which the least size was last set
     std::atomic<bool> changed_{true};
     int frames_due_ = 0;
 };
@@ -163,7 +163,7 @@ GlfwWindow::GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle
     install_callbacks();
 }
 
-/// The least size is the same in design units on every screen.
+/// Sets the least size, which is the same in design units on every screen.
 void GlfwWindow::limit_size() {
     const float scale = content_scale();
     if (scale == limited_scale_) return;
@@ -209,7 +209,7 @@ void GlfwWindow::install_callbacks() {
     glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
 }
 
-/// A letter by what it types, not by its place: Z lies elsewhere on other keyboards.
+/// Numbers a letter key by what it types, not by its position: keyboard layouts differ.
 int key_of(int key, int scancode) {
     const char* const name = glfwGetKeyName(key, scancode);
     const bool letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
@@ -306,10 +306,10 @@ void GlfwWindow::end_frame() {
     lost_ = is_context_lost();
 }
 
-/// A Wayland surface would have to be exported through xdg-foreign, by requests that GLFW does not
-/// make.
+/// Returns the X11 id. A Wayland surface would have to be exported through xdg-foreign, by requests
+/// that GLFW does not make.
 std::string GlfwWindow::portal_name() const {
-    // Builds of GLFW for Wayland alone do not have it.
+    // GLFW built for Wayland only lacks this function.
     using GetX11Window = unsigned long (*)(GLFWwindow*);
     const auto get = reinterpret_cast<GetX11Window>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
     const unsigned long id = get == nullptr ? 0 : get(handle_.get());

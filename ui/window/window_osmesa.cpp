@@ -17,15 +17,15 @@
 namespace zeroset::ui {
 namespace {
 
-/// The functions of OSMesa that are used, opened like EGL's. RTLD_LOCAL keeps its OpenGL functions
-/// apart from libGL's of the same names.
+/// The functions of OSMesa that are used, opened at run time like EGL's. RTLD_LOCAL separates its
+/// OpenGL functions from those of libGL with the same names.
 struct OsMesa {
     decltype(&OSMesaCreateContextAttribs) create_context = nullptr;
     decltype(&OSMesaDestroyContext) destroy_context = nullptr;
     decltype(&OSMesaMakeCurrent) make_current = nullptr;
     decltype(&OSMesaGetProcAddress) get_proc_address = nullptr;
 
-    /// False where there is no such library.
+    /// Opens the library; false if there is none.
     bool load();
 };
 

@@ -1,4 +1,4 @@
-// A saved session in place of an equation.
+// Tests of opening a saved session in place of an equation.
 
 #include "app/cli/options/options.hpp"
 #include "app/cli/window_command.hpp"

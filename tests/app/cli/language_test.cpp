@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-// The page of the formula language is made from the program's tables.
+// Tests of the page on the formula language, which is generated from the program's tables.
 
 namespace zeroset::test {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-// Commands that take long: what they show meanwhile, and what they say when their time is over.
+// Tests of long commands: the progress they show and the message when their time budget is over.
 
 namespace zeroset::test {
 namespace {
@@ -89,7 +89,7 @@ TEST(RenderPicture, EndsWithItsBudget) {
     EXPECT_FALSE(whole.stuck);
     EXPECT_TRUE(whole.picture->in_time);
     EXPECT_GT(count_certificates(whole.picture->frame).certified, 20U);
-    // Its time was over before it began, by more than the few milliseconds to which it is kept.
+    // The deadline passed before the start, by more than the few milliseconds of its tolerance.
     const RenderOutcome late = render_picture(plan, now - std::chrono::milliseconds(60'100));
     EXPECT_FALSE(late.picture->in_time);
     const CertificateCounts counts = count_certificates(late.picture->frame);

@@ -1,4 +1,4 @@
-// zeroset ui-shot: the same window, without a display, as a file.
+// Tests of `zeroset ui-shot`, which draws the window into a file without a display.
 
 #include "app/cli/commands.hpp"
 #include "app/cli/report.hpp"
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Width or height from a PNG's header.
+/// Reads the width or height at `offset` of a PNG's header.
 int png_side(const std::string& png, std::size_t offset) {
     int side = 0;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -46,7 +46,7 @@ protected:
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    /// The pixels above the status line, which tells a time.
+    /// Pixels above the status line; the line itself shows a time, which varies.
     [[nodiscard]] std::vector<std::uint32_t> above_status() const {
         const std::string png = written();
         auto image = image_from_png(std::as_bytes(std::span(png)));

@@ -20,7 +20,7 @@ using std::chrono::milliseconds;
 
 class LatencyLogTest : public testing::Test {
 protected:
-    /// An event that arrived a second ago.
+    /// Returns an event that arrived one second ago.
     static ui::InputEvent event(Kind kind) {
         return {kind, LatencyLog::Clock::now() - milliseconds(1000)};
     }

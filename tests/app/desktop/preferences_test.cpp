@@ -1,4 +1,4 @@
-// What one window leaves to the next.
+// Tests of the settings that one window leaves to the next.
 
 #include "app/desktop/preferences.hpp"
 

@@ -1,4 +1,4 @@
-// The document's files: what is asked before work is lost, what is left after a crash.
+// Tests of document files: questions before work is lost, and recovery after a crash.
 
 #include "app/desktop/session.hpp"
 
@@ -42,7 +42,7 @@ protected:
     void start(const SessionOptions& options = {}) {
         session_ = std::make_unique<Session>(state_, options);
     }
-    /// A frame later than the last by `after_s`.
+    /// Follows one more frame, `after_s` seconds after the last.
     void frame(double after_s = 0.1) { session_->follow(now_s_ += after_s); }
     void give(ui::Command command) {
         state_.command = command;
@@ -147,7 +147,7 @@ TEST_F(Sessions, SaveFirstWhenThatIsTheAnswer) {
     type("+y");
     give(ui::Command::Quit);
     answer(0);
-    choose({});  // gives up the choice of a file
+    choose({});  // cancels the file choice
     EXPECT_FALSE(session_->closed());
     give(ui::Command::Quit);
     answer(0);
@@ -217,7 +217,7 @@ TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
 }
 
 TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
-    // Another process, which ends as if it were killed.
+    // A child process that ends without cleaning up, as if it were killed.
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {

@@ -1,4 +1,4 @@
-// The gallery's small pictures: how they are drawn in the background, and how they are kept.
+// Tests of the gallery's thumbnails: drawing them in the background and caching them.
 
 #include "app/desktop/thumbnail_cache.hpp"
 #include "app/desktop/thumbnail_job.hpp"
@@ -75,7 +75,7 @@ TEST_F(Thumbnails, AreNotKeptWithoutAFolder) {
     EXPECT_FALSE(cache.find("a"));
 }
 
-/// Waits for pictures of a job.
+/// A thumbnail job together with means to wait until it has finished a number of pictures.
 class Waiting {
 public:
     explicit Waiting(const fs::path& folder)

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-// What the window tells while a text is prepared, by a clock of the test's own.
+// Tests of the messages while a text is prepared, with a clock that the test sets.
 
 namespace zeroset::test {
 namespace {

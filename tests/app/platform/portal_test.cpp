@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <mutex>
 
-// The talk with a portal is tested on a bus: tests/end_to_end/portal_test.py.
+// The connection to a portal is tested on a real bus: tests/end_to_end/portal_test.py.
 
 namespace zeroset::test {
 namespace {

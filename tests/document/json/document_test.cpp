@@ -1,4 +1,4 @@
-// The document as a value: rows, sliders, files; every damage of a file is named.
+// Tests of the document as a value: rows, sliders, files; each kind of damage to a file is named.
 
 #include "document/document.hpp"
 
@@ -89,7 +89,7 @@ TEST(DocumentText, RefusesNewerFormatsAndOtherFiles) {
     EXPECT_EQ(reason(R"({"zeroset": "1"})"), "it is damaged: the format version is no number");
 }
 
-/// A document in which `field` of the top has the value `json`.
+/// Returns the text of a document whose top-level `field` has the value `json`.
 std::string with(const std::string& field, const std::string& json) {
     const std::string statements =
         field == "statements" ? "" : R"(, "statements": [{"text": "x"}])";
@@ -158,7 +158,7 @@ TEST(DocumentText, SaysWhatIsDamaged) {
     EXPECT_TRUE(blind.error().starts_with("it is damaged: camera: ")) << blind.error();
 }
 
-/// Cut anywhere, or with any byte changed, a file is refused or read: never a crash.
+/// A file that is cut anywhere, or has any byte changed, is read or refused without a crash.
 TEST(DocumentText, SurvivesEveryCutAndManyChanges) {
     const std::string whole = text_of(rich_document());
     for (std::size_t size = 0; size + 2 < whole.size(); ++size)

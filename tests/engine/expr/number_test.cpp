@@ -12,9 +12,9 @@
 namespace zeroset {
 namespace {
 
-/// A decimal number rounded to a double in the given direction.
+/// Rounds a decimal number to a double in the given direction.
 double rounded(const std::string& digits, mpfr_rnd_t direction) {
-    mpfr_t value;  // doubles have their own precision and exponents when rounded once
+    mpfr_t value;  // precision and exponents of a double, so that rounding happens once
     mpfr_init2(value, 53);
     const mpfr_exp_t emin = mpfr_get_emin();
     const mpfr_exp_t emax = mpfr_get_emax();

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-// The canonical form of a formula, which parses to the same graph.
+// Tests of the canonical form of a formula, which parses to the same graph.
 
 namespace zeroset {
 namespace {

@@ -1,4 +1,4 @@
-// What a hostile text asks for is refused: at once, in one line, without a deep stack.
+// Hostile texts are refused quickly, with a one-line message and without deep recursion.
 
 #include "engine/language/parse.hpp"
 
@@ -20,7 +20,7 @@ std::string repeated(std::string_view text, int times) {
     return result;
 }
 
-/// The lines that `line` makes of 0, 1, ..., count - 1.
+/// Concatenates line("0"), line("1"), ..., line(count - 1), each with a line break.
 std::string lines(int count, const std::function<std::string(std::string)>& line) {
     std::string result;
     for (int i = 0; i < count; ++i)
@@ -28,7 +28,7 @@ std::string lines(int count, const std::function<std::string(std::string)>& line
     return result;
 }
 
-/// Like `lines`, with the number before, too; starts at 1.
+/// Concatenates line(i, i - 1) for i = 1, ..., count - 1, each with a line break.
 std::string chain(int count, const std::function<std::string(std::string, std::string)>& line) {
     std::string result;
     for (int i = 1; i < count; ++i)
@@ -50,7 +50,7 @@ void expect_read(const std::string& text) {
     EXPECT_TRUE(program.has_value()) << text.substr(0, 80) << ": " << program.error().reason;
 }
 
-/// Copies for a text of this size, between what comes before and behind.
+/// Repeats `text` up to `size` bytes, between `before` and `behind`.
 std::string text_of_size(std::size_t size, std::string_view text, std::string_view before,
                          std::string_view behind) {
     return std::string(before) + repeated(text, static_cast<int>(size / text.size())) +
@@ -108,7 +108,7 @@ TEST(Limits, Counts) {
                    "too many");
 }
 
-// Definitions that double with each line: as graphs they are small, written out they are not.
+// Definitions whose expansion doubles with each line are small as graphs but not as text.
 TEST(Limits, Doubling) {
     const auto doubling = [](const auto& i, const auto& j) {
         return "f_" + i + "(u) = f_" + j + "(u) + f_" + j + "(u + 1)";
@@ -120,14 +120,14 @@ TEST(Limits, Doubling) {
         chain(900, [](const auto& i,
                       const auto& j) { return "a_" + i + " = a_" + j + " + sin(a_" + j + ")"; }) +
         "a_899");
-    // Exact values are looked for in exponents.
+    // The parser computes exact values for exponents.
     expect_read("a_0 = 1 - 1\n" +
                 chain(200, [](const auto& i,
                               const auto& j) { return "a_" + i + " = a_" + j + " - a_" + j; }) +
                 "x + 2^a_199");
 }
 
-// Values that need each other in a long row take no deep stack, whichever comes first.
+// Long chains of definitions need no deep recursion, in either order of the lines.
 TEST(Limits, Chains) {
     const auto next = [](const auto& i, const auto& j) { return "a_" + i + " = a_" + j + " + x"; };
     expect_read("a_0 = x\n" + chain(50'000, next) + "a_49999");
@@ -140,8 +140,7 @@ TEST(Limits, Chains) {
     expect_read("b0 var-x\nb1 var-y\n" + chain(50'000, instruction));
 }
 
-// Whatever a long text repeats, it is read or refused at once: nothing takes the square of its
-// size.
+// A text that repeats any part is read or refused quickly: no step takes quadratic time.
 TEST(Limits, LongTexts) {
     constexpr std::size_t size = 150'000;
     for (const char* const part :

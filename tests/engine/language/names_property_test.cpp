@@ -1,5 +1,5 @@
-// Names of any length, made at random: once a text defines one it is never split, and the text says
-// the same as with a letter in its place.
+// Random names of any length: once a text defines a name, it is never split, and the text means the
+// same as with a letter in its place.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/parse.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-/// A name of several signs, often one that letters and functions could make, too.
+/// Returns a name of several characters, often one that letters and functions could also form.
 std::string random_name(test::RandomNumbers& random) {
     static constexpr std::array<std::string_view, 12> starts{"c",   "x", "sr", "th", "Iso", "rho",
                                                              "sin", "d", "e",  "pi", "_q",  "R"};
@@ -39,10 +39,10 @@ std::string random_name(test::RandomNumbers& random) {
     return name;
 }
 
-/// Whether the name is one that needs a definition, and means nothing else before a bracket.
+/// True if the name must be defined to be used, and means nothing else before a bracket.
 bool is_free(const std::string& name) {
     const bool letter = name.size() < 2 || is_parameter_name(name);
-    const bool exponent = name.starts_with('e') && is_digit(name[1]);  // of 2e5
+    const bool exponent = name.starts_with('e') && is_digit(name[1]);  // as in 2e5
     return !letter && !exponent && !is_built_in(name) && !is_built_in(in_small_letters(name)) &&
            !is_type_word(name) && !error_for_foreign(name, 0) && name != "M_PI" &&
            name != "function";
@@ -55,7 +55,7 @@ std::string fresh_name(test::RandomNumbers& random) {
     }
 }
 
-/// The text with `name` for each "?".
+/// Returns the pattern with each "?" replaced by `name`.
 std::string with_name(std::string_view pattern, const std::string& name) {
     std::string text;
     for (const char c : pattern)
@@ -63,7 +63,7 @@ std::string with_name(std::string_view pattern, const std::string& name) {
     return text;
 }
 
-/// The keys of a text's surfaces, or what is wrong with it.
+/// Returns the keys of the text's surfaces or, if it cannot be read, the reason.
 std::vector<std::string> surfaces_of(const std::string& text) {
     const auto program = read_program(text);
     if (!program) return {program.error().reason};
@@ -121,7 +121,7 @@ TEST(Names, OfArgumentsAndIndicesAreWholeInTheirStatement) {
     for (int i = 0; i < 5'000 && !testing::Test::HasFailure(); ++i) {
         const std::string name = fresh_name(random);
         std::string pattern(patterns.at(random.below(patterns.size())));
-        if (pattern.starts_with("f(?) = ? <")) {  // its "?" of a choice is none for a name
+        if (pattern.starts_with("f(?) = ? <")) {  // its third "?" is a choice
             pattern = "f(@) = @ < 1 ? 2@ : @; f(x) + y";
             std::string text = pattern;
             for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at))
@@ -147,7 +147,8 @@ TEST(Names, BesideTheirBeginningsAreApart) {
     }
 }
 
-/// What each built-in name is beside a statement that uses it, and alone.
+/// A built-in name may be defined: as a constant if another statement uses it, else as a surface if
+/// it names a coordinate.
 TEST(Names, ThatAreBuiltInAreConstantsWhereAnotherStatementUsesThem) {
     for (const char* const name :
          {"r", "rho", "theta", "phi", "t", "w", "e", "pi", "tau", "golden"}) {
@@ -168,7 +169,7 @@ TEST(Names, ThatAreBuiltInAreConstantsWhereAnotherStatementUsesThem) {
     }
 }
 
-/// All functions can be hidden by a definition of their name; the text says so.
+/// A definition can hide any built-in function; a note says so.
 TEST(Names, OfBuiltInFunctionsCanBeDefined) {
     for (const Function& function : functions()) {
         if (function.repeats()) continue;

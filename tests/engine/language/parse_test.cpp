@@ -16,7 +16,7 @@
 namespace zeroset {
 namespace {
 
-/// f at (x, y, z, w) = (2, 3, 5, 7), or NaN with a failure.
+/// Returns f at (x, y, z, w) = (2, 3, 5, 7); NaN, and a test failure, if the text is wrong.
 double value_of(std::string_view text) {
     const auto expr = parse(text);
     if (!expr) {
@@ -86,7 +86,7 @@ TEST(Parse, TakesRealPowers) {
     EXPECT_NEAR(value_of("x^(1/3)"), std::cbrt(2.0), 1e-15);
 }
 
-// A real power needs a positive base, an integer one does not.
+// Real powers need a positive base, integer powers do not; so integer exponents must be recognised.
 TEST(Parse, FindsIntegerExponentsHoweverTheyAreWritten) {
     EXPECT_EQ(value_of("(-x)^(1 + 2)"), -8);
     EXPECT_EQ(value_of("(-x)^(2*2)"), 16);
@@ -180,7 +180,7 @@ std::string nested(int depth) {
            std::string(static_cast<std::size_t>(depth), ')');
 }
 
-// The innermost operand is a level too.
+// The innermost operand counts as a level, too.
 TEST(Parse, LimitsNesting) {
     EXPECT_TRUE(parse(nested(999)).has_value());
     const auto deeper = parse(nested(1000));
@@ -215,7 +215,7 @@ TEST(Parse, LimitsNestingOfEveryKind) {
     }
 }
 
-/// The deepest that is read: as much of the stack as there is.
+/// The deepest texts that the limits allow fit into the stack of a thread.
 TEST(Parse, ReadsDeepTextsOnAThread) {
     std::string functions = "f_1(u) = u + 1\n";
     for (int i = 2; i < 990; ++i) {
@@ -251,7 +251,7 @@ TEST(Parse, CutsTheReadingOfALongValue) {
     EXPECT_TRUE(program->readings.back().text.ends_with(" = 0"));
 }
 
-// A graph of 70 nodes that a tree would need 10^14 for.
+// The exponent is a graph of 70 nodes; a tree of it would have 10^14.
 TEST(Parse, TakesExponentsThatShareTheirParts) {
     std::string text = "c_1 = 2\nc_2 = 3\n";
     for (int i = 3; i < 70; ++i) {
@@ -304,7 +304,7 @@ TEST(Parse, SurvivesAnyBytes) {
     }
 }
 
-// The bytes of "²" and "·" in Latin-1, which are no UTF-8.
+// The bytes b2 and b7 are "²" and "·" in Latin-1, but invalid as UTF-8.
 TEST(Parse, RefusesBytesThatAreNoCharacter) {
     for (const std::string text : {"1e3\xb2", "x \xb7 y", "x\xc2", "x + \xf0\x9f\x98"}) {
         const auto expr = parse(text);

@@ -1,5 +1,5 @@
-// Formulas as programs write them, made at random, read as the same graph as in the language's own
-// signs: operators of logic, choices, remainders, remarks, lines.
+// Random formulas in the notation of programs read as the same graph as in the language's own
+// notation: logical operators, choices, remainders, comments, line breaks.
 
 #include "engine/language/parse.hpp"
 #include "tests/support/random_numbers.hpp"
@@ -14,7 +14,7 @@
 namespace zeroset {
 namespace {
 
-/// The same formula twice: `plain` in words and functions, with all parentheses.
+/// One formula in two spellings: `plain` uses words and functions with all parentheses.
 struct Spelled {
     std::string plain;
     std::string fancy;
@@ -136,7 +136,7 @@ TEST(ProgramText, KeepsRestrictionsApart) {
     }
 }
 
-/// Statements one after the other are as many surfaces, however their lines start and end.
+/// Consecutive statements give one surface each, however their lines start and end.
 TEST(ProgramText, HasAStatementALine) {
     constexpr std::array<std::string_view, 8> statements{
         "x + y = 1", "-x + z", "- (y - z) = 2", "-y",
@@ -160,7 +160,7 @@ TEST(ProgramText, HasAStatementALine) {
     }
 }
 
-/// Decimal commas read as points where no list can be meant, and each has its note.
+/// Decimal commas are read as points where no list is possible, and each gets a note.
 TEST(ProgramText, TakesDecimalCommasWhereNoListCanBeMeant) {
     constexpr std::array<std::string_view, 9> patterns{
         "? x + y = 1",  "x^2 + y^2 = ?", "(x - ?)(y + 1) = z",   "sin(?) + x",   "pow(x, ?) = y",

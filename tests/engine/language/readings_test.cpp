@@ -1,13 +1,13 @@
-// The files of readings/: what is typed and how it must be read.
+// Checks the files of readings/, which hold typed texts and how each must be read. A case is:
 //
 //   input, one line or more
 //   => TEXT         the reading of a statement; one such line for each, in order
-//   == TEXT         instead: the surface has the same graph as this text
-//   ~~ WORDS        behind them: a note with these words; one such line for each note, in order
-//   !! OFFSET WORDS instead: an error at this byte whose reason or hint has these words
-//   ?? OFFSET WORDS instead: an error that says the input is unfinished
+//   == TEXT         in place of "=> TEXT": the surface has the same graph as this text
+//   ~~ WORDS        after these: a note with these words; one such line for each note, in order
+//   !! OFFSET WORDS in place of all: an error at this byte whose reason or hint has these words
+//   ?? OFFSET WORDS in place of all: an error that says the input is unfinished
 //
-// Lines that start with # and empty lines between the cases mean nothing.
+// Lines that start with #, and empty lines between cases, are ignored.
 
 #include "engine/language/parse.hpp"
 
@@ -71,7 +71,7 @@ std::string shown(const std::expected<Program, ParseError>& program) {
            " | " + error.hint + "\n";
 }
 
-/// The surface that `text` says, for comparison; says why if it has none.
+/// Returns the key of the surface's graph or, if there is none, a text that says why.
 std::string graph_of(const std::string& text) {
     const auto program = read_program(text);
     if (!program) return "no graph: " + shown(program);
@@ -101,7 +101,7 @@ void expect_readings(const Case& test, const std::expected<Program, ParseError>&
     EXPECT_EQ(readings, expected);
 }
 
-/// All notes are those expected: what is read as usual has none.
+/// Expects exactly the notes of the case; usual notation gets none.
 void expect_notes(const Case& test, const Program& program) {
     std::vector<std::string> notes;
     for (const Reading& reading : program.readings)
@@ -116,7 +116,7 @@ void expect_notes(const Case& test, const Program& program) {
     }
 }
 
-/// The reading of a surface, typed again, is the same surface.
+/// Expects that the reading of a surface, typed again, gives the same surface.
 void expect_round_trip(const Program& program) {
     std::size_t surface = 0;
     for (const Reading& reading : program.readings) {

@@ -1,4 +1,4 @@
-// A formula typed in many ways reads as the same graph: random spacing, products without a sign,
+// Random formulas typed in many ways read as the same graph: spacing, products without a sign,
 // Unicode, LaTeX.
 
 #include "engine/language/parse.hpp"
@@ -15,11 +15,11 @@ namespace {
 
 enum class Binding { Loose, Power, Atom };
 
-/// The same formula twice. `plain` has every operator and parenthesis.
+/// One formula in two spellings; `plain` has every operator and parenthesis.
 struct Spelled {
     std::string plain;
     std::string fancy;
-    Binding binding = Binding::Atom;  ///< of fancy
+    Binding binding = Binding::Atom;  ///< how strongly `fancy` binds
 };
 
 class Speller {
@@ -59,7 +59,7 @@ private:
         return pair[0] + text + pair[1];
     }
 
-    /// As an operand of an operator that binds as `least`.
+    /// Spells an operand of an operator that binds as `least`, in brackets if it needs them.
     std::string operand(const Spelled& of, Binding least) {
         return of.binding < least || random_.one_in(6) ? brackets(of.fancy) : of.fancy;
     }

@@ -1,4 +1,4 @@
-// The table of actions and the keys in it.
+// Tests of the table of actions and its keys.
 
 #include "ui/actions/actions.hpp"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-// Where the handles of the clip region are, and what a drag makes of it.
+// Tests of the places of the clip region's handles and of dragging them.
 
 namespace zeroset::ui {
 namespace {
@@ -38,7 +38,7 @@ protected:
     [[nodiscard]] glm::dvec2 place(const glm::dvec3& point) const {
         return place_in_view(view(), point)->place;
     }
-    /// Grabs the handle a little beside its middle and takes it to where `target` shows.
+    /// Grabs the handle slightly beside its middle and drags it to where `target` appears.
     [[nodiscard]] Clipping drag_to(const Handle& handle, const glm::dvec3& target,
                                    const DragKeys& keys = {}) const {
         const glm::dvec2 beside(0.004, -0.003);
@@ -220,7 +220,7 @@ TEST_P(ClipHandles, SayWhatTheyAreAt) {
 }
 
 TEST(ClipHandlesInPerspective, StayWhereThePointerIsBeyondTheHorizon) {
-    // A line that runs away from the eye vanishes at a point of the picture.
+    // A line that leads away from the eye ends at a vanishing point of the picture.
     Camera camera;
     camera.eye = {-10, -1, 0};
     camera.look_at = {0, 0, 0};

@@ -1,4 +1,4 @@
-// The palette: what a part of a name finds, and how it is run.
+// Tests of the command palette: the entries that a typed text finds, and running them.
 
 #include "ui/pages/command_palette.hpp"
 

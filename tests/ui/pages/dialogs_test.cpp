@@ -1,4 +1,4 @@
-// Questions and the choice of a file.
+// Tests of questions and of the file browser.
 
 #include "ui/pages/dialogs.hpp"
 
@@ -113,7 +113,7 @@ TEST_P(DialogPanels, OpenTheFileThatIsTyped) {
 TEST_P(DialogPanels, OpenTheFileThatIsDoubleClicked) {
     choose(FileChoice::Purpose::Open);
     const ImVec2 list = child("##files/##entries")->Pos;
-    // The second line, below the folder.
+    // The second line of the list, below the folder.
     const glm::vec2 line(list.x + static_cast<float>(px(60)), list.y + static_cast<float>(px(44)));
     click_at(line);
     EXPECT_EQ(file().name, "a.zeroset.json");

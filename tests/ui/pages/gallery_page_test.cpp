@@ -1,4 +1,4 @@
-// The gallery's page: what it shows, finds and opens.
+// Tests of the gallery page: shown cards, search and opening.
 
 #include "ui/pages/gallery_page.hpp"
 

@@ -1,4 +1,4 @@
-// The help: how it is opened and closed, and what its filter leaves.
+// Tests of the help: opening, closing and filtering.
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-// The section of the clip box, the sphere and the section planes, and the key of the projection.
+// Tests of the section with clip box, sphere and section planes, and of the projection's key.
 
 namespace zeroset::ui {
 namespace {
@@ -21,7 +21,7 @@ protected:
         state_.layout.clip_open = true;
     }
 
-    /// Scrolls a row of the section into sight and clicks it `along` its width.
+    /// Scrolls a row of the section into sight and clicks it; `along` is 0 left, 1 right.
     void click_row(int row, float along) {
         const glm::vec2 at = section_line("clip", row);
         click_at({section("clip")->Pos.x + along * section("clip")->WorkRect.GetWidth(), at.y});

@@ -1,4 +1,4 @@
-// What the colours tell, what is under the pointer, and markers, in the window.
+// Tests of surface colours, the point under the pointer, and markers, in the window.
 
 #include "document/look.hpp"
 
@@ -34,7 +34,8 @@ protected:
         state_.shown.frame = std::make_shared<Framebuffer>(disc());
     }
 
-    /// Window coordinates of a place in the picture, in heights of it from its centre.
+    /// Window coordinates of a place in the picture, given in heights of the picture from its
+    /// centre.
     glm::vec2 in_picture(float x, float y) const {
         const float left = side_panel_width(state_);
         const auto width = static_cast<float>(state_.viewport_px.x);
@@ -189,7 +190,7 @@ TEST_P(Looking, DrawsMarkersFaintBehindTheSurface) {
     const ImRect around(middle.x - reach, middle.y - reach, middle.x + reach, middle.y + reach);
     const auto accents = [&] { return count(draw(), colors().accent, around); };
     const int none = accents();
-    // The disc is at the distance 1.
+    // The disc's depth is 1.
     add_marker(state_.document.markers, camera.eye + 0.999 * view.forward);
     EXPECT_FALSE(is_behind(*state_.shown.frame, view, state_.document.markers[0].at));
     const int shown = accents();
@@ -235,7 +236,7 @@ TEST_P(Looking, ListsMarkersToSelectCopyAndRemove) {
 INSTANTIATE_TEST_SUITE_P(Looks, Looking, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
-/// The corner legend on a flat background, as OpenGL draws it; empty where there is none.
+/// The corner legend on a flat background as OpenGL draws it; empty if there is no OpenGL context.
 Framebuffer drawn_by_opengl(int width, int height, const CornerLegend& what) {
     const auto window = make_offscreen_window({.width = width, .height = height, .scale = 1.0F});
     if (!window) return {};

@@ -1,4 +1,4 @@
-// One real frame of every state of the panels, drawn on a window that nobody sees.
+// Draws a real frame of every state of the panels on an offscreen window.
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
@@ -24,7 +24,7 @@
 #include <set>
 #include <string>
 
-/// The leak sanitizer asks: OSMesa keeps a few bytes of each context.
+/// Called by the leak sanitizer: OSMesa keeps a few bytes of each context.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
 
@@ -153,7 +153,7 @@ TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
 
-/// What a context draws, or an empty frame where there is no such context.
+/// Returns the frame that a context draws; empty if there is no such context.
 Framebuffer drawn_by(OffscreenContextOr (*make_context)(glm::ivec2)) {
     const auto window = make_offscreen_window({.width = 640, .height = 400}, make_context);
     if (!window) return {};
@@ -168,7 +168,7 @@ Framebuffer drawn_by(OffscreenContextOr (*make_context)(glm::ivec2)) {
     return (*window)->pixels();
 }
 
-// The scale changes when the window is moved to another screen.
+// The scale changes when the user moves the window to another screen.
 TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
     auto made = make_offscreen_window({.width = 1280, .height = 800});
     if (!made) GTEST_SKIP() << made.error();
@@ -191,7 +191,7 @@ TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
 
 GlLoader real_loader = nullptr;
 
-/// As the real one, but with a context that is lost.
+/// Loads functions like the real loader, except that the context reports itself lost.
 GlFunction loader_of_a_lost_context(const char* name) {
     if (std::string(name) == "glGetGraphicsResetStatus") {
         return reinterpret_cast<GlFunction>(+[] { return GLenum{0x8253}; });  // guilty
@@ -223,7 +223,7 @@ TEST(OffscreenContext, DrawsTheSameInOneProcess) {
             different += std::abs(a - b) > 8 ? 1 : 0;
         }
     }
-    EXPECT_LT(different, egl.color.size() / 100);  // a graphics card may round otherwise
+    EXPECT_LT(different, egl.color.size() / 100);  // a graphics card may round differently
     const std::set<std::uint32_t> shades(egl.color.begin(), egl.color.end());
     EXPECT_GT(shades.size(), 100U);
 }

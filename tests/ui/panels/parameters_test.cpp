@@ -1,4 +1,4 @@
-// The sliders of parameters and of w, below the statements.
+// Tests of the sliders of parameters and w below the statements.
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
@@ -31,15 +31,15 @@ protected:
     }
 
     static const ImGuiWindow& list() { return *child("##side/##list_"); }
-    /// The middle of a row's height: below one statement of a line with its reading, and the place
-    /// for another.
+    /// Vertical middle of a slider row, counted from 0, below a statement of one line with its
+    /// reading and the button that adds a row.
     [[nodiscard]] float middle(int row) const {
         return list().Pos.y - list().Scroll.y + static_cast<float>(px(99 + 30 * row));
     }
     [[nodiscard]] glm::vec2 play_button(int row) const {
         return {list().Pos.x + static_cast<float>(px(13)), middle(row)};
     }
-    /// The middle of a slider, or its value at the right.
+    /// A place on the slider, near its middle.
     [[nodiscard]] glm::vec2 slider(int row) const {
         return {list().Pos.x + static_cast<float>(px(85)), middle(row)};
     }
@@ -162,7 +162,7 @@ TEST_P(Parameters, HaveTheirSettingsBehindAButton) {
     ASSERT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
     const ImGuiWindow* popup = child("##Popup_");
     ASSERT_NE(popup, nullptr);
-    // The first field: where the slider begins.
+    // The first field is the slider's lower end.
     click_at(
         {popup->Pos.x + static_cast<float>(px(120)), popup->Pos.y + static_cast<float>(px(25))});
     press_with_ctrl(GLFW_KEY_A);

@@ -1,4 +1,4 @@
-// The list of statements: its rows by keyboard and mouse, their errors and readings.
+// Tests of the list of statements: rows by keyboard and mouse, errors and readings.
 
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
@@ -32,7 +32,7 @@ protected:
         Panels::SetUp();
         state_.layout.view_open = false;
     }
-    /// The rows, the keyboard in one of them.
+    /// Sets rows with these texts and gives the keyboard to the row with id `row`.
     void begin(const Texts& texts, int row, RowFocus::Caret caret = RowFocus::Caret::End) {
         set_rows(state_, texts);
         state_.focus = RowFocus{row, caret};
@@ -62,14 +62,15 @@ protected:
     [[nodiscard]] int id_at(std::size_t index) const {
         return state_.document.statements.at(index).id;
     }
-    /// The row under the keyboard, by its place; -1: none.
+    /// Index of the row that has the keyboard; -1: none.
     [[nodiscard]] int typing() const {
         for (std::size_t i = 0; i < state_.document.statements.size(); ++i) {
             if (is_typing(id_at(i))) return static_cast<int>(i);
         }
         return -1;
     }
-    /// A place in a row: `x` from the left end of the list, or from its right end if below 0.
+    /// A place in a row: `x` design units from the list's left end or, if negative, from its right
+    /// end.
     [[nodiscard]] glm::vec2 in_row(int row, int x) const {
         const ImRect list = child("##side/##list_")->WorkRect;
         const float across = static_cast<float>(px(x));
@@ -139,7 +140,7 @@ TEST_P(Statements, ArrowsMoveBetweenRows) {
     for (const int expected : {1, 1, 0, 0}) {
         press(GLFW_KEY_UP);
         EXPECT_EQ(typing(), expected);
-        // From the very end of a text ImGui's Up goes to the beginning of its last line.
+        // At the very end of a text ImGui's Up moves the caret to the beginning of the last line.
         if (expected == 1) press(GLFW_KEY_HOME);
     }
 }
@@ -288,7 +289,7 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     EXPECT_NEAR(dot.right - dot.left, px(14), px(2));
     click_at({static_cast<float>(dot.left + dot.right) / 2,
               static_cast<float>(dot.top + dot.bottom) / 2});
-    draw_frame();  // all hues are in it
+    draw_frame();  // the popup shows all hues
     ASSERT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
     const ImVec2 popup = child("##Popup_")->Pos;
     click_at({popup.x + static_cast<float>(px(24)), popup.y + static_cast<float>(px(24))});
@@ -312,7 +313,7 @@ TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     const float last_row = inside.Max.y - static_cast<float>(px(20));
     const auto solid = [&] { return state_.document.statements[0].solid; };
     EXPECT_EQ(solid(), SolidSide::Automatic);
-    // From the right: f > 0, then f < 0.
+    // Buttons from right to left: f > 0, then f < 0.
     std::vector<SolidSide> chosen;
     for (float x = inside.Max.x - static_cast<float>(px(6)); x > inside.Min.x;
          x -= static_cast<float>(px(8))) {

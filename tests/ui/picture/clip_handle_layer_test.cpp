@@ -12,7 +12,7 @@
 #include <limits>
 #include <memory>
 
-// Handles of the clip region under the pointer.
+// Tests of the clip region's handles under the pointer.
 
 namespace zeroset::ui {
 namespace {
@@ -26,7 +26,7 @@ protected:
         show(HUGE_VALF);
         draw_frame();
     }
-    /// A picture of something at this distance.
+    /// Shows a picture whose pixels all have this depth.
     void show(float distance) {
         Framebuffer frame = disc();
         std::ranges::fill(frame.color, 0xFF808080U);
@@ -38,7 +38,7 @@ protected:
         const ImVec2 place = viewport_area(state_).at(seen->place);
         return {place.x, place.y};
     }
-    /// Presses at a point of the window and moves to another, in steps; the button stays down.
+    /// Presses at one point of the window and moves to another in steps; the button stays down.
     void drag(const glm::vec2& from, const glm::vec2& to) {
         OffscreenWindow::point(from, false);
         draw_frame();
@@ -60,7 +60,7 @@ protected:
     }
 
     const Box whole_{};
-    /// A face's handle that nothing else covers in any window.
+    /// Handle of a face that nothing else covers in any window.
     const glm::dvec3 face_{2, 0, 0};
 };
 
@@ -68,7 +68,7 @@ TEST_P(ClipHandleLayer, MovesAFace) {
     const Camera before = *state_.document.camera;
     drag(at(face_), at({1.25, 0, 0}));
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_ResizeEW);
-    // Pixels of the window are as wide as this.
+    // Width of the window's pixels at the point looked at.
     const double wide = ViewFrame(before).pixel_at_look(static_cast<int>(picture_height()));
     EXPECT_NEAR(state_.document.clip.hi.x, 1.25, 2 * wide);
     EXPECT_TRUE(state_.handle_drag);

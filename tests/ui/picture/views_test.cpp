@@ -1,4 +1,5 @@
-// Other views: by keys, by the gizmo of the axes, by a double click; and how the view gets there.
+// Tests of view changes by keys, by the axis gizmo and by a double click, and of the moves to new
+// views.
 
 #include "engine/view/camera.hpp"
 #include "engine/view/navigation.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 class Views : public Panels {
 protected:
-    /// Until the view rests; how many frames that took.
+    /// Draws until the view rests; returns the number of frames.
     int finish_move() {
         constexpr int most = 100;
         int frames = 0;
@@ -136,7 +137,7 @@ TEST_P(Views, FollowTheBallsOfTheGizmo) {
     click_at(gizmo_place(ball(0, true)));
     finish_move();
     expect_from({1, 0, 0}, "+x");
-    // Now it stands in the middle before the other end.
+    // The ball is now in the middle, in front of the ball of the other end.
     click_at(gizmo_place(ball(0, true)));
     finish_move();
     expect_from({-1, 0, 0}, "-x");

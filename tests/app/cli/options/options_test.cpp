@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-// The texts of the command line's options: what they mean, and that every wrong one is refused with
+// Tests of the command line's option texts: their meaning, and that every wrong one is refused with
 // a line that names the option.
 
 namespace zeroset::test {
 namespace {
 
-/// Option texts: which, and what was typed for it.
+/// Option texts as pairs: the option's member and the text typed for it.
 template <class Texts>
 using Typed = std::initializer_list<std::pair<std::optional<std::string> Texts::*, const char*>>;
 

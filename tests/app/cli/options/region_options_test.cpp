@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-// --sphere, --section and --projection: what they mean, and that every wrong one is refused with a
-// line that names the option.
+// Tests of --sphere, --section and --projection: their meaning, and that every wrong text is
+// refused with a line that names the option.
 
 namespace zeroset::test {
 namespace {

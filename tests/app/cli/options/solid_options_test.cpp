@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// --solid: which side of which surface sections fill.
+// Tests of --solid, the side of each surface that sections fill.
 
 namespace zeroset::test {
 namespace {

@@ -1,4 +1,4 @@
-// The functions of library.def against plain arithmetic.
+// Compares the functions of library.def with plain arithmetic.
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
@@ -18,7 +18,7 @@
 namespace zeroset::test {
 namespace {
 
-/// A parameter, some of which choose a case.
+/// Returns a random value for a parameter; some parameters choose a case.
 double parameter(RandomNumbers& random, const std::string& function, std::size_t index) {
     if (function == "f_polytubes" && index == 0) return random.between(1, 7);
     const bool helix = function.contains("helix");
@@ -66,7 +66,7 @@ TEST(Library, FunctionsAreWhatTheirDocumentationTells) {
     }
 }
 
-/// Parameters may be sliders: each case is chosen where f is computed.
+/// A parameter that chooses a case may be a slider: the choice is made where f is computed.
 TEST(Library, CasesMayBeChosenByParameters) {
     const auto expr = parse("f_helix1(x, y, z, 2, 3, 0.1, 0.6, 1, s, 30)");
     ASSERT_TRUE(expr);
