@@ -1,5 +1,6 @@
 #include "document/document.hpp"
 
+#include "engine/base/enum_names.hpp"
 #include "engine/language/parse.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::string_view between_rows = "\n;\n";
 constexpr std::string_view blank = " \t\r\n;";
+constexpr auto repeats = enum_names<Repeat>("bounce", "loop");
 constexpr std::array<std::string_view, 4> signs{"+", "-", "\u2212", "\u2013"};
 
 std::string_view stripped(std::string_view text) {
@@ -55,6 +57,10 @@ std::string with_joined_lines(std::string row) {
 }
 
 }  // namespace
+
+std::string_view name_of(Repeat repeat) { return repeats.of(repeat); }
+
+std::optional<Repeat> repeat_named(std::string_view name) { return repeats.named(name); }
 
 void keep_settings(Document& document, const Document& of) {
     document.stop = of.stop;

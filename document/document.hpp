@@ -28,6 +28,10 @@ struct Statement {
 /// What happens at the end of a slider that plays.
 enum class Repeat : std::uint8_t { Bounce, Loop };
 
+/// The name of what happens, as files have it: "bounce".
+std::string_view name_of(Repeat repeat);
+std::optional<Repeat> repeat_named(std::string_view name);
+
 /// A number that is chosen with a slider. Finite, of a magnitude up to largest_number.
 struct Slider {
     double value = 1.0;
