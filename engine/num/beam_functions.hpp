@@ -37,7 +37,7 @@ Affine<Real> linear_map(const Affine<Real>& a, const Real& alpha, const Real& sh
     return result;
 }
 
-/// What is known of a function g of one variable over the range of its operand x, and at its middle
+/// A function g of one variable, as it is known over the range of its operand x, and at its middle
 /// c.
 template <class Real>
 struct FunctionBounds {

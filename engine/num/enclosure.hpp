@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What is known of a function over a box, for each lane. An absent mask is true.
+/// A function over a box, as far as it is known, for each lane. An absent mask is true.
 template <class Real>
 struct Enclosure {
     using Mask = decltype(std::declval<Real>() > std::declval<Real>());
@@ -18,9 +18,9 @@ struct Enclosure {
     std::optional<Mask> somewhere{};   ///< false: undefined on the whole box
     std::optional<Mask> everywhere{};  ///< true: proved defined on the whole box
     std::optional<Mask> continuous{};  ///< true: proved continuous where it is defined
-    /// Every value is at most apart->hi or at least -apart->neg_lo: what lies between is no value,
+    /// Every value is at most gap->hi or at least -gap->neg_lo: what lies between is no value,
     /// as beside a jump or a pole. Absent: nothing is known.
-    std::optional<Interval<Real>> apart{};
+    std::optional<Interval<Real>> gap{};
 };
 
 /// Where all hold. Equal masks, as of shared operands, cost nothing.
@@ -39,12 +39,14 @@ std::optional<Mask> conjunction(const std::optional<Mask>& a, const std::optiona
 /// g(operands...) from what g alone does on their ranges.
 template <class Real, class... Operands>
 Enclosure<Real> composed(const Enclosure<Real>& g, const Operands&... operands) {
-    return {g.range, conjunction(g.somewhere, operands.somewhere...),
-            conjunction(g.everywhere, operands.everywhere...),
-            conjunction(g.continuous, operands.continuous...), g.apart};
+    return {.range = g.range,
+            .somewhere = conjunction(g.somewhere, operands.somewhere...),
+            .everywhere = conjunction(g.everywhere, operands.everywhere...),
+            .continuous = conjunction(g.continuous, operands.continuous...),
+            .gap = g.gap};
 }
 
-/// Of two statements about the same values that hold, the one that leaves something out.
+/// The sharper of two gaps between the same values: the one that leaves something out.
 template <class Real>
 std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
                                       const std::optional<Interval<Real>>& b) {
@@ -52,11 +54,12 @@ std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
     return select(a->neg_lo + a->hi < like(a->hi, 0.0), *a, *b);
 }
 
-/// `apart` of v c, for `apart` of v and c in the interval. An interval with 0 inside says nothing.
+/// The gap between values v c, from that between values v, for c in the interval. An interval with
+/// 0 inside says nothing.
 template <class Real>
-Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>& c) {
+Interval<Real> multiply_gap(const Interval<Real>& gap, const Interval<Real>& c) {
     const auto falls = c.hi <= like(c.hi, 0.0);
-    const Interval<Real> v = select(falls, -apart, apart);
+    const Interval<Real> v = select(falls, -gap, gap);
     const Interval<Real> size = select(falls, -c, c);
     const Real size_lo = -size.neg_lo;
     const Interval<Real> product{v.neg_lo * select_negative(v.neg_lo, size_lo, size.hi),
@@ -64,15 +67,15 @@ Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>&
     return select(size.neg_lo <= like(c.hi, 0.0), product, whole_line(c.hi));
 }
 
-/// What a kernel answers for the box: the range, or, with both members below 0, the values that
+/// The answer of a kernel for the box: the range, or, with both members below 0, the values that
 /// there are none between where that leaves out 0. Both are -inf where nothing is defined.
 template <class Real>
 Interval<Real> answer(const Enclosure<Real>& f) {
     const Real zero = like(f.range.hi, 0.0);
     Interval<Real> result = f.range;
-    if (f.apart) {
-        const auto excludes_zero = both(f.apart->neg_lo < zero, f.apart->hi < zero);
-        result = select(excludes_zero, *f.apart, result);
+    if (f.gap) {
+        const auto excludes_zero = both(f.gap->neg_lo < zero, f.gap->hi < zero);
+        result = select(excludes_zero, *f.gap, result);
     }
     if (f.somewhere) {
         const Real nowhere = like(zero, -infinity);

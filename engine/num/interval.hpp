@@ -213,7 +213,7 @@ Interval<Real> divide_by_nonnegative(const Interval<Real>& a, const Interval<Rea
 /// For a / b where b has zeros inside: every quotient is at most hi or at least -neg_lo, as far as
 /// a has none.
 template <class Real>
-Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) {
+Interval<Real> quotient_gap(const Interval<Real>& a, const Interval<Real>& b) {
     const Real neg_size = minimum(a.neg_lo, a.hi);  // -|a| at least, where a has no zero
     const Real behind = neg_size / b.hi;
     const Real before = neg_size / b.neg_lo;

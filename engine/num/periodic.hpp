@@ -67,14 +67,16 @@ auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
 }
 
 /// tan or cot from its values at the ends, where it is smooth; across one pole it takes none
-/// between those of `apart`.
+/// between those of `gap`.
 template <class Mask, class Real>
 Enclosure<Real> branched(const Interval<Real>& a, const Mask& smooth, const Interval<Real>& ends,
-                         const Interval<Real>& apart) {
+                         const Interval<Real>& gap) {
     constexpr double below_pi = 3.0;
     const auto narrow = both(near_zero(a), a.neg_lo + a.hi < like(a.hi, below_pi));
     const Interval<Real> unbounded = whole_line(a.hi);
-    return {select(smooth, ends, unbounded), {}, smooth, {}, select(narrow, apart, unbounded)};
+    return {.range = select(smooth, ends, unbounded),
+            .everywhere = smooth,
+            .gap = select(narrow, gap, unbounded)};
 }
 
 template <class Real>
@@ -95,8 +97,7 @@ Real cot_up(const Real& t, const Real& at_zero) {
     return select(may_be_zero, at_zero, like(t, -1.0) / neg_lo);
 }
 
-/// The same for the values on the other side of the pole at 0, which are below 0 where the true t
-/// may be 0.
+/// As cot_up, but on the other side of the pole at 0: values are below 0 where the true t may be 0.
 template <class Real>
 Real cot_up_behind_pole(const Real& t) {
     const Real largest = magnitude(t) + library_error(Elementary::Tan, t);
@@ -110,8 +111,8 @@ Enclosure<Real> cot(const Interval<Real>& a) {
     const Real t_lo = elementary(Elementary::Tan, -a.neg_lo);
     const Real unbounded = like(a.hi, infinity);
     const Interval<Real> falling{cot_up(neg_t_hi, unbounded), cot_up(t_lo, unbounded)};
-    const Interval<Real> apart{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
-    return branched(a, smooth, falling, apart);
+    const Interval<Real> gap{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
+    return branched(a, smooth, falling, gap);
 }
 
 /// The angle of (x, y) from the corners where it is extreme, for a box of the right half plane or
@@ -134,7 +135,7 @@ Interval<Real> angle_from_corners(const Interval<Real>& y, const Interval<Real>&
                    elementary(Elementary::Atan2, y_at_max, x_at_max));
 }
 
-/// What atan2 needs to know of its box.
+/// Places of a box that atan2 tells apart.
 template <class Mask>
 struct AngleCases {
     Mask around_origin;  ///< the box meets the origin
@@ -173,8 +174,11 @@ Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
     const Interval<Real> value{select(either(cut, below), circle.neg_lo, corners.neg_lo),
                                select(either(cut, above), circle.hi, corners.hi)};
     const auto jumps = both(cut, cases.across_cut);
-    const Interval<Real> apart = select(jumps, corners, whole_line(x.hi));
-    return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut), apart};
+    const Interval<Real> gap = select(jumps, corners, whole_line(x.hi));
+    return {.range = clamped(value, -pi_hi, pi_hi),
+            .everywhere = no(cases.around_origin),
+            .continuous = no(cut),
+            .gap = gap};
 }
 
 /// atan2(y, x) up to a multiple of 2 pi: continuous across the cut, where it goes on above pi.

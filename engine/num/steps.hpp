@@ -20,7 +20,7 @@ Enclosure<Real> jumping(const Interval<Real>& outcomes) {
     Enclosure<Real> result = stepped(outcomes);
     const Interval<Real> between{-outcomes.hi, -outcomes.neg_lo};
     const auto neighbours = outcomes.neg_lo + outcomes.hi <= like(outcomes.hi, 1.0);
-    result.apart = select(neighbours, between, whole_line(outcomes.hi));
+    result.gap = select(neighbours, between, whole_line(outcomes.hi));
     return result;
 }
 
@@ -78,9 +78,12 @@ Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Inte
                                minimum(shifted.hi, from_zero.hi)};
     const Interval<Real> before = a - b * point(first_k);
     const auto one_jump = both(k - first_k <= like(k, 1.0), excludes_zero(b));
-    const Interval<Real> apart =
+    const Interval<Real> gap =
         select(one_jump, Interval<Real>{before.neg_lo, shifted.hi}, whole_line(zero));
-    return {select(one_step, tight, from_zero), {}, excludes_zero(b), one_step, apart};
+    return {.range = select(one_step, tight, from_zero),
+            .everywhere = excludes_zero(b),
+            .continuous = one_step,
+            .gap = gap};
 }
 
 /// A condition that holds for sure, or fails for sure.
@@ -108,7 +111,7 @@ auto may_fail(const Interval<Real>& condition) {
     return condition.neg_lo >= like(condition.hi, 0.0);
 }
 
-/// What a mask of one side says of the whole: nothing where that side is never taken.
+/// A mask of the whole from that of one side, which says nothing where that side is never taken.
 template <class Mask>
 std::optional<Mask> where_taken(const Mask& taken, const std::optional<Mask>& mask) {
     if (!mask) return mask;
@@ -130,9 +133,8 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
     const Interval<Real> a_first{b.range.neg_lo, a.range.hi};
     const Interval<Real> b_first{a.range.neg_lo, b.range.hi};
     const Interval<Real> anything = whole_line(a.range.hi);
-    const Interval<Real> taken =
-        select(use_a, a.apart.value_or(anything), b.apart.value_or(anything));
-    result.apart =
+    const Interval<Real> taken = select(use_a, a.gap.value_or(anything), b.gap.value_or(anything));
+    result.gap =
         select(both(use_a, use_b), select(a.range.hi < -b.range.neg_lo, a_first, b_first), taken);
     result.somewhere = c.somewhere;
     if (a.somewhere || b.somewhere) {
@@ -156,7 +158,7 @@ Enclosure<Real> where(const Enclosure<Real>& a, const Enclosure<Real>& c) {
     return result;
 }
 
-/// Of a the sign of b: what `oriented` knows without the operands' domains. Beside a zero of b the
+/// a times the sign of b, without what is known of the operands' domains. Beside a zero of b the
 /// values are on both sides of 0, as far from it as those of a.
 template <class Real>
 Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
@@ -171,9 +173,9 @@ Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
     const Real neg_least = minimum(a.range.neg_lo, a.range.hi);  // where a has no zero
     const auto says_nothing = either(known, unordered(a.range.neg_lo, a.range.hi));
     const Real size = select(says_nothing, like(zero, infinity), neg_least);
-    std::optional<Interval<Real>> apart{Interval<Real>{size, size}};
-    if (a.apart) apart = sharper(apart, std::optional(turned(*a.apart)));
-    return {turned(a.range), {}, known, {}, apart};
+    std::optional<Interval<Real>> gap{Interval<Real>{size, size}};
+    if (a.gap) gap = sharper(gap, std::optional(turned(*a.gap)));
+    return {.range = turned(a.range), .everywhere = known, .gap = gap};
 }
 
 }  // namespace zeroset
