@@ -1,6 +1,7 @@
 #include "engine/interpret/tape.hpp"
 
 #include "engine/algebra/algebra.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/part_kernel.hpp"
 #include "engine/interpret/tape_blend.hpp"
 
