@@ -13,4 +13,6 @@ bool may_be_operand(Op op) {
     return is_choice(op) || op == Op::SmoothMin || op == Op::And || op == Op::Or;
 }
 
+bool is_sum(Op op) { return op == Op::Add || op == Op::Subtract; }
+
 }  // namespace zeroset

@@ -65,5 +65,7 @@ bool is_alternative(Op choice, std::size_t k);
 /// Whether it is one of its operands somewhere, and does not depend on the other there: choices,
 /// smooth minima and conditions.
 bool may_be_operand(Op op);
+/// Whether it adds or subtracts.
+bool is_sum(Op op);
 
 }  // namespace zeroset
