@@ -1,5 +1,7 @@
 #include "document/document.hpp"
 
+#include "engine/base/enum_names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -7,6 +9,7 @@
 namespace zeroset {
 namespace {
 
+constexpr auto repeats = enum_names<Repeat>("bounce", "loop");
 constexpr std::string_view between_rows = "\n;\n";
 constexpr std::array<std::string_view, 4> signs{"+", "-", "\u2212", "\u2013"};
 
@@ -26,6 +29,10 @@ std::string with_joined_lines(std::string row) {
 }
 
 }  // namespace
+
+std::string_view name_of(Repeat repeat) { return repeats.of(repeat); }
+
+std::optional<Repeat> repeat_named(std::string_view name) { return repeats.named(name); }
 
 void keep_settings(Document& document, const Document& of) {
     document.stop = of.stop;

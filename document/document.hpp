@@ -28,6 +28,10 @@ struct Statement {
 /// Behaviour of a playing slider at its ends: it turns back, or begins again.
 enum class Repeat : std::uint8_t { Bounce, Loop };
 
+/// The name of what happens, as files have it: "bounce".
+std::string_view name_of(Repeat repeat);
+std::optional<Repeat> repeat_named(std::string_view name);
+
 /// A number that is chosen with a slider. All members are finite, at most largest_number in size.
 struct Slider {
     double value = 1.0;

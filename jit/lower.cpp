@@ -2,6 +2,7 @@
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/frustum.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "jit/batch_function.hpp"
 #include "jit/contract.hpp"

@@ -2,8 +2,8 @@
 
 #include "engine/base/clock.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/rewrite/drawn_form.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "engine/rewrite/unrestricted.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/sample_region.hpp"
@@ -85,7 +85,7 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
     static_cast<RowProgram&>(formula) = std::move(rows);
     formula.region = region;
     for (const Expr& surface : formula.program->surfaces) {
-        const Expr& drawn = formula.drawn.emplace_back(drawn_form(surface, sample_region(region)));
+        const Expr& drawn = formula.drawn.emplace_back(traceable(surface, sample_region(region)));
         const auto whole = unrestricted(drawn);
         auto& value = formula.unrestricted.emplace_back();
         if (whole) value = interpret(*whole).value_float;

@@ -1,5 +1,6 @@
 #include "pipeline/surface_code.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/interpret/shape_memory.hpp"
 #include "engine/rewrite/outer_choices.hpp"

@@ -2,7 +2,7 @@
 #include "app/cli/report.hpp"
 #include "engine/base/text.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "jit/compile.hpp"
 #include "pipeline/input_error.hpp"
 
@@ -66,7 +66,7 @@ OrInputError<Explanation> explained(const ExplainCommand& command) {
     for (const std::string& name : result.program->parameters)
         result.parameters.push_back(slider_of(input->document, name).value);
     for (const Expr& expr : result.program->surfaces) {
-        Explained surface{&expr, drawn_form(expr), std::nullopt};
+        Explained surface{&expr, traceable(expr), std::nullopt};
         if (*point) surface.at = value_of(expr, result);
         result.surfaces.push_back(std::move(surface));
     }

@@ -3,6 +3,7 @@
 #include "document/json/json_fields.hpp"
 #include "document/json/look_json.hpp"
 #include "document/json/region_json.hpp"
+#include "engine/base/enum_names.hpp"
 #include "engine/language/parse.hpp"
 
 #include <nlohmann/json.hpp>
@@ -37,7 +38,7 @@ Json json_of(const Slider& slider) {
             {"range", Json::array({slider.lo, slider.hi})},
             {"step", slider.step},
             {"speed", slider.speed},
-            {"repeat", slider.repeat == Repeat::Loop ? "loop" : "bounce"}};
+            {"repeat", name_of(slider.repeat)}};
 }
 
 Json json_of(const Camera& camera) {
@@ -45,17 +46,15 @@ Json json_of(const Camera& camera) {
               {"look_at", array_of(camera.look_at)},
               {"up", array_of(camera.up)},
               {"fov_rad", camera.fov_rad}};
-    if (camera.projection == Projection::Orthographic) json["projection"] = "orthographic";
+    if (camera.projection != Projection::Perspective)
+        json["projection"] = name_of(camera.projection);
     return json;
 }
 
-constexpr std::array<std::pair<const char*, StopRule>, 3> stop_rules{
-    {{"d_stop", StopRule::DStop}, {"epsilon", StopRule::Epsilon}, {"delta", StopRule::Delta}}};
+constexpr auto stop_rules = enum_names<StopRule>("d_stop", "epsilon", "delta");
 
 Json json_of(const StopCriterion& stop) {
-    const auto* rule =
-        std::ranges::find(stop_rules, stop.rule, &std::pair<const char*, StopRule>::second);
-    return {{"rule", rule->first}, {"value", stop.value}};
+    return {{"rule", stop_rules.of(stop.rule)}, {"value", stop.value}};
 }
 
 /// The switches in the field "look".
@@ -112,9 +111,7 @@ Statement statement_of(const Json& json, const std::string& place,
 }
 
 Repeat repeat_of(const Json& json, const std::string& place) {
-    const std::string text = string_of(json, place);
-    if (text == "loop") return Repeat::Loop;
-    if (text == "bounce") return Repeat::Bounce;
+    if (const auto repeat = repeat_named(string_of(json, place))) return *repeat;
     throw Damage{place + " is neither loop nor bounce"};
 }
 
@@ -140,9 +137,7 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
 }
 
 Projection projection_of(const Json& json, const std::string& place) {
-    const std::string text = string_of(json, place);
-    if (text == "perspective") return Projection::Perspective;
-    if (text == "orthographic") return Projection::Orthographic;
+    if (const auto projection = projection_named(string_of(json, place))) return *projection;
     throw Damage{place + " is neither perspective nor orthographic"};
 }
 
@@ -171,16 +166,14 @@ Box box_of(const Json& json) {
 
 StopCriterion stop_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "stop", unknown);
-    const std::string name = string_of(fields.get("rule"), "stop.rule");
-    const auto* rule =
-        std::ranges::find(stop_rules, name, &std::pair<const char*, StopRule>::first);
-    if (rule == stop_rules.end()) throw Damage{"stop.rule is none of d_stop, epsilon and delta"};
+    const auto rule = stop_rules.named(string_of(fields.get("rule"), "stop.rule"));
+    if (!rule) throw Damage{"stop.rule is none of d_stop, epsilon and delta"};
     const double value = number_of(fields.get("value"), "stop.value");
-    const bool is_depth = rule->second == StopRule::DStop;
+    const bool is_depth = *rule == StopRule::DStop;
     if (!(value > 0) || (is_depth && (value > max_d_stop || value != std::floor(value)))) {
         throw Damage{"stop.value is out of range"};
     }
-    return {rule->second, value};
+    return {*rule, value};
 }
 
 std::vector<Statement> statements_of(const Json& json, std::vector<std::string>& unknown) {

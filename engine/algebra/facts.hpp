@@ -1,16 +1,13 @@
 #pragma once
 
-#include "engine/expr/expr.hpp"
 #include "engine/num/interval.hpp"
 
 #include <optional>
-#include <span>
 #include <type_traits>
-#include <vector>
 
 namespace zeroset {
 
-/// What the structure of the formula tells of a node, for every value of the variables.
+/// Facts of a node that the structure of the formula tells, for every value of the variables.
 struct Facts {
     bool nonnegative = false;  ///< also in the computed enclosure: -lo is never above 0
     bool uniform = false;      ///< depends on w and parameters only
@@ -36,13 +33,5 @@ struct Facts {
     /// Whether the node is the same known double everywhere.
     [[nodiscard]] bool exact() const { return constant && -constant->neg_lo == constant->hi; }
 };
-
-/// Facts of each node, in the graph's order. What is built on an undefined constant subexpression
-/// (1/0, sqrt(-1)) is undefined, too, unless a condition may select something else; the first such
-/// node of the graph is where it begins. Undefined nodes have no `constant`.
-std::vector<Facts> facts_of(const Expr& expr);
-
-/// Facts of one more node, from those of the nodes before it.
-Facts facts_of_node(const Node& node, std::span<const Facts> before);
 
 }  // namespace zeroset

@@ -29,24 +29,24 @@ public:
 
     Value negate(In a) {
         Value g{-range(a)};
-        if (a.value.apart) g.apart = -*a.value.apart;
+        if (a.value.gap) g.gap = -*a.value.gap;
         return composed(g, a.value);
     }
     Value add(In a, In b) {
         Value g{range(a) + range(b)};
-        g.apart = sharper(moved(a.value.apart, range(b)), moved(b.value.apart, range(a)));
+        g.gap = sharper(moved(a.value.gap, range(b)), moved(b.value.gap, range(a)));
         return composed(g, a.value, b.value);
     }
     Value subtract(In a, In b) {
         Value g{range(a) - range(b)};
-        Apart minus_b;
-        if (b.value.apart) minus_b = -*b.value.apart;
-        g.apart = sharper(moved(a.value.apart, -range(b)), moved(minus_b, range(a)));
+        Gap minus_b;
+        if (b.value.gap) minus_b = -*b.value.gap;
+        g.gap = sharper(moved(a.value.gap, -range(b)), moved(minus_b, range(a)));
         return composed(g, a.value, b.value);
     }
     Value multiply(In a, In b) {
         Value g{product(a, b)};
-        g.apart = sharper(multiplied(a.value.apart, range(b)), multiplied(b.value.apart, range(a)));
+        g.gap = sharper(multiplied(a.value.gap, range(b)), multiplied(b.value.gap, range(a)));
         return composed(g, a.value, b.value);
     }
     Value divide(In a, In b) {
@@ -56,8 +56,7 @@ public:
             {},
             nonzero};
         const Interval<Real> inverse = point(like(range(b).hi, 1.0)) / range(b);
-        g.apart =
-            sharper(Apart(quotient_apart(range(a), range(b))), multiplied(a.value.apart, inverse));
+        g.gap = sharper(Gap(quotient_gap(range(a), range(b))), multiplied(a.value.gap, inverse));
         return with_divisor(g, a, b);
     }
     Value int_power(In a, int n) { return total(power(range(a), n, a.facts.nonnegative), a); }
@@ -140,14 +139,14 @@ public:
     Value where(In a, In c) { return zeroset::where(a.value, c.value); }
 
 private:
-    using Apart = std::optional<Interval<Real>>;
+    using Gap = std::optional<Interval<Real>>;
 
     static const Interval<Real>& range(In a) { return a.value.range; }
-    static Apart moved(const Apart& apart, const Interval<Real>& by) {
-        return apart ? Apart(*apart + by) : std::nullopt;
+    static Gap moved(const Gap& gap, const Interval<Real>& by) {
+        return gap ? Gap(*gap + by) : std::nullopt;
     }
-    static Apart multiplied(const Apart& apart, const Interval<Real>& by) {
-        return apart ? Apart(multiply_apart(*apart, by)) : std::nullopt;
+    static Gap multiplied(const Gap& gap, const Interval<Real>& by) {
+        return gap ? Gap(multiply_gap(*gap, by)) : std::nullopt;
     }
 
     /// A function defined and continuous everywhere.

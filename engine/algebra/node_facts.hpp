@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/algebra/facts.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/real/rounding.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ inline bool is_any_of(Op op, std::initializer_list<Op> ops) {
     return std::ranges::find(ops, op) != ops.end();
 }
 
-/// What is known of each of a builder's nodes, which may get more.
+/// Facts of the nodes of a builder, which may get more nodes meanwhile.
 class NodeFacts {
 public:
     explicit NodeFacts(const ExprBuilder& builder) : builder_(builder) {}

@@ -1,7 +1,6 @@
-// Exact values of constant subexpressions.
+#include "engine/expr/exact.hpp"
 
 #include "engine/expr/number.hpp"
-#include "engine/expr/simplify.hpp"
 
 #include <algorithm>
 #include <cmath>

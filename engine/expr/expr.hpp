@@ -17,7 +17,7 @@ using NodeId = std::uint32_t;
 /// Variables 0 to 2 are x, y, z; variable 3 is w, 4 and up are the parameters.
 inline constexpr int variable_w = 3;
 
-/// Of a printed formula, in bytes: what can be read back.
+/// The longest printed formula, in bytes, that can be read back.
 inline constexpr std::size_t longest_text = 100'000;
 
 struct Node {
@@ -26,7 +26,7 @@ struct Node {
     NodeId a = 0;             ///< operands; always smaller than the node's own id
     NodeId b = 0;
     NodeId c = 0;
-    double lo = 0.0;  ///< of a constant: the doubles that enclose it
+    double lo = 0.0;  ///< the doubles that enclose a constant
     double hi = 0.0;
 
     bool operator==(const Node&) const = default;

@@ -58,4 +58,14 @@ constexpr int arity(Op op) {
     return op == Op::Constant || op == Op::Variable ? 0 : op_info(op).arity;
 }
 
+/// Whether the operator takes one of its operands and leaves others: a choice.
+bool is_choice(Op op);
+/// Whether operand k of a choice is one of those that it may take.
+bool is_alternative(Op choice, std::size_t k);
+/// Whether it is one of its operands somewhere, and does not depend on the other there: choices,
+/// smooth minima and conditions.
+bool may_be_operand(Op op);
+/// Whether it adds or subtracts.
+bool is_sum(Op op);
+
 }  // namespace zeroset

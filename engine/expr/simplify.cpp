@@ -1,6 +1,7 @@
 #include "engine/expr/simplify.hpp"
 
 #include "engine/expr/constants.hpp"
+#include "engine/expr/exact.hpp"
 
 #include <bit>
 #include <cmath>

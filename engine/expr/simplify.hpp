@@ -2,10 +2,6 @@
 
 #include "engine/expr/expr.hpp"
 
-#include <expected>
-#include <optional>
-#include <string>
-
 namespace zeroset {
 
 // Nodes by meaning, with the rewrites that keep the value everywhere and never loosen the interval.
@@ -26,16 +22,5 @@ NodeId make_root(ExprBuilder& builder, NodeId a, int n);
 /// A function or condition of op.def. sin and cos of sums with integer multiples of atan2 lose the
 /// cut of atan2.
 NodeId make_call(ExprBuilder& builder, Op function, NodeId a, NodeId b = 0, NodeId c = 0);
-
-/// p / q in lowest terms, q > 0.
-struct Fraction {
-    long long p, q;
-};
-
-/// The exact value of a subexpression of + - * / and powers over decimal numbers, if it is a
-/// fraction of moderate numbers and of few operators.
-std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id);
-/// The same, if it is a double.
-std::optional<double> exact_value(const ExprBuilder& builder, NodeId id);
 
 }  // namespace zeroset

@@ -1,5 +1,7 @@
 #include "engine/image/color_map.hpp"
 
+#include "engine/base/enum_names.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,9 +14,7 @@
 namespace zeroset {
 namespace {
 
-constexpr std::array<ColorMap, 5> all_maps{ColorMap::Aurora, ColorMap::Ember, ColorMap::Balance,
-                                           ColorMap::Gray, ColorMap::Cycle};
-constexpr std::array<std::string_view, 5> names{"aurora", "ember", "balance", "gray", "cycle"};
+constexpr auto names = enum_names<ColorMap>("aurora", "ember", "balance", "gray", "cycle");
 
 constexpr Reflectance no_number{0.18F, 0.18F, 0.18F};
 
@@ -72,10 +72,10 @@ using Table = std::array<Reflectance, steps + 1>;
 
 const Table& table_of(ColorMap map) {
     static const std::vector<Table> tables = [] {
-        std::vector<Table> made(all_maps.size());
+        std::vector<Table> made(color_maps().size());
         for (std::size_t m = 0; m < made.size(); ++m) {
             for (std::size_t i = 0; i <= steps; ++i)
-                made[m][i] = shown_as(path(all_maps[m], static_cast<double>(i) / steps));
+                made[m][i] = shown_as(path(color_maps()[m], static_cast<double>(i) / steps));
         }
         return made;
     }();
@@ -84,15 +84,11 @@ const Table& table_of(ColorMap map) {
 
 }  // namespace
 
-std::span<const ColorMap> color_maps() { return all_maps; }
+std::span<const ColorMap> color_maps() { return names.values(); }
 
-std::string_view name_of(ColorMap map) { return names[static_cast<std::size_t>(map)]; }
+std::string_view name_of(ColorMap map) { return names.of(map); }
 
-std::optional<ColorMap> color_map_named(std::string_view name) {
-    const auto* const found = std::ranges::find(names, name);
-    if (found == names.end()) return std::nullopt;
-    return all_maps[static_cast<std::size_t>(found - names.begin())];
-}
+std::optional<ColorMap> color_map_named(std::string_view name) { return names.named(name); }
 
 Reflectance color_at(ColorMap map, double place) {
     if (std::isnan(place)) return no_number;

@@ -64,16 +64,22 @@ ChoiceBits choice_by_logic(Op op, const BeamValue<Lanes>& a, const BeamValue<Lan
                        (all ? b_fails | a_holds : b_holds | a_fails) & bits_of(a.everywhere));
 }
 
-/// Where min or max is one of its operands, from the range of a - b: the other one must be defined,
-/// too.
+/// Where min, max or the smooth minimum is one of its operands, from the range of a - b: the other
+/// one must be defined, too.
 template <class Lanes>
 ChoiceBits choice_by_size(Op op, const Interval<Lanes>& difference, const BeamValue<Lanes>& a,
                           const BeamValue<Lanes>& b) {
+    const unsigned a_defined = bits_of(a.everywhere);
+    const unsigned b_defined = bits_of(b.everywhere);
+    if (op == Op::SmoothMin) {
+        const auto [first, second] = blend_sides(difference);
+        return choice_bits(first.bits & b_defined, second.bits & a_defined);
+    }
     const Lanes zero = like(difference.hi, 0.0);
     const unsigned a_is_larger = (difference.neg_lo <= zero).bits;
     const unsigned b_is_larger = (difference.hi <= zero).bits;
-    return choice_bits((op == Op::Max ? a_is_larger : b_is_larger) & bits_of(b.everywhere),
-                       (op == Op::Max ? b_is_larger : a_is_larger) & bits_of(a.everywhere));
+    return choice_bits((op == Op::Max ? a_is_larger : b_is_larger) & b_defined,
+                       (op == Op::Max ? b_is_larger : a_is_larger) & a_defined);
 }
 
 /// Lanes that stand for one of the operands as if it were surely the larger or smaller one.
@@ -102,42 +108,29 @@ bool copied(const ChoiceBits& bits, const Operand<BeamValue<Lanes>>& a,
     return true;
 }
 
-/// Makes min or max of a and b in `place` and tells where it is one of them, or taken for it as
-/// `left_out` tells.
+/// Makes min, max or the smooth minimum of a and b in `place` and tells where it is one of them, or
+/// taken for it as `left_out` tells.
 template <class Lanes>
 [[gnu::flatten]] ChoiceBits make_extreme(BeamAlgebra<Lanes>& algebra, Op op,
                                          const Operand<BeamValue<Lanes>>& a,
                                          const Operand<BeamValue<Lanes>>& b,
                                          const ChoiceBits& left_out, BeamValue<Lanes>* place) {
     if (copied(left_out, a, b, place)) return left_out;
-    const Interval<Lanes> difference = (a.value.f - b.value.f).range();
-    const ChoiceBits bits = joined(left_out, choice_by_size(op, difference, a.value, b.value));
+    const Beam<Lanes> difference = a.value.f - b.value.f;
+    const Interval<Lanes> range = difference.range();
+    const ChoiceBits bits = joined(left_out, choice_by_size(op, range, a.value, b.value));
     if (copied(bits, a, b, place)) return bits;
+    if (op == Op::SmoothMin) {
+        const unsigned only_second = bits.second & ~unsigned{bits.first};
+        const BlendSides<BlockMask> sides{BlockMask{bits.first},
+                                          BlockMask{static_cast<std::uint16_t>(only_second)}};
+        new (place) BeamValue<Lanes>(algebra.blend(a, b, difference, sides));
+        return bits;
+    }
     const bool max = op == Op::Max;
     const auto kink =
-        decided_kink(difference, max ? bits.first : bits.second, max ? bits.second : bits.first);
+        decided_kink(range, max ? bits.first : bits.second, max ? bits.second : bits.first);
     new (place) BeamValue<Lanes>(algebra.larger(a, b, kink, max ? 1.0 : -1.0));
-    return bits;
-}
-
-/// Makes the smooth minimum of a and b in `place` and tells where it is one of them, or taken for
-/// it as `left_out` tells.
-template <class Lanes>
-[[gnu::flatten]] ChoiceBits make_blend(BeamAlgebra<Lanes>& algebra,
-                                       const Operand<BeamValue<Lanes>>& a,
-                                       const Operand<BeamValue<Lanes>>& b,
-                                       const ChoiceBits& left_out, BeamValue<Lanes>* place) {
-    if (copied(left_out, a, b, place)) return left_out;
-    const Beam<Lanes> difference = a.value.f - b.value.f;
-    const auto [first, second] = blend_sides(difference.range());
-    const ChoiceBits by_size = choice_bits(first.bits & bits_of(b.value.everywhere),
-                                           second.bits & bits_of(a.value.everywhere));
-    const ChoiceBits bits = joined(left_out, by_size);
-    if (copied(bits, a, b, place)) return bits;
-    const unsigned only_second = bits.second & ~unsigned{bits.first};
-    new (place) BeamValue<Lanes>(
-        algebra.blend(a, b, difference,
-                      {BlockMask{bits.first}, BlockMask{static_cast<std::uint16_t>(only_second)}}));
     return bits;
 }
 

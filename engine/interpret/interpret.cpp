@@ -1,7 +1,7 @@
 #include "engine/interpret/interpret.hpp"
 
 #include "engine/algebra/algebra.hpp"
-#include "engine/algebra/facts.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret_code.hpp"
 #include "engine/interpret/tape.hpp"
 #include "engine/kernel/float_check.hpp"
@@ -107,7 +107,7 @@ std::optional<LeastOf> operands_of_least(const std::shared_ptr<const TapeGraph>&
     return std::optional<LeastOf>(std::in_place, std::move(kernels), std::move(owners));
 }
 
-/// Of a whole formula.
+/// Shortens the kernel of a whole formula.
 class WholeShortener final : public TapeShortener {
 public:
     explicit WholeShortener(const std::shared_ptr<const Tape>& tape)

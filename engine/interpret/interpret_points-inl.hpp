@@ -2,7 +2,15 @@
 
 #pragma once
 
+#include "engine/algebra/algebra.hpp"
 #include "engine/algebra/point_algebra.hpp"
+#include "engine/interpret/block_board-inl.hpp"
+#include "engine/interpret/interpret_code.hpp"
+#include "engine/interpret/part_values.hpp"
+#include "engine/interpret/tape.hpp"
+
+#include <new>
+#include <type_traits>
 
 namespace zeroset {
 namespace {

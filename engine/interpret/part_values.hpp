@@ -11,8 +11,8 @@
 #include <cstring>
 #include <optional>
 
-// What the code of a part says of a block of items, as values of the interpreter. Each takes the
-// batch of the whole formula and the block's first item.
+// Results of the code of a part for a block of items, as values of the interpreter. Each function
+// takes the batch of the whole formula and the block's first item.
 
 namespace zeroset {
 
@@ -123,12 +123,12 @@ Enclosure<Block<Real, bytes>> part_range(const PartShape& shape, const Part& par
                                           continuous.items.data()});
     const Lanes zero = Lanes::splat(0);
     const Lanes lowest = like(zero, -infinity);
-    const auto apart = both(f.neg_lo < zero, f.hi < zero);
+    const auto has_gap = both(f.neg_lo < zero, f.hi < zero);
     const auto nowhere = both(f.neg_lo == lowest, f.hi == lowest);
     const auto everywhere = known_mask<Real>(continuous.mask());
-    Enclosure<Lanes> result{without_nan(select(apart, whole_line(zero), f)),
+    Enclosure<Lanes> result{without_nan(select(has_gap, whole_line(zero), f)),
                             known_mask<Real>(no(nowhere)), everywhere, everywhere};
-    if (apart.bits != 0) result.apart = select(apart, f, whole_line(zero));
+    if (has_gap.bits != 0) result.gap = select(has_gap, f, whole_line(zero));
     return result;
 }
 

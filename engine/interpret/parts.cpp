@@ -81,17 +81,6 @@ const Real* joined(const PartShape& shape, std::span<const Real> own, const Real
 
 }  // namespace
 
-bool is_choice(Op op) { return op == Op::Min || op == Op::Max || op == Op::If || op == Op::Where; }
-
-bool may_be_operand(Op op) {
-    return is_choice(op) || op == Op::SmoothMin || op == Op::And || op == Op::Or;
-}
-
-bool is_alternative(Op choice, std::size_t k) {
-    if (choice == Op::Where) return k == 0;
-    return choice != Op::If || k > 0;
-}
-
 std::size_t Parts::nodes() const {
     return std::transform_reduce(shapes.begin(), shapes.end(), std::size_t{0}, std::plus{},
                                  [](const PartShape& shape) { return shape.expr.nodes().size(); });

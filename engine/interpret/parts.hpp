@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/algebra/facts.hpp"
+#include "engine/expr/expr.hpp"
 #include "engine/kernel/kernel.hpp"
 
 #include <cstddef>
@@ -17,15 +18,7 @@
 
 namespace zeroset {
 
-/// Whether the operator takes one of its operands and leaves others.
-bool is_choice(Op op);
-/// Whether it is one of its operands somewhere, and does not depend on the other there: choices,
-/// smooth minima and conditions.
-bool may_be_operand(Op op);
-/// Whether operand k of a choice is one of those that it may take.
-bool is_alternative(Op choice, std::size_t k);
-
-/// What parts have in common.
+/// A function that parts have in common.
 struct PartShape {
     Expr expr;
     Facts facts;  ///< of its root
@@ -60,8 +53,8 @@ struct Parts {
 /// most of the formula first. `facts` are the formula's. A formula without choices has none.
 Parts parts_of(const Expr& expr, std::span<const Facts> facts, std::size_t most_nodes);
 
-/// What a part's code takes as uniforms where the formula's are `of_formula`; valid until this
-/// thread's next call.
+/// Uniforms for a part's code where the formula's are `of_formula`; valid until this thread's next
+/// call.
 template <class Real>
 const Real* box_uniforms(const PartShape& shape, const Part& part, const Real* of_formula);
 template <class Real>

@@ -1,6 +1,8 @@
 #include "engine/interpret/skeleton.hpp"
 
 #include "engine/algebra/algebra.hpp"
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 #include "engine/real/rounding.hpp"
 
 #include <algorithm>
@@ -120,10 +122,8 @@ int ShapeMaker::variable(int number) {
 
 NodeId ShapeMaker::add(const Node& node, std::span<const NodeId> added) {
     if (node.op == Op::Variable) return builder_.variable(variable(node.number));
-    if (node.op != Op::Constant) {
-        return builder_.apply(node.op, added[node.a], added[node.b], added[node.c], node.number);
-    }
-    if (node.number == 0) return builder_.constant(node.lo, node.hi);
+    const bool has_place = node.op == Op::Constant && node.number != 0;
+    if (!has_place) return copy_node(builder_, node, added);
     const auto place = static_cast<std::size_t>(node.number - 1);
     if (const auto& item = uniform_of_place_[place]) return builder_.variable(variable_w + *item);
     const Interval<double>& box = first_.constants[place];
@@ -132,10 +132,8 @@ NodeId ShapeMaker::add(const Node& node, std::span<const NodeId> added) {
 
 PartShape ShapeMaker::make() {
     std::vector<NodeId> added;
-    for (const Node& node : first_.nodes) {
-        added.push_back(0);
-        added.back() = add(node, added);
-    }
+    for (const Node& node : first_.nodes)
+        added.push_back(add(node, added));
     const auto varying =
         std::ranges::count_if(uniform_of_place_, [](const auto& item) { return item.has_value(); });
     std::vector<std::string> names;

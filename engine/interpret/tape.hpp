@@ -1,10 +1,9 @@
 #pragma once
 
-#include "engine/algebra/facts.hpp"
 #include "engine/algebra/switches.hpp"
-#include "engine/interpret/parts.hpp"
+#include "engine/interpret/band.hpp"
+#include "engine/interpret/tape_graph.hpp"
 #include "engine/kernel/kernel.hpp"
-#include "engine/num/interval.hpp"
 
 #include <array>
 #include <cstddef>
@@ -25,44 +24,7 @@
 
 namespace zeroset {
 
-/// A graph with what is known of its nodes and with its parts that have code of their own, shared
-/// by all tapes made of it.
-struct TapeGraph {
-    TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code);
-    TapeGraph(const TapeGraph&) = delete;
-    TapeGraph& operator=(const TapeGraph&) = delete;
-    ~TapeGraph() = default;
-
-    Expr expr;
-    std::vector<Facts> facts;           ///< of parts: what their code keeps to
-    std::vector<SwitchIndex> switches;  ///< of each node
-    std::size_t switch_count = 0;
-    Parts parts;
-    std::vector<Kernel> part_kernels;  ///< of each part; they live as long as this
-
-    /// Nothing is computed before it: it is taken from outside, or a part.
-    [[nodiscard]] bool is_first(NodeId id) const;
-    /// The nodes of which the root is the least; the root where it is no min.
-    [[nodiscard]] std::vector<NodeId> least_of() const;
-};
-
-/// Of a value outside of it only the side matters on which it is.
-struct Band {
-    double lo, hi;
-
-    static constexpr Band everything() { return {-infinity, infinity}; }
-    /// Of a value that nobody asks for.
-    static constexpr Band nothing() { return {everything().hi, everything().lo}; }
-    [[nodiscard]] constexpr bool empty() const { return lo > hi; }
-};
-
-/// The band of an operand that min, max or a smooth minimum may take, from that of the result: an
-/// operand above hi + 1 has no part in a smooth minimum of at most hi.
-constexpr Band band_of_alternative(Op op, const Band& band) {
-    return op == Op::SmoothMin ? Band{band.lo, band.hi + 1} : band;
-}
-
-/// Immutable.
+/// Steps of straight-line code, the last of which computes the root. Immutable.
 class Tape {
 public:
     using Index = std::uint32_t;
@@ -74,10 +36,10 @@ public:
         Index slot;
         std::array<Index, 3> operands;  ///< earlier steps, as many as the operator has
         Index choice = no_choice;       ///< its place in a ChoiceRecord
-        /// Of the min in a smooth minimum m - q, or the max in a smooth maximum: the place where it
-        /// tells which operand is left out as it is outside the band.
+        /// The place where the min in a smooth minimum m - q, or the max in a smooth maximum, tells
+        /// which operand is left out as it is outside the band.
         Index tells = no_choice;
-        /// Of the max(k - |a - b|, 0) in its q: that place. It is 0 where an operand is left out.
+        /// That place, for the max(k - |a - b|, 0) in its q. It is 0 where an operand is left out.
         Index heeds = no_choice;
         /// Its place among the switches of the graph; that of a condition whose place it took.
         SwitchIndex own_switch = no_switch;
@@ -87,7 +49,7 @@ public:
     };
 
     explicit Tape(std::shared_ptr<const TapeGraph> graph);
-    /// Of what a node of the graph computes.
+    /// The tape of what one node of the graph computes.
     Tape(std::shared_ptr<const TapeGraph> graph, NodeId root);
 
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
@@ -101,6 +63,8 @@ public:
     [[nodiscard]] std::size_t uniform_steps() const { return uniform_; }
     [[nodiscard]] Index slots() const { return slots_; }
     [[nodiscard]] std::size_t choices() const { return choices_; }
+    /// Whether there are sums, which are shorter where a choice leaves a summand 0.
+    [[nodiscard]] bool has_sums() const { return sums_; }
     /// The last step is the root.
     [[nodiscard]] const Step& root() const { return steps_.back(); }
     [[nodiscard]] const Node& node(const Step& step) const { return graph_->expr.node(step.node); }
@@ -113,21 +77,16 @@ public:
 
 private:
     class Builder;
-    class Reduction;
     Tape() = default;
     /// Marks the smooth minimum or maximum that ends with a step.
     void mark_blend(Index sum);
-    void mark_bands();
-    /// Of operand k of the step.
-    [[nodiscard]] Band band_of(const Step& step, std::size_t k) const;
-    [[nodiscard]] Band band_of_factor(const Step& step, std::size_t k) const;
 
     std::shared_ptr<const TapeGraph> graph_;
     std::vector<Step> steps_;
     std::size_t uniform_ = 0;
     Index slots_ = 0;
     std::size_t choices_ = 0;
-    bool sums_ = false;  ///< there are sums, which are shorter where a choice leaves a summand 0
+    bool sums_ = false;
 };
 
 }  // namespace zeroset

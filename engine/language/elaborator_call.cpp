@@ -1,5 +1,6 @@
 // From calls of functions to nodes: built-in ones, those of the text, sums.
 
+#include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/language/elaborator.hpp"

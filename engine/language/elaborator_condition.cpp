@@ -1,5 +1,6 @@
 // From a tree's comparisons to nodes that are true or false, and back to numbers.
 
+#include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/language/elaborator.hpp"
 

@@ -1,5 +1,6 @@
 // From a tree's expressions to nodes.
 
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/expr/constants.hpp"
 #include "engine/expr/number.hpp"
 #include "engine/expr/simplify.hpp"

@@ -1,5 +1,6 @@
 #include "engine/language/parse.hpp"
 
+#include "engine/expr/copy.hpp"
 #include "engine/language/elaborator.hpp"
 
 #include <algorithm>
@@ -23,16 +24,8 @@ std::expected<Expr, ParseError> renumbered(const Expr& expr,
     ExprBuilder builder;
     std::vector<NodeId> copies;
     for (const Node& node : expr.nodes()) {
-        if (node.op == Op::Constant) {
-            copies.push_back(builder.constant(node.lo, node.hi));
-            continue;
-        }
         if (node.op != Op::Variable || node.number < first) {
-            const auto copy = [&](NodeId id) { return id < copies.size() ? copies[id] : 0; };
-            copies.push_back(node.op == Op::Variable
-                                 ? builder.variable(node.number)
-                                 : builder.apply(node.op, copy(node.a), copy(node.b), copy(node.c),
-                                                 node.number));
+            copies.push_back(copy_node(builder, node, copies));
             continue;
         }
         const std::string& name = expr.parameters()[static_cast<std::size_t>(node.number - first)];

@@ -18,9 +18,9 @@ struct Enclosure {
     std::optional<Mask> somewhere{};   ///< false: undefined on the whole box
     std::optional<Mask> everywhere{};  ///< true: proved defined on the whole box
     std::optional<Mask> continuous{};  ///< true: proved continuous where it is defined
-    /// Every value is at most apart->hi or at least -apart->neg_lo; no value lies between them, as
+    /// Every value is at most gap->hi or at least -gap->neg_lo; no value lies between them, as
     /// beside a jump or a pole. Absent: nothing is known.
-    std::optional<Interval<Real>> apart{};
+    std::optional<Interval<Real>> gap{};
 };
 
 /// Lanes in which all masks hold. Equal masks, as of shared operands, cost nothing.
@@ -39,12 +39,14 @@ std::optional<Mask> conjunction(const std::optional<Mask>& a, const std::optiona
 /// Enclosure of g(operands...), where `g` is the enclosure of g alone on the operands' ranges.
 template <class Real, class... Operands>
 Enclosure<Real> composed(const Enclosure<Real>& g, const Operands&... operands) {
-    return {g.range, conjunction(g.somewhere, operands.somewhere...),
-            conjunction(g.everywhere, operands.everywhere...),
-            conjunction(g.continuous, operands.continuous...), g.apart};
+    return {.range = g.range,
+            .somewhere = conjunction(g.somewhere, operands.somewhere...),
+            .everywhere = conjunction(g.everywhere, operands.everywhere...),
+            .continuous = conjunction(g.continuous, operands.continuous...),
+            .gap = g.gap};
 }
 
-/// The more useful of two valid `apart`: `a` if it excludes some values, else `b`.
+/// The more useful of two valid `gap`: `a` if it excludes some values, else `b`.
 template <class Real>
 std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
                                       const std::optional<Interval<Real>>& b) {
@@ -52,11 +54,11 @@ std::optional<Interval<Real>> sharper(const std::optional<Interval<Real>>& a,
     return select(a->neg_lo + a->hi < like(a->hi, 0.0), *a, *b);
 }
 
-/// `apart` of v c from that of v and the interval c; the whole line where 0 is inside c.
+/// `gap` of v c from that of v and the interval c; the whole line where 0 is inside c.
 template <class Real>
-Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>& c) {
+Interval<Real> multiply_gap(const Interval<Real>& gap, const Interval<Real>& c) {
     const auto falls = c.hi <= like(c.hi, 0.0);
-    const Interval<Real> v = select(falls, -apart, apart);
+    const Interval<Real> v = select(falls, -gap, gap);
     const Interval<Real> size = select(falls, -c, c);
     const Real size_lo = -size.neg_lo;
     const Interval<Real> product{v.neg_lo * select_negative(v.neg_lo, size_lo, size.hi),
@@ -64,15 +66,15 @@ Interval<Real> multiply_apart(const Interval<Real>& apart, const Interval<Real>&
     return select(size.neg_lo <= like(c.hi, 0.0), product, whole_line(c.hi));
 }
 
-/// A kernel's answer for the box: the range; or `apart`, both of whose members are then below 0,
+/// A kernel's answer for the box: the range; or `gap`, both of whose members are then below 0,
 /// where it excludes 0. Both members are -inf where f is defined nowhere.
 template <class Real>
 Interval<Real> answer(const Enclosure<Real>& f) {
     const Real zero = like(f.range.hi, 0.0);
     Interval<Real> result = f.range;
-    if (f.apart) {
-        const auto excludes_zero = both(f.apart->neg_lo < zero, f.apart->hi < zero);
-        result = select(excludes_zero, *f.apart, result);
+    if (f.gap) {
+        const auto excludes_zero = both(f.gap->neg_lo < zero, f.gap->hi < zero);
+        result = select(excludes_zero, *f.gap, result);
     }
     if (f.somewhere) {
         const Real nowhere = like(zero, -infinity);

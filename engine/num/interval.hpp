@@ -210,10 +210,10 @@ Interval<Real> divide_by_nonnegative(const Interval<Real>& a, const Interval<Rea
     return select(unbounded, whole_line(zero), quotient);
 }
 
-/// `apart` (enclosure.hpp) of a / b where 0 is inside b: every quotient is at most hi or at least
+/// `gap` (enclosure.hpp) of a / b where 0 is inside b: every quotient is at most hi or at least
 /// -neg_lo. The whole line where a may contain 0.
 template <class Real>
-Interval<Real> quotient_apart(const Interval<Real>& a, const Interval<Real>& b) {
+Interval<Real> quotient_gap(const Interval<Real>& a, const Interval<Real>& b) {
     // Minus the least |a|, where a does not contain 0
     const Real neg_size = minimum(a.neg_lo, a.hi);
     const Real behind = neg_size / b.hi;

@@ -68,14 +68,16 @@ auto between_poles(const Interval<Real>& a, double phase_lo, double phase_hi) {
 }
 
 /// Enclosure of tan or cot: `ends`, from the values at the ends of `a`, where it is smooth. Across
-/// a single pole it has no value between the members of `apart`.
+/// a single pole it has no value between the members of `gap`.
 template <class Mask, class Real>
 Enclosure<Real> branched(const Interval<Real>& a, const Mask& smooth, const Interval<Real>& ends,
-                         const Interval<Real>& apart) {
+                         const Interval<Real>& gap) {
     constexpr double below_pi = 3.0;
     const auto narrow = both(near_zero(a), a.neg_lo + a.hi < like(a.hi, below_pi));
     const Interval<Real> unbounded = whole_line(a.hi);
-    return {select(smooth, ends, unbounded), {}, smooth, {}, select(narrow, apart, unbounded)};
+    return {.range = select(smooth, ends, unbounded),
+            .everywhere = smooth,
+            .gap = select(narrow, gap, unbounded)};
 }
 
 template <class Real>
@@ -111,8 +113,8 @@ Enclosure<Real> cot(const Interval<Real>& a) {
     const Real t_lo = elementary(Elementary::Tan, -a.neg_lo);
     const Real unbounded = like(a.hi, infinity);
     const Interval<Real> falling{cot_up(neg_t_hi, unbounded), cot_up(t_lo, unbounded)};
-    const Interval<Real> apart{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
-    return branched(a, smooth, falling, apart);
+    const Interval<Real> gap{cot_up_behind_pole(neg_t_hi), cot_up_behind_pole(t_lo)};
+    return branched(a, smooth, falling, gap);
 }
 
 /// Range of the angle of (x, y), from the corners where it is extreme, for a box in the right half
@@ -177,8 +179,11 @@ Enclosure<Real> atan2(const Interval<Real>& y, const Interval<Real>& x,
     const Interval<Real> value{select(either(cut, below), circle.neg_lo, corners.neg_lo),
                                select(either(cut, above), circle.hi, corners.hi)};
     const auto jumps = both(cut, cases.across_cut);
-    const Interval<Real> apart = select(jumps, corners, whole_line(x.hi));
-    return {clamped(value, -pi_hi, pi_hi), {}, no(cases.around_origin), no(cut), apart};
+    const Interval<Real> gap = select(jumps, corners, whole_line(x.hi));
+    return {.range = clamped(value, -pi_hi, pi_hi),
+            .everywhere = no(cases.around_origin),
+            .continuous = no(cut),
+            .gap = gap};
 }
 
 /// Enclosure of atan2(y, x) up to a multiple of 2 pi: continuous across the cut, beyond which it

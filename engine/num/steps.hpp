@@ -20,7 +20,7 @@ Enclosure<Real> jumping(const Interval<Real>& outcomes) {
     Enclosure<Real> result = stepped(outcomes);
     const Interval<Real> between{-outcomes.hi, -outcomes.neg_lo};
     const auto neighbours = outcomes.neg_lo + outcomes.hi <= like(outcomes.hi, 1.0);
-    result.apart = select(neighbours, between, whole_line(outcomes.hi));
+    result.gap = select(neighbours, between, whole_line(outcomes.hi));
     return result;
 }
 
@@ -66,7 +66,7 @@ Interval<Real> round_steps(const Interval<Real>& a) {
 
 /// a - b floor(a/b), where `steps` holds the possible floors. The values are between 0 and b, and
 /// equal to a - b k where the floor is a single k. Where it is k or k - 1, every value belongs
-/// to a - b k or to a - b (k - 1), which `apart` separates.
+/// to a - b k or to a - b (k - 1), which `gap` separates.
 template <class Real>
 Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Interval<Real>& steps) {
     const Real zero = like(a.hi, 0.0);
@@ -79,9 +79,12 @@ Enclosure<Real> mod(const Interval<Real>& a, const Interval<Real>& b, const Inte
                                minimum(shifted.hi, from_zero.hi)};
     const Interval<Real> before = a - b * point(first_k);
     const auto one_jump = both(k - first_k <= like(k, 1.0), excludes_zero(b));
-    const Interval<Real> apart =
+    const Interval<Real> gap =
         select(one_jump, Interval<Real>{before.neg_lo, shifted.hi}, whole_line(zero));
-    return {select(one_step, tight, from_zero), {}, excludes_zero(b), one_step, apart};
+    return {.range = select(one_step, tight, from_zero),
+            .everywhere = excludes_zero(b),
+            .continuous = one_step,
+            .gap = gap};
 }
 
 /// Outcomes of a condition, given where it surely holds and where it surely fails.
@@ -133,9 +136,8 @@ Enclosure<Real> choose(const Enclosure<Real>& c, const Enclosure<Real>& a,
     const Interval<Real> a_first{b.range.neg_lo, a.range.hi};
     const Interval<Real> b_first{a.range.neg_lo, b.range.hi};
     const Interval<Real> anything = whole_line(a.range.hi);
-    const Interval<Real> taken =
-        select(use_a, a.apart.value_or(anything), b.apart.value_or(anything));
-    result.apart =
+    const Interval<Real> taken = select(use_a, a.gap.value_or(anything), b.gap.value_or(anything));
+    result.gap =
         select(both(use_a, use_b), select(a.range.hi < -b.range.neg_lo, a_first, b_first), taken);
     // Combine the domains; an operand that is never taken does not matter.
     result.somewhere = c.somewhere;
@@ -177,9 +179,9 @@ Enclosure<Real> oriented(const Enclosure<Real>& a, const Interval<Real>& b) {
     const Real neg_least = minimum(a.range.neg_lo, a.range.hi);
     const auto says_nothing = either(known, unordered(a.range.neg_lo, a.range.hi));
     const Real size = select(says_nothing, like(zero, infinity), neg_least);
-    std::optional<Interval<Real>> apart{Interval<Real>{size, size}};
-    if (a.apart) apart = sharper(apart, std::optional(turned(*a.apart)));
-    return {turned(a.range), {}, known, {}, apart};
+    std::optional<Interval<Real>> gap{Interval<Real>{size, size}};
+    if (a.gap) gap = sharper(gap, std::optional(turned(*a.gap)));
+    return {.range = turned(a.range), .everywhere = known, .gap = gap};
 }
 
 }  // namespace zeroset

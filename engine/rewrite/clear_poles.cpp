@@ -6,6 +6,8 @@
 
 #include "engine/rewrite/clear_poles.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/real/rounding.hpp"
 
@@ -83,11 +85,8 @@ private:
 
     /// The node as it was, over the copies of its operands.
     NodeId copied(NodeId id) {
-        const Node& node = expr_.node(id);
-        if (node.op == Op::Constant) return builder_.constant(node.lo, node.hi);
-        if (node.op == Op::Variable) return builder_.variable(node.number);
-        return builder_.apply(node.op, copy_of(node.a), copy_of(node.b), copy_of(node.c),
-                              node.number);
+        return copy_node(builder_, expr_.node(id),
+                         [&](NodeId operand) { return copy_of(operand); });
     }
     /// An operand that is no part of the rational function is copied whole, poles and all.
     NodeId copy_of(NodeId id) {
@@ -96,7 +95,7 @@ private:
         if (known == copies_.end()) known = copies_.emplace(id, copied(id)).first;
         return known->second;
     }
-    /// What the whole is made of: the quotient below the restrictions.
+    /// The whole formula again: the quotient, below its restrictions.
     NodeId root_of(NodeId id) {
         const Node& node = expr_.node(id);
         if (node.op == Op::Where) {

@@ -1,6 +1,8 @@
 #include "engine/rewrite/folds.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
 
 #include <algorithm>
@@ -86,7 +88,7 @@ NodeId with_fold(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, Nod
         if (const auto of = centred_remainder(builder, a))
             return make_int_power(builder, folded(builder, *of), node.number);
     }
-    return builder.apply(node.op, a, b, c, node.number);
+    return copy_node(builder, node, a, b, c);
 }
 
 }  // namespace

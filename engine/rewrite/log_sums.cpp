@@ -1,6 +1,7 @@
 #include "engine/rewrite/log_sums.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ NodeId with_log_sum(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, 
             return make_divide(builder, sum, make_call(builder, Op::Log, base));
         }
     }
-    return builder.apply(node.op, a, b, c, node.number);
+    return copy_node(builder, node, a, b, c);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "engine/rewrite/outer_choices.hpp"
 
-#include "engine/algebra/facts.hpp"
-#include "engine/interpret/parts.hpp"
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -138,40 +138,33 @@ NodeId Mover::alternative(NodeId id, std::size_t around) {
         const Node& node = expr_.node(wrapper.node);
         std::array of{built_[node.a], built_[node.b], built_[node.c]};
         of[wrapper.hole] = value;
-        value = builder_.apply(node.op, of[0], of[1], of[2], node.number);
+        value = copy_node(builder_, node, of[0], of[1], of[2]);
     }
     return value;
 }
 
 void Mover::build(NodeId id) {
-    const Node& node = expr_.node(id);
-    if (node.op == Op::Constant) {
-        built_[id] = builder_.constant(node.lo, node.hi);
-        return;
-    }
-    if (node.op == Op::Variable) {
-        built_[id] = builder_.variable(node.number);
-        return;
-    }
+    Node node = expr_.node(id);
     std::array of{built_[node.a], built_[node.b], built_[node.c]};
     if (const auto hole = hole_of(id); !plain_[id] && hole && takes_[operands(id)[*hole]]) {
         built_[id] = of[*hole];  // which has this operator inside
         return;
     }
-    Op op = node.op;
     const std::size_t around = around_[id];
     for (std::size_t k = 0; k < operand_count(id); ++k) {
-        if (is_choice(op) && is_alternative(op, k)) of[k] = alternative(operands(id)[k], around);
+        if (is_choice(node.op) && is_alternative(node.op, k))
+            of[k] = alternative(operands(id)[k], around);
     }
     const bool turned = around != nothing && wrappers_[around].falls;
-    if (turned && (op == Op::Min || op == Op::Max)) op = op == Op::Min ? Op::Max : Op::Min;
-    built_[id] = builder_.apply(op, of[0], of[1], of[2], node.number);
+    if (turned && (node.op == Op::Min || node.op == Op::Max))
+        node.op = node.op == Op::Min ? Op::Max : Op::Min;
+    built_[id] = copy_node(builder_, node, of[0], of[1], of[2]);
 }
 
 Expr Mover::move() {
     for (NodeId id = expr_.root() + 1; id-- > 0;)
         hand_down(id);
-    // What is around a choice may stand behind it.
+    // The operators around a choice may stand behind it.
     for (const bool plain : {true, false}) {
         for (NodeId id = 0; id <= expr_.root(); ++id) {
             if (plain_[id] == plain) build(id);

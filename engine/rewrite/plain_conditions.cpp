@@ -2,7 +2,9 @@
 
 #include "engine/algebra/node_facts.hpp"
 #include "engine/algebra/switches.hpp"
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
 
 #include <cstddef>
@@ -195,7 +197,7 @@ std::optional<Comparison> PlainConditions::inside(const Comparison& comparison) 
     return std::nullopt;
 }
 
-/// What a choice comes to where each alternative is a number.
+/// The condition that the comparison of a choice between numbers comes to.
 std::optional<NodeId> PlainConditions::of_choice(const Comparison& comparison) {
     if (is_condition(builder_.node(comparison.value).op)) {
         const double limit =
@@ -266,7 +268,7 @@ std::optional<NodeId> PlainConditions::reduced(const Comparison& comparison) {
     return of_terms(comparison);
 }
 
-/// Of whole numbers: above n, or at most n.
+/// A comparison of whole numbers, as one of two kinds: above n, or at most n.
 Comparison with_whole_limit(Comparison comparison) {
     const auto [p, q] = comparison.limit;
     const long long floor = p >= 0 ? p / q : -((-p + q - 1) / q);
@@ -309,7 +311,7 @@ NodeId PlainConditions::make(const Node& node, NodeId a, NodeId b, NodeId c) {
         if (second) return chosen(both_hold(*first, *second), truth(true), truth(false));
     }
     if (node.op == Op::Abs && facts_.is_nonnegative(a)) return a;
-    return builder_.apply(node.op, a, b, c, node.number);
+    return copy_node(builder_, node, a, b, c);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "engine/rewrite/polar_form.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr std::size_t max_summands = 32;
 constexpr int max_depth = 16;           ///< of a product with an angle
 constexpr long long max_factor = 1024;  ///< of an angle
 
-/// What a sum adds up, in order; nothing for a long one.
+/// Summands of a sum, in order; nothing for a long one.
 std::vector<NodeId> summands(const ExprBuilder& builder, NodeId sum) {
     std::vector<NodeId> open{sum};
     std::vector<NodeId> result;
@@ -70,7 +71,7 @@ NodeId plain(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId 
                                        : builder.apply(Op::Atan2, quotient.a, *leg);
         }
     }
-    return builder.apply(node.op, a, b, c, node.number);
+    return copy_node(builder, node, a, b, c);
 }
 
 /// sqrt(a^2 + b^2 + c^2) as Length(Length(b, a), c) and so on: with the operands in the order of
@@ -123,7 +124,7 @@ NodeId wave_of(ExprBuilder& builder, Op op, NodeId a) {
     return op == Op::Sin && multiple->factor < 0 ? builder.apply(Op::Negate, result) : result;
 }
 
-/// What a chain of lengths measures.
+/// The legs that a chain of lengths measures.
 std::vector<NodeId> legs(const ExprBuilder& builder, NodeId length) {
     std::vector<NodeId> result;
     NodeId id = length;
@@ -167,7 +168,7 @@ NodeId polar(ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId 
     if (node.op == Op::Sqrt) {
         if (const auto length = length_of(builder, a)) return *length;
     }
-    return builder.apply(node.op, a, b, c, node.number);
+    return copy_node(builder, node, a, b, c);
 }
 
 bool has_any(const Expr& expr, std::initializer_list<Op> ops) {

@@ -1,8 +1,8 @@
 #include "engine/rewrite/root_witnesses.hpp"
 
 #include "engine/algebra/node_facts.hpp"
-#include "engine/expr/rebuilt.hpp"
-#include "engine/expr/simplify.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -15,9 +15,7 @@ constexpr std::size_t most_witnesses = 4;
 /// The nodes of a graph with their ids.
 ExprBuilder nodes_of(const Expr& f) {
     ExprBuilder nodes;
-    rebuild(nodes, f, [](ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
-        return builder.apply(node.op, a, b, c, node.number);
-    });
+    copy_nodes(nodes, f);
     return nodes;
 }
 
@@ -35,7 +33,8 @@ bool is_difference(const ExprBuilder& f, NodeId id, NodeId u, NodeId v) {
                                        (is_same(f, node.a, v) && is_same(f, node.b, u)));
 }
 
-/// What a choice is where the sides of its comparison are equal, if it is their difference.
+/// The operand that a choice is where the sides of its comparison are equal, if it is their
+/// difference.
 std::optional<NodeId> at_equality(const ExprBuilder& f, const Node& choice) {
     const Node& condition = f.node(choice.a);
     if (condition.op != Op::Less && condition.op != Op::LessEqual) return std::nullopt;

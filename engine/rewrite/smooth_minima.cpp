@@ -1,6 +1,8 @@
 #include "engine/rewrite/smooth_minima.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
 
 #include <algorithm>
@@ -277,7 +279,7 @@ Expr with_smooth_minima(const Expr& expr) {
         }
         // Nested smooth maxima are negated twice.
         if (node.op == Op::Negate) return make_negate(builder, a);
-        return builder.apply(node.op, a, b, c, node.number);
+        return copy_node(builder, node, a, b, c);
     });
 }
 

@@ -1,6 +1,6 @@
 #include "engine/rewrite/unrestricted.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/expr/copy.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ std::optional<Expr> unrestricted(const Expr& expr) {
     const auto restricts = [](const Node& node) { return node.op == Op::Where; };
     if (std::ranges::none_of(expr.nodes(), restricts)) return std::nullopt;
     return rebuilt(expr, [&](ExprBuilder& builder, const Node& node, NodeId a, NodeId b, NodeId c) {
-        return restricts(node) ? a : builder.apply(node.op, a, b, c, node.number);
+        return restricts(node) ? a : copy_node(builder, node, a, b, c);
     });
 }
 

@@ -1,31 +1,20 @@
 #include "engine/scene/coloring.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
+#include "engine/base/enum_names.hpp"
 
 namespace zeroset {
 namespace {
 
-constexpr std::array<ColorBy, 8> modes{ColorBy::Plain,         ColorBy::Normal,
-                                       ColorBy::Height,        ColorBy::Depth,
-                                       ColorBy::MeanCurvature, ColorBy::GaussianCurvature,
-                                       ColorBy::Gradient,      ColorBy::Expression};
-constexpr std::array<std::string_view, 8> names{"plain",    "normal",         "height",
-                                                "depth",    "mean-curvature", "gaussian-curvature",
-                                                "gradient", "expression"};
+constexpr auto names = enum_names<ColorBy>("plain", "normal", "height", "depth", "mean-curvature",
+                                           "gaussian-curvature", "gradient", "expression");
 
 }  // namespace
 
-std::span<const ColorBy> color_modes() { return modes; }
+std::span<const ColorBy> color_modes() { return names.values(); }
 
-std::string_view name_of(ColorBy by) { return names[static_cast<std::size_t>(by)]; }
+std::string_view name_of(ColorBy by) { return names.of(by); }
 
-std::optional<ColorBy> color_by_named(std::string_view name) {
-    const auto* const found = std::ranges::find(names, name);
-    if (found == names.end()) return std::nullopt;
-    return modes[static_cast<std::size_t>(found - names.begin())];
-}
+std::optional<ColorBy> color_by_named(std::string_view name) { return names.named(name); }
 
 bool has_range(ColorBy by) { return by != ColorBy::Plain && by != ColorBy::Normal; }
 

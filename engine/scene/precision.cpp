@@ -1,5 +1,6 @@
 #include "engine/scene/precision.hpp"
 
+#include "engine/base/enum_names.hpp"
 #include "engine/kernel/float_check.hpp"
 
 #include <algorithm>
@@ -8,8 +9,8 @@
 
 namespace zeroset {
 
-const char* name_of(Precision precision) {
-    return precision == Precision::Float ? "float" : "double";
+std::string_view name_of(Precision precision) {
+    return enum_names<Precision>("float", "double").of(precision);
 }
 
 SearchDepth search_depth(const Box& clip, const ViewFrame& view, const StopCriterion& stop) {

@@ -4,6 +4,7 @@
 #include "engine/view/camera.hpp"
 
 #include <cstdint>
+#include <string_view>
 
 namespace zeroset {
 
@@ -11,7 +12,7 @@ namespace zeroset {
 enum class Precision : std::uint8_t { Float, Double };
 
 /// "float" or "double".
-const char* name_of(Precision precision);
+std::string_view name_of(Precision precision);
 
 /// How finely rays are searched. A search stops at cells of the clip box's longest edge times
 /// 2^-wanted near the eye: 2^-d_stop of the edge, or of the distance from the eye to the point

@@ -1,10 +1,24 @@
 #include "engine/view/camera.hpp"
 
+#include "engine/base/enum_names.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace zeroset {
+
+namespace {
+
+constexpr auto projections = enum_names<Projection>("perspective", "orthographic");
+
+}  // namespace
+
+std::string_view name_of(Projection projection) { return projections.of(projection); }
+
+std::optional<Projection> projection_named(std::string_view name) {
+    return projections.named(name);
+}
 
 double Box::size() const {
     const glm::dvec3 edges = hi - lo;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace zeroset {
 
@@ -27,6 +28,10 @@ Box scaled(const Box& box, double factor);
 /// Directions of the rays: all from the eye, or all along the view. Both show the same height at
 /// the point looked at.
 enum class Projection : std::uint8_t { Perspective, Orthographic };
+
+/// A projection's name as it is typed: "perspective".
+std::string_view name_of(Projection projection);
+std::optional<Projection> projection_named(std::string_view name);
 
 /// A point of view. Row 0 of its image is at the top, rays go through pixel centres.
 struct Camera {

@@ -1,4 +1,5 @@
 #include "engine/algebra/algebra.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
 #include "jit/batch_function.hpp"

@@ -1,5 +1,6 @@
 #include "tests/oracle/kernel_inclusion.hpp"
 
+#include "engine/expr/copy.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "tests/support/by_pieces.hpp"
@@ -58,16 +59,10 @@ Expr parsed(const char* text) { return parse(text).value(); }
 /// A kernel that computes atan instead of tanh.
 Kernel planted_bug(const Expr& expr) {
     ExprBuilder builder;
-    std::vector<NodeId> copies;
-    for (const Node& node : expr.nodes()) {
-        const int count = arity(node.op);
-        const Op op = node.op == Op::Tanh ? Op::Atan : node.op;
-        copies.push_back(node.op == Op::Constant ? builder.constant(node.lo, node.hi)
-                         : node.op == Op::Variable
-                             ? builder.variable(node.number)
-                             : builder.apply(op, copies[node.a], count < 2 ? 0 : copies[node.b],
-                                             count < 3 ? 0 : copies[node.c], node.number));
-    }
+    const auto copies = copy_nodes(
+        builder, expr, [](ExprBuilder& to, const Node& node, NodeId a, NodeId b, NodeId c) {
+            return node.op == Op::Tanh ? to.apply(Op::Atan, a) : copy_node(to, node, a, b, c);
+        });
     return interpret(builder.finish(copies.back()));
 }
 

@@ -3,7 +3,7 @@
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/render/render.hpp"
-#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
@@ -162,7 +162,7 @@ std::vector<std::size_t> chosen_pixels(const AuditSurface& surface, const AuditS
 std::expected<Formula, InputError> interpreted(const AuditSurface& surface) {
     auto program = read_formula(surface.equation);
     if (!program) return std::unexpected(program.error());
-    const Expr drawn = drawn_form(program->surfaces.front());
+    const Expr drawn = traceable(program->surfaces.front());
     Formula formula;
     formula.text = surface.equation;
     formula.program = std::make_shared<const Program>(std::move(*program));

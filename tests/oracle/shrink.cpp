@@ -1,5 +1,6 @@
 #include "tests/oracle/shrink.hpp"
 
+#include "engine/expr/copy.hpp"
 #include "tests/support/op_names.hpp"
 
 #include <algorithm>
@@ -23,17 +24,7 @@ Expr replaced(const Expr& expr, NodeId target, Make make) {
     std::vector<NodeId> copies;
     for (NodeId id = 0; id <= expr.root(); ++id) {
         const Node& node = expr.node(id);
-        if (id == target) {
-            copies.push_back(make(builder, copies));
-        } else if (node.op == Op::Constant) {
-            copies.push_back(builder.constant(node.lo, node.hi));
-        } else if (node.op == Op::Variable) {
-            copies.push_back(builder.variable(node.number));
-        } else {
-            const int count = arity(node.op);
-            copies.push_back(builder.apply(node.op, copies[node.a], count < 2 ? 0 : copies[node.b],
-                                           count < 3 ? 0 : copies[node.c], node.number));
-        }
+        copies.push_back(id == target ? make(builder, copies) : copy_node(builder, node, copies));
     }
     return builder.finish(copies.back());
 }

@@ -75,7 +75,7 @@ TEST(ColorFormulas, AreOfEachSurface) {
 }
 
 TEST(ColorFormulas, OfAQuotientAreThoseOfWhatWasTyped) {
-    // The drawn form has no denominator, but the colour is that of the typed formula.
+    // The traceable form has no denominator, but the colour is that of the typed formula.
     const Colored steep("x/(1 + z^2) = 1", {ColorBy::Gradient});
     EXPECT_NEAR(steep.at({1, 0, 0}), 1.0, 1e-15);
     EXPECT_NEAR(steep.at({5, 0, 2}), std::hypot(0.2, 0.8), 1e-15);

@@ -1,6 +1,6 @@
 #include "tests/property/expression_inclusion.hpp"
 
-#include "engine/algebra/facts.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "tests/support/random_expression.hpp"
 

@@ -38,7 +38,7 @@ Input<Real> divided_input(RandomNumbers& random) {
     Input<Real> input{random.interval<Real>(), {}};
     const double a = random.point_in(input.box);
     const double b = random.point_in(input.box);
-    input.apart = {enclosing(Real{}, -std::max(a, b)), enclosing(Real{}, std::min(a, b))};
+    input.gap = {enclosing(Real{}, -std::max(a, b)), enclosing(Real{}, std::min(a, b))};
     return input;
 }
 
@@ -101,9 +101,9 @@ double Input<Real>::point(RandomNumbers& random) const {
     }
     if (facts.constant) return random.point_in(*facts.constant);
     const double inside = random.point_in(box);
-    if (!apart) return inside;
-    const auto lower = static_cast<double>(apart->hi);
-    const double upper = -static_cast<double>(apart->neg_lo);
+    if (!gap) return inside;
+    const auto lower = static_cast<double>(gap->hi);
+    const double upper = -static_cast<double>(gap->neg_lo);
     if (!(inside > lower && inside < upper)) return inside;
     return random.one_in(2) ? lower : upper;
 }
@@ -113,7 +113,7 @@ std::string Input<Real>::text() const {
     std::string text = hex(box);
     if (facts.constant) text += " (constant " + hex(*facts.constant) + ")";
     if (facts.nonnegative) text += " (known not to be negative)";
-    if (apart) text += " (with sides " + hex(*apart) + ")";
+    if (gap) text += " (with sides " + hex(*gap) + ")";
     return text;
 }
 
@@ -145,15 +145,15 @@ std::vector<std::array<double, 3>> Inputs<Real>::points(const OpInfo& info,
 template <class Real>
 Outcome<Real> scalar_range(const Node& node, const Inputs<Real>& in) {
     const auto& [a, b, c] = in.of;
-    const Enclosure<Real> x{a.box, {}, {}, {}, a.apart};
-    const Enclosure<Real> y{b.box, {}, {}, {}, b.apart};
-    const Enclosure<Real> z{c.box, {}, {}, {}, c.apart};
+    const Enclosure<Real> x{a.box, {}, {}, {}, a.gap};
+    const Enclosure<Real> y{b.box, {}, {}, {}, b.gap};
+    const Enclosure<Real> z{c.box, {}, {}, {}, c.gap};
     IntervalAlgebra<Real> algebra;
     const Enclosure<Real> f =
         apply(algebra, node, Operand<Enclosure<Real>>{x, a.facts},
               Operand<Enclosure<Real>>{y, b.facts}, Operand<Enclosure<Real>>{z, c.facts});
     return {f.range, f.somewhere.value_or(true), f.everywhere.value_or(true),
-            f.continuous.value_or(true), f.apart};
+            f.continuous.value_or(true), f.gap};
 }
 
 Outcome<double> block_range(const Node& node, const Inputs<double>& in) {
@@ -163,7 +163,7 @@ Outcome<double> block_range(const Node& node, const Inputs<double>& in) {
             return Interval<Lanes>{Lanes::splat(box.neg_lo), Lanes::splat(box.hi)};
         };
         Enclosure<Lanes> result{splat(input.box)};
-        if (input.apart) result.apart = splat(*input.apart);
+        if (input.gap) result.gap = splat(*input.gap);
         return result;
     };
     const auto& [a, b, c] = in.of;
@@ -182,7 +182,7 @@ Outcome<double> block_range(const Node& node, const Inputs<double>& in) {
     };
     Outcome<double> outcome{first(f.range), holds(f.somewhere), holds(f.everywhere),
                             holds(f.continuous)};
-    if (f.apart) outcome.apart = first(*f.apart);
+    if (f.gap) outcome.gap = first(*f.gap);
     return outcome;
 }
 

@@ -23,7 +23,7 @@ struct Input {
     Interval<Real> box;
     Facts facts;
     bool condition = false;
-    std::optional<Interval<Real>> apart{};
+    std::optional<Interval<Real>> gap{};
 
     [[nodiscard]] double point(RandomNumbers& random) const;
     [[nodiscard]] std::string text() const;

@@ -38,7 +38,7 @@ struct Outcome {
     bool somewhere = true;   ///< false: claimed undefined on the whole box
     bool everywhere = true;  ///< claimed defined on the whole box
     bool continuous = true;  ///< claimed continuous where defined
-    std::optional<Interval<Real>> apart{};
+    std::optional<Interval<Real>> gap{};
 };
 
 template <class Real>
@@ -50,10 +50,10 @@ bool contains(const Interval<Real>& range, const MpfrNumber& value) {
     return two_parts ? !(below && above) : !below && !above;
 }
 
-/// Whether the value does not lie inside the gap of Enclosure::apart.
+/// Whether the value does not lie inside the gap of Enclosure::gap.
 template <class Real>
-bool is_beside(const Interval<Real>& apart, const MpfrNumber& value) {
-    return !(value > static_cast<double>(apart.hi) && value < -static_cast<double>(apart.neg_lo));
+bool is_beside(const Interval<Real>& gap, const MpfrNumber& value) {
+    return !(value > static_cast<double>(gap.hi) && value < -static_cast<double>(gap.neg_lo));
 }
 
 inline std::string hex(double value) {
@@ -95,8 +95,8 @@ std::string complaint(const Outcome<Real>& outcome, const Reference& truth, Incl
     ++tally.checks;
     if (!truth.defined) return outcome.everywhere ? "undefined there, but claimed defined" : "";
     if (!outcome.somewhere) return "defined there, but claimed undefined";
-    if (outcome.apart && !is_beside(*outcome.apart, truth.value)) {
-        return "not enclosed: " + truth.value.text() + " between the sides " + hex(*outcome.apart);
+    if (outcome.gap && !is_beside(*outcome.gap, truth.value)) {
+        return "not enclosed: " + truth.value.text() + " between the sides " + hex(*outcome.gap);
     }
     if (contains(outcome.value, truth.value)) return {};
     if (whole_turns) {

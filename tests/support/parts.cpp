@@ -1,5 +1,7 @@
 #include "tests/support/parts.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 #include "engine/interpret/interpret.hpp"
 
 #include <vector>
@@ -14,14 +16,10 @@ Expr beside_another(const Expr& expr) {
     std::vector<NodeId> other;
     for (const Node& node : expr.nodes()) {
         const auto add = [&](std::vector<NodeId>& to, double factor) {
-            if (node.op == Op::Constant) {
-                to.push_back(builder.constant(node.lo * factor, node.hi * factor));
-            } else if (node.op == Op::Variable) {
-                to.push_back(builder.variable(node.number));
-            } else {
-                to.push_back(
-                    builder.apply(node.op, to[node.a], to[node.b], to[node.c], node.number));
-            }
+            Node scaled = node;
+            scaled.lo *= factor;
+            scaled.hi *= factor;
+            to.push_back(copy_node(builder, scaled, to));
         };
         add(own, 1.0);
         add(other, 0.75);

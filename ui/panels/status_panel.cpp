@@ -65,7 +65,7 @@ std::string view_scale(const UiState& state) {
     const double width = height * picture.width_px / picture.height_px;
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "view %.2g wide, %s", width,
-                  name_of(picture.precision));
+                  std::string(name_of(picture.precision)).c_str());
     return text.data();
 }
 

@@ -4,6 +4,7 @@
 #include "app/cli/options/solid_options.hpp"
 #include "document/json/document_file.hpp"
 #include "engine/base/text.hpp"
+#include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
@@ -16,8 +17,6 @@
 
 namespace zeroset {
 namespace {
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
@@ -75,8 +74,7 @@ OrInputError<Box> read_box(const std::string& text) {
 }
 
 OrInputError<Projection> read_projection(const std::string& text) {
-    if (text == "perspective") return Projection::Perspective;
-    if (text == "orthographic") return Projection::Orthographic;
+    if (const auto projection = projection_named(text)) return *projection;
     return wrong_input("--projection " + text + ": type perspective or orthographic");
 }
 
@@ -213,7 +211,7 @@ OrInputError<std::vector<double>> read_numbers(const std::string& option, const 
     for (const std::string_view part : parts) {
         const std::optional<double> value = number_from<double>(part);
         if (!value || !std::isfinite(*value)) {
-            return wrong_input(option + " " + text + ": " + quoted(part) +
+            return wrong_input(option + " " + text + ": " + quoted(part, part.size()) +
                                " is not a finite number");
         }
         values.push_back(*value);

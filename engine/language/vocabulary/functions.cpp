@@ -1,6 +1,7 @@
 #include "engine/language/vocabulary/functions.hpp"
 
 #include "engine/expr/constants.hpp"
+#include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
 
 #include <algorithm>

@@ -1,5 +1,8 @@
 #include "engine/rewrite/differences/constant_steps.hpp"
 
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
+
 namespace zeroset {
 namespace {
 

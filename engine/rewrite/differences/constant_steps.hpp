@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/expr/simplify.hpp"
+#include "engine/expr/exact.hpp"
 
 #include <optional>
 

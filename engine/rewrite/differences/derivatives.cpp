@@ -4,6 +4,7 @@
 #include "engine/rewrite/differences/graph_number.hpp"
 // Rules over any carrier.
 #include "engine/algebra/algebra.hpp"
+#include "engine/expr/copy.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,7 +27,7 @@ public:
     Gradient of(NodeId root);
 
 private:
-    /// What the root is made of, operands first, as far as it is not known yet.
+    /// Nodes that the root is made of and whose derivatives are not known yet, operands first.
     [[nodiscard]] std::vector<NodeId> unknown_below(NodeId root) const;
     Dual<GraphNumber> made(NodeId id);
     [[nodiscard]] bool is_known(NodeId id) const { return id < known_.size() && known_[id]; }
@@ -99,10 +100,7 @@ std::optional<GraphNumber> product(const std::optional<GraphNumber>& a,
 class Shape {
 public:
     explicit Shape(const Expr& f) : f_(f), differentiator_(builder_) {
-        std::vector<NodeId> copies;
-        for (const Node& node : f.nodes())
-            copies.push_back(copied(node, copies));
-        gradient_ = differentiator_.of(copies.back());
+        gradient_ = differentiator_.of(copy_nodes(builder_, f).back());
     }
 
     [[nodiscard]] std::optional<GraphNumber> square() const {
@@ -131,7 +129,7 @@ public:
     [[nodiscard]] std::optional<GraphNumber> second(std::size_t i, std::size_t k) const {
         return hessian_[std::min(i, k)][std::max(i, k)];
     }
-    /// Of the matrix of second derivatives, which is symmetric.
+    /// A cofactor of the matrix of second derivatives, which is symmetric.
     [[nodiscard]] std::optional<GraphNumber> cofactor(std::size_t i, std::size_t k) const {
         const std::size_t i1 = (i + 1) % 3;
         const std::size_t i2 = (i + 2) % 3;
@@ -148,14 +146,6 @@ public:
     }
 
 private:
-    NodeId copied(const Node& node, const std::vector<NodeId>& copies) {
-        if (node.op == Op::Constant) return builder_.constant(node.lo, node.hi);
-        if (node.op == Op::Variable) return builder_.variable(node.number);
-        const int operands = arity(node.op);
-        return builder_.apply(node.op, copies[node.a], operands > 1 ? copies[node.b] : 0,
-                              operands > 2 ? copies[node.c] : 0, node.number);
-    }
-
     const Expr& f_;
     ExprBuilder builder_;
     Differentiator differentiator_;

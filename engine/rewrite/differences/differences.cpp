@@ -1,6 +1,9 @@
 #include "engine/rewrite/differences/differences.hpp"
 
-#include "engine/expr/rebuilt.hpp"
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
 #include "engine/rewrite/differences/divided_difference.hpp"
 
@@ -51,7 +54,7 @@ Expr without_small_differences(const Expr& expr) {
                 return result;
             }
         }
-        return builder.apply(node.op, a, b, c, node.number);
+        return copy_node(builder, node, a, b, c);
     });
 }
 

@@ -4,6 +4,8 @@
 
 #include "engine/rewrite/differences/divided_difference.hpp"
 
+#include "engine/expr/exact.hpp"
+#include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/constant_steps.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "engine/rewrite/polynomial/collected_terms.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/rewrite/polynomial/polynomial.hpp"
 #include "engine/rewrite/polynomial/polynomial_candidates.hpp"

@@ -1,5 +1,7 @@
 #include "engine/rewrite/polynomial/tighten.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/rewrite/polynomial/polynomial.hpp"
 #include "engine/rewrite/polynomial/polynomial_candidates.hpp"
@@ -41,7 +43,7 @@ double cost_of(const Node& node, std::span<const Facts> facts) {
     return a.nonnegative || b.nonnegative ? 3.5 : 6.0;
 }
 
-/// What a cell of a search for the zeros of a node takes, in additions.
+/// The time that a cell of a search for the zeros of a node takes, in additions.
 double time_of_cell(const Expr& expr, NodeId root, std::span<const Facts> facts) {
     double time = 10.0;  // of the tracer
     std::vector<bool> used(root + 1);
@@ -138,7 +140,7 @@ public:
           replaced_(expr.nodes().size()),
           effort_(effort) {
         for (NodeId id = 0; id <= expr.root(); ++id)
-            now_[id] = copied(id, now_);
+            now_[id] = copy_node(builder_, expr.node(id), now_);
     }
 
     Expr run() {
@@ -149,14 +151,6 @@ public:
     }
 
 private:
-    /// Node `id` over the operands that stand for its own.
-    NodeId copied(NodeId id, std::span<const NodeId> now) {
-        const Node& node = expr_.node(id);
-        if (node.op == Op::Constant) return builder_.constant(node.lo, node.hi);
-        if (node.op == Op::Variable) return builder_.variable(node.number);
-        return builder_.apply(node.op, now[node.a], now[node.b], now[node.c], node.number);
-    }
-
     /// Polynomials that are no summands of one, and those that are no operands of one; the largest
     /// first.
     [[nodiscard]] std::vector<NodeId> sums() const {
@@ -204,7 +198,7 @@ private:
         replaced_[id] = best != 0;
     }
 
-    /// What the root becomes with each of the candidates for node `id`.
+    /// The roots that come of each of the candidates for node `id`.
     std::vector<NodeId> roots_with(NodeId id, std::span<const NodeId> candidates,
                                    std::span<const NodeId> above) {
         std::vector<NodeId> roots;
@@ -218,10 +212,10 @@ private:
     void replace(NodeId id, NodeId by, std::span<const NodeId> above) {
         now_[id] = by;
         for (const NodeId user : above)
-            now_[user] = copied(user, now_);
+            now_[user] = copy_node(builder_, expr_.node(user), now_);
     }
 
-    /// What depends on the node and stands as it was typed, operands first.
+    /// Nodes that depend on node `id` and stand as they were typed, operands first.
     [[nodiscard]] std::vector<NodeId> nodes_above(NodeId id) const {
         std::vector<bool> depends(expr_.nodes().size());
         depends[id] = true;

@@ -1,5 +1,6 @@
 #include "engine/expr/simplify.hpp"
 
+#include "engine/expr/exact.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"

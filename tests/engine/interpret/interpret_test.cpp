@@ -1,6 +1,7 @@
 #include "engine/interpret/interpret.hpp"
 
 #include "engine/algebra/algebra.hpp"
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/tape.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"

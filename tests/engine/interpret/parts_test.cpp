@@ -1,5 +1,6 @@
 #include "engine/interpret/parts.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "tests/support/kernel_batch.hpp"

@@ -1,5 +1,5 @@
 #include "engine/render/render.hpp"
-#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/traceable.hpp"
 #include "tests/engine/render/domain_scenes.hpp"
 #include "tests/support/rays.hpp"
 
@@ -125,11 +125,11 @@ TEST_P(DomainTest, DrawsWhatIsThereAndNothingElse) {
 }
 
 /// The same of the form that the program traces, without poles.
-TEST_P(DomainTest, DrawsTheSameInTheDrawnForm) {
+TEST_P(DomainTest, DrawsTheSameInTheTraceableForm) {
     int rewritten = 0;
     for (const DomainScene& domain : domain_scenes()) {
         const Expr typed = *parse(domain.text);
-        const Expr drawn = drawn_form(typed);
+        const Expr drawn = traceable(typed);
         const bool other = std::ranges::any_of(
             drawn.nodes(), [](const Node& node) { return node.op == Op::Oriented; });
         if (!other) continue;

@@ -1,5 +1,6 @@
 #include "engine/rewrite/plain_conditions.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
 #include "engine/algebra/switches.hpp"
 #include "engine/language/parse.hpp"
 #include "tests/support/mpfr_number.hpp"

@@ -1,6 +1,6 @@
 #include "tests/support/oracle/polynomial_oracle.hpp"
 
-#include "engine/expr/simplify.hpp"
+#include "engine/expr/exact.hpp"
 #include "tests/support/oracle/flint_polynomial.hpp"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "engine/rewrite/differences/differences.hpp"
 
+#include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
@@ -59,17 +60,11 @@ TEST(WithoutSmallDifferences, LeavesOthersAlone) {
 NodeId shifted(ExprBuilder& builder, const Expr& f, const std::array<double, 3>& step) {
     std::vector<NodeId> now;
     for (const Node& node : f.nodes()) {
-        if (node.op == Op::Constant) {
-            now.push_back(builder.constant(node.lo, node.hi));
-        } else if (node.op == Op::Variable) {
-            const NodeId variable = builder.variable(node.number);
-            const auto axis = static_cast<std::size_t>(node.number);
-            const double by = axis < step.size() ? step.at(axis) : 0.0;
-            now.push_back(make_add(builder, variable, builder.constant(by)));
-        } else {
-            now.push_back(
-                builder.apply(node.op, now[node.a], now[node.b], now[node.c], node.number));
-        }
+        now.push_back(copy_node(builder, node, now));
+        if (node.op != Op::Variable) continue;
+        const auto axis = static_cast<std::size_t>(node.number);
+        const double by = axis < step.size() ? step.at(axis) : 0.0;
+        now.back() = make_add(builder, now.back(), builder.constant(by));
     }
     return now.back();
 }

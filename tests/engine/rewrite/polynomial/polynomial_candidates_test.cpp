@@ -1,5 +1,7 @@
 #include "engine/rewrite/polynomial/polynomial_candidates.hpp"
 
+#include "engine/algebra/graph_facts.hpp"
+#include "engine/expr/copy.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/mpfr_number.hpp"
@@ -20,17 +22,7 @@ std::vector<Expr> candidates(const Expr& expr) {
     const UpwardRounding upward;
     const Expansion expansion = expand(expr, facts);
     ExprBuilder builder;
-    std::vector<NodeId> now;
-    for (const Node& node : expr.nodes()) {
-        if (node.op == Op::Constant) {
-            now.push_back(builder.constant(node.lo, node.hi));
-        } else if (node.op == Op::Variable) {
-            now.push_back(builder.variable(node.number));
-        } else {
-            now.push_back(
-                builder.apply(node.op, now[node.a], now[node.b], now[node.c], node.number));
-        }
-    }
+    const std::vector<NodeId> now = copy_nodes(builder, expr);
     std::vector<Expr> result;
     for (const NodeId id :
          polynomial_candidates(builder, {expr, facts, expansion}, now, expr.root(), 2000))

@@ -1,4 +1,4 @@
-#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/traceable.hpp"
 
 #include "engine/rewrite/clear_poles.hpp"
 #include "engine/rewrite/differences/differences.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 /// Larger formulas are not measured.
 constexpr std::size_t most_nodes = 500;
-/// What is estimated to take less than this share of the time surely does.
+/// A form that is estimated to take less than this share of the time surely takes less.
 constexpr double clearly = 0.9;
 
 /// The tightened formula, unless beams are surely traced faster through the one as it was: that
@@ -35,7 +35,7 @@ Expr quicker(const Expr& expr, const Expr& tight, const SampleRegion& region) {
 
 }  // namespace
 
-Expr drawn_form(const Expr& expr, const SampleRegion& region) {
+Expr traceable(const Expr& expr, const SampleRegion& region) {
     const Expr folded = with_folds(with_plain_conditions(expr));
     const Expr smooth = with_smooth_minima(with_log_sums(plain_angles(folded)));
     const Expr short_form = with_collected_terms(smooth, region);

@@ -1,4 +1,4 @@
-#include "engine/algebra/facts.hpp"
+#include "engine/algebra/graph_facts.hpp"
 
 #include "engine/language/parse.hpp"
 

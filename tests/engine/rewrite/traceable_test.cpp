@@ -1,4 +1,4 @@
-#include "engine/rewrite/drawn_form.hpp"
+#include "engine/rewrite/traceable.hpp"
 
 #include "engine/expr/simplify.hpp"
 #include "engine/interpret/interpret.hpp"
@@ -67,17 +67,17 @@ TEST(WithoutPoles, GivesUpOnManyPoles) {
     EXPECT_EQ(cleared(text.c_str()), as_typed(text.c_str()));
 }
 
-TEST(DrawnForm, IsTightOnlyWhereThatSavesBeams) {
+TEST(Traceable, IsTightOnlyWhereThatSavesBeams) {
     const Expr tangle = *parse("x^4 - 5*x^2 + y^4 - 5*y^2 + z^4 - 5*z^2 + 11.8");
-    EXPECT_EQ(drawn_form(tangle).key(), tightened(tangle).key());
-    EXPECT_NE(drawn_form(tangle).key(), tangle.key());
+    EXPECT_EQ(traceable(tangle).key(), tightened(tangle).key());
+    EXPECT_NE(traceable(tangle).key(), tangle.key());
     // Three times the operators for enclosures in interval arithmetic that no beam needs.
     const Expr tori = *parse(
         "((x^2 + (y - 0.2)^2 + z^2 + 0.13)^2 - 0.53*(x^2 + (y - 0.2)^2))"
         "*((z^2 + (y + 0.2)^2 + x^2 + 0.13)^2 - 0.53*(z^2 + (y + 0.2)^2)) + 0.00001");
     const SampleRegion region{{-1.1, -1.1, -1.1}, {1.1, 1.1, 1.1}, {}};
     EXPECT_NE(tightened(tori, region).key(), tori.key());
-    EXPECT_EQ(drawn_form(tori, region).key(), tori.key());
+    EXPECT_EQ(traceable(tori, region).key(), tori.key());
 }
 
 TEST(FormSample, TellsWhereFormsLeaveRoom) {
@@ -150,9 +150,9 @@ TEST(PolarForm, TakesWavesOfWholeMultiplesOfAngles) {
 }
 
 /// At a root, the gradient of what is drawn is a positive multiple of the gradient of f.
-TEST(DrawnForm, GradientsAtRootsPointTheSameWay) {
+TEST(Traceable, GradientsAtRootsPointTheSameWay) {
     const Expr typed = *parse("1/(x - y^2) - z");
-    const Expr drawn = drawn_form(typed);
+    const Expr drawn = traceable(typed);
     for (const double x : {-1.5, -0.25, 0.5, 1.25}) {
         const double y = 0.75;
         const double divisor = x - y * y;
@@ -212,7 +212,7 @@ void expect_same_signs(const Expr& typed, const Expr& drawn, test::RandomNumbers
     }
 }
 
-TEST(DrawnForm, KeepsRandomQuotientsZerosDomainsAndSigns) {
+TEST(Traceable, KeepsRandomQuotientsZerosDomainsAndSigns) {
     test::RandomNumbers random(11);
     int rewritten = 0;
     for (int formula = 0; formula < 600; ++formula) {
@@ -222,12 +222,12 @@ TEST(DrawnForm, KeepsRandomQuotientsZerosDomainsAndSigns) {
         if (drawn.key() == typed.key()) continue;
         ++rewritten;
         expect_same_signs(typed, drawn, random);
-        if (formula % 6 == 0) expect_same_signs(typed, drawn_form(typed), random);
+        if (formula % 6 == 0) expect_same_signs(typed, traceable(typed), random);
     }
     EXPECT_GT(rewritten, 150);
 }
 
-TEST(DrawnForm, KeepsRandomGraphsZerosDomainsAndSigns) {
+TEST(Traceable, KeepsRandomGraphsZerosDomainsAndSigns) {
     test::RandomNumbers random(12);
     for (int formula = 0; formula < 400; ++formula) {
         const Expr typed = test::random_expression(random, 1 + formula % 5);

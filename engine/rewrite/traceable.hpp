@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "engine/rewrite/sample/box_sample.hpp"
+
+namespace zeroset {
+
+/// The function that is traced for f: it has the same zero set and domain, and gradients that point
+/// the same way at the zeros, and is written so that it is enclosed tightest. Takes some
+/// milliseconds at most; a very large graph is left as it is.
+Expr traceable(const Expr& expr, const SampleRegion& region = {});
+
+}  // namespace zeroset
