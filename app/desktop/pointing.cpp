@@ -1,9 +1,9 @@
 #include "app/desktop/pointing.hpp"
 
+#include "engine/annotate/hidden.hpp"
 #include "engine/measure/probe.hpp"
 #include "pipeline/document_scene.hpp"
 #include "pipeline/probe_document.hpp"
-#include "ui/picture/picture_place.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -31,7 +31,7 @@ std::optional<double> Pointing::due_s(double now_s) const {
 
 void Pointing::look(ui::UiState& state, const Behind& behind) {
     if (!state.pointer || state.shown.frame == nullptr) return;
-    const glm::ivec2 pixel = ui::pixel_under(*state.shown.frame, *state.pointer);
+    const glm::ivec2 pixel = pixel_under(*state.shown.frame, *state.pointer);
     const Looked wanted{state.shown.frame, behind.formula, pixel};
     if (wanted == looked_) return;
     looked_ = wanted;
@@ -76,7 +76,7 @@ std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state, con
         depth_tolerance(clip, behind.stop, wanted_precision(clip, view, behind.stop));
     const ProbedPicture picture{*shown.frame, shown.camera, typed(behind.formula, visible),
                                 behind.uniforms, tolerance};
-    const glm::ivec2 pixel = ui::pixel_under(*shown.frame, cursor);
+    const glm::ivec2 pixel = pixel_under(*shown.frame, cursor);
     const auto facts = probe(picture, pixel.x, pixel.y);
     if (!facts || facts->surface >= visible.size()) return std::nullopt;
     const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);
