@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What a frame shows, as far as it is told beside it.
+/// The subject of a frame, of which axes, markers and legend tell.
 struct FrameSubject {
     const Document& document;
     const Camera& camera;      ///< that the frame was drawn with

@@ -20,7 +20,7 @@ public:
     /// From ZEROSET_FONT_DIR (set by CMake); or one line that says what is missing.
     static std::expected<LabelFont, std::string> load();
 
-    /// Paints the text; what is beyond the picture is left out. Of the picture only colours change.
+    /// Paints the text; what is beyond the picture is left out. Nothing but colours changes.
     void paint(Framebuffer& picture, const Text& text) const;
     /// Width of one line of UTF-8, as a TextWidth.
     [[nodiscard]] double width(std::string_view text, double em) const;

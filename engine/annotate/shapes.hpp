@@ -12,10 +12,10 @@
 #include <variant>
 #include <vector>
 
-// What is drawn over a picture, as plain values: made once, painted into an image in memory by
-// paint_shapes and onto the window by ui/picture. Places and lengths are in pixels of the canvas,
-// from its left upper corner, rows downwards; a pixel's centre is at (i + 0.5, j + 0.5). Colours
-// are RGBA as in Framebuffer::color, not multiplied by their alpha.
+// Shapes that are drawn over a picture, as plain values: made once, painted into an image in memory
+// by paint_shapes and onto the window by ui/picture. Places and lengths are in pixels of the
+// canvas, from its left upper corner, rows downwards; a pixel's centre is at (i + 0.5, j + 0.5).
+// Colours are RGBA as in Framebuffer::color, not multiplied by their alpha.
 
 namespace zeroset {
 
