@@ -7,17 +7,16 @@
 #include "engine/export/file.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/tolerance.hpp"
-#include "pipeline/furnish.hpp"
+#include "pipeline/finish_picture.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/probe_document.hpp"
-#include "ui/picture/legend.hpp"
-#include "ui/picture/picture_overlay.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <memory>
 #include <utility>
 
 namespace zeroset {
@@ -147,18 +146,6 @@ Json stats_of(const RenderedPicture& picture) {
               {"form", timing.counters.form}}}};
 }
 
-/// The picture with markers and legend.
-Framebuffer marked(const Framebuffer& frame, const RenderedPicture& picture, bool with_legend) {
-    const RenderPlan& plan = picture.plan;
-    const Coloring& coloring = picture.scene.coloring;
-    const ui::Legend legend = ui::legend_of(coloring, plan.document.coloring.expression);
-    const bool needs_legend = with_legend && coloring.by != ColorBy::Plain;
-    Framebuffer marked = frame;
-    ui::draw_marks_over(marked, picture.request.camera, plan.document.markers,
-                        needs_legend ? &legend : nullptr);
-    return marked;
-}
-
 /// The reading of each of the program's surfaces.
 std::vector<std::string> surface_readings(const Program& program) {
     std::vector<std::string> texts;
@@ -186,24 +173,20 @@ void print_probes(const RenderedPicture& picture) {
     }
 }
 
-/// Whether the picture is nothing but the frame.
-bool is_bare(const RenderedPicture& picture) {
-    const Document& document = picture.plan.document;
-    return !document.axes && !document.clip_box && !document.grid && document.markers.empty() &&
-           picture.scene.coloring.by == ColorBy::Plain;
-}
-
 /// The files; or why one cannot be written.
 std::expected<void, std::string> write_files(const RenderCommand& command,
-                                             const RenderedPicture& picture) {
+                                             const std::shared_ptr<const RenderedPicture>& made) {
+    const RenderedPicture& picture = *made;
     const Framebuffer& frame = picture.frame;
     std::expected<void, FileError> written;
-    if (command.output && is_bare(picture)) {
-        written = write_png(*command.output, frame);
-    } else if (command.output) {
-        const auto painted = furnished(frame, picture.plan.document, picture.request.camera);
-        if (!painted) return std::unexpected(painted.error());
-        written = write_png(*command.output, marked(*painted, picture, !command.no_legend));
+    if (command.output) {
+        const FrameSubject subject{.document = picture.plan.document,
+                                   .camera = picture.request.camera,
+                                   .coloring = picture.scene.coloring,
+                                   .legend = !command.no_legend};
+        const auto finished = finish_picture({made, &frame}, subject);
+        if (!finished) return std::unexpected(finished.error());
+        written = write_png(*command.output, **finished);
     }
     if (written && command.depth) written = write_pfm(*command.depth, frame);
     if (written && command.certificate)
@@ -214,13 +197,14 @@ std::expected<void, std::string> write_files(const RenderCommand& command,
     return {};
 }
 
-int finish(const RenderCommand& command, const RenderedPicture& picture) {
+int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPicture>& made) {
+    const RenderedPicture& picture = *made;
     if (picture.error) return report(*picture.error);
     if (!picture.note.empty()) std::cerr << "zeroset: --fit: " << picture.note << '\n';
     const std::string left = budget_note(picture);
     if (!left.empty()) std::cerr << "zeroset: " << left << '\n';
     print_probes(picture);
-    const auto written = write_files(command, picture);
+    const auto written = write_files(command, made);
     return written ? exit_ok : report_run_time(written.error());
 }
 
@@ -232,7 +216,7 @@ int run_render(const RenderCommand& command) {
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
     const RenderOutcome outcome = render_picture(*plan, start);
-    const int exit_code = finish(command, *outcome.picture);
+    const int exit_code = finish(command, outcome.picture);
     if (outcome.stuck) end_process(exit_code);
     return exit_code;
 }

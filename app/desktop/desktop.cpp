@@ -2,6 +2,7 @@
 
 #include "document/colors.hpp"
 #include "document/play.hpp"
+#include "engine/annotate/legend.hpp"
 #include "engine/base/text.hpp"
 #include "engine/language/help.hpp"
 #include "engine/render/render_job.hpp"
@@ -14,7 +15,6 @@
 #include "pipeline/picture_request.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
-#include "ui/picture/legend.hpp"
 #include "ui/screen.hpp"
 #include "ui/widgets/typing_popup.hpp"
 #include "ui/window/texture.hpp"
@@ -246,7 +246,7 @@ void Desktop::take_frame() {
 void Desktop::show_legend(const RenderResult& result) {
     state_.legend.reset();
     if (result.coloring.by == ColorBy::Plain) return;
-    state_.legend = ui::legend_of(result.coloring, colors_->expression);
+    state_.legend = legend_of(result.coloring, colors_->expression);
 }
 
 const PictureRequest* Desktop::behind_picture() const {

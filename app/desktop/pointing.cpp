@@ -1,8 +1,8 @@
 #include "app/desktop/pointing.hpp"
 
+#include "engine/annotate/hidden.hpp"
 #include "engine/measure/probe.hpp"
 #include "pipeline/probe_document.hpp"
-#include "ui/picture/picture_place.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -30,7 +30,7 @@ std::optional<double> Pointing::due_s(double now_s) const {
 
 void Pointing::look(ui::UiState& state, const PictureRequest& request) {
     if (!state.pointer || state.shown.frame == nullptr) return;
-    const glm::ivec2 pixel = ui::pixel_under(*state.shown.frame, *state.pointer);
+    const glm::ivec2 pixel = pixel_under(*state.shown.frame, *state.pointer);
     const Looked wanted{state.shown.frame, request.formula, pixel};
     if (wanted == looked_) return;
     looked_ = wanted;
@@ -75,7 +75,7 @@ std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state,
         depth_tolerance(request.clip, stop, wanted_precision(request.clip, view, stop));
     const Uniforms uniforms = uniforms_of(request);
     const ProbedPicture picture{*shown.frame, shown.camera, typed(request), uniforms, tolerance};
-    const glm::ivec2 pixel = ui::pixel_under(*shown.frame, cursor);
+    const glm::ivec2 pixel = pixel_under(*shown.frame, cursor);
     const auto facts = probe(picture, pixel.x, pixel.y);
     if (!facts || facts->surface >= request.surfaces.size()) return std::nullopt;
     const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);

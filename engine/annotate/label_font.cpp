@@ -74,7 +74,8 @@ std::expected<LabelFont, std::string> LabelFont::load() {
     face->file.assign(std::istreambuf_iterator<char>(stream), {});
     if (face->file.empty() || stbtt_InitFont(&face->info, face->file.data(), 0) == 0) {
         return std::unexpected("cannot read the font " + path +
-                               "; install DejaVu (fonts-dejavu-core), or draw without --axes");
+                               "; install DejaVu (fonts-dejavu-core), "
+                               "or draw without axes, marks and legend (--no-legend)");
     }
     return LabelFont(std::move(face));
 }
@@ -88,13 +89,28 @@ double LabelFont::width(std::string_view text, double em) const {
     return width;
 }
 
-void LabelFont::paint(Framebuffer& picture, const glm::dvec2& middle, std::string_view text,
-                      double em, std::uint32_t color) const {
+void LabelFont::paint(Framebuffer& picture, const Text& text) const {
+    glm::dvec2 start = text.at;
+    const double wide = text.anchor == Anchor::TopLeft ? 0.0 : width(text.words, text.em);
+    const bool centred = text.anchor == Anchor::Middle || text.anchor == Anchor::TopMiddle;
+    start.x -= centred ? 0.5 * wide : wide;
+    start.y += text.em * (text.anchor == Anchor::Middle ? 0.5 * digit_height_em : baseline_em);
+    // Lines of text begin at whole pixels, so that those below one another look alike.
+    if (text.anchor != Anchor::Middle) start.x = std::floor(start.x);
+    if (text.outline >> 24U != 0) {
+        for (const glm::dvec2& aside : outline_offsets(text.em))
+            paint_letters(picture, start + aside, text.words, text.em, text.outline);
+    }
+    paint_letters(picture, start, text.words, text.em, text.color);
+}
+
+void LabelFont::paint_letters(Framebuffer& picture, const glm::dvec2& start, std::string_view words,
+                              double em, std::uint32_t color) const {
     const float scale = stbtt_ScaleForMappingEmToPixels(&face_->info, static_cast<float>(em));
-    double pen = middle.x - 0.5 * width(text, em);
-    const double baseline = std::round(middle.y + 0.5 * digit_height_em * em);
-    while (!text.empty()) {
-        const int point = take_code_point(text);
+    double pen = start.x;
+    const double baseline = std::round(start.y);
+    while (!words.empty()) {
+        const int point = take_code_point(words);
         const double whole = std::floor(pen);
         const auto shift = static_cast<float>(pen - whole);
         int left = 0;

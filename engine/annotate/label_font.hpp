@@ -1,8 +1,9 @@
 #pragma once
 
+#include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
 
-#include <glm/glm.hpp>
+#include <glm/ext/vector_double2.hpp>
 
 #include <cstdint>
 #include <expected>
@@ -19,15 +20,16 @@ public:
     /// From ZEROSET_FONT_DIR (set by CMake); or one line that says what is missing.
     static std::expected<LabelFont, std::string> load();
 
-    /// UTF-8 in one line with its middle (of a digit's height) at a place of the picture, in
-    /// pixels; what is beyond the picture is left out. `em` in pixels.
-    void paint(Framebuffer& picture, const glm::dvec2& middle, std::string_view text, double em,
-               std::uint32_t color) const;
-    /// In pixels.
+    /// Paints the text; what is beyond the picture is left out. Nothing but colours changes.
+    void paint(Framebuffer& picture, const Text& text) const;
+    /// Width of one line of UTF-8, as a TextWidth.
     [[nodiscard]] double width(std::string_view text, double em) const;
 
 private:
     struct Face;
+    /// Paints letters from a place of their baseline on.
+    void paint_letters(Framebuffer& picture, const glm::dvec2& start, std::string_view words,
+                       double em, std::uint32_t color) const;
     explicit LabelFont(std::shared_ptr<const Face> face) : face_(std::move(face)) {}
 
     std::shared_ptr<const Face> face_;

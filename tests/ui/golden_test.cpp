@@ -2,11 +2,11 @@
 // the window in squares. ZEROSET_WRITE_GOLDENS=1 rewrites them; look at the window itself then,
 // with `zeroset ui-shot`.
 
+#include "engine/annotate/legend.hpp"
 #include "engine/export/png.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/image/rgba_image.hpp"
 #include "tests/ui/panels.hpp"
-#include "ui/picture/legend.hpp"
 
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
@@ -130,7 +130,7 @@ TEST_P(Goldens, OfTheViewsSettings) {
     expect_golden("view");
 }
 
-TEST_P(Goldens, OfTheFurnitureOfSpace) {
+TEST_P(Goldens, OfTheAxesOfSpace) {
     state_.layout.space_open = true;
     state_.document.axes = true;
     expect_golden("space");

@@ -3,6 +3,7 @@
 #include "document/document.hpp"
 #include "document/play.hpp"
 #include "document/sheet.hpp"
+#include "engine/annotate/legend.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/language/help.hpp"
 #include "engine/measure/probe.hpp"
@@ -93,14 +94,6 @@ struct PictureClick {
     int marker = 0;          ///< number of the one that was clicked; 0: none
     bool again = false;      ///< the second of a double click
     bool at_once = false;    ///< no second one follows: it came from the keyboard
-};
-
-/// Which colour stands for which number.
-struct Legend {
-    std::string title;
-    ColorBy by = ColorBy::Plain;
-    ColorMap map = ColorMap::Aurora;
-    std::optional<ValueRange> range;  ///< of what has one
 };
 
 /// What is done to the document as a whole; the owner does it.

@@ -1,9 +1,10 @@
 #include "ui/panels/look_section.hpp"
 
 #include "document/look.hpp"
+#include "engine/annotate/legend.hpp"
 #include "engine/scene/coloring.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/picture/legend.hpp"
+#include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -55,7 +56,7 @@ void draw_expression(UiState& state) {
 
 void draw_map_preview(ImDrawList& canvas, const ImVec2& lo, ColorMap map) {
     const float height = ImGui::GetTextLineHeight();
-    draw_map_bar(canvas, lo, ImVec2(lo.x + em(6.0F), lo.y + height), map);
+    draw_shapes(canvas, lo, {MapBar{{0.0, 0.0}, {em(6.0F), height}, map}});
 }
 
 void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {
@@ -133,16 +134,16 @@ void draw_undecided(UiState& state) {
             "a root.");
     }
     if (!state.document.mark_undecided) return;
-    constexpr std::array marks{std::pair(Mark::UndecidedDrawn, "something is drawn there"),
-                               std::pair(Mark::UndecidedNotDrawn, "nothing is drawn there"),
-                               std::pair(Mark::Coarse, "certified in a coarse bracket")};
-    const Palette& colors = palette(state.theme);
+    constexpr std::array marks{std::pair(PixelMark::UndecidedDrawn, "something is drawn there"),
+                               std::pair(PixelMark::UndecidedNotDrawn, "nothing is drawn there"),
+                               std::pair(PixelMark::Coarse, "certified in a coarse bracket")};
+    const CardStyle style = card_style(state.theme);
     const float size = ImGui::GetTextLineHeight();
     for (const auto& [mark, words] : marks) {
         ImGui::Dummy(ImVec2(em(1.6F), size));
         ImGui::SameLine(0.0F, 0.0F);
-        draw_mark_swatch(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(), size, mark,
-                         colors);
+        draw_shapes(*ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos(),
+                    swatch_shapes({0.0, 0.0}, static_cast<double>(size), mark, style));
         ImGui::Dummy(ImVec2(size, size));
         ImGui::SameLine(0.0F, em(0.5F));
         ImGui::TextDisabled("%s", words);

@@ -1,6 +1,6 @@
 #include "ui/picture/axis_gizmo.hpp"
 
-#include "engine/annotate/furniture_colors.hpp"
+#include "engine/annotate/axis_colors.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/steering.hpp"
@@ -64,7 +64,7 @@ void draw_letter(ImDrawList& canvas, const GizmoBall& ball, std::uint32_t color)
 void draw_ball(ImDrawList& canvas, const GizmoBall& ball, bool lit, Theme theme) {
     const bool dark = theme == Theme::Dark;
     const std::uint32_t color =
-        (dark ? furniture_on_dark : furniture_on_light).axes[static_cast<std::size_t>(ball.axis)];
+        (dark ? axes_on_dark : axes_on_light).axes[static_cast<std::size_t>(ball.axis)];
     const std::uint32_t ink = dark ? palette(theme).ground : palette(theme).sky;
     const ImVec2 at = place_of(ball);
     // What is farther is fainter.

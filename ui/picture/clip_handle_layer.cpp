@@ -1,9 +1,11 @@
 #include "ui/picture/clip_handle_layer.hpp"
 
-#include "engine/annotate/furniture_colors.hpp"
+#include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/hidden.hpp"
+#include "engine/annotate/markers.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/clip_outline.hpp"
-#include "ui/picture/picture_marks.hpp"
+#include "ui/picture/draw_shapes.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
 
@@ -62,8 +64,7 @@ ImGuiMouseCursor cursor_of(const Handle& handle, const ViewFrame& view) {
 
 std::uint32_t color_of(const Handle& handle, Theme theme) {
     if (handle.id.part != HandlePart::BoxFace) return palette(theme).accent;
-    return (theme == Theme::Dark ? furniture_on_dark : furniture_on_light)
-        .axes[handle.id.index / 2];
+    return (theme == Theme::Dark ? axes_on_dark : axes_on_light).axes[handle.id.index / 2];
 }
 
 float opacity_of(std::uint32_t color) { return static_cast<float>(color >> 24U) / 255.0F; }
@@ -162,9 +163,12 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
     pen.handle(handle, color, true);
     const auto at = pen.place(handle.at);
     if (!at) return;
-    draw_tag(pen.canvas, pen.area, *at, em(size_em + 0.5F),
-             handle_text(handle, clipping, pen.view, state.viewport_px.y), 1.0F,
-             palette(state.theme));
+    const PictureArea& area = pen.area;
+    const glm::dvec2 dot(at->x - area.lo.x, at->y - area.lo.y);
+    const glm::dvec2 size(area.hi.x - area.lo.x, area.height());
+    draw_shapes(pen.canvas, area.lo,
+                tag_shapes(handle_text(handle, clipping, pen.view, state.viewport_px.y), dot,
+                           static_cast<double>(em(size_em + 0.5F)), size, card_style(state.theme)));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "ui/model/clip_handles.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/picture/picture_tag.hpp"
+#include "ui/style/screen_areas.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 

@@ -1,81 +1,71 @@
 #include "ui/picture/picture_marks.hpp"
 
+#include "document/look.hpp"
+#include "engine/annotate/hidden.hpp"
+#include "engine/annotate/legend.hpp"
+#include "engine/annotate/markers.hpp"
 #include "engine/view/pixel_ray.hpp"
-#include "ui/picture/picture_place.hpp"
-#include "ui/picture/picture_tag.hpp"
+#include "ui/picture/draw_shapes.hpp"
 
 #include <imgui/imgui.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
 
-constexpr float radius_em = 0.32F;
-
-/// How far apart neighbouring pixels are at a distance: what a marker's coordinates need.
-double resolution_at(const ViewFrame& view, const Framebuffer& frame, double distance) {
-    return 0.1 * view.pixel_width(std::max(frame.height, 1), distance);
+/// Number and place of the selected marker, with as many decimals as tell neighbouring pixels
+/// apart.
+std::string full_text(const Marker& marker, const ViewFrame& view, const Framebuffer& frame) {
+    const double distance = view.distance_of(marker.at);
+    const double resolution = 0.1 * view.pixel_width(std::max(frame.height, 1), distance);
+    return std::to_string(marker.number) + "  " + coordinates_text(marker.at, resolution);
 }
 
-void draw_dot(ImDrawList& canvas, const ImVec2& at, bool hidden, bool selected,
-              const Palette& colors) {
-    const float radius = em(radius_em);
-    const float opacity = hidden ? 0.45F : 1.0F;
-    if (!hidden) canvas.AddCircleFilled(at, radius, colors.accent, 24);
-    canvas.AddCircle(at, radius, faded(hidden ? colors.accent : 0xFFFFFFFFU, opacity), 24,
-                     em(0.12F));
-    canvas.AddCircle(at, radius + em(0.1F), faded(0xFF000000U, 0.5F * opacity), 24, em(0.07F));
-    if (selected) canvas.AddCircle(at, radius + em(0.3F), colors.accent, 32, em(0.12F));
+std::vector<MarkedPoint> marked_points(const UiState& state) {
+    const ViewFrame view(state.shown.camera);
+    std::vector<MarkedPoint> points;
+    for (const Marker& marker : state.document.markers) {
+        const bool selected = marker.number == state.selected_marker;
+        points.push_back(
+            {marker.at,
+             selected ? full_text(marker, view, *state.shown.frame) : std::to_string(marker.number),
+             selected});
+    }
+    return points;
 }
 
 }  // namespace
 
-bool is_behind(const Framebuffer& frame, const ViewFrame& view, const glm::dvec3& point) {
-    const auto seen = place_in_view(view, point);
-    if (!seen) return true;
-    const glm::ivec2 pixel = pixel_under(frame, seen->place);
-    // On the surface itself a pixel's centre is as near as the point, but for its slant.
-    float farthest = 0.0F;
-    for (int row = std::max(pixel.y - 1, 0); row <= std::min(pixel.y + 1, frame.height - 1);
-         ++row) {
-        for (int col = std::max(pixel.x - 1, 0); col <= std::min(pixel.x + 1, frame.width - 1);
-             ++col)
-            farthest = std::max(farthest, frame.depth[frame.index(col, row)]);
+void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
+                        const UiState& state) {
+    const CardStyle style = card_style(state.theme);
+    const glm::dvec2 size(hi.x - lo.x, hi.y - lo.y);
+    Shapes shapes;
+    if (state.shown.frame != nullptr) {
+        shapes = marker_shapes(marked_points(state), {*state.shown.frame, state.shown.camera, size},
+                               style);
     }
-    constexpr double slack = 1.0 + 1e-4;
-    return seen->distance > slack * static_cast<double>(farthest);
+    const CornerLegend legend{.legend = state.legend ? &*state.legend : nullptr,
+                              .undecided = state.document.mark_undecided,
+                              .coarse = state.picture.counts.coarse > 0};
+    const glm::dvec2 margin(style.unit);
+    append(shapes, legend_shapes(legend, size - margin, size - 2.0 * margin, style));
+    canvas.PushClipRect(lo, hi, true);
+    draw_shapes(canvas, lo, shapes);
+    canvas.PopClipRect();
 }
 
-void draw_markers(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
-                  const MarkedPicture& picture, const Palette& colors) {
-    const ViewFrame view(picture.camera);
-    const PictureArea area{lo, hi};
-    for (const Marker& marker : picture.markers) {
-        const auto seen = place_in_view(view, marker.at);
-        if (!seen) continue;
-        const ImVec2 dot = area.at(seen->place);
-        if (!area.holds(dot)) continue;
-        const bool hidden = is_behind(picture.frame, view, marker.at);
-        const bool selected = marker.number == picture.selected;
-        draw_dot(canvas, dot, hidden, selected, colors);
-        std::string text = std::to_string(marker.number);
-        if (selected) {
-            text += "  " +
-                    coordinates_text(marker.at, resolution_at(view, picture.frame, seen->distance));
-        }
-        draw_tag(canvas, area, dot, em(radius_em + 0.3F), text, hidden ? 0.55F : 1.0F, colors);
-    }
-}
-
-int marker_under(const MarkedPicture& picture, const glm::dvec2& cursor, double reach) {
-    const ViewFrame view(picture.camera);
+int marker_under(const UiState& state, const glm::dvec2& cursor, double reach) {
+    if (state.shown.frame == nullptr) return 0;
+    const ViewFrame view(state.shown.camera);
     int nearest = 0;
-    for (const Marker& marker : picture.markers) {
+    for (const Marker& marker : state.document.markers) {
         const auto seen = place_in_view(view, marker.at);
-        if (!seen || is_behind(picture.frame, view, marker.at)) continue;
+        if (!seen || is_behind(*state.shown.frame, view, marker.at)) continue;
         const double off = std::hypot(seen->place.x - cursor.x, seen->place.y - cursor.y);
         if (off > reach) continue;
         reach = off;

@@ -1,15 +1,15 @@
 #include "ui/picture/viewport.hpp"
 
+#include "engine/annotate/hidden.hpp"
 #include "engine/view/camera.hpp"
 #include "engine/view/navigation.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/steering.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/picture/axes_layer.hpp"
 #include "ui/picture/clip_handle_layer.hpp"
-#include "ui/picture/furniture_layer.hpp"
-#include "ui/picture/picture_place.hpp"
+#include "ui/picture/picture_marks.hpp"
 #include "ui/picture/picture_pointer.hpp"
-#include "ui/picture/picture_tag.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/texture.hpp"
@@ -53,7 +53,7 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
         const std::uint32_t ground = faded(colors.ground, veil);
         canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
     }
-    draw_furniture(canvas, area.lo, area.hi, state);
+    draw_axes(canvas, area.lo, area.hi, state);
     draw_picture_marks(canvas, area.lo, area.hi, state);
 }
 

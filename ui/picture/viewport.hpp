@@ -2,7 +2,6 @@
 
 #include "engine/view/camera.hpp"
 #include "ui/model/ui_state.hpp"
-#include "ui/picture/picture_tag.hpp"
 #include "ui/window/texture.hpp"
 
 #include <glm/ext/vector_double2.hpp>

@@ -2,11 +2,10 @@
 
 #include "document/look.hpp"
 
+#include "engine/annotate/hidden.hpp"
+#include "engine/annotate/legend.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "tests/ui/panels.hpp"
-#include "ui/picture/legend.hpp"
-#include "ui/picture/picture_marks.hpp"
-#include "ui/picture/picture_overlay.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/window/clipboard.hpp"
 
@@ -235,48 +234,6 @@ TEST_P(Looking, ListsMarkersToSelectCopyAndRemove) {
 
 INSTANTIATE_TEST_SUITE_P(Looks, Looking, testing::ValuesIn(different_looks()),
                          [](const auto& looks) { return name_of(looks.param); });
-
-/// The corner legend on a flat background as OpenGL draws it; empty if there is no OpenGL context.
-Framebuffer drawn_by_opengl(int width, int height, const CornerLegend& what) {
-    const auto window = make_offscreen_window({.width = width, .height = height, .scale = 1.0F});
-    if (!window) return {};
-    for (int frame = 0; frame < 2; ++frame) {
-        (*window)->begin_frame(Theme::Dark);
-        ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
-        const ImVec2 size(static_cast<float>(width), static_cast<float>(height));
-        canvas.AddRectFilled(ImVec2(0, 0), size, 0xFF406080U);
-        draw_corner_legend(canvas, size, size, what, palette(Theme::Dark));
-        (*window)->end_frame();
-    }
-    return (*window)->pixels();
-}
-
-TEST(PictureOverlay, IsWhatOpenGlDraws) {
-    constexpr int width = 320;
-    constexpr int height = 120;
-    Coloring coloring;
-    coloring.by = ColorBy::Depth;
-    coloring.range = ValueRange{1.25, 7.5};
-    const Legend legend = legend_of(coloring, "");
-    const Framebuffer expected = drawn_by_opengl(width, height, {&legend, true});
-    if (expected.color.empty()) GTEST_SKIP() << "no OpenGL";
-    Framebuffer picture(width, height);
-    std::ranges::fill(picture.color, 0xFF406080U);
-    draw_over(picture, 1.0F, Theme::Dark, [&](ImDrawList& canvas) {
-        const ImVec2 size(width, height);
-        draw_corner_legend(canvas, size, size, {&legend, true}, palette(Theme::Dark));
-    });
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < picture.color.size(); ++i) {
-        for (const unsigned shift : {0U, 8U, 16U}) {
-            const auto a = static_cast<int>(expected.color[i] >> shift & 0xFFU);
-            const auto b = static_cast<int>(picture.color[i] >> shift & 0xFFU);
-            different += std::abs(a - b) > 4 ? 1 : 0;
-        }
-    }
-    EXPECT_LT(different, picture.color.size() / 100);
-    EXPECT_NE(picture.color, Framebuffer(width, height).color);
-}
 
 }  // namespace
 }  // namespace zeroset::ui

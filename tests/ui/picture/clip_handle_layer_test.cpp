@@ -1,6 +1,6 @@
 #include "ui/picture/clip_handle_layer.hpp"
 
-#include "engine/annotate/furniture_colors.hpp"
+#include "engine/annotate/axis_colors.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/picture/viewport.hpp"
@@ -53,7 +53,7 @@ protected:
         draw_frame();
     }
     [[nodiscard]] std::uint32_t red() const {
-        return (GetParam().theme == Theme::Dark ? furniture_on_dark : furniture_on_light).axes[0];
+        return (GetParam().theme == Theme::Dark ? axes_on_dark : axes_on_light).axes[0];
     }
     static std::uint32_t pixel(const Framebuffer& frame, const glm::vec2& at) {
         return frame.color[frame.index(static_cast<int>(at.x), static_cast<int>(at.y))];

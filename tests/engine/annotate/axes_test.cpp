@@ -1,8 +1,9 @@
-#include "engine/annotate/furniture.hpp"
+#include "engine/annotate/axes.hpp"
 
-#include "engine/annotate/furnished.hpp"
-#include "engine/annotate/furniture_colors.hpp"
+#include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/label_font.hpp"
+#include "engine/annotate/paint_shapes.hpp"
+#include "engine/annotate/ticks.hpp"
 #include "engine/view/image_plane.hpp"
 
 #include <gtest/gtest.h>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <variant>
 #include <vector>
 
 // Axes, clip box and grid: where their lines are, what is hidden, and what is painted of them.
@@ -22,18 +24,18 @@ namespace {
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// From the front: x to the right, z up.
-FurnitureView front_view(int width = 300, int height = 200) {
+AxesView front_view(int width = 300, int height = 200) {
     return {Box::cube(1), {{0, -5, 0}, {0, 0, 0}, {0, 0, 1}, 0.6}, {0, 0, 1}, width, height, 12.0};
 }
 
-Framebuffer empty_frame(const FurnitureView& view) {
+Framebuffer empty_frame(const AxesView& view) {
     Framebuffer frame(view.width, view.height);
     std::ranges::fill(frame.depth, infinity);
     return frame;
 }
 
 /// A frame with a wall across the view at this distance from the eye's plane, on the left half.
-Framebuffer frame_with_wall(const FurnitureView& view, double distance) {
+Framebuffer frame_with_wall(const AxesView& view, double distance) {
     Framebuffer frame = empty_frame(view);
     const ViewFrame rays(view.camera);
     for (int row = 0; row < view.height; ++row) {
@@ -45,9 +47,9 @@ Framebuffer frame_with_wall(const FurnitureView& view, double distance) {
     return frame;
 }
 
-double total_length(const Furniture& furniture, FurnitureKind kind, bool hidden) {
+double total_length(const Axes& axes, LineKind kind, bool hidden) {
     double length = 0.0;
-    for (const FurnitureLine& line : furniture.lines) {
+    for (const AxisLine& line : axes.lines) {
         if (line.kind == kind && line.hidden == hidden) length += glm::distance(line.from, line.to);
     }
     return length;
@@ -80,34 +82,33 @@ TEST(ImagePlane, IsTheInverseOfParallelRays) {
     }
 }
 
-TEST(Furniture, DrawsTheClipBoxWhereItIs) {
-    const FurnitureView view = front_view();
+TEST(Axes, DrawsTheClipBoxWhereItIs) {
+    const AxesView view = front_view();
     const ImagePlane plane(view.camera, view.width, view.height);
-    const Furniture made = make_furniture(view, {.clip_box = true}, empty_frame(view));
+    const Axes made = make_axes(view, {.clip_box = true}, empty_frame(view));
     EXPECT_EQ(made.lines.size(), 12U);
     EXPECT_TRUE(made.labels.empty());
     const glm::dvec2 corner = *plane.pixel_of({-1, -1, -1});
-    const auto meets = [&](const FurnitureLine& line) {
+    const auto meets = [&](const AxisLine& line) {
         return glm::distance(line.from, corner) < 1e-9 || glm::distance(line.to, corner) < 1e-9;
     };
     EXPECT_EQ(std::ranges::count_if(made.lines, meets), 3);
-    EXPECT_EQ(total_length(made, FurnitureKind::ClipBox, true), 0.0);
+    EXPECT_EQ(total_length(made, LineKind::ClipBox, true), 0.0);
 }
 
-TEST(Furniture, IsHiddenBehindTheSurface) {
-    const FurnitureView view = front_view();
-    const Furniture free = make_furniture(view, {.clip_box = true}, empty_frame(view));
-    const double all = total_length(free, FurnitureKind::ClipBox, false);
+TEST(Axes, IsHiddenBehindTheSurface) {
+    const AxesView view = front_view();
+    const Axes free = make_axes(view, {.clip_box = true}, empty_frame(view));
+    const double all = total_length(free, LineKind::ClipBox, false);
     // Before the whole box, behind it, and through its middle.
     for (const auto& [distance, least, most] :
          {std::tuple{3.0, 0.49, 0.51}, {7.0, 0.0, 0.0}, {5.0, 0.15, 0.35}}) {
-        const Furniture made =
-            make_furniture(view, {.clip_box = true}, frame_with_wall(view, distance));
-        const double hidden = total_length(made, FurnitureKind::ClipBox, true);
+        const Axes made = make_axes(view, {.clip_box = true}, frame_with_wall(view, distance));
+        const double hidden = total_length(made, LineKind::ClipBox, true);
         EXPECT_GE(hidden, least * all) << distance;
         EXPECT_LE(hidden, most * all) << distance;
-        EXPECT_NEAR(hidden + total_length(made, FurnitureKind::ClipBox, false), all, 1e-6);
-        for (const FurnitureLine& line : made.lines) {
+        EXPECT_NEAR(hidden + total_length(made, LineKind::ClipBox, false), all, 1e-6);
+        for (const AxisLine& line : made.lines) {
             if (line.hidden) {
                 EXPECT_LE(std::max(line.from.x, line.to.x), view.width / 2 + 1.0);
             }
@@ -115,11 +116,11 @@ TEST(Furniture, IsHiddenBehindTheSurface) {
     }
 }
 
-TEST(Furniture, LeavesAWallOnWhichItLiesVisible) {
-    FurnitureView view = front_view();
+TEST(Axes, LeavesAWallOnWhichItLiesVisible) {
+    AxesView view = front_view();
     view.clip = {{-1, 0, -1}, {1, 2, 1}};
-    const Furniture made = make_furniture(view, {.clip_box = true}, frame_with_wall(view, 5.0));
-    for (const FurnitureLine& line : made.lines) {
+    const Axes made = make_axes(view, {.clip_box = true}, frame_with_wall(view, 5.0));
+    for (const AxisLine& line : made.lines) {
         const bool at_front = glm::distance(line.from, line.to) > 50 && line.from.x < 149 &&
                               line.to.x < 149 && std::abs(line.from.x - line.to.x) < 1e-9;
         const bool left_front = at_front && line.from.x < 90;
@@ -129,12 +130,12 @@ TEST(Furniture, LeavesAWallOnWhichItLiesVisible) {
     }
 }
 
-TEST(Furniture, HasTicksAtRoundNumbers) {
-    const FurnitureView view = front_view(600, 400);
-    const Furniture made = make_furniture(view, {.axes = true}, empty_frame(view));
+TEST(Axes, HasTicksAtRoundNumbers) {
+    const AxesView view = front_view(600, 400);
+    const Axes made = make_axes(view, {.axes = true}, empty_frame(view));
     std::map<std::string, glm::dvec2> x_labels;
-    for (const FurnitureLabel& label : made.labels) {
-        if (label.kind == FurnitureKind::AxisX) x_labels[label.text] = label.middle;
+    for (const AxisLabel& label : made.labels) {
+        if (label.kind == LineKind::AxisX) x_labels[label.text] = label.middle;
     }
     const ImagePlane plane(view.camera, view.width, view.height);
     ASSERT_TRUE(x_labels.contains("0.5") && x_labels.contains("\xE2\x88\x92"
@@ -143,19 +144,19 @@ TEST(Furniture, HasTicksAtRoundNumbers) {
     EXPECT_GT(x_labels["0.5"].y, 200) << "below the axis";
     EXPECT_NEAR(x_labels["x"].y, 200, 1e-9);
     EXPECT_GT(x_labels["x"].x, plane.pixel_of({1, 0, 0})->x);
-    EXPECT_EQ(total_length(made, FurnitureKind::ClipBox, false), 0.0);
+    EXPECT_EQ(total_length(made, LineKind::ClipBox, false), 0.0);
 }
 
-TEST(Furniture, HasLabelsThatDoNotOverlap) {
+TEST(Axes, HasLabelsThatDoNotOverlap) {
     for (const glm::dvec3 eye : {glm::dvec3(3, -4, 2), {0.2, -6, 0.1}, {0.3, 0.2, 7}}) {
-        FurnitureView view = front_view(640, 480);
+        AxesView view = front_view(640, 480);
         view.camera.eye = eye;
-        const Furniture made = make_furniture(view, {.axes = true}, empty_frame(view));
+        const Axes made = make_axes(view, {.axes = true}, empty_frame(view));
         EXPECT_GT(made.labels.size(), 6U);
-        for (const FurnitureLabel& a : made.labels) {
+        for (const AxisLabel& a : made.labels) {
             const double half = 0.5 * view.em * label_width_em(a.text);
             EXPECT_TRUE(a.middle.x > half && a.middle.x < view.width - half);
-            for (const FurnitureLabel& b : made.labels) {
+            for (const AxisLabel& b : made.labels) {
                 if (&a == &b) continue;
                 const double widths = half + 0.5 * view.em * label_width_em(b.text);
                 EXPECT_TRUE(std::abs(a.middle.x - b.middle.x) > widths ||
@@ -166,69 +167,77 @@ TEST(Furniture, HasLabelsThatDoNotOverlap) {
     }
 }
 
-TEST(Furniture, HasFinerTicksInADeepView) {
-    FurnitureView view = front_view();
+TEST(Axes, HasFinerTicksInADeepView) {
+    AxesView view = front_view();
     view.camera.look_at = {0.123456, 0, 0};
     view.camera.eye = {0.123456, -1e-5, 0};
-    const Furniture made = make_furniture(view, {.axes = true}, empty_frame(view));
-    const auto is_deep = [](const FurnitureLabel& label) {
-        return label.kind == FurnitureKind::AxisX && label.text.starts_with("0.12345");
+    const Axes made = make_axes(view, {.axes = true}, empty_frame(view));
+    const auto is_deep = [](const AxisLabel& label) {
+        return label.kind == LineKind::AxisX && label.text.starts_with("0.12345");
     };
     const auto deep = std::ranges::count_if(made.labels, is_deep);
     EXPECT_GE(deep, 1);
     EXPECT_LE(made.lines.size(), 40U);
 }
 
-TEST(Furniture, HasAGridOnTheFloor) {
-    FurnitureView view = front_view();
+TEST(Axes, HasAGridOnTheFloor) {
+    AxesView view = front_view();
     view.camera.eye = {0, -5, 3};
-    const Furniture made = make_furniture(view, {.grid = true}, empty_frame(view));
+    const Axes made = make_axes(view, {.grid = true}, empty_frame(view));
     // A box of 2 has squares of 0.2 (2 / 16 rounded up): 11 lines each way.
     EXPECT_EQ(made.lines.size(), 22U);
     const ImagePlane plane(view.camera, view.width, view.height);
     double lowest = 0.0;
-    for (const FurnitureLine& line : made.lines)
+    for (const AxisLine& line : made.lines)
         lowest = std::max({lowest, line.from.y, line.to.y});
     EXPECT_NEAR(lowest, plane.pixel_of({0, -1, -1})->y, 1.0);
 }
 
-TEST(Ticks, AreRound) {
-    for (const auto& [length, step] : {std::pair{1.0, 1.0},
-                                       {1.1, 2.0},
-                                       {2.5, 5.0},
-                                       {7.0, 10.0},
-                                       {0.03, 0.05},
-                                       {1e-9, 1e-9},
-                                       {3e8, 5e8}}) {
-        EXPECT_NEAR(tick_step(length), step, 1e-9 * step) << length;
+TEST(AxisShapes, AreLinesThenLabels) {
+    const AxesView view = front_view();
+    const Axes axes = make_axes(view, {true, true, true}, frame_with_wall(view, 5.0));
+    const Shapes shapes = axis_shapes(axes, {.em = view.em, .least_width = 1.25});
+    ASSERT_EQ(shapes.size(), axes.lines.size() + axes.labels.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        const Line* line = std::get_if<Line>(&shapes[i]);
+        ASSERT_EQ(line != nullptr, i < axes.lines.size());
+        if (line == nullptr) continue;
+        EXPECT_GE(line->width, 1.25);
+        EXPECT_EQ(line->from, axes.lines[i].from);
     }
-    EXPECT_EQ(tick_text(0.3, 0.1), "0.3");
-    EXPECT_EQ(tick_text(-0.25, 0.05),
-              "\xE2\x88\x92"
-              "0.25");
-    EXPECT_EQ(tick_text(1e-17, 0.1), "0");
-    EXPECT_EQ(tick_text(12, 2), "12");
-    EXPECT_EQ(tick_text(1.0000002, 1e-7), "1.0000002");
-    EXPECT_EQ(tick_text(2e7, 1e7), "2e+07");
-    EXPECT_EQ(tick_text(3e-9, 1e-9), "3e-09");
 }
 
-TEST(PaintedFurniture, ChangesColoursOnly) {
-    const FurnitureView view = front_view();
+TEST(AxisShapes, AreFaintBehindTheSurface) {
+    Axes axes;
+    for (const bool hidden : {false, true}) {
+        axes.lines.push_back({{0, 0}, {9, 9}, LineKind::AxisY, hidden});
+        axes.labels.push_back({{5, 5}, "2", LineKind::ClipBox, hidden});
+    }
+    const AxisStyle style{.hidden_label = 0.5, .label_outline = 0x40000000U};
+    const Shapes shapes = axis_shapes(axes, style);
+    EXPECT_EQ(std::get<Line>(shapes[0]).color, style.colors.axes[1]);
+    EXPECT_EQ(std::get<Line>(shapes[1]).color, faded(style.colors.axes[1], hidden_opacity));
+    EXPECT_EQ(std::get<Text>(shapes[2]).outline, 0x40000000U);
+    EXPECT_EQ(std::get<Text>(shapes[3]).color, faded(style.colors.clip_box, 0.5));
+    EXPECT_EQ(std::get<Text>(shapes[3]).outline, 0x20000000U);
+}
+
+TEST(PaintedAxes, ChangesColoursOnly) {
+    const AxesView view = front_view();
     const Framebuffer frame = frame_with_wall(view, 5.0);
     const auto font = LabelFont::load();
     ASSERT_TRUE(font) << font.error();
     Framebuffer painted = frame;
-    const FurnitureChoice all{true, true, true};
-    paint_furniture(painted, make_furniture(view, all, frame), furniture_on_dark, *font, view.em);
+    const Axes axes = make_axes(view, {true, true, true}, frame);
+    paint_shapes(painted, axis_shapes(axes, {.em = view.em}), *font);
     EXPECT_NE(painted.color, frame.color);
     EXPECT_EQ(painted.depth, frame.depth);
     EXPECT_EQ(painted.certificate, frame.certificate);
     EXPECT_EQ(painted.surface, frame.surface);
 }
 
-TEST(PaintedFurniture, IsFaintBehindTheSurface) {
-    const FurnitureView view = front_view();
+TEST(PaintedAxes, IsFaintBehindTheSurface) {
+    const AxesView view = front_view();
     const auto font = LabelFont::load();
     ASSERT_TRUE(font) << font.error();
     const ImagePlane plane(view.camera, view.width, view.height);
@@ -245,8 +254,8 @@ TEST(PaintedFurniture, IsFaintBehindTheSurface) {
     };
     const Framebuffer frame = frame_with_wall(view, 4.5);
     Framebuffer painted = frame;
-    paint_furniture(painted, make_furniture(view, {.axes = true}, frame), furniture_on_dark, *font,
-                    view.em);
+    const Axes axes = make_axes(view, {.axes = true}, frame);
+    paint_shapes(painted, axis_shapes(axes, {.em = view.em}), *font);
     EXPECT_GT(red_at(painted, 0.77), 150);
     EXPECT_GT(red_at(painted, -0.77), 20);
     EXPECT_LT(red_at(painted, -0.77), 70);

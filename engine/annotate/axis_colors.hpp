@@ -5,16 +5,17 @@
 
 namespace zeroset {
 
-/// Of axes, box and grid; RGBA as in Framebuffer::color, with the opacity they are drawn with.
-struct FurnitureColors {
+/// Colours of axes, box and grid; RGBA as in Framebuffer::color, with the opacity they are drawn
+/// with.
+struct AxisColors {
     std::array<std::uint32_t, 3> axes;  ///< of x, y and z
     std::uint32_t clip_box;
     std::uint32_t grid;
 };
 
-inline constexpr FurnitureColors furniture_on_dark{
+inline constexpr AxisColors axes_on_dark{
     {0xFF5C66F2U, 0xFF4FC072U, 0xFFF79E5CU}, 0xA0DCD0C8U, 0x50C9B9AEU};
-inline constexpr FurnitureColors furniture_on_light{
+inline constexpr AxisColors axes_on_light{
     {0xFF2F2FC4U, 0xFF228238U, 0xFFC8601FU}, 0xA042342AU, 0x4042342AU};
 
 }  // namespace zeroset

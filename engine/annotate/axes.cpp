@@ -1,14 +1,14 @@
-#include "engine/annotate/furniture.hpp"
+#include "engine/annotate/axes.hpp"
 
+#include "engine/annotate/ticks.hpp"
 #include "engine/view/image_plane.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -22,8 +22,6 @@ constexpr double label_height_em = 1.0;
 constexpr double label_gap_em = 0.35;
 /// Squares of the grid along the box's longest edge, at most.
 constexpr double most_squares = 16.0;
-
-const char* const minus_sign = "\xE2\x88\x92";
 
 struct Segment {
     glm::dvec3 from, to;
@@ -53,38 +51,38 @@ struct Rectangle {
     }
 };
 
-class Furnisher {
+class AxesMaker {
 public:
-    Furnisher(const FurnitureView& view, const Framebuffer& shown)
+    AxesMaker(const AxesView& view, const Framebuffer& shown)
         : view_(view), plane_(view.camera, view.width, view.height), shown_(shown) {}
 
     void add_grid();
     void add_clip_box();
     void add_axes();
-    Furniture take() { return std::move(made_); }
+    Axes take() { return std::move(made_); }
 
 private:
     [[nodiscard]] Part visible_part(const Segment& segment) const;
     [[nodiscard]] bool is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const;
-    void add_line(const Segment& segment, FurnitureKind kind);
+    void add_line(const Segment& segment, LineKind kind);
     void add_axis(int axis);
     void add_ticks(int axis, const Segment& segment, const Part& part);
     void add_tick(int axis, const Segment& segment, double value, double step);
     void add_name(int axis, const Segment& segment, const Part& part);
-    void add_label(FurnitureLabel label);
+    void add_label(AxisLabel label);
     [[nodiscard]] Segment axis_segment(int axis) const;
     [[nodiscard]] glm::dvec2 direction_at(const Segment& segment, const glm::dvec3& point) const;
 
-    const FurnitureView& view_;
+    const AxesView& view_;
     ImagePlane plane_;
     const Framebuffer& shown_;
-    Furniture made_;
+    Axes made_;
     std::vector<Rectangle> taken_;  ///< by labels
 };
 
-FurnitureKind kind_of_axis(int axis) { return static_cast<FurnitureKind>(axis); }
+LineKind kind_of_axis(int axis) { return static_cast<LineKind>(axis); }
 
-Part Furnisher::visible_part(const Segment& segment) const {
+Part AxesMaker::visible_part(const Segment& segment) const {
     const glm::dvec3 from = plane_.homogeneous(segment.from);
     const glm::dvec3 to = plane_.homogeneous(segment.to);
     const double aspect = static_cast<double>(view_.width) / view_.height;
@@ -98,7 +96,7 @@ Part Furnisher::visible_part(const Segment& segment) const {
     return part;
 }
 
-bool Furnisher::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const {
+bool AxesMaker::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const {
     if (shown_.width == 0) return false;
     const auto scaled = [](double at, int from, int to) {
         return std::clamp(static_cast<int>(at * to / from), 0, to - 1);
@@ -112,8 +110,8 @@ bool Furnisher::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) cons
     return distance > depth + slack + 1e-6 * std::abs(depth);
 }
 
-/// As pieces of which each is hidden or not, found pixel by pixel.
-void Furnisher::add_line(const Segment& segment, FurnitureKind kind) {
+/// Adds the segment as pieces of which each is hidden or not, found pixel by pixel.
+void AxesMaker::add_line(const Segment& segment, LineKind kind) {
     const Part part = visible_part(segment);
     if (part.empty()) return;
     const Segment seen{segment.at(part.from), segment.at(part.to)};
@@ -137,7 +135,7 @@ void Furnisher::add_line(const Segment& segment, FurnitureKind kind) {
     }
 }
 
-void Furnisher::add_clip_box() {
+void AxesMaker::add_clip_box() {
     for (int corner = 0; corner < 8; ++corner) {
         const auto place = [&](int bits) {
             glm::dvec3 point;
@@ -147,7 +145,7 @@ void Furnisher::add_clip_box() {
         };
         for (int axis = 0; axis < 3; ++axis) {
             const int other = corner | 1 << axis;
-            if (other != corner) add_line({place(corner), place(other)}, FurnitureKind::ClipBox);
+            if (other != corner) add_line({place(corner), place(other)}, LineKind::ClipBox);
         }
     }
 }
@@ -161,7 +159,7 @@ std::vector<double> stops(double lo, double hi, double step) {
     return values;
 }
 
-void Furnisher::add_grid() {
+void AxesMaker::add_grid() {
     const glm::dvec3 size = glm::abs(view_.up);
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     const double level = view_.up[axis] > 0 ? view_.clip.lo[axis] : view_.clip.hi[axis];
@@ -171,12 +169,12 @@ void Furnisher::add_grid() {
             Segment line{view_.clip.lo, view_.clip.hi};
             line.from[axis] = line.to[axis] = level;
             line.from[across] = line.to[across] = value;
-            add_line(line, FurnitureKind::Grid);
+            add_line(line, LineKind::Grid);
         }
     }
 }
 
-Segment Furnisher::axis_segment(int axis) const {
+Segment AxesMaker::axis_segment(int axis) const {
     const glm::dvec3 through = glm::clamp(glm::dvec3(0.0), view_.clip.lo, view_.clip.hi);
     Segment segment{through, through};
     segment.from[axis] = view_.clip.lo[axis];
@@ -184,8 +182,8 @@ Segment Furnisher::axis_segment(int axis) const {
     return segment;
 }
 
-/// Of the segment in the image, length 1.
-glm::dvec2 Furnisher::direction_at(const Segment& segment, const glm::dvec3& point) const {
+/// The direction of the segment in the image, length 1.
+glm::dvec2 AxesMaker::direction_at(const Segment& segment, const glm::dvec3& point) const {
     const glm::dvec3 place = plane_.homogeneous(point);
     const glm::dvec3 along = plane_.homogeneous(segment.to) - plane_.homogeneous(segment.from);
     const glm::dvec2 turn(along.x * place.z - place.x * along.z,
@@ -194,7 +192,7 @@ glm::dvec2 Furnisher::direction_at(const Segment& segment, const glm::dvec3& poi
     return length > 0 ? turn / length : glm::dvec2(1, 0);
 }
 
-void Furnisher::add_axes() {
+void AxesMaker::add_axes() {
     for (int axis = 0; axis < 3; ++axis) {
         const Segment segment = axis_segment(axis);
         add_line(segment, kind_of_axis(axis));
@@ -206,7 +204,7 @@ void Furnisher::add_axes() {
     }
 }
 
-void Furnisher::add_name(int axis, const Segment& segment, const Part& part) {
+void AxesMaker::add_name(int axis, const Segment& segment, const Part& part) {
     if (part.empty() || part.to < 1.0) return;
     const glm::dvec2 end = plane_.pixel(plane_.homogeneous(segment.to));
     const glm::dvec2 away = name_offset_em * view_.em * direction_at(segment, segment.to);
@@ -214,7 +212,7 @@ void Furnisher::add_name(int axis, const Segment& segment, const Part& part) {
                is_hidden(segment.to, end)});
 }
 
-void Furnisher::add_ticks(int axis, const Segment& segment, const Part& part) {
+void AxesMaker::add_ticks(int axis, const Segment& segment, const Part& part) {
     if (part.empty()) return;
     const glm::dvec3 from = segment.at(part.from);
     const glm::dvec3 to = segment.at(part.to);
@@ -227,7 +225,7 @@ void Furnisher::add_ticks(int axis, const Segment& segment, const Part& part) {
         add_tick(axis, segment, k * step, step);
 }
 
-void Furnisher::add_tick(int axis, const Segment& segment, double value, double step) {
+void AxesMaker::add_tick(int axis, const Segment& segment, double value, double step) {
     glm::dvec3 point = segment.from;
     point[axis] = value;
     const auto pixel = plane_.pixel_of(point);
@@ -237,7 +235,7 @@ void Furnisher::add_tick(int axis, const Segment& segment, double value, double 
     glm::dvec2 aside(-along.y, along.x);
     const bool across = std::abs(along.x) >= std::abs(along.y);
     if (across ? aside.y < 0 : aside.x > 0) aside = -aside;
-    const FurnitureKind kind = kind_of_axis(axis);
+    const LineKind kind = kind_of_axis(axis);
     const bool hidden = is_hidden(point, *pixel);
     const glm::dvec2 half = 0.5 * tick_length_em * view_.em * aside;
     made_.lines.push_back({*pixel - half, *pixel + half, kind, hidden});
@@ -247,8 +245,8 @@ void Furnisher::add_tick(int axis, const Segment& segment, double value, double 
     add_label({*pixel + reach * view_.em * aside, text, kind, hidden});
 }
 
-/// Unless there is no room.
-void Furnisher::add_label(FurnitureLabel label) {
+/// Adds the label unless there is no room for it.
+void AxesMaker::add_label(AxisLabel label) {
     const glm::dvec2 half =
         0.5 * view_.em *
         glm::dvec2(label_width_em(label.text) + label_gap_em, label_height_em + label_gap_em);
@@ -263,59 +261,12 @@ void Furnisher::add_label(FurnitureLabel label) {
 
 }  // namespace
 
-Furniture make_furniture(const FurnitureView& view, const FurnitureChoice& choice,
-                         const Framebuffer& shown) {
-    Furnisher furnisher(view, shown);
-    if (choice.grid) furnisher.add_grid();
-    if (choice.clip_box) furnisher.add_clip_box();
-    if (choice.axes) furnisher.add_axes();
-    return furnisher.take();
-}
-
-double tick_step(double length) {
-    const double power = std::pow(10.0, std::floor(std::log10(length)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= length * (1.0 - 1e-9)) return factor * power;
-    }
-    return 10.0 * power;
-}
-
-std::string tick_text(double value, double step) {
-    constexpr double most = 1e6;
-    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
-    const double size = std::abs(value);
-    std::array<char, 64> digits{};
-    if (size < 0.5 * step) return "0";
-    if (size >= most || (decimals > 5 && size < 1e-3)) {
-        const int more = static_cast<int>(std::floor(std::log10(size) + 1e-9)) -
-                         static_cast<int>(std::floor(std::log10(step) + 1e-9));
-        std::snprintf(digits.data(), digits.size(), "%.*e", std::clamp(more, 0, 16), size);
-    } else {
-        std::snprintf(digits.data(), digits.size(), "%.*f", std::min(decimals, 17), size);
-    }
-    return (value < 0 ? minus_sign : "") + std::string(digits.data());
-}
-
-double label_width_em(const std::string& text) {
-    double width = 0.0;
-    for (const char letter : text) {
-        const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
-        if (continues) continue;
-        const bool wide = letter == '+' || letter == minus_sign[0];
-        width += letter == '.' ? 0.318 : letter == '-' ? 0.361 : wide ? 0.838 : 0.636;
-    }
-    return width;
-}
-
-double line_width_em(FurnitureKind kind) {
-    switch (kind) {
-        case FurnitureKind::AxisX:
-        case FurnitureKind::AxisY:
-        case FurnitureKind::AxisZ: return 0.115;
-        case FurnitureKind::ClipBox: return 0.09;
-        case FurnitureKind::Grid: return 0.08;
-    }
-    return 0.0;
+Axes make_axes(const AxesView& view, const AxesChoice& choice, const Framebuffer& shown) {
+    AxesMaker maker(view, shown);
+    if (choice.grid) maker.add_grid();
+    if (choice.clip_box) maker.add_clip_box();
+    if (choice.axes) maker.add_axes();
+    return maker.take();
 }
 
 }  // namespace zeroset

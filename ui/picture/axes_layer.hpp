@@ -9,6 +9,6 @@ namespace zeroset::ui {
 
 /// Axes, clip box and grid, as far as they are wanted, over the picture that is shown between `lo`
 /// and `hi` (window coordinates).
-void draw_furniture(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state);
+void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state);
 
 }  // namespace zeroset::ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/view/camera.hpp"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace zeroset {
+
+/// Which of axes, clip box and grid are drawn.
+struct AxesChoice {
+    bool axes = false;      ///< through the origin or, where the box does not hold it, beside it
+    bool clip_box = false;  ///< its edges
+    bool grid = false;      ///< on the box's floor
+
+    [[nodiscard]] bool any() const { return axes || clip_box || grid; }
+};
+
+enum class LineKind : std::uint8_t { AxisX, AxisY, AxisZ, ClipBox, Grid };
+
+/// A piece of a line. Places are in pixels of the image, columns to the right, rows downwards.
+struct AxisLine {
+    glm::dvec2 from, to;
+    LineKind kind;
+    bool hidden;  ///< behind a surface
+};
+
+/// A number at a tick, or the name at the end of an axis.
+struct AxisLabel {
+    glm::dvec2 middle;
+    std::string text;  ///< UTF-8: as tick_text's, or x, y, z
+    LineKind kind;     ///< of its axis
+    bool hidden;
+};
+
+/// Axes, clip box and grid, as far as they were chosen.
+struct Axes {
+    std::vector<AxisLine> lines;
+    std::vector<AxisLabel> labels;  ///< none overlaps another or the image's edge
+};
+
+/// The image over which axes are drawn.
+struct AxesView {
+    Box clip;
+    Camera camera;
+    glm::dvec3 up{0.0, 0.0, 1.0};  ///< the floor is where the box ends against the nearest axis
+    int width = 0, height = 0;     ///< pixels
+    double em = 12.0;              ///< size of the labels' font, pixels
+};
+
+/// Lines and labels, and which pieces of them are behind what `shown` shows: a picture of the
+/// camera's of any size. Below a millisecond.
+Axes make_axes(const AxesView& view, const AxesChoice& choice, const Framebuffer& shown);
+
+}  // namespace zeroset

@@ -1,0 +1,50 @@
+#include "engine/annotate/ticks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace zeroset {
+namespace {
+
+const char* const minus_sign = "\xE2\x88\x92";
+
+}  // namespace
+
+double tick_step(double length) {
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= length * (1.0 - 1e-9)) return factor * power;
+    }
+    return 10.0 * power;
+}
+
+std::string tick_text(double value, double step) {
+    constexpr double most = 1e6;
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    const double size = std::abs(value);
+    std::array<char, 64> digits{};
+    if (size < 0.5 * step) return "0";
+    if (size >= most || (decimals > 5 && size < 1e-3)) {
+        const int more = static_cast<int>(std::floor(std::log10(size) + 1e-9)) -
+                         static_cast<int>(std::floor(std::log10(step) + 1e-9));
+        std::snprintf(digits.data(), digits.size(), "%.*e", std::clamp(more, 0, 16), size);
+    } else {
+        std::snprintf(digits.data(), digits.size(), "%.*f", std::min(decimals, 17), size);
+    }
+    return (value < 0 ? minus_sign : "") + std::string(digits.data());
+}
+
+double label_width_em(const std::string& text) {
+    double width = 0.0;
+    for (const char letter : text) {
+        const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
+        if (continues) continue;
+        const bool wide = letter == '+' || letter == minus_sign[0];
+        width += letter == '.' ? 0.318 : letter == '-' ? 0.361 : wide ? 0.838 : 0.636;
+    }
+    return width;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,51 @@
+#include "ui/picture/axes_layer.hpp"
+
+#include "engine/annotate/axes.hpp"
+#include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/axis_shapes.hpp"
+#include "ui/model/ui_state.hpp"
+#include "ui/picture/draw_shapes.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+
+namespace zeroset::ui {
+namespace {
+
+/// Opacity of each of a label's outline's eight copies, which lie over one another.
+constexpr float outline_opacity = 0.3F;
+/// Opacity of a number behind a surface: it must be read, unlike lines, which need only be seen.
+constexpr double hidden_label_opacity = 0.6;
+
+AxesView view_of(const UiState& state, const ImVec2& extent) {
+    const Document& document = state.document;
+    return {.clip = document.clip,
+            .camera = state.shown.camera,
+            .up = document.up,
+            .width = static_cast<int>(extent.x),
+            .height = static_cast<int>(extent.y),
+            .em = small_em()};
+}
+
+/// The theme's colours, with outlines, so that numbers can be read on surfaces, too.
+AxisStyle style_of(Theme theme) {
+    return {.colors = theme == Theme::Dark ? axes_on_dark : axes_on_light,
+            .em = small_em(),
+            .least_width = 1.0 / static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x),
+            .hidden_label = hidden_label_opacity,
+            .label_outline = faded(palette(theme).sky, outline_opacity)};
+}
+
+}  // namespace
+
+void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state) {
+    const AxesChoice choice{state.document.axes, state.document.clip_box, state.document.grid};
+    const ImVec2 extent(hi.x - lo.x, hi.y - lo.y);
+    if (!choice.any() || state.shown.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
+    const Axes axes = make_axes(view_of(state, extent), choice, *state.shown.frame);
+    canvas.PushClipRect(lo, hi, true);
+    draw_shapes(canvas, lo, axis_shapes(axes, style_of(state.theme)));
+    canvas.PopClipRect();
+}
+
+}  // namespace zeroset::ui
