@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "pipeline/formula.hpp"
 #include "ui/model/ui_state.hpp"
 

@@ -86,7 +86,7 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
     return order;
 }
 
-/// What shortening a tape takes, kept from call to call: for small tapes allocations cost most.
+/// What specializing a tape takes, kept from call to call: for small tapes allocations cost most.
 struct Room {
     std::vector<Index> stands_for, last_use, place, place_of_node, unused;
     std::vector<SwitchIndex> switches;
@@ -280,7 +280,7 @@ bool TapeGraph::is_first(NodeId id) const {
     return parts.of_node[id] != Parts::none || is_leaf(expr.node(id), facts[id]);
 }
 
-std::vector<NodeId> TapeGraph::least_of() const {
+std::vector<NodeId> TapeGraph::union_parts() const {
     std::vector<bool> seen(expr.nodes().size(), false);
     std::vector<NodeId> stack{expr.root()};
     std::vector<NodeId> least;
@@ -430,8 +430,8 @@ bool Tape::Reduction::is_zero(const Step& step) const {
     return keeps_zero && operand_is_zero(0);
 }
 
-std::optional<Tape> Tape::shortened(const ChoiceRecord& record,
-                                    std::span<const std::size_t> cells) const {
+std::optional<Tape> Tape::specialized(const ChoiceRecord& record,
+                                      std::span<const std::size_t> cells) const {
     const Reduction reduction(*this, record, cells);
     if (!reduction.any()) return std::nullopt;
     const std::span<const Index> stands_for = reduction.stands_for();

@@ -43,7 +43,7 @@ struct TapeGraph {
     /// Nothing is computed before it: it is taken from outside, or a part.
     [[nodiscard]] bool is_first(NodeId id) const;
     /// The nodes of which the root is the least; the root where it is no min.
-    [[nodiscard]] std::vector<NodeId> least_of() const;
+    [[nodiscard]] std::vector<NodeId> union_parts() const;
 };
 
 /// Of a value outside of it only the side matters on which it is.
@@ -93,8 +93,8 @@ public:
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
     /// shorter. On whatever part of space these cells cover it computes a function with the same
     /// signs and zeros, and beside the zeros the same one.
-    [[nodiscard]] std::optional<Tape> shortened(const ChoiceRecord& record,
-                                                std::span<const std::size_t> cells) const;
+    [[nodiscard]] std::optional<Tape> specialized(const ChoiceRecord& record,
+                                                  std::span<const std::size_t> cells) const;
 
     [[nodiscard]] std::span<const Step> steps() const { return steps_; }
     /// So many steps at the front are the same for a whole batch; they keep their slots.

@@ -6,16 +6,6 @@
 
 namespace zeroset {
 
-double Box::size() const {
-    const glm::dvec3 edges = hi - lo;
-    return std::max({edges.x, edges.y, edges.z});
-}
-
-Box scaled(const Box& box, double factor) {
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
-}
-
 ViewFrame::ViewFrame(const Camera& camera)
     : eye(camera.eye),
       forward(glm::normalize(camera.look_at - camera.eye)),

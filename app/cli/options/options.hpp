@@ -3,7 +3,7 @@
 #include "app/cli/options/look_options.hpp"
 #include "document/document.hpp"
 #include "document/solid_choice.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
