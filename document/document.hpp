@@ -2,6 +2,7 @@
 
 #include "document/look.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 
 #include <cstddef>

@@ -289,7 +289,7 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     kernel.interpreted = false;
     kernel.steps = 0;
     kernel.branches = has_branches(expr);
-    kernel.shortener = nullptr;
+    kernel.specializer = nullptr;
     kernel.lane_multiple = static_cast<std::size_t>(vectors->in_float.lanes);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!codes[i]) return std::unexpected(codes[i].error());

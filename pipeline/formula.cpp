@@ -56,7 +56,7 @@ Formula interpreted(Formula formula) {
     for (const Expr& surface : formula.drawn) {
         Kernel& kernel = formula.kernels.emplace_back(interpret(surface));
         // To find what can be left out of few choices takes longer than they do.
-        if (!has_many_choices(surface)) kernel.shortener = nullptr;
+        if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
     add_witnesses(formula);
     return formula;

@@ -3,7 +3,7 @@
 #include "document/row_program.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
-#include "engine/view/camera.hpp"
+#include "engine/view/box.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/surface_code.hpp"
 

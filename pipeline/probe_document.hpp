@@ -2,7 +2,7 @@
 
 #include "engine/measure/probe.hpp"
 #include "engine/scene/precision.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "pipeline/formula.hpp"
 
 #include <cstddef>

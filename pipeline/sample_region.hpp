@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/rewrite/sample/box_sample.hpp"
-#include "engine/view/camera.hpp"
+#include "engine/view/box.hpp"
 
 #include <cstddef>
 

@@ -105,7 +105,7 @@ std::vector<bool> made_of_parts(std::span<const Expr> surfaces, const Box& regio
 bool has_many_choices(const Expr& surface) { return choices_in(surface) >= many_choices; }
 
 double steps_left(const Expr& surface, const Kernel& interpreted, const Box& region) {
-    if (interpreted.shortener == nullptr) return static_cast<double>(interpreted.steps);
+    if (interpreted.specializer == nullptr) return static_cast<double>(interpreted.steps);
     return FormSample(surface, sample_region(region)).steps_left(interpreted);
 }
 

@@ -3,7 +3,7 @@
 #include "engine/expr/expr.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/scene/precision.hpp"
-#include "engine/view/camera.hpp"
+#include "engine/view/box.hpp"
 #include "jit/compile.hpp"
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 #include "engine/base/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
-#include "engine/render/floor.hpp"
+#include "engine/render/known_frame.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"

@@ -3,6 +3,7 @@
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/render.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 
 #include <functional>

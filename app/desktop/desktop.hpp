@@ -11,6 +11,7 @@
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_job.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"

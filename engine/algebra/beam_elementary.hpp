@@ -3,6 +3,7 @@
 #include "engine/algebra/beam_rules.hpp"
 #include "engine/num/beam_functions.hpp"
 #include "engine/num/cardinal.hpp"
+#include "engine/num/odd_root.hpp"
 
 namespace zeroset {
 

@@ -5,7 +5,7 @@
 #include "engine/interpret/interpret_code.hpp"
 #include "engine/interpret/tape.hpp"
 #include "engine/kernel/float_check.hpp"
-#include "engine/kernel/least_of.hpp"
+#include "engine/kernel/union_parts.hpp"
 #include "engine/kernel/unowned.hpp"
 #include "engine/real/block.hpp"
 
@@ -17,9 +17,9 @@
 namespace zeroset {
 namespace {
 
-class TapeShortener : public Shortener {
+class TapeSpecializer : public Specializer {
 public:
-    explicit TapeShortener(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
+    explicit TapeSpecializer(std::shared_ptr<const Tape> tape) : tape_(std::move(tape)) {}
 
     void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const override {
         make_room(batch, record);
@@ -29,7 +29,7 @@ public:
         make_room(batch, record);
         interpreter_code().record_double(*tape_, batch, record);
     }
-    [[nodiscard]] std::shared_ptr<const Kernel> shortened(
+    [[nodiscard]] std::shared_ptr<const Kernel> specialized(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const override;
 
 private:
@@ -65,22 +65,22 @@ void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
 
 /// A tape and its kernel in one piece: thousands are made for a frame.
 struct TapeKernel {
-    explicit TapeKernel(Tape code) : tape(std::move(code)), shortener(unowned(tape)) {
+    explicit TapeKernel(Tape code) : tape(std::move(code)), specializer(unowned(tape)) {
         set_code(kernel, unowned(tape));
-        if (tape.choices() > 0) kernel.shortener = unowned<Shortener>(shortener);
+        if (tape.choices() > 0) kernel.specializer = unowned<Specializer>(specializer);
     }
     TapeKernel(const TapeKernel&) = delete;
     TapeKernel& operator=(const TapeKernel&) = delete;
     ~TapeKernel() = default;
 
     Tape tape;
-    TapeShortener shortener;
+    TapeSpecializer specializer;
     Kernel kernel;
 };
 
-std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& record,
-                                                       std::span<const std::size_t> cells) const {
-    auto tape = tape_->shortened(record, cells);
+std::shared_ptr<const Kernel> TapeSpecializer::specialized(
+    const ChoiceRecord& record, std::span<const std::size_t> cells) const {
+    auto tape = tape_->specialized(record, cells);
     if (!tape) return nullptr;
     const auto& graph = tape->graph();
     if (const auto part = tape->part(tape->root()); part != Parts::none)
@@ -90,8 +90,8 @@ std::shared_ptr<const Kernel> TapeShortener::shortened(const ChoiceRecord& recor
 }
 
 /// Nothing where there are not several.
-std::optional<LeastOf> operands_of_least(const std::shared_ptr<const TapeGraph>& graph) {
-    const std::vector<NodeId> nodes = graph->least_of();
+std::optional<UnionParts> operands_of_least(const std::shared_ptr<const TapeGraph>& graph) {
+    const std::vector<NodeId> nodes = graph->union_parts();
     if (nodes.size() < 2) return std::nullopt;
     std::vector<const Kernel*> kernels;
     std::vector<std::shared_ptr<const void>> owners{graph};
@@ -104,21 +104,21 @@ std::optional<LeastOf> operands_of_least(const std::shared_ptr<const TapeGraph>&
         kernels.push_back(&made->kernel);
         owners.push_back(made);
     }
-    return std::optional<LeastOf>(std::in_place, std::move(kernels), std::move(owners));
+    return std::optional<UnionParts>(std::in_place, std::move(kernels), std::move(owners));
 }
 
-/// Shortens the kernel of a whole formula.
-class WholeShortener final : public TapeShortener {
+/// Specializes the kernel of a whole formula.
+class WholeSpecializer final : public TapeSpecializer {
 public:
-    explicit WholeShortener(const std::shared_ptr<const Tape>& tape)
-        : TapeShortener(tape), least_of_(operands_of_least(tape->graph())) {}
+    explicit WholeSpecializer(const std::shared_ptr<const Tape>& tape)
+        : TapeSpecializer(tape), union_parts_(operands_of_least(tape->graph())) {}
 
-    [[nodiscard]] const LeastOf* least_of() const override {
-        return least_of_ ? &*least_of_ : nullptr;
+    [[nodiscard]] const UnionParts* union_parts() const override {
+        return union_parts_ ? &*union_parts_ : nullptr;
     }
 
 private:
-    std::optional<LeastOf> least_of_;
+    std::optional<UnionParts> union_parts_;
 };
 
 /// Whether the operator takes usual numbers out of the range of float.
@@ -147,7 +147,7 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
     set_code(kernel, tape);
     if (std::ranges::any_of(expr.nodes(), may_leave_range))
         kernel.float_check = std::make_shared<const FloatCheck>(kernel);
-    if (tape->choices() > 0) kernel.shortener = std::make_shared<WholeShortener>(tape);
+    if (tape->choices() > 0) kernel.specializer = std::make_shared<WholeSpecializer>(tape);
     return kernel;
 }
 

@@ -84,7 +84,7 @@ Kernel kernel_of_shape(const Expr& expr, ShapedGraph graph) {
     kernel.lane_multiple = own->graph.shape.kernel.lane_multiple;
     kernel.interpreted = false;
     kernel.steps = 0;
-    kernel.shortener = nullptr;
+    kernel.specializer = nullptr;
     set_code(kernel, {own, &own->code});
     return kernel;
 }

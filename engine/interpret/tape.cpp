@@ -190,8 +190,8 @@ Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
     *this = Builder(steps, uniform, itself, switches).build(std::move(graph), place[root]);
 }
 
-std::optional<Tape> Tape::shortened(const ChoiceRecord& record,
-                                    std::span<const std::size_t> cells) const {
+std::optional<Tape> Tape::specialized(const ChoiceRecord& record,
+                                      std::span<const std::size_t> cells) const {
     const TapeReduction reduction(*this, record, cells);
     if (!reduction.any()) return std::nullopt;
     const std::span<const Index> stands_for = reduction.stands_for();

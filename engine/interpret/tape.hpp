@@ -55,8 +55,8 @@ public:
     /// The tape for cells of a batch of which `record` tells; nothing where it would not be
     /// shorter. On whatever part of space these cells cover it computes a function with the same
     /// signs and zeros, and beside the zeros the same one.
-    [[nodiscard]] std::optional<Tape> shortened(const ChoiceRecord& record,
-                                                std::span<const std::size_t> cells) const;
+    [[nodiscard]] std::optional<Tape> specialized(const ChoiceRecord& record,
+                                                  std::span<const std::size_t> cells) const;
 
     [[nodiscard]] std::span<const Step> steps() const { return steps_; }
     /// So many steps at the front are the same for a whole batch; they keep their slots.

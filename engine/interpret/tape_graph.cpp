@@ -32,7 +32,7 @@ TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_cod
         part_kernels.push_back(kernel_of_part(parts, part));
 }
 
-std::vector<NodeId> TapeGraph::least_of() const {
+std::vector<NodeId> TapeGraph::union_parts() const {
     std::vector<bool> seen(expr.nodes().size(), false);
     std::vector<NodeId> stack{expr.root()};
     std::vector<NodeId> least;

@@ -33,7 +33,7 @@ struct TapeGraph {
     /// Nothing is computed before it: it is taken from outside, or a part.
     [[nodiscard]] bool is_first(NodeId id) const { return operand_counts[id] == 0; }
     /// The nodes of which the root is the least; the root where it is no min.
-    [[nodiscard]] std::vector<NodeId> least_of() const;
+    [[nodiscard]] std::vector<NodeId> union_parts() const;
 };
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #include "engine/kernel/float_check.hpp"
 
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::size_t boxes = 64;
 static_assert(boxes % batch_multiple == 0);
-/// Of the box's edges.
+/// Edges of the boxes asked for, as a part of the whole box's.
 constexpr double box_edge = 0x1p-10;
 /// Where doubles tell that f is not 0 and floats do not, in so many boxes, floats do not suffice.
 constexpr std::size_t most_untold = boxes / 16;
@@ -32,31 +33,20 @@ template <class Real>
 std::array<bool, boxes> excluded(const KernelFunction<RangeBatchOf<Real>>& range,
                                  const std::array<double, 3>& lo, const std::array<double, 3>& hi,
                                  const Uniforms& uniforms) {
-    std::array<std::array<Real, boxes>, 3> neg_begin;
-    std::array<std::array<Real, boxes>, 3> end;
+    RangeBoxes<Real, boxes> cells;
     for (std::size_t i = 0; i < boxes; ++i) {
         const std::array<double, 3> at = place(i);
         for (std::size_t k = 0; k < 3; ++k) {
             const double edge = hi[k] - lo[k];
             const double begin = lo[k] + (1.0 - box_edge) * edge * at[k];
-            neg_begin[k][i] = upper_end(Real{}, -begin);
-            end[k][i] = upper_end(Real{}, begin + box_edge * edge);
+            cells.ends[k][i] = upper_end(Real{}, -begin);
+            cells.ends[k + 3][i] = upper_end(Real{}, begin + box_edge * edge);
         }
     }
-    std::array<Real, boxes> f_neg_lo;
-    std::array<Real, boxes> f_hi;
-    std::array<ContinuityMask<Real>, boxes> continuous;
-    range(RangeBatchOf<Real>{
-        .size = boxes,
-        .neg_lo = {neg_begin[0].data(), neg_begin[1].data(), neg_begin[2].data()},
-        .hi = {end[0].data(), end[1].data(), end[2].data()},
-        .uniforms = uniforms.boxes<Real>(),
-        .f_neg_lo = f_neg_lo.data(),
-        .f_hi = f_hi.data(),
-        .continuous = continuous.data()});
+    range(cells.batch(boxes, uniforms.boxes<Real>()));
     std::array<bool, boxes> result{};
     for (std::size_t i = 0; i < boxes; ++i)
-        result[i] = f_neg_lo[i] < 0 || f_hi[i] < 0;
+        result[i] = cells.excludes_zero(i);
     return result;
 }
 

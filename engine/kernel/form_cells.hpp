@@ -8,7 +8,7 @@
 
 namespace zeroset {
 
-/// Some cells of a frustum and what forms say of them: FormBatchOf's arrays, of a fixed room.
+/// Some cells of a frustum and their forms: FormBatchOf's arrays, of a fixed room.
 /// Plain data, nothing of it set at first.
 template <class Real, std::size_t room>
 struct FormCells {
@@ -22,14 +22,24 @@ struct FormCells {
     /// The first `count`, a multiple of batch_multiple; `uniforms`: for boxes.
     FormBatchOf<Real> batch(std::size_t count, const FrustumOf<Real>& frustum,
                             const Real* uniforms) {
-        return {count,           u.data(),          v.data(),
-                s.data(),        s_radius.data(),   frustum.base,
-                uniforms,        c.data(),          {k[0].data(), k[1].data(), k[2].data()},
-                e.data(),        r.data(),          slope_neg_lo.data(),
-                slope_hi.data(), continuous.data(), nowhere.data()};
+        return {.size = count,
+                .u = u.data(),
+                .v = v.data(),
+                .s = s.data(),
+                .s_radius = s_radius.data(),
+                .frustum = frustum.base,
+                .uniforms = uniforms,
+                .c = c.data(),
+                .k = {k[0].data(), k[1].data(), k[2].data()},
+                .e = e.data(),
+                .r = r.data(),
+                .slope_neg_lo = slope_neg_lo.data(),
+                .slope_hi = slope_hi.data(),
+                .continuous = continuous.data(),
+                .nowhere = nowhere.data()};
     }
 
-    /// How far f can be from c[i] in the cell. In upward rounding.
+    /// The most by which f can differ from c[i] in the cell. In upward rounding.
     [[nodiscard]] Real spread(std::size_t i) const {
         return std::abs(k[0][i]) + std::abs(k[1][i]) + std::abs(k[2][i]) + e[i];
     }

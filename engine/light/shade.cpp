@@ -39,7 +39,7 @@ static_assert(tile_size == 64);
 
 RowBits first_bits(std::size_t count) { return ~RowBits{0} >> (tile_size - count); }
 
-/// Misses, in a picture that holds nothing yet.
+/// Writes misses into a picture that holds nothing yet.
 void clear_row(const Row& to, int row, const Canvas& canvas) {
     const RowBits bit = RowBits{1} << row;
     if (canvas.blank_rows != nullptr && (*canvas.blank_rows & bit) != 0) return;
@@ -67,14 +67,14 @@ struct RowPixels {
     alignas(64) std::uint8_t surface[tile_size];
 
     RowTarget target() { return {color, depth, certificate, surface}; }
-    /// The first `count` pixels.
+    /// Copies the first `count` pixels.
     void copy(std::size_t first, std::size_t count, Framebuffer& out) const {
         std::copy_n(color, count, &out.color[first]);
         std::copy_n(depth, count, &out.depth[first]);
         std::copy_n(certificate, count, &out.certificate[first]);
         std::copy_n(surface, count, &out.surface[first]);
     }
-    /// Those whose bits are set.
+    /// Copies the pixels whose bits are set.
     void copy_some(std::size_t first, RowBits bits, Framebuffer& out) const {
         for (; bits != 0; bits &= bits - 1) {
             const auto col = static_cast<std::size_t>(std::countr_zero(bits));
@@ -109,22 +109,21 @@ void write_facts(RowBits hit, const Certificate* known, std::uint8_t surface, co
 /// Which pixels of a row are hits.
 RowBits hits_of(const float* depths, std::size_t count) {
     RowBits bits = 0;
-    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, hn::Lt(hn::LoadU(d, depths + col), hn::Inf(d)), bytes);
-        bits |= (bytes[0] | static_cast<RowBits>(bytes[1]) << 8U) << col;
+    for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
+        const auto is_hit = hn::Lt(hn::LoadU(d<float>, depths + col), hn::Inf(d<float>));
+        bits |= RowBits{bits_of(d<float>, is_hit)} << col;
     }
     return bits & first_bits(count);
 }
 
-/// Those of a vector.
-RowBits bits_at(RowBits bits, std::size_t col) { return bits >> col & first_bits(hn::MaxLanes(d)); }
+/// The bits of a vector's pixels, from `col` on.
+RowBits bits_at(RowBits bits, std::size_t col) { return bits >> col & first_bits(lanes<float>); }
 
 /// The directions of a tile's rays, not of length 1.
 struct RayDirections {
     glm::dvec3 first, by_row, key;
     V3 by_col;
-    V key_by_col;
+    V<float> key_by_col;
 
     RayDirections(const TraceFrame& frame, const Tile& tile, const glm::dvec3& key_light)
         : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
@@ -132,7 +131,7 @@ struct RayDirections {
         const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.height);
         by_row = -size * frame.view.up;
         by_col = splat(size * frame.view.right);
-        key_by_col = hn::Set(d, static_cast<float>(size * glm::dot(key, frame.view.right)));
+        key_by_col = hn::Set(d<float>, static_cast<float>(size * glm::dot(key, frame.view.right)));
     }
 };
 
@@ -142,21 +141,21 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
     const glm::dvec3 first = rays.first + static_cast<double>(row) * rays.by_row;
     const V3 start = splat(first);
     const V3& step = rays.by_col;
-    const V key_start = hn::Set(d, static_cast<float>(glm::dot(rays.key, first)));
-    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
+    const V<float> key_start = hn::Set(d<float>, static_cast<float>(glm::dot(rays.key, first)));
+    for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
         const RowBits bits = bits_at(hit, col);
         if (bits == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        const V along = hn::Iota(d, static_cast<float>(col));
-        std::uint8_t bytes[8] = {};
-        std::memcpy(bytes, &bits, sizeof bits);
-        const Lit lit{{hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
-                       hn::MulAdd(along, step.z, start.z)},
-                      hn::MulAdd(along, rays.key_by_col, key_start),
-                      {hn::LoadU(d, &hits.gradient[0][at]), hn::LoadU(d, &hits.gradient[1][at]),
-                       hn::LoadU(d, &hits.gradient[2][at])},
-                      hits.any_dark ? hn::LoadU(d, &hits.lit[at]) : hn::Set(d, 1.0F),
-                      hn::LoadMaskBits(d, bytes)};
+        const V<float> along = hn::Iota(d<float>, static_cast<float>(col));
+        const Lit lit{
+            .along = {hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
+                      hn::MulAdd(along, step.z, start.z)},
+            .along_to_key = hn::MulAdd(along, rays.key_by_col, key_start),
+            .gradient = {hn::LoadU(d<float>, &hits.gradient[0][at]),
+                         hn::LoadU(d<float>, &hits.gradient[1][at]),
+                         hn::LoadU(d<float>, &hits.gradient[2][at])},
+            .lit = hits.any_dark ? hn::LoadU(d<float>, &hits.lit[at]) : hn::Set(d<float>, 1.0F),
+            .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
         illuminate(shading, lit, col, light);
     }
 }
@@ -181,17 +180,16 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
 template <class Paint>
 void color_row(const Paint& paint, std::uint32_t background, int row, RowBits hit,
                const TileHits& hits, const Light& light, const RowTarget& to) {
-    const hn::RebindToUnsigned<D> du;
-    for (std::size_t col = 0; col < tile_size; col += hn::MaxLanes(d)) {
+    for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        const V depth = hn::LoadU(d, &hits.depth[at]);
-        auto color = hn::Set(du, background);
+        const V<float> depth = hn::LoadU(d<float>, &hits.depth[at]);
+        auto color = hn::Set(du<float>, background);
         if (bits_at(hit, col) != 0) {
-            const auto is_hit = hn::RebindMask(du, hn::Lt(depth, hn::Inf(d)));
+            const auto is_hit = hn::RebindMask(du<float>, hn::Lt(depth, hn::Inf(d<float>)));
             color = hn::IfThenElse(is_hit, colored(paint, light, col, at), color);
         }
-        hn::StoreU(color, du, to.color + col);
-        hn::StoreU(depth, d, to.depth + col);
+        hn::StoreU(color, du<float>, to.color + col);
+        hn::StoreU(depth, d<float>, to.depth + col);
     }
 }
 

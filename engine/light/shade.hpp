@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@ struct Canvas {
     Framebuffer& pixels;  ///< those from (col, row) on
     int col = 0, row = 0;
     int height = 0;  ///< of the whole image
-    /// Of the tile to draw: see Framebuffer::blank_rows. nullptr: nothing is known.
+    /// The bits of the tile to draw in Framebuffer::blank_rows. nullptr: nothing is known.
     std::uint64_t* blank_rows = nullptr;
 
     [[nodiscard]] std::size_t index(int image_col, int image_row) const {

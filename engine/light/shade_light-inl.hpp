@@ -10,8 +10,7 @@
 
 #include "engine/light/shade.hpp"
 #include "engine/scene/palette.hpp"
-
-#include <hwy/highway.h>
+#include "engine/trace/simd/vectors-inl.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,80 +18,79 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<float, 16>;
-using V = hn::Vec<D>;
-constexpr D d;
-
 struct V3 {
-    V x, y, z;
+    V<float> x, y, z;
 };
 
 HWY_INLINE V3 splat(const glm::dvec3& v) {
-    return {hn::Set(d, static_cast<float>(v.x)), hn::Set(d, static_cast<float>(v.y)),
-            hn::Set(d, static_cast<float>(v.z))};
+    return {hn::Set(d<float>, static_cast<float>(v.x)), hn::Set(d<float>, static_cast<float>(v.y)),
+            hn::Set(d<float>, static_cast<float>(v.z))};
 }
 
-HWY_INLINE V dot(const V3& a, const V3& b) {
+HWY_INLINE V<float> dot(const V3& a, const V3& b) {
     return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
-HWY_INLINE V3 scaled(const V3& a, V s) {
+HWY_INLINE V3 scaled(const V3& a, V<float> s) {
     return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
 }
 
 /// 2 / sqrt(x) to float's last digits but one.
-HWY_INLINE V twice_per_root(V x) {
-    const V guess = hn::ApproximateReciprocalSqrt(x);
-    return hn::Mul(guess, hn::NegMulAdd(hn::Mul(x, guess), guess, hn::Set(d, 3.0F)));
+HWY_INLINE V<float> twice_per_root(V<float> x) {
+    const V<float> guess = hn::ApproximateReciprocalSqrt(x);
+    return hn::Mul(guess, hn::NegMulAdd(hn::Mul(x, guess), guess, hn::Set(d<float>, 3.0F)));
 }
 
 /// A direction as a vector times a number: its length is 2.
 struct Direction {
     V3 along;
-    V scale;
+    V<float> scale;
 };
 
 /// Whether x is neither so small nor so large that its digits are lost.
-HWY_INLINE hn::Mask<D> is_moderate(V x) {
-    return hn::And(hn::Gt(x, hn::Set(d, 1e-30F)), hn::Lt(x, hn::Set(d, 1e30F)));
+HWY_INLINE M<float> is_moderate(V<float> x) {
+    return hn::And(hn::Gt(x, hn::Set(d<float>, 1e-30F)), hn::Lt(x, hn::Set(d<float>, 1e30F)));
 }
 
-/// Of `a`, or `otherwise` where a is 0, too large or not a number; anything where it is not wanted.
-HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, hn::Mask<D> wanted) {
-    const V square = dot(a, a);
-    if (hn::AllFalse(d, hn::AndNot(is_moderate(square), wanted))) {
+/// Direction of `a`; `otherwise` where a is 0, infinite or NaN. Undefined in lanes not in `wanted`.
+HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<float> wanted) {
+    const V<float> square = dot(a, a);
+    if (hn::AllFalse(d<float>, hn::AndNot(is_moderate(square), wanted))) {
         return {a, twice_per_root(square)};
     }
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
-    const V size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
-    const auto usable = hn::And(hn::Gt(size, hn::Set(d, 1e-37F)), hn::Lt(size, hn::Set(d, 1e37F)));
-    const V3 b = scaled(a, hn::Div(hn::Set(d, 1.0F), size));
-    const auto pick = [&](V usual, V rare) { return hn::IfThenElse(usable, usual, rare); };
+    const V<float> size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
+    const auto usable =
+        hn::And(hn::Gt(size, hn::Set(d<float>, 1e-37F)), hn::Lt(size, hn::Set(d<float>, 1e37F)));
+    const V3 b = scaled(a, hn::Div(hn::Set(d<float>, 1.0F), size));
+    const auto pick = [&](V<float> usual, V<float> rare) {
+        return hn::IfThenElse(usable, usual, rare);
+    };
     const V3& c = otherwise.along;
     return {{pick(b.x, c.x), pick(b.y, c.y), pick(b.z, c.z)},
             pick(twice_per_root(dot(b, b)), otherwise.scale)};
 }
 
 /// A channel of the picture, 0 to 255, from linear light; gamma 2. In upward rounding.
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> encoded(V light) {
-    const hn::RebindToUnsigned<D> du;
-    const V within = hn::Min(hn::Max(light, hn::Set(d, 1e-12F)), hn::Set(d, 1.0F));
-    const V guess = hn::ApproximateReciprocalSqrt(within);
-    const V root = hn::Mul(within, guess);
-    const V twice = hn::Mul(root, hn::NegMulAdd(root, guess, hn::Set(d, 3.0F)));
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<Tag<float>>> encoded(V<float> light) {
+    const V<float> within =
+        hn::Min(hn::Max(light, hn::Set(d<float>, 1e-12F)), hn::Set(d<float>, 1.0F));
+    const V<float> guess = hn::ApproximateReciprocalSqrt(within);
+    const V<float> root = hn::Mul(within, guess);
+    const V<float> twice = hn::Mul(root, hn::NegMulAdd(root, guess, hn::Set(d<float>, 3.0F)));
     // Whole numbers are the last bits of floats of this size.
-    const V last_bits = hn::Set(d, 0x1.8p23F);
-    const V number = hn::Add(hn::MulAdd(twice, hn::Set(d, 127.5F), hn::Set(d, -0.5F)), last_bits);
-    return hn::And(hn::BitCast(du, number), hn::Set(du, 0xFFU));
+    const V<float> last_bits = hn::Set(d<float>, 0x1.8p23F);
+    const V<float> number =
+        hn::Add(hn::MulAdd(twice, hn::Set(d<float>, 127.5F), hn::Set(d<float>, -0.5F)), last_bits);
+    return hn::And(hn::BitCast(du<float>, number), hn::Set(du<float>, 0xFFU));
 }
 
-/// What all pixels of a surface share, in all lanes: half the directions of the lights, which move
-/// with the camera, and the colours of its two sides.
+/// Numbers that all pixels of a surface share, in all lanes: half the directions of the lights,
+/// which move with the camera, and the colours of its two sides.
 struct Shading {
     glm::dvec3 key;
     V3 half_key, half_fill, half_up;
-    V front[3], back[3];
+    V<float> front[3], back[3];
 
     Shading(const ViewFrame& view, const SurfaceColors& colors)
         : key(key_light(view)),
@@ -101,13 +99,13 @@ struct Shading {
               splat(0.5 * glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
           half_up(splat(0.5 * view.up)) {
         for (int channel = 0; channel < 3; ++channel) {
-            front[channel] = hn::Set(d, colors.front[channel]);
-            back[channel] = hn::Set(d, colors.back[channel]);
+            front[channel] = hn::Set(d<float>, colors.front[channel]);
+            back[channel] = hn::Set(d<float>, colors.back[channel]);
         }
     }
 };
 
-/// What falls on the pixels of a row of a tile, in all its vectors.
+/// The light on the pixels of a row of a tile, in all its vectors.
 struct Light {
     alignas(64) float diffuse[tile_size];
     alignas(64) float gloss[tile_size];   ///< twice that of the highlight, before it is sharpened
@@ -116,52 +114,53 @@ struct Light {
 
 /// Hits that share a vector.
 struct Lit {
-    V3 along;        ///< of their rays, not of length 1
-    V along_to_key;  ///< the direction of the key light times that
+    V3 along;               ///< of their rays, not of length 1
+    V<float> along_to_key;  ///< the direction of the key light times that
     V3 gradient;
-    V lit;  ///< how much of the key light falls on them
-    hn::Mask<D> is_hit;
+    V<float> lit;  ///< how much of the key light falls on them
+    M<float> is_hit;
 };
 
 /// The light on hits, to the pixels from `col` on.
 HWY_INLINE void illuminate(const Shading& shading, const Lit& at, std::size_t col, Light& light) {
-    const V zero = hn::Zero(d);
-    const V half = hn::Set(d, 0.5F);
-    const V two = hn::Set(d, 2.0F);
+    const V<float> zero = hn::Zero(d<float>);
+    const V<float> half = hn::Set(d<float>, 0.5F);
+    const V<float> two = hn::Set(d<float>, 2.0F);
     const V3& along = at.along;
-    const V twice_towards_viewer = hn::Neg(twice_per_root(dot(along, along)));
+    const V<float> twice_towards_viewer = hn::Neg(twice_per_root(dot(along, along)));
     const Direction outward = direction_of(at.gradient, {along, twice_towards_viewer}, at.is_hit);
-    const V twice_facing = hn::Mul(dot(outward.along, along), twice_towards_viewer);
-    const V to_side = hn::CopySign(outward.scale, twice_facing);
-    const V to_key = hn::Mul(dot(outward.along, shading.half_key), to_side);
-    const V to_fill = hn::Mul(dot(outward.along, shading.half_fill), to_side);
-    const V to_sky = hn::Mul(dot(outward.along, shading.half_up), to_side);
-    const V key_light = hn::Mul(hn::Max(to_key, zero), at.lit);
-    const V fill_light = hn::Max(to_fill, zero);
-    const V sky = hn::MulAdd(to_sky, half, half);
-    const V diffuse = hn::MulAdd(key_light, hn::Set(d, 0.85F),
-                                 hn::MulAdd(fill_light, hn::Set(d, 0.26F),
-                                            hn::MulAdd(sky, hn::Set(d, 0.16F), hn::Set(d, 0.10F))));
-    // Of the normal and the direction halfway between light and viewer, unit vectors; their sum
-    // may vanish.
-    const V quarter = hn::Set(d, 0.25F);
-    const V to_key_and_viewer =
+    const V<float> twice_facing = hn::Mul(dot(outward.along, along), twice_towards_viewer);
+    const V<float> to_side = hn::CopySign(outward.scale, twice_facing);
+    const V<float> to_key = hn::Mul(dot(outward.along, shading.half_key), to_side);
+    const V<float> to_fill = hn::Mul(dot(outward.along, shading.half_fill), to_side);
+    const V<float> to_sky = hn::Mul(dot(outward.along, shading.half_up), to_side);
+    const V<float> key_light = hn::Mul(hn::Max(to_key, zero), at.lit);
+    const V<float> fill_light = hn::Max(to_fill, zero);
+    const V<float> sky = hn::MulAdd(to_sky, half, half);
+    const V<float> diffuse =
+        hn::MulAdd(key_light, hn::Set(d<float>, 0.85F),
+                   hn::MulAdd(fill_light, hn::Set(d<float>, 0.26F),
+                              hn::MulAdd(sky, hn::Set(d<float>, 0.16F), hn::Set(d<float>, 0.10F))));
+    // The highlight follows from the normal and the direction halfway between light and viewer,
+    // unit vectors; their sum may vanish.
+    const V<float> quarter = hn::Set(d<float>, 0.25F);
+    const V<float> to_key_and_viewer =
         hn::MulAdd(hn::Mul(hn::Abs(twice_facing), quarter), outward.scale, to_key);
-    const V square =
-        hn::Max(hn::MulAdd(at.along_to_key, twice_towards_viewer, two), hn::Set(d, 1e-6F));
-    const V twice_gloss =
+    const V<float> square =
+        hn::Max(hn::MulAdd(at.along_to_key, twice_towards_viewer, two), hn::Set(d<float>, 1e-6F));
+    const V<float> twice_gloss =
         hn::Mul(hn::Max(hn::Mul(to_key_and_viewer, twice_per_root(square)), zero), at.lit);
-    hn::Store(diffuse, d, &light.diffuse[col]);
-    hn::Store(twice_gloss, d, &light.gloss[col]);
-    hn::Store(twice_facing, d, &light.facing[col]);
+    hn::Store(diffuse, d<float>, &light.diffuse[col]);
+    hn::Store(twice_gloss, d<float>, &light.gloss[col]);
+    hn::Store(twice_facing, d<float>, &light.facing[col]);
 }
 
 /// The reflectances of pixels by the side of the surface that is seen.
 struct BySide {
     const Shading& shading;
 
-    HWY_INLINE V at(int channel, V facing, std::size_t /*pixel*/) const {
-        const auto front = hn::Ge(facing, hn::Zero(d));
+    HWY_INLINE V<float> at(int channel, V<float> facing, std::size_t /*pixel*/) const {
+        const auto front = hn::Ge(facing, hn::Zero(d<float>));
         return hn::IfThenElse(front, shading.front[channel], shading.back[channel]);
     }
 };
@@ -170,25 +169,24 @@ struct BySide {
 struct ByPixel {
     const TileHits& hits;
 
-    HWY_INLINE V at(int channel, V /*facing*/, std::size_t pixel) const {
-        return hn::LoadU(d, &hits.reflectance[static_cast<std::size_t>(channel)][pixel]);
+    HWY_INLINE V<float> at(int channel, V<float> /*facing*/, std::size_t pixel) const {
+        return hn::LoadU(d<float>, &hits.reflectance[static_cast<std::size_t>(channel)][pixel]);
     }
 };
 
 /// The colours of the pixels from `col` on, which are those from `pixel` on in the tile.
 template <class Paint>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> colored(const Paint& paint, const Light& light,
-                                                    std::size_t col, std::size_t pixel) {
-    const hn::RebindToUnsigned<D> du;
-    const V diffuse = hn::Load(d, &light.diffuse[col]);
-    V gloss = hn::Load(d, &light.gloss[col]);
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<Tag<float>>> colored(const Paint& paint, const Light& light,
+                                                             std::size_t col, std::size_t pixel) {
+    const V<float> diffuse = hn::Load(d<float>, &light.diffuse[col]);
+    V<float> gloss = hn::Load(d<float>, &light.gloss[col]);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
-    const V specular = hn::Mul(gloss, hn::Set(d, 0.22F * 0x1p-32F));
-    const V facing = hn::Load(d, &light.facing[col]);
-    auto color = hn::Set(du, 0xFF000000U);
+    const V<float> specular = hn::Mul(gloss, hn::Set(d<float>, 0.22F * 0x1p-32F));
+    const V<float> facing = hn::Load(d<float>, &light.facing[col]);
+    auto color = hn::Set(du<float>, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
-        const V albedo = paint.at(channel, facing, pixel);
+        const V<float> albedo = paint.at(channel, facing, pixel);
         const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
         color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
     }

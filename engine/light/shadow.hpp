@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <span>
 
@@ -11,7 +12,7 @@ namespace zeroset {
 glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip);
 
 /// Finds which hits of a tile that light does not reach, by enclosures along the
-/// ways to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. `hits[i]`
+/// paths to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. `hits[i]`
 /// are those of surface i, with their gradients. What is not found within `limit` is lit. In upward
 /// rounding.
 void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,

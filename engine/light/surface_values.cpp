@@ -1,28 +1,20 @@
 #include "engine/light/surface_values.hpp"
 
-#include <algorithm>
-#include <array>
+#include "engine/kernel/point_batch.hpp"
 
 namespace zeroset {
 namespace {
 
 std::vector<double> formula_at(const PointFunction& formula, const Uniforms& uniforms,
                                std::span<const SurfacePoint> points) {
-    const std::size_t size = (points.size() + batch_multiple - 1) / batch_multiple * batch_multiple;
-    std::array<std::vector<double>, 3> x;
-    for (int k = 0; k < 3; ++k) {
-        std::vector<double>& column = x.at(static_cast<std::size_t>(k));
-        column.resize(size);
-        for (std::size_t i = 0; i < size; ++i)
-            column[i] = points[std::min(i, points.size() - 1)].at[k];
-    }
-    std::vector<double> values(size);
-    formula(ValueBatchOf<double>{size,
-                                 {x[0].data(), x[1].data(), x[2].data()},
-                                 uniforms.points<double>(),
-                                 values.data(),
-                                 {}});
-    values.resize(points.size());
+    PointBatch<double> batch(points.size(), PointBatch<double>::Asks::Value);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        batch.set(i, points[i].at.x, points[i].at.y, points[i].at.z);
+    batch.pad();
+    formula(batch.batch(uniforms.points<double>()));
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        values.push_back(batch.f(i));
     return values;
 }
 

@@ -1,10 +1,11 @@
 #include "engine/measure/extent.hpp"
 
 #include "engine/kernel/kernel.hpp"
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/real/scalar.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -13,7 +14,7 @@
 namespace zeroset {
 namespace {
 
-/// Of the longest edge of what is found: a cell that small may still hold a surface.
+/// Cells that are no longer than this part of what is found are not halved any more.
 constexpr double finest = 1.0 / 64.0;
 constexpr std::size_t most_cells = 200'000;
 /// Cells of one face that are halved at a time: those are enough to settle most faces.
@@ -21,56 +22,25 @@ constexpr std::size_t cells_at_once = 64;
 /// Cells smaller than their coordinates times this are enclosed in double.
 constexpr double finest_in_float = 0x1p-16;
 
-/// What f is over cells, in one type.
-template <class Real>
-class CellRanges {
-public:
-    explicit CellRanges(std::size_t cells)
-        : size_((cells + batch_multiple - 1) / batch_multiple * batch_multiple),
-          numbers_(8 * size_),
-          continuous_(size_) {}
-
-    /// In upward rounding.
-    void set(std::size_t i, const Box& cell) {
-        for (int axis = 0; axis < 3; ++axis) {
-            ends(axis)[i] = static_cast<Real>(-cell.lo[axis]);
-            ends(axis + 3)[i] = static_cast<Real>(cell.hi[axis]);
-        }
-    }
-    void evaluate(const Kernel& kernel, const Uniforms& uniforms) {
-        kernel.range(RangeBatchOf<Real>{size_,
-                                        {ends(0), ends(1), ends(2)},
-                                        {ends(3), ends(4), ends(5)},
-                                        uniforms.boxes<Real>(),
-                                        ends(6),
-                                        ends(7),
-                                        continuous_.data()});
-    }
-    [[nodiscard]] bool may_vanish(std::size_t i) const {
-        return !(numbers_[6 * size_ + i] < 0 || numbers_[7 * size_ + i] < 0);
-    }
-
-private:
-    Real* ends(int array) { return numbers_.data() + static_cast<std::size_t>(array) * size_; }
-
-    std::size_t size_;
-    std::vector<Real> numbers_;  ///< -lo of x, y, z, hi of x, y, z, f's -lo and hi
-    std::vector<ContinuityMask<Real>> continuous_;
-};
-
-/// Of each cell, whether one of the surfaces may be in it. In upward rounding, which must not be
-/// left to the caller's optimizer.
+/// Tells of each cell whether one of the surfaces may be in it. In upward rounding, which must not
+/// be left to the caller's optimizer.
 template <class Real>
 [[gnu::noinline]] std::vector<bool> may_hold_surface(const Scene& scene,
                                                      const std::vector<Box>& cells) {
-    CellRanges<Real> ranges(cells.size());
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        ranges.set(i, cells[i]);
+    RangeBoxList<Real> ranges;
+    ranges.resize(padded(cells.size()));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            ranges.ends[k][i] = upper_end(Real{}, -cells[i].lo[axis]);
+            ranges.ends[k + 3][i] = upper_end(Real{}, cells[i].hi[axis]);
+        }
+    }
     std::vector<bool> may(cells.size(), false);
     for (const Kernel& surface : scene.surfaces) {
-        ranges.evaluate(surface, scene.uniforms);
+        surface.range(ranges.batch(cells.size(), scene.uniforms.boxes<Real>()));
         for (std::size_t i = 0; i < cells.size(); ++i)
-            may[i] = may[i] || ranges.may_vanish(i);
+            may[i] = may[i] || !ranges.excludes_zero(i);
     }
     return may;
 }

@@ -2,7 +2,7 @@
 
 #include "engine/scene/scene.hpp"
 #include "engine/trace/time_limit.hpp"
-#include "engine/view/camera.hpp"
+#include "engine/view/box.hpp"
 
 #include <optional>
 
@@ -23,7 +23,7 @@ struct Extent {
     std::optional<Box> reached;
 };
 
-/// How many times as large as the clip box the space is in which surfaces are looked for.
+/// The size of the space in which surfaces are looked for, in sizes of the clip box.
 inline constexpr double extent_reach = 64.0;
 
 /// Where `limit` is over before it is found, the boxes are wider than they need be.

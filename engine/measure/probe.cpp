@@ -1,5 +1,7 @@
 #include "engine/measure/probe.hpp"
 
+#include "engine/kernel/point_batch.hpp"
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/view/pixel_ray.hpp"
 
@@ -33,11 +35,8 @@ public:
     [[nodiscard]] std::optional<double> proved_width(double t, const Column& widths) const;
 
 private:
-    struct Ranges {
-        Column neg_lo, hi;
-        std::array<ContinuityMask<double>, lanes> continuous;
-    };
-    /// Of f over the boxes with these corners.
+    using Ranges = RangeBoxes<double, lanes>;
+    /// f over the boxes with these corners.
     [[nodiscard]] Ranges ranges(const Columns& a, const Columns& b) const;
 
     const Kernel& kernel_;
@@ -47,39 +46,24 @@ private:
 
 Sample RayFormula::at(double t) const {
     const glm::dvec3 point = ray_.at(t);
-    Columns x;
-    Columns gradient;
-    Column f;
-    for (int k = 0; k < 3; ++k)
-        x.at(static_cast<std::size_t>(k)).fill(point[k]);
+    PointBatch<double> batch(1);
+    batch.set(0, point.x, point.y, point.z);
+    batch.pad();
     const UpwardRounding upward;
-    kernel_.value(
-        ValueBatchOf<double>{lanes,
-                             {x[0].data(), x[1].data(), x[2].data()},
-                             uniforms_.points<double>(),
-                             f.data(),
-                             {gradient[0].data(), gradient[1].data(), gradient[2].data()}});
-    return {f[0], {gradient[0][0], gradient[1][0], gradient[2][0]}};
+    kernel_.value(batch.batch(uniforms_.points<double>()));
+    return {batch.f(0), {batch.gradient(0, 0), batch.gradient(1, 0), batch.gradient(2, 0)}};
 }
 
 RayFormula::Ranges RayFormula::ranges(const Columns& a, const Columns& b) const {
-    Columns neg_lo;
-    Columns hi;
+    Ranges ranges;
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t i = 0; i < lanes; ++i) {
-            neg_lo[k][i] = -std::min(a[k][i], b[k][i]);
-            hi[k][i] = std::max(a[k][i], b[k][i]);
+            ranges.ends[k][i] = -std::min(a[k][i], b[k][i]);
+            ranges.ends[k + 3][i] = std::max(a[k][i], b[k][i]);
         }
     }
-    Ranges ranges;
     const UpwardRounding upward;
-    kernel_.range(RangeBatchOf<double>{lanes,
-                                       {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
-                                       {hi[0].data(), hi[1].data(), hi[2].data()},
-                                       uniforms_.boxes<double>(),
-                                       ranges.neg_lo.data(),
-                                       ranges.hi.data(),
-                                       ranges.continuous.data()});
+    kernel_.range(ranges.batch(lanes, uniforms_.boxes<double>()));
     return ranges;
 }
 
@@ -97,8 +81,8 @@ std::optional<double> RayFormula::proved_width(double t, const Column& widths) c
     const Ranges near = ranges(before, before);
     const Ranges far = ranges(behind, behind);
     const Ranges all = ranges(before, behind);
-    const auto below = [](const Ranges& f, std::size_t i) { return f.hi[i] < 0.0; };
-    const auto above = [](const Ranges& f, std::size_t i) { return f.neg_lo[i] < 0.0; };
+    const auto below = [](const Ranges& f, std::size_t i) { return f.f_hi[i] < 0.0; };
+    const auto above = [](const Ranges& f, std::size_t i) { return f.f_neg_lo[i] < 0.0; };
     std::optional<double> least;
     for (std::size_t i = 0; i < lanes; ++i) {
         const bool changes = (below(near, i) && above(far, i)) || (above(near, i) && below(far, i));

@@ -12,12 +12,12 @@
 
 namespace zeroset {
 
-/// What a pixel shows, and how well it is known.
+/// The point that a pixel shows, and how well it is known.
 struct PointFacts {
     glm::dvec3 point{0.0};  ///< on the pixel's ray, world units
     double distance = 0.0;  ///< from the eye
-    /// How far the surface can be from the point along the ray: proved by opposite signs of f if
-    /// `proved`, else an estimate.
+    /// The distance of the surface from the point along the ray, at most: proved by opposite signs
+    /// of f if `proved`, else an estimate.
     double within = 0.0;
     bool proved = false;
     double f = 0.0;          ///< at the point, in double
@@ -26,18 +26,18 @@ struct PointFacts {
     Certificate certificate = Certificate::Miss;
 };
 
-/// What is looked at: a finished or growing picture and the formulas behind it.
+/// A finished or growing picture and the formulas behind it.
 struct ProbedPicture {
     const Framebuffer& frame;
     const Camera& camera;
     std::span<const Kernel> formulas;  ///< f of each surface of the picture, as typed
     const Uniforms& uniforms;
-    /// How far its depths may be from the surface, world units: certified_width or a guess.
+    /// The error of the picture's depths, world units: certified_width or a guess.
     double tolerance = 0.0;
 };
 
-/// What the picture shows at a pixel, to the digits of double: from its depth by Newton's method
-/// along the ray, without tracing. Nothing where nothing is drawn.
+/// Finds what the picture shows at a pixel, to the digits of double: from its depth by Newton's
+/// method along the ray, without tracing. Nothing where nothing is drawn.
 std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row);
 
 }  // namespace zeroset

@@ -44,7 +44,7 @@ std::vector<double> values_in(const Framebuffer& frame, const Scene& scene, cons
     return all;
 }
 
-/// As a person would choose it: to a tenth of the range's power of ten, outward.
+/// The range as a person would choose it: to a tenth of its power of ten, outward.
 ValueRange rounded(const ValueRange& range) {
     const double step = std::pow(10.0, std::floor(std::log10(range.hi - range.lo)) - 1.0);
     const ValueRange wider{std::floor(range.lo / step) * step, std::ceil(range.hi / step) * step};

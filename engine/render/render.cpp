@@ -9,7 +9,8 @@
 #include "engine/render/tracers.hpp"
 #include "engine/trace/caps.hpp"
 #include "engine/trace/frame_kernels.hpp"
-#include "engine/trace/frame_parts.hpp"
+#include "engine/trace/frame_union.hpp"
+#include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/nearest.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/turns.hpp"
@@ -28,16 +29,16 @@
 namespace zeroset {
 namespace {
 
-/// What a thread keeps from tile to tile.
+/// Room that a thread keeps from tile to tile.
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
     CapFinder caps;
-    std::vector<PartInView> parts;
+    std::vector<UnionMember> union_members;
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
 };
 
-/// How far a tile came.
+/// The state of a tile.
 enum class TileState : std::uint8_t {
     Waiting,  ///< nothing is drawn
     Cut,      ///< some of its rays were not searched to their end
@@ -45,12 +46,13 @@ enum class TileState : std::uint8_t {
     Finished,
 };
 
-/// nullptr where the surface is not known as a union.
-std::unique_ptr<FrameParts> parts_of(const TraceFrame& surface) {
-    const Shortener* const shortener = surface.kernel.shortener.get();
-    const LeastOf* const least_of = shortener == nullptr ? nullptr : shortener->least_of();
-    if (least_of == nullptr || !surface.scene.region.is_whole()) return nullptr;
-    return std::make_unique<FrameParts>(surface, *least_of);
+/// The surface as a union; nullptr where it is not known as one.
+std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
+    const Specializer* const specializer = surface.kernel.specializer.get();
+    const UnionParts* const union_parts =
+        specializer == nullptr ? nullptr : specializer->union_parts();
+    if (union_parts == nullptr || !surface.scene.region.is_whole()) return nullptr;
+    return std::make_unique<FrameUnion>(surface, *union_parts);
 }
 
 /// A scene at one resolution, tile by tile.
@@ -65,10 +67,10 @@ public:
 private:
     /// Fills workspace.hits with what each surface shows.
     void trace(Tile tile, const TimeLimit& limit, Workspace& workspace, Counters& counters) const;
-    /// Surface i by its parts, with what is left to find of gradients; false where that cannot be.
-    bool trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+    /// Traces surface i part by part and finds its gradients; false where that cannot be.
+    bool trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                      Counters& counters) const;
-    /// Surface i.
+    /// Traces surface i.
     void trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
                        Workspace& workspace, Counters& counters) const;
 
@@ -77,15 +79,22 @@ private:
                                       const TimeLimit& limit) const {
         const TraceFrame& whole = surfaces_[i];
         const Kernel& kernel = kernels_[i] == nullptr ? whole.kernel : kernels_[i]->of(tile);
-        return {whole.scene, kernel,      whole.view,      whole.width, whole.height,
-                whole.stop,  whole.depth, whole.precision, limit};
+        return {.scene = whole.scene,
+                .kernel = kernel,
+                .view = whole.view,
+                .width = whole.width,
+                .height = whole.height,
+                .stop = whole.stop,
+                .depth = whole.depth,
+                .precision = whole.precision,
+                .limit = limit};
     }
 
     const Tracer& tracer_;
     bool shadows_;
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
-    std::vector<std::unique_ptr<FrameParts>> parts_;      ///< nullptr: not by parts
+    std::vector<std::unique_ptr<FrameUnion>> unions_;     ///< nullptr: no union is known
     std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 
@@ -98,19 +107,19 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (const TraceFrame& surface : surfaces_) {
-        const bool pays = tracer_.shortens || surface.kernel.interpreted;
+        const bool pays = tracer_.specializes || surface.kernel.interpreted;
         kernels_.push_back(
-            pays && surface.kernel.shortener ? std::make_unique<FrameKernels>(surface) : nullptr);
-        parts_.push_back(tracer_.takes_parts ? parts_of(surface) : nullptr);
+            pays && surface.kernel.specializer ? std::make_unique<FrameKernels>(surface) : nullptr);
+        unions_.push_back(tracer_.takes_unions ? union_of(surface) : nullptr);
     }
 }
 
-bool TilePainter::trace_parts(std::size_t i, const Tile& tile, const TimeLimit& limit,
+bool TilePainter::trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit,
                               Workspace& workspace, Counters& counters) const {
-    if (parts_[i] == nullptr || !parts_[i]->list(tile, workspace.parts)) return false;
-    if (workspace.parts.empty()) return true;
+    if (unions_[i] == nullptr || !unions_[i]->list(tile, workspace.union_members)) return false;
+    if (workspace.union_members.empty()) return true;
     TraceFrame frame = surfaces_[i];
-    frame.parts = workspace.parts;
+    frame.union_members = workspace.union_members;
     frame.limit = limit;
     tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
     find_gradients(frame, tile, workspace.hits[i], counters);
@@ -122,7 +131,7 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     TileHits& hits = workspace.hits[i];
     hits.clear();
     if (limit.over()) return hits.leave_undecided(tile);
-    if (trace_parts(i, tile, limit, workspace, counters)) return;
+    if (trace_union(i, tile, limit, workspace, counters)) return;
     const TraceFrame frame = frame_of(i, tile, limit);
     if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
     CapFinder& caps = workspace.caps;
@@ -212,12 +221,16 @@ private:
 
 bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                               Counters& counters) const {
-    const Canvas canvas{workspace.fine, 2 * tile.col, 2 * tile.row, 2 * out_.height};
+    const Canvas canvas{.pixels = workspace.fine,
+                        .col = 2 * tile.col,
+                        .row = 2 * tile.row,
+                        .height = 2 * out_.height};
     for (int row = 0; row < 2 * tile.rows; row += tile_size) {
         for (int col = 0; col < 2 * tile.cols; col += tile_size) {
-            const Tile part{canvas.col + col, canvas.row + row,
-                            std::min(tile_size, 2 * tile.cols - col),
-                            std::min(tile_size, 2 * tile.rows - row)};
+            const Tile part{.col = canvas.col + col,
+                            .row = canvas.row + row,
+                            .cols = std::min(tile_size, 2 * tile.cols - col),
+                            .rows = std::min(tile_size, 2 * tile.rows - row)};
             const TileState state = fine_painter_->paint(part, limit, workspace, canvas, counters);
             if (state != TileState::Finished) return false;
         }
@@ -227,7 +240,8 @@ bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspac
 
 TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                               std::uint64_t& blank_rows, Counters& counters) const {
-    const Canvas canvas{out_, 0, 0, out_.height, &blank_rows};
+    const Canvas canvas{
+        .pixels = out_, .col = 0, .row = 0, .height = out_.height, .blank_rows = &blank_rows};
     const TileState state = painter_.paint(tile, limit, workspace, canvas, counters);
     if (state != TileState::Finished) return state;
     const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};

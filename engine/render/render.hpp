@@ -2,7 +2,9 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/trace/time_limit.hpp"
+#include "engine/view/camera.hpp"
 
 #include <functional>
 

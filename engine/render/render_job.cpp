@@ -295,7 +295,7 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     return {growing.frame(), growing.complete()};
 }
 
-/// What full pictures are drawn with, one after the other.
+/// The settings of full pictures, which are drawn one after the other.
 std::vector<TraceSettings> RenderJob::stages_of(const TraceSettings& settings) {
     std::vector<TraceSettings> stages;
     TraceSettings stage = settings;

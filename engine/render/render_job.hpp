@@ -6,6 +6,7 @@
 #include "engine/render/resolution.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -49,7 +50,7 @@ struct RenderResult {
 
 /// When a RenderJob does what.
 struct RenderPace {
-    /// Of a first picture: with what the window does besides it makes 60 a second.
+    /// The time for a first picture: with what the window does besides it makes 60 a second.
     double budget_ms = 12.0;
     /// A full picture that is this quick needs none before it, unless something moves.
     double at_once_ms = 25.0;
@@ -63,7 +64,7 @@ struct RenderPace {
     std::chrono::milliseconds first_within{150};
     /// A tile of a full picture that takes longer waits for the others (RenderWatch::first_turn).
     std::chrono::milliseconds first_turn{500};
-    /// How often a growing picture is shown.
+    /// The time between two looks at a growing picture.
     std::chrono::milliseconds growth_shown_after{60};
 };
 

@@ -17,7 +17,7 @@ constexpr double growth = 0.8;
 constexpr double fits = 0.8;
 constexpr double too_slow = 1.2;
 
-/// What a cheaper picture counts for; a dearer one counts at once.
+/// The weight of a cheaper picture; a dearer one counts at once.
 constexpr double weight_of_cheaper = 0.4;
 
 }  // namespace

@@ -22,7 +22,7 @@ public:
         slow_ = slow;
     }
 
-    /// How long a picture of so many pixels is expected to take; 0 where nothing is known.
+    /// The time that a picture of so many pixels is expected to take; 0 where nothing is known.
     [[nodiscard]] double expected_ms(std::size_t pixels) const;
 
 private:

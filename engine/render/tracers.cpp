@@ -10,11 +10,15 @@ namespace zeroset {
 
 std::span<const Tracer> tracers() {
     static constexpr std::array table{
-        Tracer{"beams",
-               "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
-               trace_tile_beams, true, true},
-        Tracer{"k-bisection", "bisection along the dominant axis of a packet of rays (Knoll 2007)",
-               trace_tile_k_bisection},
+        Tracer{
+            .name = "beams",
+            .about = "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
+            .trace_tile = trace_tile_beams,
+            .specializes = true,
+            .takes_unions = true},
+        Tracer{.name = "k-bisection",
+               .about = "bisection along the dominant axis of a packet of rays (Knoll 2007)",
+               .trace_tile = trace_tile_k_bisection},
     };
     return table;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/view/camera.hpp"
+#include "engine/view/box.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/scene/precision.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 
 #include <optional>
 

@@ -1,10 +1,11 @@
 #include "engine/trace/caps.hpp"
 
+#include "engine/kernel/point_batch.hpp"
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t tile_pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
-/// What a range kernel says of the signs of f in a box.
+/// The signs of f in a box, as a range kernel tells them.
 enum class SignOf : std::uint8_t { Unknown, Nowhere, Negative, Positive };
 
 template <class Real>
@@ -27,37 +28,20 @@ SignOf sign_of(Real neg_lo, Real hi) {
     return neg_lo < 0 ? SignOf::Positive : SignOf::Unknown;
 }
 
-/// Boxes for a range kernel, and its answers.
-template <class Real>
-struct Boxes {
-    static constexpr std::size_t capacity = 256;
-    std::array<std::array<Real, capacity>, 3> neg_lo, hi;
-    std::array<Real, capacity> f_neg_lo, f_hi;
-    std::array<ContinuityMask<Real>, capacity> continuous;
+constexpr std::size_t boxes_at_once = 256;
 
+/// Boxes for the signs of f at entries.
+template <class Real>
+struct EntryBoxes : RangeBoxes<Real, boxes_at_once> {
     void set(std::size_t i, const glm::dvec3& middle, const glm::dvec3& radius) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<int>(k);
-            neg_lo[k][i] = upper_end(Real{}, radius[axis] - middle[axis]);
-            hi[k][i] = upper_end(Real{}, radius[axis] + middle[axis]);
+        for (int k = 0; k < 3; ++k) {
+            this->ends[k][i] = upper_end(Real{}, radius[k] - middle[k]);
+            this->ends[k + 3][i] = upper_end(Real{}, radius[k] + middle[k]);
         }
     }
     void evaluate(const TraceFrame& frame, std::size_t count) {
-        const std::size_t size = (count + batch_multiple - 1) / batch_multiple * batch_multiple;
-        for (std::size_t i = count; i < size; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                neg_lo[k][i] = neg_lo[k][0];
-                hi[k][i] = hi[k][0];
-            }
-        }
-        frame.kernel.range(
-            RangeBatchOf<Real>{size,
-                               {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
-                               {hi[0].data(), hi[1].data(), hi[2].data()},
-                               frame.scene.uniforms.template boxes<Real>(),
-                               f_neg_lo.data(),
-                               f_hi.data(),
-                               continuous.data()});
+        this->pad(count);
+        frame.kernel.range(this->batch(padded(count), frame.scene.uniforms.template boxes<Real>()));
     }
 };
 
@@ -66,10 +50,8 @@ bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<fl
                         int face) {
     constexpr std::size_t side = 8;
     constexpr std::size_t points = side * side;
-    static_assert(points % batch_multiple == 0);
     constexpr double most = 0.6;
-    std::array<std::array<float, points>, 3> x;
-    std::array<std::array<float, points>, 4> out;
+    PointBatch<float> batch(points);
     const int axis = face / 2;
     for (std::size_t i = 0; i < points; ++i) {
         glm::dvec3 share(0.0);
@@ -77,16 +59,16 @@ bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<fl
         share[(axis + 1) % 3] = (static_cast<double>(i % side) + 0.5) / side;
         share[(axis + 2) % 3] = (static_cast<double>(i / side) + 0.5) / side;
         const glm::dvec3 point = glm::mix(scene.clip.lo, scene.clip.hi, share);
-        for (std::size_t k = 0; k < 3; ++k)
-            x[k][i] = static_cast<float>(point[static_cast<int>(k)]);
+        batch.set(i, static_cast<float>(point.x), static_cast<float>(point.y),
+                  static_cast<float>(point.z));
     }
-    value(ValueBatchOf<float>{points,
-                              {x[0].data(), x[1].data(), x[2].data()},
-                              scene.uniforms.points<float>(),
-                              out[3].data(),
-                              {out[0].data(), out[1].data(), out[2].data()}});
-    const auto negative = std::ranges::count_if(out[3], [](float f) { return f < 0; });
-    const auto known = std::ranges::count_if(out[3], [](float f) { return !std::isnan(f); });
+    value(batch.batch(scene.uniforms.points<float>()));
+    std::size_t negative = 0;
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+        negative += batch.f(i) < 0 ? 1U : 0U;
+        known += std::isnan(batch.f(i)) ? 0U : 1U;
+    }
     return static_cast<double>(negative) > most * static_cast<double>(known);
 }
 
@@ -138,62 +120,65 @@ void CapFinder::enter(const TraceFrame& frame, const Tile& tile) {
     sections_.clear();
     Tile whole = tile;
     whole.limits = nullptr;
-    const BeamView view(frame, whole);
+    const TileRays rays(frame, whole);
     const double half = 0.5 * (tile_size - 1);
-    const double radius = half * view.pixel();
-    const DepthRange uncut = view.depths_uncut(view.u(half), view.v(half), radius, radius);
+    const double radius = half * rays.pixel();
+    const DepthRange uncut = rays.depths_uncut(rays.u(half), rays.v(half), radius, radius);
     for (const Section& section : frame.scene.region.sections) {
         if (!section.cap || !cuts(section, frame.scene.clip)) continue;
         const DepthRange kept =
-            view.depths_kept(section, view.u(half), view.v(half), radius, radius);
+            rays.depths_kept(section, rays.u(half), rays.v(half), radius, radius);
         if (kept.enter_hi >= uncut.enter_lo && kept.enter_lo <= uncut.exit_hi)
             sections_.push_back(&section);
     }
     for (int row = 0; row < tile.rows && !sections_.empty(); ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            enter_pixel(view, col, row);
+            enter_pixel(rays, col, row);
     }
 }
 
-void CapFinder::enter_pixel(const BeamView& view, int col, int row) {
-    const double u = view.u(col);
-    const double v = view.v(row);
-    const DepthRange uncut = view.depths_uncut(u, v, 0.0, 0.0);
+void CapFinder::enter_pixel(const TileRays& rays, int col, int row) {
+    const double u = rays.u(col);
+    const double v = rays.v(row);
+    const DepthRange uncut = rays.depths_uncut(u, v, 0.0, 0.0);
     if (uncut.empty()) return;
     for (const Section* section : sections_) {
-        const DepthRange kept = view.depths_kept(*section, u, v, 0.0, 0.0);
+        const DepthRange kept = rays.depths_kept(*section, u, v, 0.0, 0.0);
         DepthRange others = uncut;
-        for (const Section& other : view.region().sections) {
+        for (const Section& other : rays.region().sections) {
             if (&other == section) continue;
-            others = both(others, view.depths_kept(other, u, v, 0.0, 0.0));
+            others = both(others, rays.depths_kept(other, u, v, 0.0, 0.0));
         }
         const bool bounded = std::isfinite(kept.enter_lo) && std::isfinite(kept.enter_hi);
         const bool possible = kept.enter_hi >= others.enter_lo && kept.enter_lo <= others.exit_hi;
         if (!bounded || !possible) continue;
         const double s = 0.5 * kept.enter_lo + 0.5 * kept.enter_hi;
-        const glm::dvec3 along = glm::abs(view.point(col, row, s + 1.0) - view.point(col, row, s));
+        const glm::dvec3 along = glm::abs(rays.point(col, row, s + 1.0) - rays.point(col, row, s));
         const glm::dvec3 radius = 0.5 * (kept.enter_hi - kept.enter_lo) * (along + 0x1p-20) +
-                                  glm::dvec3(view.depth_error());
-        entries_.push_back({static_cast<std::uint16_t>(row * tile_size + col),
-                            kept.enter_lo >= others.enter_hi && kept.enter_hi <= others.exit_lo,
-                            section, view.point(col, row, s), radius,
-                            static_cast<float>(view.distance_at(s, u, v)),
-                            view.distance_before(s, u, v)});
+                                  glm::dvec3(rays.depth_error());
+        entries_.push_back(
+            {.pixel = static_cast<std::uint16_t>(row * tile_size + col),
+             .sure = kept.enter_lo >= others.enter_hi && kept.enter_hi <= others.exit_lo,
+             .section = section,
+             .point = rays.point(col, row, s),
+             .radius = radius,
+             .distance = static_cast<float>(rays.distance_at(s, u, v)),
+             .before = rays.distance_before(s, u, v)});
         return;
     }
 }
 
 template <class Real>
 void CapFinder::ask(const TraceFrame& surface, int sign, std::vector<Entry*>& open) {
-    static thread_local Boxes<Real> boxes;
+    static thread_local EntryBoxes<Real> boxes;
     std::size_t kept = 0;
-    for (std::size_t first = 0; first < open.size(); first += Boxes<Real>::capacity) {
+    for (std::size_t first = 0; first < open.size(); first += boxes_at_once) {
         if (surface.stopped()) {
             for (Entry* const entry : std::span(open).subspan(first))
                 entry->state = State::Unknown;
             break;
         }
-        const std::size_t count = std::min(Boxes<Real>::capacity, open.size() - first);
+        const std::size_t count = std::min(boxes_at_once, open.size() - first);
         for (std::size_t i = 0; i < count; ++i)
             boxes.set(i, open[first + i]->point, open[first + i]->radius);
         boxes.evaluate(surface, count);
@@ -248,7 +233,7 @@ void CapFinder::put(TileHits& hits) const {
         switch (entry.state) {
             case State::Empty: break;
             case State::Unknown:
-                hits.pass(pixel, entry.before);
+                hits.mark_unsettled(pixel, entry.before);
                 hits.certificate[entry.pixel] = Certificate::Undecided;
                 break;
             case State::Possible:

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/trace/beam_view.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +17,8 @@ int solid_sign(const Scene& scene, std::size_t surface);
 /// Whether the scene has a section that may be capped.
 bool has_caps(const Scene& scene);
 
-/// How light a cap is at a point, of its surface's colour: 1 or less, less on the lines of a fine
-/// hatch.
+/// The lightness of a cap at a point, as a part of its surface's colour: less than 1, and less
+/// again on the lines of a fine hatch.
 float cap_tone(const ViewFrame& view, int height_px, const glm::dvec3& point,
                const glm::dvec3& normal);
 
@@ -48,7 +48,7 @@ private:
         State state = State::Empty;
     };
 
-    void enter_pixel(const BeamView& view, int col, int row);
+    void enter_pixel(const TileRays& rays, int col, int row);
     /// Asks for the signs of f at entries, in boxes of this type.
     template <class Real>
     void ask(const TraceFrame& surface, int sign, std::vector<Entry*>& open);

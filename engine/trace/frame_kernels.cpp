@@ -2,7 +2,7 @@
 
 #include "engine/kernel/form_cells.hpp"
 #include "engine/real/scalar.hpp"
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -28,7 +28,7 @@ public:
     /// Whether the rays meet the clip box.
     [[nodiscard]] bool any() const { return any_; }
     /// The kernel for what may hold a root; nullptr where it is not shorter.
-    std::shared_ptr<const Kernel> shortened(const Shortener& shortener);
+    std::shared_ptr<const Kernel> specialized(const Specializer& specializer);
 
 private:
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -42,45 +42,45 @@ private:
 template <class Real>
 RegionCells<Real>::RegionCells(const TraceFrame& frame, const Tile& square, int side)
     : frame_(frame) {
-    const BeamView view(frame, square, side);
+    const TileRays rays(frame, square, side);
     const double half = 0.5 * (side - 1);
-    const double radius = half * view.pixel();
-    const DepthRange all = view.depths(view.u(half), view.v(half), radius, radius);
+    const double radius = half * rays.pixel();
+    const DepthRange all = rays.depths(rays.u(half), rays.v(half), radius, radius);
     any_ = !all.empty();
     if (!any_) return;
     const double s_most = std::max(std::abs(all.enter_lo), std::abs(all.exit_hi)) * (1.0 + 0x1p-10);
-    frustum_ = view.frustum<Real>(side);
+    frustum_ = rays.frustum<Real>(side);
     const double length = (all.exit_hi - all.enter_lo) / slabs;
     // Longer than all cells of its tiles that end where it does.
-    const double margin = 0.01 * length + 256 * s_most * unit + 16 * view.tolerance();
+    const double margin = 0.01 * length + 256 * s_most * unit + 16 * rays.tolerance();
     for (std::size_t i = 0; i < slabs; ++i) {
-        cells_.u[i] = static_cast<Real>(view.u(half));
-        cells_.v[i] = static_cast<Real>(view.v(half));
+        cells_.u[i] = static_cast<Real>(rays.u(half));
+        cells_.v[i] = static_cast<Real>(rays.v(half));
         cells_.s[i] = static_cast<Real>(all.enter_lo + (static_cast<double>(i) + 0.5) * length);
         cells_.s_radius[i] = upper_end(Real{}, 0.5 * length + margin);
     }
 }
 
 template <class Real>
-std::shared_ptr<const Kernel> RegionCells<Real>::shortened(const Shortener& shortener) {
+std::shared_ptr<const Kernel> RegionCells<Real>::specialized(const Specializer& specializer) {
     ChoiceRecord record;
-    shortener.form(cells_.batch(slabs, frustum_, frame_.scene.uniforms.template boxes<Real>()),
-                   record);
+    specializer.form(cells_.batch(slabs, frustum_, frame_.scene.uniforms.template boxes<Real>()),
+                     record);
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < slabs; ++i) {
         const bool apart = std::abs(cells_.c[i]) > cells_.spread(i);
         if (cells_.nowhere[i] == 0 && !apart) open.push_back(i);
     }
     if (open.empty()) return nullptr;
-    return shortener.shortened(record, open);
+    return specializer.specialized(record, open);
 }
 
 template <class Real>
-std::shared_ptr<const Kernel> shortened_for(const TraceFrame& frame, const Tile& square, int side,
-                                            const Shortener& shortener) {
+std::shared_ptr<const Kernel> specialized_for(const TraceFrame& frame, const Tile& square, int side,
+                                              const Specializer& specializer) {
     RegionCells<Real> cells(frame, square, side);
     if (!cells.any()) return nullptr;
-    return cells.shortened(shortener);
+    return cells.specialized(specializer);
 }
 
 }  // namespace
@@ -105,11 +105,12 @@ FrameKernels::~FrameKernels() = default;
 
 void FrameKernels::make(Region& region, const Kernel& around) const {
     region.kernel = &around;
-    if (around.shortener == nullptr) return;
-    const Tile square{region.col, region.row, region.side, region.side};
+    if (around.specializer == nullptr) return;
+    const Tile square{
+        .col = region.col, .row = region.row, .cols = region.side, .rows = region.side};
     auto kernel = frame_.precision == Precision::Double
-                      ? shortened_for<double>(frame_, square, region.side, *around.shortener)
-                      : shortened_for<float>(frame_, square, region.side, *around.shortener);
+                      ? specialized_for<double>(frame_, square, region.side, *around.specializer)
+                      : specialized_for<float>(frame_, square, region.side, *around.specializer);
     if (kernel) {
         region.own = std::move(kernel);
         region.kernel = region.own.get();

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <array>
 #include <memory>
@@ -8,9 +9,9 @@
 
 namespace zeroset {
 
-/// The kernels of a frame's tiles: where the whole one can be shortened, what matters in each. They
-/// are made down a quadtree of regions of the image, each from that of the region around it, as far
-/// as they are asked for.
+/// The kernels of a frame's tiles: where the whole one can be specialized, what matters in each.
+/// They are made down a quadtree of regions of the image, each from that of the region around it,
+/// as far as they are asked for.
 class FrameKernels {
 public:
     /// `frame` lives longer.

@@ -1,10 +1,9 @@
-// Gradients at hits: of the branch of f that vanishes there, and where that one is 0 or none, of
-// what is nearby.
+#include "engine/trace/hit_gradients.hpp"
 
+#include "engine/kernel/point_batch.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/trace/beam_view.hpp"
 #include "engine/trace/jump_normals.hpp"
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_rays.hpp"
 #include "engine/view/pixel_ray.hpp"
 
 #include <algorithm>
@@ -36,47 +35,36 @@ public:
     explicit PointValues(const TraceFrame& frame) : frame_(frame) {}
 
     std::vector<Sample> at(std::span<const glm::dvec3> points) {
-        resize(points);
+        set(points);
         std::vector<Sample> samples(points.size(),
                                     {std::numeric_limits<double>::infinity(), glm::dvec3(0.0)});
-        if (frame_.parts.empty()) take(frame_.kernel, samples);
-        for (const PartInView& part : frame_.parts)
+        if (frame_.union_members.empty()) take(frame_.kernel, samples);
+        for (const UnionMember& part : frame_.union_members)
             take(*part.kernel, samples);
         return samples;
     }
 
 private:
-    void resize(std::span<const glm::dvec3> points) {
-        size_ = (points.size() + batch_multiple - 1) / batch_multiple * batch_multiple;
-        f_.resize(size_);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<int>(k);
-            x_[k].resize(size_);
-            gradient_[k].resize(size_);
-            for (std::size_t i = 0; i < size_; ++i)
-                x_[k][i] = points[std::min(i, points.size() - 1)][axis];
-        }
+    void set(std::span<const glm::dvec3> points) {
+        batch_.resize(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            batch_.set(i, points[i].x, points[i].y, points[i].z);
+        batch_.pad();
     }
     void take(const Kernel& kernel, std::span<Sample> samples) {
         constexpr std::size_t at_once = 256;
-        for (std::size_t i = 0; i < size_ && !frame_.stopped(); i += at_once) {
-            kernel.value(ValueBatchOf<double>{
-                std::min(at_once, size_ - i),
-                {x_[0].data() + i, x_[1].data() + i, x_[2].data() + i},
-                frame_.scene.uniforms.points<double>(),
-                f_.data() + i,
-                {gradient_[0].data() + i, gradient_[1].data() + i, gradient_[2].data() + i}});
-        }
+        const double* const uniforms = frame_.scene.uniforms.points<double>();
+        for (std::size_t i = 0; i < batch_.size() && !frame_.stopped(); i += at_once)
+            kernel.value(batch_.batch(i, std::min(at_once, batch_.size() - i), uniforms));
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            if (!(f_[i] <= samples[i].f) && std::isfinite(samples[i].f)) continue;
-            samples[i] = {f_[i], {gradient_[0][i], gradient_[1][i], gradient_[2][i]}};
+            const double f = batch_.f(i);
+            if (!(f <= samples[i].f) && std::isfinite(samples[i].f)) continue;
+            samples[i] = {f, {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}};
         }
     }
 
     const TraceFrame& frame_;
-    std::size_t size_ = 0;
-    std::array<std::vector<double>, 3> x_, gradient_;
-    std::vector<double> f_;
+    PointBatch<double> batch_;
 };
 
 /// A hit on its way to a gradient.
@@ -112,8 +100,8 @@ bool Seeker::narrow(const Sample& sample, double tiny) {
     return true;
 }
 
-TileHits::PointErrors errors_in(const BeamView& view) {
-    return {view.tolerance(), view.depth_error()};
+TileHits::PointErrors errors_in(const TileRays& rays) {
+    return {rays.tolerance(), rays.depth_error()};
 }
 
 class GradientSearch {
@@ -121,7 +109,7 @@ public:
     GradientSearch(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters)
         : frame_(frame), hits_(hits), counters_(counters), values_(frame) {
         const TileHits::PointErrors errors =
-            hits.point_errors ? *hits.point_errors : errors_in(BeamView(frame, tile));
+            hits.point_errors ? *hits.point_errors : errors_in(TileRays(frame, tile));
         tolerance_ = 4 * errors.bracket + 64 * errors.depth;
         tiny_ = 4 * errors.depth;
         for (const TileHits::Point& point : hits.points) {
@@ -148,15 +136,15 @@ private:
         counters_.value += points.size();
         return values_.at(points);
     }
-    /// Those of the surfaces on which f jumps.
+    /// Takes the normals of the surfaces on which f jumps.
     void take_jumps();
     /// Finds the roots through which f is known to go, and its gradients right before them.
     void polish();
-    /// At a distance before the hit, in pixels.
+    /// Takes gradients at a distance before the hit, in pixels.
     void look_before(double pixels);
-    /// By differences over a pixel; where those are 0, too, the surface faces the eye.
+    /// Takes differences over a pixel; where those are 0, too, the surface faces the eye.
     void take_differences();
-    /// Takes a surface that faces the eye.
+    /// Takes surfaces for ones that face the eye.
     void face_eye() {
         for (const Seeker& seeker : seekers_)
             take(seeker, seeker.trend == Trend::Rising ? seeker.direction : -seeker.direction);

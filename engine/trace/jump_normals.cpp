@@ -8,7 +8,7 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t sides = 4;
-/// Before and behind; steeper surfaces are taken to face the eye.
+/// How far before and behind the change is looked for; steeper surfaces are taken to face the eye.
 constexpr double reach_pixels = 8;
 constexpr int halvings = 24;
 
@@ -35,8 +35,10 @@ std::vector<Side> sides_of(std::span<const JumpPlace> places) {
         for (const glm::dvec3& axis : across(place.direction)) {
             for (const double way : {-0.5, 0.5}) {
                 const double reach = reach_pixels * place.pixel_size;
-                result.push_back({place.position + way * place.pixel_size * axis, place.direction,
-                                  -reach, reach});
+                result.push_back({.start = place.position + way * place.pixel_size * axis,
+                                  .direction = place.direction,
+                                  .lo = -reach,
+                                  .hi = reach});
             }
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
 
 #include <glm/glm.hpp>
 

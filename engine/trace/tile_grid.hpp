@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -20,9 +20,12 @@ public:
     [[nodiscard]] Tile tile(std::size_t index) const {
         const int col = static_cast<int>(index) % columns_ * tile_size;
         const int row = static_cast<int>(index) / columns_ * tile_size;
-        return {col, row, std::min(tile_size, width_ - col), std::min(tile_size, height_ - row)};
+        return {.col = col,
+                .row = row,
+                .cols = std::min(tile_size, width_ - col),
+                .rows = std::min(tile_size, height_ - row)};
     }
-    /// Of the tile that holds a pixel.
+    /// The index of the tile that holds a pixel.
     [[nodiscard]] std::size_t index_of(int col, int row) const {
         return static_cast<std::size_t>(row / tile_size * columns_ + col / tile_size);
     }

@@ -1,4 +1,4 @@
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ void TileHits::push(Pixel at, const std::array<double, 3>& where, float distance
     points.push_back({at.index(), where});
 }
 
-void TileHits::pass(Pixel at, float distance) {
+void TileHits::mark_unsettled(Pixel at, float distance) {
     any_unsettled = true;
     unsettled[at.index()] = std::min(unsettled[at.index()], distance);
 }
@@ -56,7 +56,7 @@ void TileHits::leave_undecided(const Tile& tile) {
     std::ranges::fill(certificate, Certificate::Undecided);
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            pass({static_cast<std::int16_t>(col), static_cast<std::int16_t>(row)}, 0.0F);
+            mark_unsettled({static_cast<std::int16_t>(col), static_cast<std::int16_t>(row)}, 0.0F);
     }
 }
 

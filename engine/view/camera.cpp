@@ -7,7 +7,6 @@
 #include <numbers>
 
 namespace zeroset {
-
 namespace {
 
 constexpr auto projections = enum_names<Projection>("perspective", "orthographic");
@@ -18,16 +17,6 @@ std::string_view name_of(Projection projection) { return projections.of(projecti
 
 std::optional<Projection> projection_named(std::string_view name) {
     return projections.named(name);
-}
-
-double Box::size() const {
-    const glm::dvec3 edges = hi - lo;
-    return std::max({edges.x, edges.y, edges.z});
-}
-
-Box scaled(const Box& box, double factor) {
-    const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
 }
 
 ViewFrame::ViewFrame(const Camera& camera)

@@ -1,6 +1,6 @@
 #include "tests/oracle/form_cells.hpp"
 
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +56,7 @@ Real inside(Real value, double lo, double hi) {
 }
 
 /// A place in the cell: the centre of a pixel on its rim or inside, at any depth.
-RayPlace random_place(RandomNumbers& random, const BeamView& view, const Tile& cell, double s_lo,
+RayPlace random_place(RandomNumbers& random, const TileRays& view, const Tile& cell, double s_lo,
                       double s_hi) {
     const auto along = [&](int first, int pixels) {
         const int eighths = 8 * (pixels - 1);
@@ -72,7 +72,7 @@ RayPlace random_place(RandomNumbers& random, const BeamView& view, const Tile& c
 }
 
 template <class Real>
-void make_cell(RandomNumbers& random, const BeamView& view, int pixels, const DepthRange& depths,
+void make_cell(RandomNumbers& random, const TileRays& view, int pixels, const DepthRange& depths,
                FormCells<Real>& cells, std::size_t i) {
     constexpr int smallest = sizeof(Real) == 4 ? -22 : -44;
     const int places = tile_size / pixels;
@@ -111,7 +111,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
             trace_frame(seen.scene, Kernel{}, view, height, height, StopCriterion{});
         const int first = random.between(0, height - tile_size);
         const Tile tile{first, random.between(0, height - tile_size), tile_size, tile_size};
-        const BeamView beams(frame, tile);
+        const TileRays beams(frame, tile);
         const double middle = 0.5 * (tile_size - 1);
         const double radius = middle * beams.pixel();
         const DepthRange depths = beams.depths(beams.u(middle), beams.v(middle), radius, radius);
@@ -120,7 +120,7 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         cells.view = view;
         cells.base = beams.base();
         cells.distance = beams.distance();
-        std::memcpy(&cells.rays, beams.rays<double>(), sizeof cells.rays);
+        std::memcpy(&cells.rays, beams.kernel_rays<double>(), sizeof cells.rays);
         const int pixels = sides.at(random.below(sides.size()));
         cells.frustum = beams.frustum<Real>(pixels);
         for (std::size_t i = 0; i < cells_a_batch; ++i)

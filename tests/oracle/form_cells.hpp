@@ -21,8 +21,8 @@ struct RayPlace {
 template <class Real>
 struct FormCells {
     ViewFrame view{Camera{}};
-    glm::dvec3 base{};      ///< BeamView::base
-    double distance = 0;    ///< BeamView::distance
+    glm::dvec3 base{};      ///< TileRays::base
+    double distance = 0;    ///< TileRays::distance
     RaysOf<double> rays{};  ///< rays of the tile, for values
     FrustumOf<Real> frustum{};
     std::array<Real, cells_a_batch> u{}, v{}, s{}, s_radius{};

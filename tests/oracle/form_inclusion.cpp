@@ -1,7 +1,7 @@
 #include "tests/oracle/form_inclusion.hpp"
 
 #include "engine/real/rounding.hpp"
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 #include "tests/support/oracle/mpfi_evaluator.hpp"
 #include "tests/support/random_expression.hpp"
 

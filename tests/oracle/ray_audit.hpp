@@ -2,6 +2,7 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/region.hpp"
+#include "engine/view/camera.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,5 @@
 #include "engine/language/parse.hpp"
+#include "engine/view/camera.hpp"
 #include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
 #include "tests/support/oracle/subdivision_oracle.hpp"

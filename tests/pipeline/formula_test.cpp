@@ -88,15 +88,15 @@ std::string union_of(int count) {
     return text + ")";
 }
 
-TEST(CompileFormula, ShortensWhereManyChoicesMakeItPay) {
+TEST(CompileFormula, SpecializesWhereManyChoicesMakeItPay) {
     const Formula few = compile_formula(union_of(20)).value();
     EXPECT_EQ(few.code, CodeState::Machine);
-    EXPECT_EQ(few.kernels[0].shortener, nullptr);
+    EXPECT_EQ(few.kernels[0].specializer, nullptr);
     EXPECT_FALSE(few.kernels[0].interpreted);
     for (const int count : {45, 100, 2000}) {
         const Formula many = compile_formula(union_of(count)).value();
         EXPECT_EQ(many.code, CodeState::Machine);
-        EXPECT_NE(many.kernels[0].shortener, nullptr);
+        EXPECT_NE(many.kernels[0].specializer, nullptr);
         EXPECT_TRUE(many.kernels[0].interpreted);
         EXPECT_FALSE(many.has_code(Precision::Double));
     }
@@ -146,7 +146,7 @@ TEST(CompileFormula, CompilesAllOfWhatLeavesLittleOut) {
     }
     const Formula formula = compile_formula(text).value();
     EXPECT_FALSE(formula.kernels[0].interpreted);
-    EXPECT_EQ(formula.kernels[0].shortener, nullptr);
+    EXPECT_EQ(formula.kernels[0].specializer, nullptr);
 }
 
 TEST(CompileFormula, RefusesWhatIsNoSurface) {

@@ -5,6 +5,7 @@
 #include "engine/language/parse.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "ui/panels/view_section.hpp"
 
 #include "engine/measure/extent.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"

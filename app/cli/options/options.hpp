@@ -2,7 +2,7 @@
 
 #include "app/cli/options/look_options.hpp"
 #include "document/document.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/prepare.hpp"

@@ -125,20 +125,20 @@ double FormSample::open(const Expr& expr) const {
 
 double FormSample::steps_left(const Kernel& kernel) const {
     const auto all = static_cast<double>(kernel.steps);
-    if (kernel.shortener == nullptr) return all;
+    if (kernel.specializer == nullptr) return all;
     const UpwardRounding upward;
     const Level& level = levels_.back();
     const FrustumOf<float> frustum = frustum_of(middle_, half_, level.half);
     FormCells<float, cells_a_level> cells;
     place(level, cells);
     ChoiceRecord record;
-    kernel.shortener->form(cells.batch(cells_a_level, frustum, uniforms_.boxes<float>()), record);
+    kernel.specializer->form(cells.batch(cells_a_level, frustum, uniforms_.boxes<float>()), record);
     double sum = 0;
     double count = 0;
     for (std::size_t i = 0; i < cells_a_level; ++i) {
         if (open_share(cells, i) == 0) continue;
-        const auto shortened = kernel.shortener->shortened(record, std::span(&i, 1));
-        sum += shortened ? static_cast<double>(shortened->steps) : all;
+        const auto specialized = kernel.specializer->specialized(record, std::span(&i, 1));
+        sum += specialized ? static_cast<double>(specialized->steps) : all;
         ++count;
     }
     return count > 0 ? sum / count : all;

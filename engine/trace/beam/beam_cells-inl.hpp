@@ -9,9 +9,9 @@
 #endif
 
 #include "engine/trace/beam/cell_kernels.hpp"
-#include "engine/trace/beam_view.hpp"
-
-#include <hwy/highway.h>
+#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/trace/tile.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,22 +23,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-template <class Real>
-using LanesOf = hn::CappedTag<Real, 64 / sizeof(Real)>;
-
-/// Numbers of either type as doubles.
-inline auto load_doubles(auto dd, const float* from) {
-    return hn::PromoteTo(dd, hn::LoadU(hn::Rebind<float, decltype(dd)>(), from));
-}
-inline auto load_doubles(auto dd, const double* from) { return hn::LoadU(dd, from); }
-
-inline std::size_t padded(std::size_t size, std::size_t multiple = batch_multiple) {
-    return (size + multiple - 1) / multiple * multiple;
-}
-
-/// What a kernel says of a list of cells: FormBatchOf's arrays.
+/// The forms of a list of cells: FormBatchOf's arrays.
 template <class Real>
 struct Forms {
     std::vector<Real> c, e, r, slope_neg_lo, slope_hi, cut_from, cut_to;
@@ -62,7 +47,7 @@ struct Forms {
     }
 };
 
-/// The first four arguments of FormBatchOf.
+/// Where cells are: the first four arguments of FormBatchOf.
 template <class Real>
 struct CellPlaces {
     std::vector<Real> u, v, s, s_radius;
@@ -79,8 +64,8 @@ struct CellPlaces {
     }
 };
 
-/// Some cells, and those behind them up to a whole batch: what is said of these is to be
-/// overwritten. `held`: of these cells.
+/// A batch of `count` cells from `first` on, and of those behind them up to whole vectors: what is
+/// said of the latter is to be overwritten. `held`: of these cells.
 template <class Real>
 FormBatchOf<Real> form_batch(const TraceFrame& frame, const Kernel& kernel,
                              const FrustumOf<Real>& frustum, std::size_t first, std::size_t count,
@@ -105,30 +90,27 @@ FormBatchOf<Real> form_batch(const TraceFrame& frame, const Kernel& kernel,
             .branches = out.branches.data() + first};
 }
 
-/// The run's cells, by its kernel.
+/// Evaluates the run's cells by its kernel; a specializer records their choices, too.
 template <class Real>
 void evaluate(const TraceFrame& frame, const FrustumOf<Real>& frustum, CellRun& run,
               const CellPlaces<Real>& places, Forms<Real>& out, Counters& counters) {
     counters.form += run.count;
     const FormBatchOf<Real> batch =
         form_batch(frame, *run.kernel, frustum, run.first, run.count, places, out);
-    if (run.kernel->shortener != nullptr) {
-        run.kernel->shortener->form(batch, run.record);
+    if (run.kernel->specializer != nullptr) {
+        run.kernel->specializer->form(batch, run.record);
     } else {
         run.kernel->form(batch);
     }
 }
 
-/// A bit for each lane.
-using LaneBits = std::uint32_t;
-
-/// What is known of the cells of a vector.
+/// Facts about the cells of a vector, a bit for each.
 struct CellBits {
     LaneBits rejected;  ///< hold no root
     LaneBits smooth;    ///< f is continuous, df/ds not 0: at most one root a ray
     LaneBits flat;      ///< f is continuous, its form 0 but for the error
     LaneBits finished;  ///< every ray surely has a root in the slab
-    std::array<LaneBits, 4> child_finished;  ///< the same for a quarter of the tile
+    std::array<LaneBits, 4> child_finished;  ///< every ray of a quarter has one
 };
 
 /// The tile of pixels of a cell: its first pixel in the tile at work.
@@ -173,7 +155,7 @@ struct Cells {
             child_to[q].resize(capacity);
         }
         tile.resize(capacity);
-        bits.resize(capacity / hn::Lanes(LanesOf<Real>()) + 1);
+        bits.resize(capacity / lanes<Real> + 1);
     }
     /// Makes room for so many more cells.
     void make_room(std::size_t more) {
@@ -199,58 +181,46 @@ struct Cells {
     }
     /// Makes `places` of cells whose tiles have this side; `margin`: how much longer than their
     /// slabs they are.
-    void place(const BeamView& view, int pixels, Real margin);
+    void place(const TileRays& rays, int pixels, Real margin);
     [[nodiscard]] bool bit(LaneBits CellBits::* member, std::size_t cell) const {
-        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-        return (bits[cell / lanes].*member >> (cell % lanes) & 1U) != 0;
+        return (bits[cell / lanes<Real>].*member >> (cell % lanes<Real>)&1U) != 0;
     }
     void set_bit(LaneBits CellBits::* member, std::size_t cell) {
-        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-        bits[cell / lanes].*member |= LaneBits{1} << (cell % lanes);
+        bits[cell / lanes<Real>].*member |= LaneBits{1} << (cell % lanes<Real>);
     }
     /// Every ray of an inside cell surely has a root in the slab.
     void finish(std::size_t cell) {
         set_bit(&CellBits::finished, cell);
-        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-        for (LaneBits& child : bits[cell / lanes].child_finished)
-            child |= LaneBits{1} << (cell % lanes);
+        for (LaneBits& child : bits[cell / lanes<Real>].child_finished)
+            child |= LaneBits{1} << (cell % lanes<Real>);
     }
     [[nodiscard]] bool child_finished(std::size_t child, std::size_t cell) const {
-        const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-        return (bits[cell / lanes].child_finished[child] >> (cell % lanes) & 1U) != 0;
+        return (bits[cell / lanes<Real>].child_finished[child] >> (cell % lanes<Real>)&1U) != 0;
     }
 };
 
 template <class Real>
-void Cells<Real>::place(const BeamView& view, int pixels, Real margin) {
-    constexpr LanesOf<Real> d;
+void Cells<Real>::place(const TileRays& rays, int pixels, Real margin) {
     std::array<Real, tile_size> u, v;
     const double half = 0.5 * (pixels - 1);
     for (int first = 0; first < tile_size; first += pixels) {
-        u[static_cast<std::size_t>(first)] = static_cast<Real>(view.u(first + half));
-        v[static_cast<std::size_t>(first)] = static_cast<Real>(view.v(first + half));
+        u[static_cast<std::size_t>(first)] = static_cast<Real>(rays.u(first + half));
+        v[static_cast<std::size_t>(first)] = static_cast<Real>(rays.v(first + half));
     }
     for (std::size_t i = 0; i < size; ++i) {
         places.u[i] = u[tile[i].pixel % tile_size];
         places.v[i] = v[tile[i].pixel / tile_size];
     }
-    const auto one_half = hn::Set(d, Real{0.5});
-    for (std::size_t i = 0; i < size; i += hn::Lanes(d)) {
-        const auto lo = hn::LoadU(d, from.data() + i);
-        const auto hi = hn::LoadU(d, to.data() + i);
+    const auto one_half = hn::Set(d<Real>, Real{0.5});
+    for (std::size_t i = 0; i < size; i += lanes<Real>) {
+        const auto lo = hn::LoadU(d<Real>, from.data() + i);
+        const auto hi = hn::LoadU(d<Real>, to.data() + i);
         const auto middle = hn::Add(hn::Mul(one_half, lo), hn::Mul(one_half, hi));
         const auto radius = hn::Max(hn::Sub(hi, middle), hn::Sub(middle, lo));
-        hn::StoreU(middle, d, places.s.data() + i);
-        hn::StoreU(hn::Add(radius, hn::Set(d, margin)), d, places.s_radius.data() + i);
+        hn::StoreU(middle, d<Real>, places.s.data() + i);
+        hn::StoreU(hn::Add(radius, hn::Set(d<Real>, margin)), d<Real>, places.s_radius.data() + i);
     }
     places.pad(size);
-}
-
-template <class D>
-HWY_INLINE LaneBits bits_of(D d, hn::Mask<D> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, mask, bytes);
-    return bytes[0] | static_cast<LaneBits>(bytes[1]) << 8U;
 }
 
 /// Judges the cells by their forms, and contracts their slabs for the quarters of their tiles.
@@ -266,28 +236,20 @@ public:
         radius_ = static_cast<Real>((0.5 * (0.5 * pixels - 1) / half) + 0x1p-10);
     }
     void judge(Cells<Real>& cells) const {
-        for (std::size_t i = 0; i < cells.size; i += hn::Lanes(d))
+        for (std::size_t i = 0; i < cells.size; i += lanes<Real>)
             judge_vector(cells, i);
     }
 
 private:
-    using D = LanesOf<Real>;
-    using V = hn::Vec<D>;
-    using M = hn::Mask<D>;
-    static constexpr D d{};
-
     struct Form {
-        V c, ku, kv, kt, e;
+        V<Real> c, ku, kv, kt, e;
     };
 
     void judge_vector(Cells<Real>& cells, std::size_t i) const;
     HWY_INLINE static LaneBits inside_of(const Cells<Real>& cells, std::size_t i);
     HWY_INLINE LaneBits contract(Cells<Real>& cells, std::size_t i, std::size_t child,
-                                 const Form& form, V inverse, M usable, V width) const;
-    static M mask_at(const std::vector<ContinuityMask<Real>>& masks, std::size_t i) {
-        const hn::RebindToUnsigned<D> du;
-        return hn::MaskFromVec(hn::BitCast(d, hn::LoadU(du, masks.data() + i)));
-    }
+                                 const Form& form, V<Real> inverse, M<Real> usable,
+                                 V<Real> width) const;
 
     Real offset_, radius_;
 };
@@ -295,27 +257,35 @@ private:
 template <class Real>
 void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     const auto load = [&](const std::vector<Real>& column) {
-        return hn::LoadU(d, column.data() + i);
+        return hn::LoadU(d<Real>, column.data() + i);
     };
-    const V zero = hn::Zero(d);
+    const V<Real> zero = hn::Zero(d<Real>);
     const Forms<Real>& f = cells.forms;
-    const Form form{load(f.c), load(f.k[0]), load(f.k[1]), load(f.k[2]), load(f.e)};
-    const V aside = hn::Add(hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
-    const V size_c = hn::Abs(form.c);
-    const V size_t_ = hn::Abs(form.kt);
-    const M rejected = hn::Or(hn::Gt(size_c, hn::Add(aside, size_t_)), mask_at(f.nowhere, i));
-    CellBits& bits = cells.bits[i / hn::Lanes(d)];
-    bits.rejected = bits_of(d, rejected);
-    const M continuous = mask_at(f.continuous, i);
-    const M sloped = hn::Or(hn::Lt(load(f.slope_neg_lo), zero), hn::Lt(load(f.slope_hi), zero));
-    bits.smooth = bits_of(d, hn::And(continuous, sloped));
-    const LaneBits inside = inside_of(cells, i);
-    const V inverse = hn::Div(hn::Set(d, Real{1}), form.kt);  // infinite where nothing is steep
-    const V radius = hn::Set(d, radius_);
-    const V width = hn::MulAdd(radius, hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
-    const LaneBits may_finish = inside & bits_of(d, continuous);
-    const V linear = hn::Add(hn::Add(size_c, size_t_), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
-    bits.flat = bits_of(d, hn::And(continuous, hn::Eq(linear, zero)));
+    const Form form{
+        .c = load(f.c), .ku = load(f.k[0]), .kv = load(f.k[1]), .kt = load(f.k[2]), .e = load(f.e)};
+    // Reject cells on which the form excludes 0, or f is nowhere defined.
+    const V<Real> aside = hn::Add(hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
+    const V<Real> size_c = hn::Abs(form.c);
+    const V<Real> size_t_ = hn::Abs(form.kt);
+    const M<Real> rejected =
+        hn::Or(hn::Gt(size_c, hn::Add(aside, size_t_)), mask_at(d<Real>, f.nowhere.data() + i));
+    CellBits& bits = cells.bits[i / lanes<Real>];
+    bits.rejected = bits_of(d<Real>, rejected);
+    // Find those on which f is monotone along the rays.
+    const M<Real> continuous = mask_at(d<Real>, f.continuous.data() + i);
+    const M<Real> sloped =
+        hn::Or(hn::Lt(load(f.slope_neg_lo), zero), hn::Lt(load(f.slope_hi), zero));
+    bits.smooth = bits_of(d<Real>, hn::And(continuous, sloped));
+    // Find those on which the form says nothing but its error.
+    const V<Real> linear =
+        hn::Add(hn::Add(size_c, size_t_), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
+    bits.flat = bits_of(d<Real>, hn::And(continuous, hn::Eq(linear, zero)));
+    // Contract the slab for each quarter of the tile.
+    const V<Real> inverse =
+        hn::Div(hn::Set(d<Real>, Real{1}), form.kt);  // infinite where nothing is steep
+    const V<Real> radius = hn::Set(d<Real>, radius_);
+    const V<Real> width = hn::MulAdd(radius, hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
+    const LaneBits may_finish = inside_of(cells, i) & bits_of(d<Real>, continuous);
     for (std::size_t child = 0; child < 4; ++child) {
         bits.child_finished[child] =
             may_finish & contract(cells, i, child, form, inverse, hn::Not(rejected), width);
@@ -327,49 +297,55 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
 /// Which cells of a vector are inside the clip region.
 template <class Real>
 HWY_INLINE LaneBits CellJudge<Real>::inside_of(const Cells<Real>& cells, std::size_t i) {
-    const hn::Rebind<std::uint32_t, D> du;
-    const hn::Repartition<std::uint8_t, decltype(du)> bytes;
+    const hn::Rebind<std::uint32_t, Tag<Real>> words;
+    const hn::Repartition<std::uint8_t, decltype(words)> bytes;
     const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.tile.data() + i);
-    const auto tiles = hn::BitCast(du, hn::LoadU(bytes, from));
+    const auto tiles = hn::BitCast(words, hn::LoadU(bytes, from));
     constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{0, 1});
-    return bits_of(du, hn::TestBit(tiles, hn::Set(du, flag)));
+    return bits_of(words, hn::TestBit(tiles, hn::Set(words, flag)));
 }
 
 /// The depths where f may vanish on the rays of a quarter; returns where all rays surely have a
 /// root within the slab.
 template <class Real>
 HWY_INLINE LaneBits CellJudge<Real>::contract(Cells<Real>& cells, std::size_t i, std::size_t child,
-                                              const Form& form, V inverse, M usable,
-                                              V width) const {
-    const V one = hn::Set(d, Real{1});
-    const V right = hn::Set(d, (child & 1U) != 0 ? offset_ : -offset_);
-    const V up = hn::Set(d, (child & 2U) != 0 ? -offset_ : offset_);
-    const V c = hn::MulAdd(form.ku, right, hn::MulAdd(form.kv, up, form.c));
-    const V middle = hn::Neg(hn::Mul(c, inverse));
+                                              const Form& form, V<Real> inverse, M<Real> usable,
+                                              V<Real> width) const {
+    // Where the linear part vanishes in the quarter's middle, and how far from there f may: in
+    // units of the cell's radius.
+    const V<Real> one = hn::Set(d<Real>, Real{1});
+    const V<Real> right = hn::Set(d<Real>, (child & 1U) != 0 ? offset_ : -offset_);
+    const V<Real> up = hn::Set(d<Real>, (child & 2U) != 0 ? -offset_ : offset_);
+    const V<Real> c = hn::MulAdd(form.ku, right, hn::MulAdd(form.kv, up, form.c));
+    const V<Real> middle = hn::Neg(hn::Mul(c, inverse));
     // Eight units for the roundings of middle and radius.
-    const V slack = hn::Mul(hn::Add(hn::Abs(middle), one),
-                            hn::Set(d, 8 * std::numeric_limits<Real>::epsilon()));
-    const V radius = hn::Add(hn::MulAdd(width, hn::Abs(inverse), slack), slack);
-    const V lo = hn::Sub(middle, radius);
-    const V hi = hn::Add(middle, radius);
-    const V from = hn::LoadU(d, cells.from.data() + i);
-    const V to = hn::LoadU(d, cells.to.data() + i);
-    const V s = hn::LoadU(d, cells.places.s.data() + i);
-    const V s_radius = hn::LoadU(d, cells.places.s_radius.data() + i);
-    // -1 and 1 where NaN.
-    const V lo_in = hn::Max(lo, hn::Neg(one));
-    const V hi_in = hn::Min(hi, one);
-    const V rounding = hn::Mul(hn::Add(hn::Abs(s), s_radius),
-                               hn::Set(d, 4 * std::numeric_limits<Real>::epsilon()));
-    const V found_from = hn::Sub(hn::MulAdd(lo_in, s_radius, s), rounding);
-    const V found_to = hn::Add(hn::MulAdd(hi_in, s_radius, s), rounding);
-    const M possible = hn::And(usable, hn::Not(hn::Or(hn::Gt(lo, one), hn::Lt(hi, hn::Neg(one)))));
-    const V empty = hn::Set(d, std::numeric_limits<Real>::infinity());
-    hn::StoreU(hn::IfThenElse(possible, hn::Max(found_from, from), empty), d,
+    const V<Real> slack = hn::Mul(hn::Add(hn::Abs(middle), one),
+                                  hn::Set(d<Real>, 8 * std::numeric_limits<Real>::epsilon()));
+    const V<Real> radius = hn::Add(hn::MulAdd(width, hn::Abs(inverse), slack), slack);
+    const V<Real> lo = hn::Sub(middle, radius);
+    const V<Real> hi = hn::Add(middle, radius);
+    const V<Real> from = hn::LoadU(d<Real>, cells.from.data() + i);
+    const V<Real> to = hn::LoadU(d<Real>, cells.to.data() + i);
+    const V<Real> s = hn::LoadU(d<Real>, cells.places.s.data() + i);
+    const V<Real> s_radius = hn::LoadU(d<Real>, cells.places.s_radius.data() + i);
+    // Round outward on the way to depths; -1 and 1 where NaN.
+    const V<Real> lo_in = hn::Max(lo, hn::Neg(one));
+    const V<Real> hi_in = hn::Min(hi, one);
+    const V<Real> rounding = hn::Mul(hn::Add(hn::Abs(s), s_radius),
+                                     hn::Set(d<Real>, 4 * std::numeric_limits<Real>::epsilon()));
+    const V<Real> found_from = hn::Sub(hn::MulAdd(lo_in, s_radius, s), rounding);
+    const V<Real> found_to = hn::Add(hn::MulAdd(hi_in, s_radius, s), rounding);
+    // Store an empty slab where nothing is left.
+    const M<Real> possible =
+        hn::And(usable, hn::Not(hn::Or(hn::Gt(lo, one), hn::Lt(hi, hn::Neg(one)))));
+    const V<Real> empty = hn::Set(d<Real>, std::numeric_limits<Real>::infinity());
+    hn::StoreU(hn::IfThenElse(possible, hn::Max(found_from, from), empty), d<Real>,
                cells.child_from[child].data() + i);
-    hn::StoreU(hn::Min(found_to, to), d, cells.child_to[child].data() + i);
-    const M known = hn::And(hn::Gt(lo, hn::Neg(one)), hn::Lt(hi, one));
-    return bits_of(d, hn::And(known, hn::And(hn::Ge(found_from, from), hn::Le(found_to, to))));
+    hn::StoreU(hn::Min(found_to, to), d<Real>, cells.child_to[child].data() + i);
+    // All rays have a root where the form vanishes inside the cell, within the slab.
+    const M<Real> known = hn::And(hn::Gt(lo, hn::Neg(one)), hn::Lt(hi, one));
+    return bits_of(d<Real>,
+                   hn::And(known, hn::And(hn::Ge(found_from, from), hn::Le(found_to, to))));
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

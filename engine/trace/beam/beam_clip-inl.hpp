@@ -21,34 +21,35 @@ constexpr int clip_lanes = hn::MaxLanes(ClipTag());
 /// as depths.
 class ClipDepths {
 public:
-    ClipDepths(const BeamView& view, const float* cols, const float* rows)
-        : spans_(view.first_depth(), view.depth_error()) {
+    ClipDepths(const TileRays& rays, const float* cols, const float* rows)
+        : spans_(rays.first_depth(), rays.depth_error()) {
         const RayLines<ClipTag> lines =
-            lines_of(view.double_rays(), load_doubles(dd, cols), load_doubles(dd, rows));
+            lines_of(rays.double_rays(), load_doubles(dd, cols), load_doubles(dd, rows));
         for (int k = 0; k < 3; ++k) {
             const V inverse = InsideSpans<ClipTag>::inverse_of(lines.direction[k]);
-            const V error = hn::Mul(hn::Set(dd, view.depth_error()), hn::Abs(inverse));
-            const V a = hn::Mul(hn::Sub(hn::Set(dd, view.clip().lo[k]), lines.origin[k]), inverse);
-            const V b = hn::Mul(hn::Sub(hn::Set(dd, view.clip().hi[k]), lines.origin[k]), inverse);
+            const V error = hn::Mul(hn::Set(dd, rays.depth_error()), hn::Abs(inverse));
+            const V a = hn::Mul(hn::Sub(hn::Set(dd, rays.clip().lo[k]), lines.origin[k]), inverse);
+            const V b = hn::Mul(hn::Sub(hn::Set(dd, rays.clip().hi[k]), lines.origin[k]), inverse);
             spans_.enter(hn::Min(a, b), error);
             spans_.leave(hn::Max(a, b), error);
         }
-        for (const Section& section : view.region().sections)
-            spans_.keep(section, view.error_of(section), lines);
-        if (const auto& ball = view.region().ball) spans_.keep(*ball, view.error_of(*ball), lines);
+        for (const Section& section : rays.region().sections)
+            spans_.keep(section, rays.error_of(section), lines);
+        if (const auto& ball = rays.region().ball) spans_.keep(*ball, rays.error_of(*ball), lines);
     }
-    /// Of brackets of roots.
+    /// Which brackets of roots surely are inside.
     template <class Real>
     [[nodiscard]] LaneBits surely_inside(const Real* lo, const Real* hi) const {
         return bits_of(dd, hn::And(hn::Ge(load_doubles(dd, lo), spans_.enter_hi),
                                    hn::Le(load_doubles(dd, hi), spans_.exit_lo)));
     }
+    /// Which brackets of roots surely are outside.
     template <class Real>
     [[nodiscard]] LaneBits surely_outside(const Real* lo, const Real* hi) const {
         return bits_of(dd, hn::Or(hn::Lt(load_doubles(dd, hi), spans_.enter_lo),
                                   hn::Gt(load_doubles(dd, lo), spans_.exit_hi)));
     }
-    /// Takes away what is surely outside, of stretches of the rays.
+    /// Takes away from parts of the rays what is surely outside.
     void narrow(hn::Vec<ClipTag>& from, hn::Vec<ClipTag>& to) const {
         from = hn::Max(from, spans_.enter_lo);
         to = hn::Min(to, spans_.exit_hi);

@@ -24,10 +24,11 @@ void RayMarcher<Real, Cell>::find_cuts(std::size_t count, Real margin) {
         }
         // Wide enough for the parts beside it to be free of the switch, with their margins.
         const Real around = static_cast<Real>(1.25) * margin + rounding * std::abs(places_.s[i]);
-        const Real reach = places_.s_radius[i];
+        const Real s_radius = places_.s_radius[i];
         const Real from =
-            std::max(verdicts_.from[i], places_.s[i] + forms_.cut_from[i] * reach - around);
-        const Real to = std::min(verdicts_.to[i], places_.s[i] + forms_.cut_to[i] * reach + around);
+            std::max(verdicts_.from[i], places_.s[i] + forms_.cut_from[i] * s_radius - around);
+        const Real to =
+            std::min(verdicts_.to[i], places_.s[i] + forms_.cut_to[i] * s_radius + around);
         if (!(from <= to && to - from <= little * (verdicts_.to[i] - verdicts_.from[i]))) continue;
         verdicts_.cut_from[i] = from;
         verdicts_.cut_to[i] = to;
@@ -36,10 +37,9 @@ void RayMarcher<Real, Cell>::find_cuts(std::size_t count, Real margin) {
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::cut(const Segment<Real>& segment, std::size_t i) {
+void RayMarcher<Real, Cell>::cut(const RaySegment<Real>& segment, std::size_t i) {
     const auto push = [&](Real from, Real to, Real end) {
-        if (from < to)
-            next_.push_back({segment.pixel, segment.inside, from, to, end - from, segment.kernel});
+        if (from < to) next_.push_back(segment.part(from, to, end - from));
     };
     const Real cut_from = verdicts_.cut_from[i];
     const Real cut_to = verdicts_.cut_to[i];
@@ -56,6 +56,7 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const Frustu
                !verdicts_.bit(&Verdicts<Real>::Bits::rejected, i) &&
                !verdicts_.bit(&Verdicts<Real>::Bits::cut, i);
     };
+    // Hold the first open switch of each cell at each of its outcomes.
     memory_.pieces.begin(kernel.switches);
     for (std::size_t i = 0; i < count; ++i) {
         if (is_open(i)) memory_.pieces.push(i, forms_.branches_of(i));
@@ -64,6 +65,7 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const Frustu
     constexpr Real nothing = std::numeric_limits<Real>::infinity();
     memory_.left_from.assign(count, nothing);
     memory_.left_to.assign(count, -nothing);
+    // Join what the pieces leave of each cell.
     const auto evaluate = [&](PieceList<Real>& list) {
         for (std::size_t k = 0; k < list.size(); ++k)
             of.copy_cell(memory_.cells, list.cell(k), k);
@@ -87,12 +89,11 @@ void RayMarcher<Real, Cell>::narrow_by_pieces(const Kernel& kernel, const Frustu
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::ask_ranges(std::span<const Segment<Real>> segments) {
+void RayMarcher<Real, Cell>::ask_ranges(std::span<const RaySegment<Real>> segments) {
     ranges_.clear();
     asked_.clear();
-    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-    for (std::size_t first = 0; first < segments.size(); first += lanes) {
-        const auto& bits = verdicts_.bits[first / lanes];
+    for (std::size_t first = 0; first < segments.size(); first += lanes<Real>) {
+        const auto& bits = verdicts_.bits[first / lanes<Real>];
         for (LaneBits open = bits.weak & ~bits.rejected; open != 0; open &= open - 1) {
             const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(open));
             if (i >= segments.size()) break;

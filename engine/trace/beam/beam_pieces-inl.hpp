@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Pieces of some cells: of each its cell, and the switches that are held in it.
+/// Pieces of some cells: which cell each is of, and the switches that are held in it.
 template <class Real>
 class PieceList {
 public:
@@ -41,8 +41,8 @@ public:
         return push(cell, open, from.words_.data() + parent * words_a_piece_);
     }
 
-    /// What kernels take for the pieces; they may ask for up to a whole batch more, which are those
-    /// of the last piece. Valid until the list changes.
+    /// The held switches as kernels take them; of up to a whole batch more pieces, which repeat the
+    /// last one. Valid until the list changes.
     HeldSwitches<Real> held() {
         const std::size_t stride = padded(size());
         columns_.resize(stride * words_a_piece_);

@@ -9,82 +9,37 @@
 #define ZEROSET_BEAM_RANGES_INL
 #endif
 
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/trace/beam/beam_pieces-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// Boxes, and what the range kernel says of them: RangeBatchOf's arrays.
-template <class Real>
-struct RangeBoxes {
-    std::array<std::vector<Real>, 6> ends;  ///< -lo of x, y, z, then hi
-    std::vector<Real> neg_lo, hi;           ///< of f
-    std::vector<ContinuityMask<Real>> continuous, branches;
-
-    [[nodiscard]] std::size_t capacity() const { return hi.size(); }
-    void resize(std::size_t capacity) {
-        for (std::vector<Real>& column : ends)
-            column.resize(capacity);
-        neg_lo.resize(capacity);
-        hi.resize(capacity);
-        continuous.resize(capacity);
-        branches.resize(capacity);
-    }
-    /// There is room for so many boxes and a whole batch more.
-    void make_room(std::size_t size) {
-        if (size + 2 * batch_multiple > capacity()) resize(2 * size + 4 * batch_multiple);
-    }
-    /// Of the first `size` boxes, or of the pieces in them where switches are held.
-    void evaluate(const TraceFrame& frame, const KernelFunction<RangeBatchOf<Real>>& range,
-                  std::size_t size, const HeldSwitches<Real>& held = {}) {
-        for (std::vector<Real>& column : ends)
-            std::fill(column.data() + size, column.data() + padded(size), column[0]);
-        range(RangeBatchOf<Real>{.size = padded(size),
-                                 .neg_lo = {ends[0].data(), ends[1].data(), ends[2].data()},
-                                 .hi = {ends[3].data(), ends[4].data(), ends[5].data()},
-                                 .uniforms = frame.scene.uniforms.template boxes<Real>(),
-                                 .f_neg_lo = neg_lo.data(),
-                                 .f_hi = hi.data(),
-                                 .continuous = continuous.data(),
-                                 .held = held,
-                                 .branches = branches.data()});
-    }
-    /// Whether f is surely nowhere 0 in the box.
-    [[nodiscard]] bool excludes_zero(std::size_t i) const { return neg_lo[i] < 0 || hi[i] < 0; }
-    /// Whether f is known to be of either sign, and nowhere 0.
-    [[nodiscard]] bool in_two_parts(std::size_t i) const {
-        constexpr Real nowhere = -std::numeric_limits<Real>::infinity();
-        return neg_lo[i] < 0 && hi[i] < 0 && hi[i] > nowhere;
-    }
-    [[nodiscard]] BranchBits branches_of(std::size_t i) const {
-        return {static_cast<std::uint32_t>(branches[i])};
-    }
-};
-
-/// What a RangeList keeps.
+/// Room that a RangeList keeps.
 template <class Real>
 struct RangeMemory {
-    RangeBoxes<Real> boxes;
+    RangeBoxList<Real> boxes;
     Pieces<Real> pieces;
-    RangeBoxes<Real> piece_boxes;
+    RangeBoxList<Real> piece_boxes;
     std::vector<bool> left;  ///< whether a piece of a box may hold a root
 };
 
-/// Boxes around parts of the view, and what the range kernel says of them.
+/// Boxes around parts of the view, and enclosures of f over them.
 template <class Real>
 class RangeList {
 public:
-    RangeList(const TraceFrame& frame, const BeamView& view, RangeMemory<Real>& memory,
+    RangeList(const TraceFrame& frame, const TileRays& rays, RangeMemory<Real>& memory,
               Counters& counters)
-        : frame_(frame), view_(view), memory_(memory), boxes_(memory.boxes), counters_(counters) {}
+        : frame_(frame), rays_(rays), memory_(memory), boxes_(memory.boxes), counters_(counters) {}
 
     void clear() { size_ = 0; }
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// Around the points with |u - u_i| <= u_radius, |v - v_i| <= v_radius at depths from s to t.
+    /// A box around the points with |u - u_i| <= u_radius, |v - v_i| <= v_radius at depths from s
+    /// to t.
     void push(double u, double v, double u_radius, double v_radius, double s, double t);
-    /// On a pixel's ray.
+    /// A box around a part of a pixel's ray.
     void push(std::uint32_t pixel, double s, double t) {
-        push(view_.u(pixel % tile_size), view_.v(pixel / tile_size), 0.0, 0.0, s, t);
+        push(rays_.u(pixel % tile_size), rays_.v(pixel / tile_size), 0.0, 0.0, s, t);
     }
     void evaluate(const Kernel& kernel) { evaluate(range_of(kernel)); }
     void evaluate(const KernelFunction<RangeBatchOf<Real>>& range);
@@ -93,20 +48,20 @@ public:
 
     /// Whether f is surely nowhere 0 in the box, nor of both signs where jumps are drawn.
     [[nodiscard]] bool excludes_zero(std::size_t i) const {
-        return boxes_.excludes_zero(i) && !(frame_.scene.jumps && boxes_.in_two_parts(i));
+        return boxes_.excludes_zero(i) && !(frame_.scene.jumps && in_two_parts(i));
     }
-    /// |f| is not smaller in the box, where f surely has a sign.
+    /// A lower bound of |f| in the box, where f surely has a sign.
     [[nodiscard]] Real least_size(std::size_t i) const {
-        return std::max(-boxes_.neg_lo[i], -boxes_.hi[i]);
+        return std::max(-boxes_.f_neg_lo[i], -boxes_.f_hi[i]);
     }
     /// +1 or -1 where f surely has that sign, else 0.
     [[nodiscard]] int sign(std::size_t i) const {
-        return static_cast<int>(boxes_.neg_lo[i] < 0) - static_cast<int>(boxes_.hi[i] < 0);
+        return static_cast<int>(boxes_.f_neg_lo[i] < 0) - static_cast<int>(boxes_.f_hi[i] < 0);
     }
     [[nodiscard]] bool continuous(std::size_t i) const { return boxes_.continuous[i] != 0; }
     /// Whether f is surely 0 in all of the box.
     [[nodiscard]] bool vanishes(std::size_t i) const {
-        return boxes_.neg_lo[i] == 0 && boxes_.hi[i] == 0 && continuous(i);
+        return boxes_.f_neg_lo[i] == 0 && boxes_.f_hi[i] == 0 && continuous(i);
     }
 
 private:
@@ -118,10 +73,19 @@ private:
         }
     }
 
+    /// Whether f is known to be of either sign, and nowhere 0.
+    [[nodiscard]] bool in_two_parts(std::size_t i) const {
+        constexpr Real nowhere = -std::numeric_limits<Real>::infinity();
+        return boxes_.f_neg_lo[i] < 0 && boxes_.f_hi[i] < 0 && boxes_.f_hi[i] > nowhere;
+    }
+    [[nodiscard]] const Real* uniforms() const {
+        return frame_.scene.uniforms.template boxes<Real>();
+    }
+
     const TraceFrame& frame_;
-    const BeamView& view_;
+    const TileRays& rays_;
     RangeMemory<Real>& memory_;
-    RangeBoxes<Real>& boxes_;
+    RangeBoxList<Real>& boxes_;
     Counters& counters_;
     std::size_t size_ = 0;
 };
@@ -130,17 +94,17 @@ template <class Real>
 void RangeList<Real>::push(double u, double v, double u_radius, double v_radius, double s,
                            double t) {
     boxes_.make_room(size_ + 1);
-    const ViewFrame& axes = view_.axes();
+    const ViewFrame& axes = rays_.axes();
     for (int k = 0; k < 3; ++k) {
         // Linear in u and v, and in the depth: extremes are at the corners.
         const double across = u * axes.right[k] + v * axes.up[k];
         const double aside = std::abs(axes.right[k]) * u_radius + std::abs(axes.up[k]) * v_radius;
         const double near =
-            view_.base()[k] + view_.distance() * across + s * (axes.forward[k] + across);
+            rays_.base()[k] + rays_.distance() * across + s * (axes.forward[k] + across);
         const double far =
-            view_.base()[k] + view_.distance() * across + t * (axes.forward[k] + across);
-        const double near_aside = aside * std::abs(view_.distance() + s) + view_.depth_error();
-        const double far_aside = aside * std::abs(view_.distance() + t) + view_.depth_error();
+            rays_.base()[k] + rays_.distance() * across + t * (axes.forward[k] + across);
+        const double near_aside = aside * std::abs(rays_.distance() + s) + rays_.depth_error();
+        const double far_aside = aside * std::abs(rays_.distance() + t) + rays_.depth_error();
         const auto axis = static_cast<std::size_t>(k);
         boxes_.ends[axis][size_] = upper_end(Real{}, std::max(near_aside - near, far_aside - far));
         boxes_.ends[axis + 3][size_] =
@@ -153,7 +117,7 @@ template <class Real>
 void RangeList<Real>::evaluate(const KernelFunction<RangeBatchOf<Real>>& range) {
     if (size_ == 0) return;
     counters_.range += size_;
-    boxes_.evaluate(frame_, range, size_);
+    range(boxes_.batch(size_, uniforms()));
 }
 
 template <class Real>
@@ -168,7 +132,7 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
         if (is_open(i)) memory_.pieces.push(i, boxes_.branches_of(i));
     }
     memory_.left.assign(size_, false);
-    RangeBoxes<Real>& of = memory_.piece_boxes;
+    RangeBoxList<Real>& of = memory_.piece_boxes;
     const auto evaluate = [&](PieceList<Real>& list) {
         of.make_room(list.size());
         for (std::size_t k = 0; k < list.size(); ++k) {
@@ -176,15 +140,15 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
                 of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];
         }
         counters_.range += list.size();
-        of.evaluate(frame_, range_of(kernel), list.size(), list.held());
+        range_of(kernel)(of.batch(list.size(), uniforms(), list.held()));
     };
     memory_.pieces.visit(
         most_switches, evaluate, [&](std::size_t k) { return of.excludes_zero(k); },
         [&](std::size_t k) { return of.branches_of(k); },
         [&](std::size_t box, std::size_t /*piece*/) { memory_.left[box] = true; });
     for (std::size_t i = 0; i < size_; ++i) {
-        // Of either sign, but not 0.
-        if (is_open(i) && !memory_.left[i]) boxes_.neg_lo[i] = boxes_.hi[i] = -1;
+        // No piece holds a root: f is of either sign, but not 0.
+        if (is_open(i) && !memory_.left[i]) boxes_.f_neg_lo[i] = boxes_.f_hi[i] = -1;
     }
 }
 

@@ -1,6 +1,6 @@
 // Rays on their own, where no tile of pixels is small enough: segments of rays are cells without
-// width. Those of which forms say little: beam_cuts-inl.hpp; what is left in the end:
-// beam_rests-inl.hpp.
+// width. Segments that forms say little of are treated in beam_cuts-inl.hpp, those that are left in
+// the end in beam_leftovers-inl.hpp.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_BEAM_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
@@ -12,6 +12,7 @@
 
 #include "engine/trace/beam/beam_roots-inl.hpp"
 #include "engine/trace/beam/beam_segments-inl.hpp"
+#include "engine/trace/beam/beam_verdicts-inl.hpp"
 
 #include <bit>
 #include <optional>
@@ -25,25 +26,25 @@ namespace zeroset::HWY_NAMESPACE {
 template <class Real, class Cell>
 class RayMarcher {
 public:
-    RayMarcher(const TraceFrame& frame, const BeamView& view, MarchMemory<Real>& memory,
-               Found<Cell>& found, RootFinder<Cell>& roots, Counters& counters)
+    RayMarcher(const TraceFrame& frame, const TileRays& rays, MarchMemory<Real>& memory,
+               NearestRoots<Cell>& nearest, RootFinder<Cell>& roots, Counters& counters)
         : frame_(frame),
-          view_(view),
-          found_(found),
+          rays_(rays),
+          nearest_(nearest),
           roots_(roots),
           counters_(counters),
-          ranges_(frame, view, memory.ranges, counters),
-          witness_ranges_(frame, view, memory.witness_ranges, counters),
+          ranges_(frame, rays, memory.ranges, counters),
+          witness_ranges_(frame, rays, memory.witness_ranges, counters),
           segments_(memory.segments),
           next_(memory.next),
-          rests_(memory.rests),
+          leftovers_(memory.leftovers),
           asked_(memory.asked),
           memory_(memory),
           places_(memory.cells.places),
           forms_(memory.cells.forms),
           verdicts_(memory.cells.verdicts) {}
 
-    void push(const Segment<Real>& segment) { segments_.push_back(segment); }
+    void push(const RaySegment<Real>& segment) { segments_.push_back(segment); }
 
     /// Works off what has been pushed. `undecided(segment, continuous)` takes those segments that
     /// may still hold a root, and whether f is continuous there; it returns whether the ray goes on
@@ -57,22 +58,19 @@ public:
 
 private:
     static constexpr std::size_t capacity = MarchMemory<Real>::capacity;
-    /// How far around what is not cut any further signs are looked for: where the finest segments
-    /// are near what numbers tell apart, farther than those, too, and where jumps are told from
-    /// poles.
+    /// Margins around a leftover within which signs are looked for: farther than the finest
+    /// segments where those are near what numbers tell apart, and where jumps are told from poles.
     struct Margins {
         std::array<double, 3> sizes;
         std::size_t count;
     };
     [[nodiscard]] Margins margins_around(Real finest) const {
         const auto width = static_cast<double>(finest);
-        const double far = std::max(16 * view_.depth_error(), frame_.scene.jumps ? 4 * width : 0.0);
+        const double far = std::max(16 * rays_.depth_error(), frame_.scene.jumps ? 4 * width : 0.0);
         return {{0.0, width, far}, far > width ? 3U : 2U};
     }
-    /// Newton's method wants slopes that differ by no more than this factor.
-    static constexpr Real most_bend = 16;
 
-    /// How many segments from this one on have its kernel, at most those of a batch.
+    /// The number of segments from this one on that have its kernel, at most those of a batch.
     [[nodiscard]] std::size_t same_kernel(std::size_t first) const {
         const std::size_t most = std::min(capacity, segments_.size() - first);
         std::size_t count = 1;
@@ -83,68 +81,65 @@ private:
     /// Hands the segments from this one on over undecided, and those that go on.
     template <class Undecided>
     void leave(std::size_t first, Undecided undecided);
-    void place(std::span<const Segment<Real>> segments, Real margin);
+    void place(std::span<const RaySegment<Real>> segments, Real margin);
     void evaluate_forms(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count);
-    /// What the forms say of segments.
-    static void judge(SegmentCells<Real>& cells, std::size_t count, Real finest) {
-        for (std::size_t i = 0; i < count; i += hn::Lanes(LanesOf<Real>()))
-            judge_vector(cells, i, finest);
-    }
-    static void judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest);
     /// Finds the segments that are to be cut where a switch may change.
     void find_cuts(std::size_t count, Real margin);
     /// The parts of a segment before, at and behind where a switch may change.
-    void cut(const Segment<Real>& segment, std::size_t i);
-    /// Segments in which switches are open, by what each piece of f leaves.
+    void cut(const RaySegment<Real>& segment, std::size_t i);
+    /// Narrows segments in which switches are open to what the pieces of f leave.
     void narrow_by_pieces(const Kernel& kernel, const FrustumOf<Real>& frustum, std::size_t count,
                           Real finest);
-    /// Rejects by the natural interval extension: of those that forms say little of.
-    void ask_ranges(std::span<const Segment<Real>> segments);
+    /// Rejects segments that forms say little of by the natural interval extension.
+    void ask_ranges(std::span<const RaySegment<Real>> segments);
     /// Goes on with a vector's segments, from the first on, after their cells were evaluated.
-    void advance(std::span<const Segment<Real>> segments, std::size_t first, Real finest);
-    /// Where cell i of a segment is not decided; false if it is not cut any further.
-    bool narrow(Segment<Real>& segment, std::size_t i, Real finest);
-    /// Where f is 0 from one depth to the other: the first point of that surely inside the clip
-    /// region, if there is one.
-    bool take_first(const Segment<Real>& segment, Real from, Real to);
-    /// Evaluates f around what was not cut any further: boxes_a_rest boxes for each.
+    void advance(std::span<const RaySegment<Real>> segments, std::size_t first, Real finest);
+    /// Shortens a segment whose cell i is not decided; false if that one is not cut any further.
+    bool narrow(RaySegment<Real>& segment, std::size_t i, Real finest);
+    /// Takes the first point surely inside the clip region, if there is one, of a part of a ray on
+    /// which f is 0.
+    bool take_first(const RaySegment<Real>& segment, Real from, Real to);
+    /// Evaluates f around the leftovers: three boxes for each of the margins.
     void look_around(Real finest);
     struct Crossing {
         Trend trend;
         double width;  ///< of the bracket
     };
-    /// Where f surely is 0 at one of its ends, or has opposite signs around it and is continuous
-    /// between.
+    /// The root of a leftover where f surely is 0 at one of its ends, or has opposite signs around
+    /// it and is continuous between.
     [[nodiscard]] std::optional<Crossing> crossing(const RangeList<Real>& ranges, std::size_t first,
-                                                   const Rest<Real>& what, Real finest,
+                                                   const LeftoverSegment<Real>& what, Real finest,
                                                    bool continuous) const;
-    /// How f goes where it changes its sign in a jump.
+    /// The trend of f where it changes its sign in a jump.
     [[nodiscard]] std::optional<Trend> jump(const RangeList<Real>& ranges, std::size_t first) const;
-    /// Whether f surely is defined around it.
-    bool is_defined(const Rest<Real>& what, Real finest);
-    /// Where a function crosses 0 whose zeros are zeros of f.
-    std::optional<Crossing> witnessed(const Rest<Real>& what, Real finest, bool continuous);
-    void push_around(RangeList<Real>& ranges, const Rest<Real>& rest, const Margins& margins) const;
-    /// The rest's segment where the ray goes on behind.
+    /// Whether f surely is defined around a leftover.
+    bool is_defined(const LeftoverSegment<Real>& what, Real finest);
+    /// The root of a leftover where a function crosses 0 whose zeros are zeros of f.
+    std::optional<Crossing> witnessed(const LeftoverSegment<Real>& what, Real finest,
+                                      bool continuous);
+    void push_around(RangeList<Real>& ranges, const LeftoverSegment<Real>& leftover,
+                     const Margins& margins) const;
+    /// The leftover's segment, where the ray goes on behind it.
     template <class Undecided>
-    std::optional<Segment<Real>> decide(std::size_t rest, const MarchSettings<Real>& settings,
-                                        Undecided undecided);
-    static bool go_behind(Segment<Real>& segment) {
+    std::optional<RaySegment<Real>> decide(std::size_t leftover,
+                                           const MarchSettings<Real>& settings,
+                                           Undecided undecided);
+    static bool go_behind(RaySegment<Real>& segment) {
         segment.from = segment.end();
         segment.step += segment.step;
         return segment.from < segment.to;
     }
-    void solve(const Segment<Real>& segment, std::size_t i);
+    void solve(const RaySegment<Real>& segment, std::size_t i);
 
     const TraceFrame& frame_;
-    const BeamView& view_;
-    Found<Cell>& found_;
+    const TileRays& rays_;
+    NearestRoots<Cell>& nearest_;
     RootFinder<Cell>& roots_;
     Counters& counters_;
     RangeList<Real> ranges_, witness_ranges_;
-    std::vector<Segment<Real>>& segments_;
-    std::vector<Segment<Real>>& next_;
-    std::vector<Rest<Real>>& rests_;
+    std::vector<RaySegment<Real>>& segments_;
+    std::vector<RaySegment<Real>>& next_;
+    std::vector<LeftoverSegment<Real>>& leftovers_;
     std::vector<std::size_t>& asked_;
     MarchMemory<Real>& memory_;
     CellPlaces<Real>& places_;
@@ -155,9 +150,9 @@ private:
 };
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::place(std::span<const Segment<Real>> segments, Real margin) {
+void RayMarcher<Real, Cell>::place(std::span<const RaySegment<Real>> segments, Real margin) {
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Segment<Real>& segment = segments[i];
+        const RaySegment<Real>& segment = segments[i];
         const Real end = segment.end();
         const Real middle = Real{0.5} * segment.from + Real{0.5} * end;
         places_.u[i] = u_[segment.pixel % tile_size];
@@ -184,77 +179,15 @@ void RayMarcher<Real, Cell>::evaluate_forms(const Kernel& kernel, const FrustumO
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest) {
-    const Forms<Real>& forms = cells.forms;
-    Verdicts<Real>& verdicts = cells.verdicts;
-    constexpr LanesOf<Real> d;
-    constexpr auto three_fifths = static_cast<Real>(0.6);
-    const hn::RebindToUnsigned<decltype(d)> du;
-    const auto load = [&](const std::vector<Real>& column) {
-        return hn::LoadU(d, column.data() + i);
-    };
-    const auto mask = [&](const std::vector<ContinuityMask<Real>>& masks) {
-        return hn::MaskFromVec(hn::BitCast(d, hn::LoadU(du, masks.data() + i)));
-    };
-    const auto zero = hn::Zero(d);
-    const auto c = load(forms.c);
-    const auto k = load(forms.k[2]);
-    const auto e = load(forms.e);
-    const auto s = load(cells.places.s);
-    const auto reach = load(cells.places.s_radius);
-    const auto begin = load(verdicts.begin);
-    const auto end = load(verdicts.end);
-    // Where the linear part, widened by its error and the roundings here, may vanish.
-    const auto sloped = hn::Gt(hn::Abs(k), zero);
-    const auto inverse = hn::IfThenElseZero(sloped, hn::Div(reach, k));
-    const auto middle = hn::NegMulAdd(c, inverse, s);
-    const auto size = hn::Add(hn::Add(hn::Abs(s), hn::Abs(middle)), reach);
-    const auto radius = hn::MulAdd(size, hn::Set(d, 8 * std::numeric_limits<Real>::epsilon()),
-                                   hn::Mul(e, hn::Abs(inverse)));
-    const auto lo = hn::Sub(middle, radius);
-    const auto hi = hn::Add(middle, radius);
-    const auto bounded = hn::And(sloped, hn::Le(lo, hi));  // false where NaN
-    const auto from = hn::IfThenElse(bounded, hn::Max(begin, lo), begin);
-    const auto to = hn::IfThenElse(bounded, hn::Min(end, hi), end);
-    const auto far = hn::Gt(hn::Abs(c), hn::Add(hn::Abs(k), e));
-    const auto rejected = hn::Or(hn::Or(far, mask(forms.nowhere)), hn::Gt(from, to));
-    const auto continuous = mask(forms.continuous);
-    const auto known = hn::Le(e, hn::Set(d, std::numeric_limits<Real>::max()));
-    // The derivative's least and greatest size, if it keeps its sign.
-    const auto rising = hn::Neg(load(forms.slope_neg_lo));
-    const auto falling = hn::Neg(load(forms.slope_hi));
-    const auto least = hn::Max(rising, falling);
-    const auto most = hn::Neg(hn::Min(rising, falling));
-    const auto straight =
-        hn::And(hn::Gt(least, zero), hn::Le(most, hn::Mul(least, hn::Set(d, most_bend))));
-    const auto length = hn::Sub(end, begin);
-    const auto short_already = hn::Le(length, hn::Set(d, finest));
-    hn::StoreU(from, d, verdicts.from.data() + i);
-    hn::StoreU(to, d, verdicts.to.data() + i);
-    hn::StoreU(hn::Min(hn::Max(middle, from), to), d, verdicts.guess.data() + i);
-    const auto flat = hn::Eq(hn::Add(hn::Abs(c), hn::Abs(k)), zero);
-    const auto finished = hn::And(rejected, hn::Ge(end, load(verdicts.last)));
-    verdicts.bits[i / hn::Lanes(d)] = {
-        bits_of(d, rejected),
-        bits_of(d, finished),
-        bits_of(d, hn::Or(flat, hn::Or(hn::Not(hn::And(continuous, known)), short_already))),
-        bits_of(d, hn::And(continuous, straight)),
-        bits_of(d, hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)))),
-        bits_of(d, hn::Lt(hn::Sub(to, from), hn::Mul(length, hn::Set(d, three_fifths)))),
-        0,
-        0};
-}
-
-template <class Real, class Cell>
-void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) {
+void RayMarcher<Real, Cell>::solve(const RaySegment<Real>& segment, std::size_t i) {
     const double s = static_cast<double>(places_.s[i]);
-    const double reach = static_cast<double>(places_.s_radius[i]);
+    const double s_radius = static_cast<double>(places_.s_radius[i]);
     roots_.push({.pixel = segment.pixel,
                  .inside = segment.inside,
                  .from = static_cast<double>(verdicts_.from[i]),
                  .to = static_cast<double>(verdicts_.to[i]),
-                 .lo = s - reach,
-                 .hi = s + reach,
+                 .lo = s - s_radius,
+                 .hi = s + s_radius,
                  .guess = static_cast<double>(verdicts_.guess[i]),
                  .slope_lo = -static_cast<double>(forms_.slope_neg_lo[i]),
                  .slope_hi = static_cast<double>(forms_.slope_hi[i]),
@@ -265,33 +198,35 @@ void RayMarcher<Real, Cell>::solve(const Segment<Real>& segment, std::size_t i) 
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::advance(std::span<const Segment<Real>> segments, std::size_t first,
+void RayMarcher<Real, Cell>::advance(std::span<const RaySegment<Real>> segments, std::size_t first,
                                      Real finest) {
-    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
-    const auto& bits = verdicts_.bits[first / lanes];
-    const LaneBits there = (LaneBits{1} << std::min(segments.size() - first, lanes)) - 1;
+    const auto& bits = verdicts_.bits[first / lanes<Real>];
+    const LaneBits there = (LaneBits{1} << std::min(segments.size() - first, lanes<Real>)) - 1;
     const auto for_each = [&](LaneBits which, auto&& go_on) {
         for (; which != 0; which &= which - 1) {
             const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(which));
-            Segment<Real> segment = segments[i];
-            if (segment.from > static_cast<Real>(found_.depth[segment.pixel])) continue;
+            RaySegment<Real> segment = segments[i];
+            if (segment.from > static_cast<Real>(nearest_.s[segment.pixel])) continue;
             if (go_on(segment, i)) next_.push_back(segment);
         }
     };
+    // Go on behind rejected cells.
     const LaneBits open = there & ~bits.rejected;
     for_each(there & bits.rejected & ~bits.finished,
-             [](Segment<Real>& segment, std::size_t) { return go_behind(segment); });
-    for_each(open & bits.monotone, [&](Segment<Real>& segment, std::size_t i) {
+             [](RaySegment<Real>& segment, std::size_t) { return go_behind(segment); });
+    // Solve monotone ones, and go on behind those that may have no root.
+    for_each(open & bits.monotone, [&](RaySegment<Real>& segment, std::size_t i) {
         solve(segment, i);
         return !(verdicts_.bit(&Verdicts<Real>::Bits::certain, i) && segment.inside) &&
                go_behind(segment);
     });
+    // Shorten the others.
     for_each(open & ~bits.monotone,
-             [&](Segment<Real>& segment, std::size_t i) { return narrow(segment, i, finest); });
+             [&](RaySegment<Real>& segment, std::size_t i) { return narrow(segment, i, finest); });
 }
 
 template <class Real, class Cell>
-bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real finest) {
+bool RayMarcher<Real, Cell>::narrow(RaySegment<Real>& segment, std::size_t i, Real finest) {
     const Real from = verdicts_.from[i];
     const Real to = verdicts_.to[i];
     const Real width = to - from;
@@ -302,16 +237,14 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
         return false;
     }
     if (width <= finest || !(from < from + Real{0.5} * width)) {
-        rests_.push_back({segment, from, to, forms_.continuous[i] != 0});
+        leftovers_.push_back({segment, from, to, forms_.continuous[i] != 0});
         return false;
     }
     if (spare_ && !verdicts_.bit(&Verdicts<Real>::Bits::contracts, i)) {
         // Both halves at once.
         const Real middle = from + Real{0.5} * width;
-        next_.push_back(
-            {segment.pixel, segment.inside, from, middle, middle - from, segment.kernel});
-        next_.push_back(
-            {segment.pixel, segment.inside, middle, segment.to, to - middle, segment.kernel});
+        next_.push_back(segment.part(from, middle, middle - from));
+        next_.push_back(segment.part(middle, segment.to, to - middle));
         return false;
     }
     segment.from = from;
@@ -322,26 +255,26 @@ bool RayMarcher<Real, Cell>::narrow(Segment<Real>& segment, std::size_t i, Real 
 }
 
 template <class Real, class Cell>
-bool RayMarcher<Real, Cell>::take_first(const Segment<Real>& segment, Real from, Real to) {
+bool RayMarcher<Real, Cell>::take_first(const RaySegment<Real>& segment, Real from, Real to) {
     auto first = static_cast<double>(from);
     auto last = static_cast<double>(to);
     if (!segment.inside) {
-        const DepthRange clip = view_.depths(view_.u(segment.pixel % tile_size),
-                                             view_.v(segment.pixel / tile_size), 0.0, 0.0);
+        const DepthRange clip = rays_.depths(rays_.u(segment.pixel % tile_size),
+                                             rays_.v(segment.pixel / tile_size), 0.0, 0.0);
         first = std::max(first, clip.enter_hi);
         last = std::min(last, clip.exit_lo);
     }
     if (!(first <= last)) return false;
-    found_.add_pending(segment.pixel, first, Certificate::Certified, Trend::Unknown);
+    nearest_.add_pending(segment.pixel, first, Certificate::Certified, Trend::Unknown);
     return true;
 }
 
 template <class Real, class Cell>
 template <class Undecided>
 void RayMarcher<Real, Cell>::leave(std::size_t first, Undecided undecided) {
-    for (const Segment<Real>& segment : std::span(segments_).subspan(first))
+    for (const RaySegment<Real>& segment : std::span(segments_).subspan(first))
         undecided(segment, false);
-    for (const Segment<Real>& segment : next_)
+    for (const RaySegment<Real>& segment : next_)
         undecided(segment, false);
     segments_.clear();
     roots_.solve();
@@ -352,33 +285,35 @@ template <class Undecided>
 void RayMarcher<Real, Cell>::march(const MarchSettings<Real>& settings, Undecided undecided) {
     if (segments_.empty()) return;
     for (int i = 0; i < tile_size; ++i) {
-        u_[static_cast<std::size_t>(i)] = static_cast<Real>(view_.u(i));
-        v_[static_cast<std::size_t>(i)] = static_cast<Real>(view_.v(i));
+        u_[static_cast<std::size_t>(i)] = static_cast<Real>(rays_.u(i));
+        v_[static_cast<std::size_t>(i)] = static_cast<Real>(rays_.v(i));
     }
-    const FrustumOf<Real> frustum = view_.frustum<Real>(1);
-    const std::size_t lanes = hn::Lanes(LanesOf<Real>());
+    const FrustumOf<Real> frustum = rays_.frustum<Real>(1);
     while (!segments_.empty()) {
         next_.clear();
         for (std::size_t first = 0, count = 0; first < segments_.size(); first += count) {
             if (frame_.stopped()) return leave(first, undecided);
             count = same_kernel(first);
             const auto segments = std::span(segments_).subspan(first, count);
+            // Judge the next cells by their forms.
             place(segments, settings.margin);
             evaluate_forms(*segments.front().kernel, frustum, count);
             judge(memory_.cells, count, settings.finest);
+            // Say more where forms say little.
             const Kernel& kernel = *segments.front().kernel;
             if (kernel.switches > 0) {
                 find_cuts(count, settings.margin);
                 if (!frame_.scene.jumps) narrow_by_pieces(kernel, frustum, count, settings.finest);
             }
             ask_ranges(segments);
-            rests_.clear();
-            spare_ = 2 * count <= lanes;
-            for (std::size_t i = 0; i < count; i += lanes)
+            // Go on, and decide what is not cut any further.
+            leftovers_.clear();
+            spare_ = 2 * count <= lanes<Real>;
+            for (std::size_t i = 0; i < count; i += lanes<Real>)
                 advance(segments, i, settings.finest);
             look_around(settings.finest);
-            for (std::size_t rest = 0; rest < rests_.size(); ++rest) {
-                const auto segment = decide(rest, settings, undecided);
+            for (std::size_t i = 0; i < leftovers_.size(); ++i) {
+                const auto segment = decide(i, settings, undecided);
                 if (segment) next_.push_back(*segment);
             }
         }

@@ -11,12 +11,12 @@
 // in the slab hides its later slabs (his inclusion test). Slabs that contract badly and are long
 // for their tile are halved.
 // Where f is continuous and df/ds excludes 0, the rays of a tile of 8x8 pixels are solved together,
-// those of neighbouring slabs, too: the forms give each its stretch, Newton's method the root
+// those of neighbouring slabs, too: the forms give each its bracket, Newton's method the root
 // (beam_leaf-inl.hpp; what that leaves open, beam_roots-inl.hpp). A tile of 4x4 pixels that is not
 // monotone yet goes on ray by ray (beam_rays-inl.hpp). Tiles of 4x4 pixels are made from the front,
 // a few slabs of a tile of 8x8 at a time: those behind the roots found so far are not made.
-// A union may be given by its parts (TraceFrame::parts): then each cell is one of a part, and
-// begins as small as the part is.
+// A union may be given by its parts (TraceFrame::union_members): then each cell is one of a part,
+// and begins as small as the part is.
 //
 // Differs from the papers:
 // - A root is certified by the interval Newton operator in double: f at the guess, with a bound of
@@ -32,26 +32,25 @@
 #define HWY_TARGET_INCLUDE "engine/trace/beam/beam_tracer.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/trace/beam/beam_leaf_certify-inl.hpp"
 #include "engine/trace/beam/beam_tile-inl.hpp"
+#include "engine/trace/beam/beam_tile_rays-inl.hpp"
+#include "engine/trace/beam/beam_tree_first-inl.hpp"
+#include "engine/trace/beam/beam_tree_judge-inl.hpp"
+#include "engine/trace/in_precision.hpp"
 
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-template <class Real>
-void trace_in(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
-    thread_local BeamMemory<Real> memory;
-    BeamTile<Real>(frame, tile, memory, hits, counters).trace();
-}
-
 void trace_beam_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits,
                      Counters& counters) {
-    if (frame.precision == Precision::Double) {
-        trace_in<double>(frame, tile, hits, counters);
-    } else {
-        trace_in<float>(frame, tile, hits, counters);
-    }
+    in_precision(frame, [&](auto real) {
+        using Real = decltype(real);
+        thread_local BeamMemory<Real> memory;
+        BeamTile<Real>(frame, tile, memory, hits, counters).trace();
+    });
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -42,7 +42,7 @@ public:
     }
     /// Divides the first cells of each tile; quarters all of whose roots found so far are nearer
     /// are left out.
-    void divide_some(CellTree<Real>& tree, const Found<Real>& found) {
+    void divide_some(CellTree<Real>& tree, const NearestRoots<Real>& nearest) {
         first_.clear();
         std::bitset<tile_pixels> seen;
         for (std::size_t i = 0; i < waiting_.size(); ++i) {
@@ -55,7 +55,7 @@ public:
             const std::size_t count = std::min(most, cells.end - cells.next);
             const std::size_t first = std::exchange(cells.next, cells.next + count);
             tree.push_children(cells.kernel, std::span(cells_).subspan(first, count), pixels,
-                               [&](int col, int row) { return farthest(found, col, row); });
+                               [&](int col, int row) { return farthest(nearest, col, row); });
         }
         std::erase_if(waiting_, [](const Waiting& cells) { return cells.next == cells.end; });
     }
@@ -70,21 +70,21 @@ private:
     };
 
     /// The farthest root found of a quarter's pixels; +inf: not all have one.
-    static Real farthest(const Found<Real>& found, int col, int row) {
+    static Real farthest(const NearestRoots<Real>& nearest, int col, int row) {
         constexpr int half = pixels / 2;
-        constexpr hn::CappedTag<Real, static_cast<std::size_t>(half)> d;
-        auto result = hn::Set(d, -std::numeric_limits<Real>::infinity());
+        constexpr hn::CappedTag<Real, static_cast<std::size_t>(half)> tag;
+        auto result = hn::Set(tag, -std::numeric_limits<Real>::infinity());
         for (int y = row; y < row + half; ++y) {
-            for (int x = col; x < col + half; x += static_cast<int>(hn::Lanes(d))) {
+            for (int x = col; x < col + half; x += static_cast<int>(hn::Lanes(tag))) {
                 const auto pixel = static_cast<std::size_t>(y * tile_size + x);
-                result = hn::Max(result, hn::LoadU(d, &found.depth[pixel]));
+                result = hn::Max(result, hn::LoadU(tag, &nearest.s[pixel]));
             }
         }
-        return hn::GetLane(hn::MaxOfLanes(d, result));
+        return hn::GetLane(hn::MaxOfLanes(tag, result));
     }
 
     std::vector<Waiting> waiting_;
-    std::vector<std::size_t> first_;  ///< of each tile
+    std::vector<std::size_t> first_;  ///< in waiting_, of each tile
     std::vector<std::size_t> cells_;
 };
 

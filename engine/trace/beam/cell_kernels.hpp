@@ -14,7 +14,7 @@ struct CellRun {
     std::size_t first = 0;
     std::size_t count = 0;
     const Kernel* kernel = nullptr;
-    ChoiceRecord record;  ///< of these cells, if the kernel has a shortener
+    ChoiceRecord record;  ///< of these cells, if the kernel has a specializer
 };
 
 /// The runs of a list, in order. Keeps their memory from list to list.
@@ -48,12 +48,12 @@ public:
     void clear() { kernels_.clear(); }
 
     /// The kernel for these cells of the run's list; the run's own where none is shorter.
-    const Kernel* shortened(const CellRun& run, std::span<const std::size_t> cells) {
-        if (run.kernel->shortener == nullptr) return run.kernel;
+    const Kernel* specialized(const CellRun& run, std::span<const std::size_t> cells) {
+        if (run.kernel->specializer == nullptr) return run.kernel;
         in_run_.assign(cells.begin(), cells.end());
         for (std::size_t& cell : in_run_)
             cell -= run.first;
-        auto kernel = run.kernel->shortener->shortened(run.record, in_run_);
+        auto kernel = run.kernel->specializer->specialized(run.record, in_run_);
         if (!kernel) return run.kernel;
         return kernels_.emplace_back(std::move(kernel)).get();
     }

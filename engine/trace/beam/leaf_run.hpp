@@ -12,9 +12,9 @@ struct Leaf {
     int col, row;  ///< first pixel in the tile
     bool inside;   ///< all rays are inside the clip box in the slab
     // f is c + ku x - kv y + kt t + [-e, e] at x pixels right and y below the first pixel, at the
-    // depth s + reach t.
+    // depth s + s_radius t.
     Real c, ku, kv, kt, e;
-    Real s, reach;
+    Real s, s_radius;
     Real from, to;            ///< the slab
     Real slope_lo, slope_hi;  ///< of df/ds, of one sign
     Real r;                   ///< see FormBatchOf
@@ -40,7 +40,7 @@ struct LeafRun {
           row(leaf.row),
           inside(leaf.inside),
           to(leaf.to),
-          lo(leaf.s - leaf.reach),
+          lo(leaf.s - leaf.s_radius),
           hi(end_of(leaf)),
           slope_lo(leaf.slope_lo),
           slope_hi(leaf.slope_hi),
@@ -48,8 +48,8 @@ struct LeafRun {
           kernel(leaf.kernel),
           kinked(leaf.kinked) {}
 
-    /// Rounded downward, so that it is in the cell.
-    static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.reach); }
+    /// Where the cell ends; rounded downward, so that it is in the cell.
+    static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.s_radius); }
     [[nodiscard]] bool falls() const { return slope_hi < 0; }
     [[nodiscard]] bool continues_with(const Leaf<Real>& next) const {
         return next.col == col && next.row == row && next.from == to && next.inside == inside &&

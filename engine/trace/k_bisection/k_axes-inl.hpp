@@ -31,14 +31,14 @@ struct PixelVectors {
 
 /// The rays of a tile's pixels. Those of a perspective view start at the eye, parallel ones on a
 /// plane across the view before the clip box, so that nothing is behind their starts.
-struct TileRays {
+struct PacketRays {
     PixelVectors start, direction;
     double start_depth = 0.0;  ///< of the starts, from the plane through the eye
 
-    TileRays(const TraceFrame& frame, const Tile& tile);
+    PacketRays(const TraceFrame& frame, const Tile& tile);
 };
 
-inline TileRays::TileRays(const TraceFrame& frame, const Tile& tile) {
+inline PacketRays::PacketRays(const TraceFrame& frame, const Tile& tile) {
     const ViewFrame& view = frame.view;
     const double col = tile.col + 0.5;
     const double row = tile.row + 0.5;
@@ -69,7 +69,7 @@ Real above(double value) {
 template <class Real>
 class AxesTable {
 public:
-    AxesTable(const TraceFrame& frame, const TileRays& rays) : frame_(frame), rays_(rays) {}
+    AxesTable(const TraceFrame& frame, const PacketRays& rays) : frame_(frame), rays_(rays) {}
     /// The axes for a ray; they live as long as the table.
     HWY_INLINE const Axes<Real>& of(const glm::dvec3& direction);
 
@@ -79,7 +79,7 @@ private:
     void set_grid(Axes<Real>& axes) const;
 
     const TraceFrame& frame_;
-    const TileRays& rays_;
+    const PacketRays& rays_;
     Axes<Real> axes_[24];     ///< by dominant axis and signs of the direction
     std::uint32_t made_ = 0;  ///< bits of the axes that are made
 };

@@ -8,6 +8,7 @@
 #define ZEROSET_K_BATCH_INL
 #endif
 
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/trace/k_bisection/k_packet-inl.hpp"
 
 #include <cstdint>
@@ -17,28 +18,12 @@ namespace zeroset::HWY_NAMESPACE {
 
 /// The boxes of a group of packets, and what the kernel says of them.
 template <class Real>
-struct Batch {
-    static constexpr std::size_t capacity = batch_capacity<Real>;
-    static_assert(capacity % batch_multiple == 0);
-
-    alignas(64) Real ends[6][capacity];  ///< -lo of x, y, z, then hi of x, y, z
-    alignas(64) Real f_neg_lo[capacity];
-    alignas(64) Real f_hi[capacity];
-    alignas(64) ContinuityMask<Real> continuous[capacity];
-
+struct Batch : RangeBoxes<Real, batch_capacity<Real>> {
     /// Evaluates the first `slots` slots.
     void evaluate(const TraceFrame& frame, std::size_t slots, Counters& counters) {
         const std::size_t used = slots * lanes<Real>;
-        const std::size_t size = (used + batch_multiple - 1) / batch_multiple * batch_multiple;
         counters.range += used;
-        const RangeBatchOf<Real> batch{size,
-                                       {ends[0], ends[1], ends[2]},
-                                       {ends[3], ends[4], ends[5]},
-                                       frame.scene.uniforms.boxes<Real>(),
-                                       f_neg_lo,
-                                       f_hi,
-                                       continuous};
-        frame.kernel.range(batch);
+        frame.kernel.range(this->batch(padded(used), frame.scene.uniforms.template boxes<Real>()));
     }
 };
 
@@ -47,31 +32,31 @@ struct Batch {
 template <class Real>
 HWY_INLINE void store_box(const Packet<Real>& packet, V<Real> from, V<Real> to, std::size_t slot,
                           Batch<Real>& batch) {
-    constexpr Tag<Real> tag;
     Real* const at = batch.ends[0] + slot * lanes<Real>;
     const Axes<Real>& axes = *packet.axes;
     const V<Real> neg_from = hn::Neg(from);
-    hn::Store(neg_from, tag, at + axes.from_offset[0]);
-    hn::Store(to, tag, at + axes.to_offset[0]);
+    hn::Store(neg_from, d<Real>, at + axes.from_offset[0]);
+    hn::Store(to, d<Real>, at + axes.to_offset[0]);
     for (int i = 1; i < 3; ++i) {
         const Line<Real>& line = packet.line[i - 1];
-        const V<Real> slope_lo = hn::Load(tag, line.slope_lo);
-        V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, hn::Load(tag, line.neg_lo));
+        const V<Real> slope_lo = hn::Load(d<Real>, line.slope_lo);
+        V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, hn::Load(d<Real>, line.neg_lo));
         V<Real> slope_hi = slope_lo;
         if constexpr (sizeof(Real) == sizeof(double)) {
-            neg_lo = hn::Max(neg_lo, hn::MulAdd(slope_lo, hn::Neg(to), hn::Load(tag, line.neg_lo)));
-            slope_hi = hn::Load(tag, line.slope_hi);
+            neg_lo =
+                hn::Max(neg_lo, hn::MulAdd(slope_lo, hn::Neg(to), hn::Load(d<Real>, line.neg_lo)));
+            slope_hi = hn::Load(d<Real>, line.slope_hi);
         }
-        hn::Store(neg_lo, tag, at + axes.from_offset[i]);
-        hn::Store(hn::MulAdd(slope_hi, to, hn::Load(tag, line.hi)), tag, at + axes.to_offset[i]);
+        hn::Store(neg_lo, d<Real>, at + axes.from_offset[i]);
+        hn::Store(hn::MulAdd(slope_hi, to, hn::Load(d<Real>, line.hi)), d<Real>,
+                  at + axes.to_offset[i]);
     }
 }
 
 template <class Real>
 HWY_INLINE M<Real> is_continuous(const Batch<Real>& batch, std::size_t slot) {
-    constexpr hn::RebindToUnsigned<Tag<Real>> tag;
-    const auto bits = hn::Load(tag, batch.continuous + slot * lanes<Real>);
-    return hn::RebindMask(d<Real>, hn::Ne(bits, hn::Zero(tag)));
+    const auto bits = hn::Load(du<Real>, batch.continuous + slot * lanes<Real>);
+    return hn::RebindMask(d<Real>, hn::Ne(bits, hn::Zero(du<Real>)));
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -32,6 +32,7 @@
 #define HWY_TARGET_INCLUDE "engine/trace/k_bisection/k_bisection.cpp"
 #include <hwy/foreach_target.h>
 // Highway includes this file again for each instruction set.
+#include "engine/trace/in_precision.hpp"
 #include "engine/trace/k_bisection/k_batch-inl.hpp"
 #include "engine/trace/k_bisection/k_certificate-inl.hpp"
 #include "engine/trace/k_bisection/k_packet-inl.hpp"
@@ -74,8 +75,8 @@ HWY_INLINE void store_halves(const Packet<Real>& packet, std::size_t slot, Batch
     store_box(packet, halves.middle, halves.to, 2 * slot + 1, batch);
 }
 
-/// Living rays on whose box in the slot F does not exclude 0. A ray that does not meet the slice
-/// has the box of its entry or exit there.
+/// The living rays on whose box in the slot F does not exclude 0. A ray that does not meet the
+/// slice has the box of its entry or exit there.
 template <class Real>
 HWY_INLINE M<Real> may_hold_root(const Packet<Real>& packet, const Batch<Real>& batch,
                                  std::size_t slot) {
@@ -94,7 +95,7 @@ HWY_INLINE M<Real> is_narrow(const Batch<Real>& batch, std::size_t slot, Real de
     return hn::Lt(width, hn::Set(d<Real>, delta));
 }
 
-/// Rays that may hold a root in the halves of a slice.
+/// The rays that may hold a root in each half of a slice.
 template <class Real>
 struct Candidates {
     M<Real> left, right;
@@ -105,8 +106,10 @@ struct Candidates {
 template <class Real>
 Candidates<Real> stop_rays(Packet<Real>& packet, const Candidates<Real>& found, std::size_t slot,
                            const Batch<Real>& batch, Real delta) {
+    // Certificates look at slices as wide as the last ones.
     const bool finest = packet.is_finest();
     if (finest) packet.look = packet.unit * static_cast<Real>(packet.size / 2);
+    // Find where rays stop: only there do they hit something, and only where f is continuous.
     const M<Real> left_continuous = is_continuous(batch, slot);
     const M<Real> right_continuous = is_continuous(batch, slot + 1);
     const auto stopped = [&](M<Real> candidates, M<Real> continuous, std::size_t at) {
@@ -115,13 +118,15 @@ Candidates<Real> stop_rays(Packet<Real>& packet, const Candidates<Real>& found, 
     };
     const M<Real> left_stop = stopped(found.left, left_continuous, slot);
     const M<Real> left_hit = hn::And(left_stop, left_continuous);
-    // A ray may end in the right half only if it has no root to look for in the left one.
+    // A ray may stop in the right half only if it has no root to look for in the left one.
     const M<Real> right_stop = hn::AndNot(finest ? left_hit : found.left,
                                           stopped(found.right, right_continuous, slot + 1));
     const M<Real> right_hit = hn::And(right_stop, right_continuous);
+    // End the rays at their hits.
     const Halves<Real> halves = halves_of(packet);
     packet.stop_at(left_hit, halves.from, halves.middle);
     packet.stop_at(right_hit, halves.middle, halves.to);
+    // Rays that stop where f is not continuous go on, unsettled.
     const M<Real> left_gap = hn::AndNot(left_continuous, left_stop);
     const M<Real> right_gap = hn::AndNot(right_continuous, right_stop);
     packet.pass_gap(hn::Or(left_gap, right_gap),
@@ -158,7 +163,7 @@ void push_unsettled(const Packet<Real>& packet, TileHits& hits) {
         const int lane = std::countr_zero(bits);
         const Real behind = packet.k_start[lane] - packet.gap_from[lane];  // rounded upward
         const float along = static_cast<float>(-(behind * packet.stretch[lane])) * shrink;
-        hits.pass(packet.pixel(lane), -(-first - std::max(along, 0.0F)));
+        hits.mark_unsettled(packet.pixel(lane), -(-first - std::max(along, 0.0F)));
     }
 }
 
@@ -211,7 +216,7 @@ bool Group<Real>::refill() {
     return true;
 }
 
-/// A packet whose rays have all ended.
+/// Takes a packet whose rays have all ended.
 template <class Real>
 void Group<Real>::retire(Packet<Real>& packet) {
     push_unsettled(packet, hits_);
@@ -258,11 +263,8 @@ void Group<Real>::run() {
 }
 
 void trace_tile(const TraceFrame& frame, const Tile& tile, TileHits& hits, Counters& counters) {
-    if (frame.precision == Precision::Double) {
-        Group<double>(frame, tile, hits, counters).run();
-    } else {
-        Group<float>(frame, tile, hits, counters).run();
-    }
+    in_precision(frame,
+                 [&](auto real) { Group<decltype(real)>(frame, tile, hits, counters).run(); });
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

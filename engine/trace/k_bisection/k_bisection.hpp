@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 namespace zeroset {
 

@@ -42,8 +42,9 @@ HWY_INLINE V<Real> sign_in(const Batch<Real>& batch, std::size_t slot) {
     return hn::Sub(above, below);
 }
 
-/// Boxes of the first look: the slice before the hit, which was rejected, so that its sign is that
-/// at the hit's start; and the point at the hit's end. The hit itself is known to be continuous.
+/// Stores the boxes of the first look: the slice before the hit, which was rejected, so that its
+/// sign is that at the hit's start; and the point at the hit's end. The hit itself is known to be
+/// continuous.
 template <class Real>
 HWY_INLINE void store_first_look(const Packet<Real>& packet, Brackets<Real>& brackets,
                                  std::size_t slot, Batch<Real>& batch) {
@@ -53,13 +54,13 @@ HWY_INLINE void store_first_look(const Packet<Real>& packet, Brackets<Real>& bra
     const V<Real> before = hn::Max(hn::Sub(from, hn::Set(d<Real>, packet.look)), k_in);
     hn::Store(from, d<Real>, brackets.from);
     hn::Store(to, d<Real>, brackets.to);
-    hn::Store(hn::VecFromMask(d<Real>, mask_of<Real>(packet.hit)), d<Real>, brackets.open);
+    hn::Store(hn::VecFromMask(d<Real>, mask_of(d<Real>, packet.hit)), d<Real>, brackets.open);
     hn::Store(hn::Zero(d<Real>), d<Real>, brackets.certified);
     store_box(packet, before, from, slot, batch);
     store_box(packet, to, to, slot + 1, batch);
 }
 
-/// Boxes of a further look: the slice behind, and the point at its end.
+/// Stores the boxes of a further look: the slice behind, and the point at its end.
 template <class Real>
 HWY_INLINE void store_next_look(const Packet<Real>& packet, Brackets<Real>& brackets,
                                 std::size_t slot, Batch<Real>& batch) {
@@ -79,6 +80,7 @@ HWY_INLINE void store_next_look(const Packet<Real>& packet, Brackets<Real>& brac
 template <class Real>
 HWY_INLINE bool take_look(Brackets<Real>& brackets, bool first, std::size_t slot,
                           const Batch<Real>& batch) {
+    // Learn the sign before the hit, later whether f is continuous in what the bracket grew by.
     M<Real> usable = hn::MaskFromVec(hn::Load(d<Real>, brackets.open));
     if (first) {
         hn::Store(sign_in(batch, slot), d<Real>, brackets.before);
@@ -87,6 +89,7 @@ HWY_INLINE bool take_look(Brackets<Real>& brackets, bool first, std::size_t slot
             hn::Lt(hn::Load(d<Real>, brackets.from), hn::Load(d<Real>, brackets.to));
         usable = hn::And(usable, hn::And(is_continuous(batch, slot), grown));
     }
+    // Certify where the sign behind is the opposite one; give up where the first one is not known.
     const V<Real> before = hn::Load(d<Real>, brackets.before);
     usable = hn::And(usable, hn::Ne(before, hn::Zero(d<Real>)));
     const M<Real> opposite = hn::Eq(sign_in(batch, slot + 1), hn::Neg(before));
@@ -124,11 +127,13 @@ void certify(const TraceFrame& frame, std::span<Packet<Real>* const> packets,
 /// stopped.
 template <class Real>
 void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileHits& hits) {
+    // Take the bracket of the sign change where there is one, else where the search stopped.
     const M<Real> certified = hn::MaskFromVec(hn::Load(d<Real>, brackets.certified));
     const V<Real> from = hn::IfThenElse(certified, hn::Load(d<Real>, brackets.from),
                                         hn::Load(d<Real>, packet.hit_from));
     const V<Real> to =
         hn::IfThenElse(certified, hn::Load(d<Real>, brackets.to), hn::Load(d<Real>, packet.hit_to));
+    // Compute the points in the middle, and their distances.
     const V<Real> half = hn::Set(d<Real>, static_cast<Real>(0.5));
     const V<Real> k = hn::MulAdd(half, from, hn::Mul(half, to));
     alignas(vector_bytes<Real>) Real position[3][lanes<Real>];
@@ -146,7 +151,8 @@ void push_hits(const Packet<Real>& packet, const Brackets<Real>& brackets, TileH
     const V<Real> along = hn::Sub(k, hn::Load(d<Real>, packet.k_start));
     const V<Real> first = hn::Set(d<Real>, static_cast<Real>(axes.start_depth));
     hn::Store(hn::MulAdd(along, hn::Load(d<Real>, packet.stretch), first), d<Real>, depth);
-    const unsigned settled = axes.certifies ? bits_of<Real>(certified) & ~packet.unsettled : 0;
+    // Push the hits; nothing is certified behind an unsettled cell.
+    const unsigned settled = axes.certifies ? bits_of(d<Real>, certified) & ~packet.unsettled : 0;
     for (unsigned bits = packet.hit; bits != 0; bits &= bits - 1) {
         const int lane = std::countr_zero(bits);
         hits.push(packet.pixel(lane),

@@ -9,9 +9,9 @@
 #endif
 
 #include "engine/kernel/kernel.hpp"
-#include "engine/trace/tracer.hpp"
-
-#include <hwy/highway.h>
+#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -20,24 +20,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-/// The widest vectors of the machine, up to 64 bytes.
-template <class Real>
-using Tag = hn::CappedTag<Real, 64 / sizeof(Real)>;
-template <class Real>
-using V = hn::Vec<Tag<Real>>;
-template <class Real>
-using M = hn::Mask<Tag<Real>>;
-template <class Real>
-constexpr Tag<Real> d{};
-template <class Real>
-constexpr hn::RebindToUnsigned<Tag<Real>> du{};
-
-template <class Real>
-constexpr std::size_t lanes = hn::MaxLanes(Tag<Real>());
-template <class Real>
-constexpr std::size_t vector_bytes = lanes<Real> * sizeof(Real);
 template <class Real>
 constexpr int block_cols = lanes<Real> <= 4 ? 2 : 4;
 template <class Real>
@@ -49,23 +31,6 @@ constexpr int max_top_depth = 5;  ///< the top slices are at most 2^-5 of the cl
 constexpr int group_size = 16;    ///< packets a batch, each with two boxes a ray
 template <class Real>
 constexpr std::size_t batch_capacity = 2 * group_size * lanes<Real>;
-
-/// The mask of the rays whose bits are set.
-template <class Real>
-HWY_INLINE M<Real> mask_of(unsigned bits) {
-    using Word = ContinuityMask<Real>;
-    alignas(vector_bytes<Real>) Word mask[lanes<Real>];
-    for (std::size_t lane = 0; lane < lanes<Real>; ++lane)
-        mask[lane] = Word{0} - (bits >> lane & 1U);
-    return hn::MaskFromVec(hn::BitCast(d<Real>, hn::Load(du<Real>, mask)));
-}
-
-template <class Real>
-HWY_INLINE unsigned bits_of(M<Real> mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d<Real>, mask, bytes);
-    return bytes[0] | static_cast<unsigned>(bytes[1]) << 8U;
-}
 
 /// The axes of a packet, K first: world axes, negated where `mirrored`, so that no coordinate falls
 /// along the packet's rays; and what follows from them for a frame.
@@ -180,22 +145,20 @@ struct Packet {
     }
     /// Rays of `found` end at [from, to].
     HWY_INLINE void stop_at(M<Real> found, V<Real> from, V<Real> to) {
-        constexpr Tag<Real> tag;
-        hit |= bits_of<Real>(found);
-        hn::Store(hn::IfThenElse(found, from, hn::Load(tag, hit_from)), tag, hit_from);
-        hn::Store(hn::IfThenElse(found, to, hn::Load(tag, hit_to)), tag, hit_to);
-        const M<Real> others = hn::AndNot(found, hn::MaskFromVec(hn::Load(tag, alive)));
-        hn::Store(hn::VecFromMask(tag, others), tag, alive);
+        hit |= bits_of(d<Real>, found);
+        hn::Store(hn::IfThenElse(found, from, hn::Load(d<Real>, hit_from)), d<Real>, hit_from);
+        hn::Store(hn::IfThenElse(found, to, hn::Load(d<Real>, hit_to)), d<Real>, hit_to);
+        const M<Real> others = hn::AndNot(found, hn::MaskFromVec(hn::Load(d<Real>, alive)));
+        hn::Store(hn::VecFromMask(d<Real>, others), d<Real>, alive);
     }
     /// Rays of `found` go on behind a slice from `from` where f is not continuous.
     HWY_INLINE void pass_gap(M<Real> found, V<Real> from) {
-        constexpr Tag<Real> tag;
-        if (hn::AllFalse(tag, found)) return;
-        const unsigned first = bits_of<Real>(found) & ~unsettled;
+        if (hn::AllFalse(d<Real>, found)) return;
+        const unsigned first = bits_of(d<Real>, found) & ~unsettled;
         if (first == 0) return;
         unsettled |= first;
-        hn::Store(hn::IfThenElse(mask_of<Real>(first), from, hn::Load(tag, gap_from)), tag,
-                  gap_from);
+        hn::Store(hn::IfThenElse(mask_of(d<Real>, first), from, hn::Load(d<Real>, gap_from)),
+                  d<Real>, gap_from);
     }
     [[nodiscard]] TileHits::Pixel pixel(int lane) const {
         return {static_cast<std::int16_t>(col + lane % block_cols<Real>),

@@ -31,7 +31,7 @@ public:
     bool next(Packet<Real>& packet);
     /// The axes for a ray; they live as long as the source.
     const Axes<Real>& axes_for(const glm::dvec3& direction) { return axes_.of(direction); }
-    [[nodiscard]] const TileRays& rays() const { return rays_; }
+    [[nodiscard]] const PacketRays& rays() const { return rays_; }
 
 private:
     bool next_block();
@@ -47,7 +47,7 @@ private:
 
     const TraceFrame& frame_;
     Tile tile_;
-    TileRays rays_;
+    PacketRays rays_;
     AxesTable<Real> axes_;
     int col_ = -block_cols<Real>, row_ = 0;
     unsigned pending_ = 0;  ///< rays of the current block not yet in a packet
@@ -82,6 +82,7 @@ bool PacketSource<Real>::next(Packet<Real>& packet) {
     constexpr bool two_parts = lanes<Real> > part_lanes;
     for (;;) {
         if (pending_ == 0 && !next_block()) return false;
+        // Enclose the block's rays in the axes of the first pending one.
         const int first = std::countr_zero(pending_);
         const Axes<Real>& axes = axes_for(
             rays_.direction.at(col_ + first % block_cols<Real>, row_ + first / block_cols<Real>));
@@ -90,11 +91,12 @@ bool PacketSource<Real>::next(Packet<Real>& packet) {
         const PartRays low = part_of(axes, start, direction, 0);
         const PartRays high = two_parts ? part_of(axes, start, direction, part_lanes) : low;
         const unsigned fitting = low.fitting() | high.fitting() << part_lanes;
-        // The first pending ray always fits; rays that do not share its axes make packets of
-        // their own.
+        // Take the rays that fit the axes; the first one always does, others make packets of their
+        // own.
         const unsigned mine = pending_ & (fitting | 1U << first);
         pending_ &= ~mine;
         if (low.all_miss() && high.all_miss()) continue;
+        // Set up the packet.
         packet.axes = &axes;
         packet.col = col_;
         packet.row = row_;
@@ -119,7 +121,7 @@ HWY_INLINE void PacketSource<Real>::bound_lanes(Packet<Real>& packet, M<Real> al
 
 template <class Real>
 HWY_INLINE void PacketSource<Real>::set_up_lanes(Packet<Real>& packet, unsigned bits) {
-    bound_lanes(packet, mask_of<Real>(bits), hn::Load(d<Real>, packet.k_in),
+    bound_lanes(packet, mask_of(d<Real>, bits), hn::Load(d<Real>, packet.k_in),
                 hn::Load(d<Real>, packet.k_out));
     hn::Store(hn::Zero(d<Real>), d<Real>, packet.hit_from);
     hn::Store(hn::Zero(d<Real>), d<Real>, packet.hit_to);
@@ -138,13 +140,14 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
     for (std::size_t lane = 0; lane < lanes<Real>; ++lane) {
         limit[lane] = static_cast<Real>(tile_.limits[packet.pixel(static_cast<int>(lane)).index()]);
     }
-    // Rounded upward, but for the stretch.
+    // Where the limit is along K: rounded upward, but for the stretch.
     const V<Real> grow = hn::Set(d<Real>, static_cast<Real>(1.0 + 0x1p-20));
     const V<Real> stretch = hn::Load(d<Real>, packet.stretch);
     const V<Real> distance =
         hn::Add(hn::Load(d<Real>, limit), hn::Set(d<Real>, above<Real>(-axes.start_depth)));
     const V<Real> along = hn::Mul(hn::Div(distance, stretch), grow);
     const V<Real> end = hn::Add(along, hn::Load(d<Real>, packet.k_start));
+    // How wide slices may be there.
     const V<Real> unit = hn::Set(d<Real>, axes.unit);
     const V<Real> widest = hn::Set(d<Real>, axes.unit * static_cast<Real>(axes.coarsest / 2));
     const V<Real> there =
@@ -156,7 +159,7 @@ HWY_NOINLINE void PacketSource<Real>::limit_lanes(Packet<Real>& packet) const {
                 hn::Min(hn::Load(d<Real>, packet.k_out), hn::Add(end, spare)));
 }
 
-/// How often a top slice is halved under the epsilon rule.
+/// The halvings of a top slice under the epsilon rule.
 template <class Real>
 int PacketSource<Real>::epsilon_depth(const Packet<Real>& packet, Real k_min, Real k_max) const {
     Real longest = std::numeric_limits<Real>::min();  // the packet's Delta [Knoll07, eq. 7]
@@ -178,11 +181,13 @@ template <class Real>
 bool PacketSource<Real>::set_up_slices(Packet<Real>& packet) const {
     const M<Real> alive = hn::MaskFromVec(hn::Load(d<Real>, packet.alive));
     if (hn::AllFalse(d<Real>, alive)) return false;
+    // Find the least and the greatest K of the living rays.
     const V<Real> far = hn::Set(d<Real>, std::numeric_limits<Real>::infinity());
     const V<Real> in = hn::IfThenElse(alive, hn::Load(d<Real>, packet.k_in), far);
     const V<Real> out = hn::IfThenElse(alive, hn::Load(d<Real>, packet.k_out), hn::Neg(far));
     const Real k_min = hn::GetLane(hn::MinOfLanes(d<Real>, in));
     const Real k_max = hn::GetLane(hn::MaxOfLanes(d<Real>, out));
+    // Lay out the grid.
     const Axes<Real>& axes = *packet.axes;
     packet.origin = axes.origin;
     packet.unit = axes.unit;
@@ -193,6 +198,7 @@ bool PacketSource<Real>::set_up_slices(Packet<Real>& packet) const {
         packet.unit = slice / static_cast<Real>(packet.slice_cells);
     }
     packet.look = packet.unit;
+    // Mark the top slices from the first to the last that they meet.
     int first = static_cast<int>((k_min - axes.origin) / slice);
     int last = std::min(axes.slice_count - 1, static_cast<int>((k_max - axes.origin) / slice));
     while (first > 0 && packet.grid(first * packet.slice_cells) > k_min)

@@ -51,7 +51,7 @@ private:
     struct Patch {
         const Axes<Real>* axes = nullptr;  ///< nullptr: its rays do not share axes
         std::uint64_t slices = ~0ULL;
-        /// Of U and V: -lo from the least slope, hi from the greatest.
+        /// Bounds of U and V: -lo from the least slope, hi from the greatest.
         Edge<Real> neg_lo[2], hi[2];
     };
 
@@ -69,7 +69,7 @@ Edge<Real> edge_of(const Axes<Real>& axes, int axis, double slope, double sign,
                    const std::array<glm::dvec3, 4>& starts, double slope_error) {
     const auto near = above<Real>(sign * slope);
     const double narrowing = static_cast<double>(near) - sign * slope;
-    // Those of parallel rays are off by a few roundings of their coordinates.
+    // The starts of parallel rays are off by a few roundings of their coordinates.
     const double start_error = axes.parallel ? 0x1p-3 * axes.place_error : 0.0;
     const double error = narrowing * axes.k_size + slope_error * axes.k_reach + start_error;
     double base = -std::numeric_limits<double>::infinity();
@@ -81,8 +81,9 @@ Edge<Real> edge_of(const Axes<Real>& axes, int axis, double slope, double sign,
     return {near, above<Real>(base + error)};
 }
 
-/// The slopes of U over K are extreme at the corners: they are quotients of affine functions. So
-/// are the places where parallel rays pass K = 0, affine functions themselves.
+/// Bounds the lines of a patch by those at its corners, where the slopes of U over K are extreme:
+/// they are quotients of affine functions. So are the places where parallel rays pass K = 0, affine
+/// functions themselves.
 template <class Real>
 typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
                                                               PacketSource<Real>& source, int col,
@@ -90,7 +91,7 @@ typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
     Patch patch;
     const int last_col = std::min(col + patch_size, tile.cols) - 1;
     const int last_row = std::min(row + patch_size, tile.rows) - 1;
-    const TileRays& rays = source.rays();
+    const PacketRays& rays = source.rays();
     const Axes<Real>& axes = source.axes_for(rays.direction.at(col, row));
     double least[2] = {4.0, 4.0};
     double greatest[2] = {0.0, 0.0};
@@ -119,7 +120,7 @@ typename PatchSlices<Real>::Patch PatchSlices<Real>::patch_of(const Tile& tile,
     return patch;
 }
 
-/// The boxes of a patch's first slices, clipped, one a lane, from item `at` of the batch on.
+/// Stores the boxes of a patch's first slices, clipped, one a lane, from item `at` of the batch on.
 template <class Real>
 HWY_INLINE void PatchSlices<Real>::store_slices(const Patch& patch, std::size_t at,
                                                 Batch<Real>& batch) {
@@ -128,6 +129,7 @@ HWY_INLINE void PatchSlices<Real>::store_slices(const Patch& patch, std::size_t 
     const V<Real> unit = hn::Set(d<Real>, axes.unit);
     const V<Real> origin = hn::Set(d<Real>, axes.origin);
     for (std::size_t s = 0; s < patch_slices; s += lanes<Real>) {
+        // K, from slice to slice.
         const V<Real> index = hn::Mul(hn::Iota(d<Real>, static_cast<Real>(s)),
                                       hn::Set(d<Real>, static_cast<Real>(axes.slice_cells)));
         const V<Real> next = hn::Add(index, hn::Set(d<Real>, static_cast<Real>(axes.slice_cells)));
@@ -135,6 +137,7 @@ HWY_INLINE void PatchSlices<Real>::store_slices(const Patch& patch, std::size_t 
         const V<Real> to = hn::Add(origin, hn::Mul(next, unit));
         hn::StoreU(hn::Neg(from), d<Real>, ends + axes.from_offset[0] + s);
         hn::StoreU(to, d<Real>, ends + axes.to_offset[0] + s);
+        // U and V, by the patch's edges, no larger than the clip box.
         for (int i = 0; i < 2; ++i) {
             const Edge<Real>& neg_lo = patch.neg_lo[i];
             const Edge<Real>& hi = patch.hi[i];

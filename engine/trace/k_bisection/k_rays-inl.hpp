@@ -26,93 +26,89 @@
 HWY_BEFORE_NAMESPACE();
 namespace zeroset::HWY_NAMESPACE {
 
-/// As many rays of a packet as there are doubles in a vector: a part of one in float, all of one in
-/// double.
-using D64 = Tag<double>;
-using V64 = hn::Vec<D64>;
-constexpr D64 d64{};
+/// The rays of a packet that make a part: as many as there are doubles in a vector, some of the
+/// packet in float, all of it in double.
 constexpr std::size_t part_lanes = lanes<double>;
 template <class Real>
-using PartTag = hn::Rebind<Real, D64>;
+using PartTag = hn::Rebind<Real, Tag<double>>;
 template <class Real>
 using PartOf = hn::Vec<PartTag<Real>>;
 
-/// Rounded upward.
+/// Rounds to the packet's type, upward.
 template <class Real>
-HWY_INLINE PartOf<Real> narrowed(V64 value) {
+HWY_INLINE PartOf<Real> narrowed(V<double> value) {
     if constexpr (std::is_same_v<Real, float>) {
         return hn::DemoteTo(PartTag<float>(), value);
     } else {
         return value;
     }
 }
-HWY_INLINE V64 widened(PartOf<float> value) { return hn::PromoteTo(d64, value); }
-HWY_INLINE V64 widened(V64 value) { return value; }
+HWY_INLINE V<double> widened(PartOf<float> value) { return hn::PromoteTo(d<double>, value); }
+HWY_INLINE V<double> widened(V<double> value) { return value; }
 
 /// Where rays enter and leave the clip box: t from -neg_in to out.
 struct PartSpan {
-    V64 neg_in, out;
+    V<double> neg_in, out;
 };
 
 /// Starts, directions and spans, in a packet's axes.
 struct PartRays {
-    V64 start[3], direction[3];
-    V64 inverse_k;
+    V<double> start[3], direction[3];
+    V<double> inverse_k;
     PartSpan span;
 
     [[nodiscard]] HWY_INLINE bool all_miss() const {
-        return hn::AllTrue(d64, hn::Lt(hn::Add(span.neg_in, span.out), hn::Zero(d64)));
+        return hn::AllTrue(d<double>, hn::Lt(hn::Add(span.neg_in, span.out), hn::Zero(d<double>)));
     }
     /// Bits of the rays for which the axes are good ones: K no shorter than a quarter of the
     /// others, none falling.
     [[nodiscard]] HWY_INLINE unsigned fitting() const {
-        const V64 steepest = hn::Mul(hn::Set(d64, 4.0), direction[0]);
+        const V<double> steepest = hn::Mul(hn::Set(d<double>, 4.0), direction[0]);
         const auto shallow = hn::Le(hn::Max(direction[1], direction[2]), steepest);
-        const auto rising = hn::Ge(hn::Min(direction[1], direction[2]), hn::Zero(d64));
-        std::uint8_t bits[8] = {};
-        hn::StoreMaskBits(d64, hn::And(shallow, rising), bits);
-        return bits[0];
+        const auto rising = hn::Ge(hn::Min(direction[1], direction[2]), hn::Zero(d<double>));
+        return bits_of(d<double>, hn::And(shallow, rising));
     }
 };
 
 /// An axis of the clip box as its rays see it: the slab's ends from their starts, a bound for the
 /// error of directions. Any direction within the error may be the exact one.
 struct Slab {
-    V64 from_lo, to_hi;
+    V<double> from_lo, to_hi;
     double error;
 };
 
-/// The spans within the slab, where some ray may be parallel to it.
-HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V64 direction) {
-    const V64 zero = hn::Zero(d64);
-    const V64 tiny = hn::Set(d64, 1e-300);
-    const V64 bound = hn::Set(d64, slab.error);
+/// Ends the spans within the slab where some ray may be parallel to it.
+HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V<double> direction) {
+    const V<double> zero = hn::Zero(d<double>);
+    const V<double> tiny = hn::Set(d<double>, 1e-300);
+    const V<double> bound = hn::Set(d<double>, slab.error);
     // Negative directions are of rays that do not fit.
-    const V64 fastest = hn::Max(hn::Add(direction, bound), tiny);
-    const V64 neg_difference = hn::Sub(bound, direction);
-    const V64 neg_slowest = hn::IfThenElse(hn::Eq(neg_difference, zero), tiny, neg_difference);
-    const V64 neg_in = hn::Min(span.neg_in, hn::Div(slab.from_lo, fastest));
+    const V<double> fastest = hn::Max(hn::Add(direction, bound), tiny);
+    const V<double> neg_difference = hn::Sub(bound, direction);
+    const V<double> neg_slowest =
+        hn::IfThenElse(hn::Eq(neg_difference, zero), tiny, neg_difference);
+    const V<double> neg_in = hn::Min(span.neg_in, hn::Div(slab.from_lo, fastest));
     // A ray that may fall towards the upper end enters there, if it starts behind it.
     const auto rises = hn::Lt(neg_slowest, zero);
-    const V64 to_end = hn::Div(slab.to_hi, hn::Neg(neg_slowest));
-    const V64 neg_to_end = hn::Div(slab.to_hi, neg_slowest);
+    const V<double> to_end = hn::Div(slab.to_hi, hn::Neg(neg_slowest));
+    const V<double> neg_to_end = hn::Div(slab.to_hi, neg_slowest);
     return {hn::IfThenElse(rises, neg_in, hn::Min(neg_in, neg_to_end)),
             hn::IfThenElse(rises, hn::Min(span.out, to_end), span.out)};
 }
 
 /// Ends the spans where the rays leave the slab. Returns 1 / (direction - error).
-HWY_INLINE V64 clip(PartSpan& span, const Slab& slab, V64 direction) {
-    const V64 one = hn::Set(d64, 1.0);
-    const V64 slowest = hn::Neg(hn::Sub(hn::Set(d64, slab.error), direction));
-    if (HWY_UNLIKELY(!hn::AllTrue(d64, hn::Gt(slowest, hn::Zero(d64))))) {
+HWY_INLINE V<double> clip(PartSpan& span, const Slab& slab, V<double> direction) {
+    const V<double> one = hn::Set(d<double>, 1.0);
+    const V<double> slowest = hn::Neg(hn::Sub(hn::Set(d<double>, slab.error), direction));
+    if (HWY_UNLIKELY(!hn::AllTrue(d<double>, hn::Gt(slowest, hn::Zero(d<double>))))) {
         span = clip_parallel(span, slab, direction);
-        return hn::Div(one, hn::Max(slowest, hn::Set(d64, 1e-300)));
+        return hn::Div(one, hn::Max(slowest, hn::Set(d<double>, 1e-300)));
     }
-    const V64 longest = hn::Div(one, slowest);
+    const V<double> longest = hn::Div(one, slowest);
     // The shortest is no less than longest (1 - 2 error longest), but for an ulp.
-    const V64 neg_share =
-        hn::MulAdd(hn::Set(d64, 2.0 * slab.error), longest, hn::Set(d64, 0x1p-50 - 1.0));
-    const V64 neg_shortest = hn::Mul(longest, neg_share);
+    const V<double> neg_share = hn::MulAdd(hn::Set(d<double>, 2.0 * slab.error), longest,
+                                           hn::Set(d<double>, 0x1p-50 - 1.0));
+    const V<double> neg_shortest = hn::Mul(longest, neg_share);
     span.neg_in = hn::Min(span.neg_in, hn::Mul(hn::Neg(slab.from_lo), neg_shortest));
     span.out = hn::Min(span.out, hn::Mul(slab.to_hi, longest));
     return longest;
@@ -121,13 +117,13 @@ HWY_INLINE V64 clip(PartSpan& span, const Slab& slab, V64 direction) {
 /// Ends the spans where the rays leave the region.
 template <class Real>
 HWY_NOINLINE void clip_region(const Axes<Real>& axes, PartRays& rays) {
-    RayLines<D64> lines;
+    RayLines<Tag<double>> lines;
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         lines.origin[world] = axes.mirrored[i] ? hn::Neg(rays.start[i]) : rays.start[i];
         lines.direction[world] = axes.mirrored[i] ? hn::Neg(rays.direction[i]) : rays.direction[i];
     }
-    InsideSpans<D64> inside(0.0, 0.0);
+    InsideSpans<Tag<double>> inside(0.0, 0.0);
     for (const Section& section : axes.region->sections)
         inside.keep(section, axes.place_error + 0x1p-46 * size_of(section), lines);
     if (const auto& ball = axes.region->ball)
@@ -141,21 +137,22 @@ template <class Real>
 HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& start,
                             const glm::dvec3& direction, std::size_t first) {
     PartRays rays{};
-    rays.span = {hn::Zero(d64), hn::Set(d64, std::numeric_limits<double>::infinity())};
+    rays.span = {hn::Zero(d<double>), hn::Set(d<double>, std::numeric_limits<double>::infinity())};
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         const double sign = axes.mirrored[i] ? -1.0 : 1.0;
-        const V64 offset = hn::Load(d64, axes.lane_offset[i] + first);
-        rays.start[i] = hn::Set(d64, sign * start[world]);
-        rays.direction[i] = hn::Set(d64, sign * direction[world]);
-        V64& moves = axes.parallel ? rays.start[i] : rays.direction[i];
+        const V<double> offset = hn::Load(d<double>, axes.lane_offset[i] + first);
+        rays.start[i] = hn::Set(d<double>, sign * start[world]);
+        rays.direction[i] = hn::Set(d<double>, sign * direction[world]);
+        V<double>& moves = axes.parallel ? rays.start[i] : rays.direction[i];
         moves = hn::Add(moves, offset);
-        const Slab slab{hn::Sub(rays.start[i], hn::Set(d64, axes.box_lo[i])),
-                        hn::Sub(hn::Set(d64, axes.box_hi[i]), rays.start[i]), axes.direction_error};
-        const V64 inverse = clip(rays.span, slab, rays.direction[i]);
+        const Slab slab{hn::Sub(rays.start[i], hn::Set(d<double>, axes.box_lo[i])),
+                        hn::Sub(hn::Set(d<double>, axes.box_hi[i]), rays.start[i]),
+                        axes.direction_error};
+        const V<double> inverse = clip(rays.span, slab, rays.direction[i]);
         if (i == 0) {
             // 1 / direction but for the square of the error.
-            const V64 share = hn::Mul(hn::Set(d64, -axes.direction_error), inverse);
+            const V<double> share = hn::Mul(hn::Set(d<double>, -axes.direction_error), inverse);
             rays.inverse_k = hn::MulAdd(inverse, share, inverse);
         }
     }
@@ -172,32 +169,33 @@ struct PartLine {
 // A product that is to be rounded upward is always one that is added: without a fused
 // multiply-add, the product of a - b c would be rounded the wrong way.
 
-/// Axis i, not K. In float the slopes' errors widen the lines by the same everywhere in the box:
-/// that of rounding to float, much the largest, is small in the box, not at the eye. In double
-/// those of the direction are left, which are smallest at the eye.
+/// The line of axis i, not K. In float the slopes' errors widen the lines by the same everywhere in
+/// the box: that of rounding to float, much the largest, is small in the box, not at the eye. In
+/// double those of the direction are left, which are smallest at the eye.
 HWY_INLINE PartLine<float> line_of(const Axes<float>& axes, int i, const PartRays& rays) {
-    const V64 k_start = rays.start[0];
-    const V64 start = rays.start[i];
+    const V<double> k_start = rays.start[0];
+    const V<double> start = rays.start[i];
     // A ray that falls within the error is taken for one that keeps its coordinate.
-    const V64 slope = hn::Max(hn::Mul(rays.direction[i], rays.inverse_k), hn::Zero(d64));
+    const V<double> slope =
+        hn::Max(hn::Mul(rays.direction[i], rays.inverse_k), hn::Zero(d<double>));
     const PartOf<float> narrow = narrowed<float>(slope);
-    const V64 narrowing = hn::Sub(widened(narrow), slope);
-    const V64 of_direction =
-        hn::Mul(hn::Set(d64, axes.slope_error_share() * axes.k_reach), rays.inverse_k);
-    const V64 error = hn::MulAdd(narrowing, hn::Set(d64, axes.k_size), of_direction);
-    const V64 neg_lo = hn::MulAdd(slope, k_start, hn::Neg(start));
-    const V64 hi = hn::MulAdd(slope, hn::Neg(k_start), start);
+    const V<double> narrowing = hn::Sub(widened(narrow), slope);
+    const V<double> of_direction =
+        hn::Mul(hn::Set(d<double>, axes.slope_error_share() * axes.k_reach), rays.inverse_k);
+    const V<double> error = hn::MulAdd(narrowing, hn::Set(d<double>, axes.k_size), of_direction);
+    const V<double> neg_lo = hn::MulAdd(slope, k_start, hn::Neg(start));
+    const V<double> hi = hn::MulAdd(slope, hn::Neg(k_start), start);
     return {narrow, narrow, narrowed<float>(hn::Add(neg_lo, error)),
             narrowed<float>(hn::Add(hi, error))};
 }
 
 HWY_INLINE PartLine<double> line_of(const Axes<double>& axes, int i, const PartRays& rays) {
-    const V64 k_start = rays.start[0];
-    const V64 start = rays.start[i];
-    const V64 slope = hn::Mul(rays.direction[i], rays.inverse_k);
-    const V64 error = hn::Mul(hn::Set(d64, axes.slope_error_share()), rays.inverse_k);
-    const V64 slope_hi = hn::Add(slope, error);
-    const V64 slope_lo = hn::Neg(hn::Sub(error, slope));
+    const V<double> k_start = rays.start[0];
+    const V<double> start = rays.start[i];
+    const V<double> slope = hn::Mul(rays.direction[i], rays.inverse_k);
+    const V<double> error = hn::Mul(hn::Set(d<double>, axes.slope_error_share()), rays.inverse_k);
+    const V<double> slope_hi = hn::Add(slope, error);
+    const V<double> slope_lo = hn::Neg(hn::Sub(error, slope));
     return {slope_lo, slope_hi, hn::MulAdd(slope_lo, k_start, hn::Neg(start)),
             hn::MulAdd(slope_hi, hn::Neg(k_start), start)};
 }
@@ -207,16 +205,16 @@ template <class Real>
 HWY_INLINE void store_part(const PartRays& rays, std::size_t first, Packet<Real>& packet) {
     const PartTag<Real> tag;
     const Axes<Real>& axes = *packet.axes;
-    const V64 k_start = rays.start[0];
-    const V64 bound = hn::Set(d64, axes.direction_error);
-    const V64 neg_slowest = hn::Sub(bound, rays.direction[0]);
-    const V64 fastest = hn::Add(bound, rays.direction[0]);
-    const V64 neg_k_in = hn::MulAdd(hn::Neg(rays.span.neg_in), neg_slowest, hn::Neg(k_start));
+    const V<double> k_start = rays.start[0];
+    const V<double> bound = hn::Set(d<double>, axes.direction_error);
+    const V<double> neg_slowest = hn::Sub(bound, rays.direction[0]);
+    const V<double> fastest = hn::Add(bound, rays.direction[0]);
+    const V<double> neg_k_in = hn::MulAdd(hn::Neg(rays.span.neg_in), neg_slowest, hn::Neg(k_start));
     hn::Store(hn::Neg(narrowed<Real>(neg_k_in)), tag, packet.k_in + first);
     hn::Store(narrowed<Real>(hn::MulAdd(rays.span.out, fastest, k_start)), tag,
               packet.k_out + first);
     hn::Store(narrowed<Real>(k_start), tag, packet.k_start + first);
-    V64 length2 = hn::Mul(rays.direction[0], rays.direction[0]);
+    V<double> length2 = hn::Mul(rays.direction[0], rays.direction[0]);
     for (int i = 1; i < 3; ++i) {
         const PartLine<Real> part = line_of(axes, i, rays);
         Line<Real>& line = packet.line[i - 1];

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// Shortened kernels against whole ones, at points of the cells that they were shortened for.
+// Specialized kernels against whole ones, at points of the cells that they were specialized for.
 
 namespace zeroset::test {
 namespace {
@@ -127,7 +127,7 @@ Expr parsed(const std::string& text) {
     return *expr;
 }
 
-/// Shortens `text` for one or some of a view's cells and compares there.
+/// Specializes `text` for one or some of a view's cells and compares there.
 template <class Real>
 class Comparison {
 public:
@@ -135,14 +135,14 @@ public:
         : text_(std::move(text)), random_(random), view_(random), whole_(whole) {
         ChoiceRecord record;
         const FormBatchOf<Real> batch = forms_.batch(view_);
-        whole_.shortener->form(batch, record);
+        whole_.specializer->form(batch, record);
         first_ = random.below(cells);
         const std::size_t last = std::min(cells, first_ + 1 + random.below(3));
         for (std::size_t cell = first_; cell < last; ++cell)
             chosen_.push_back(cell);
-        short_ = whole_.shortener->shortened(record, chosen_);
+        short_ = whole_.specializer->specialized(record, chosen_);
     }
-    /// Whether it could be shortened at all.
+    /// Whether it could be specialized at all.
     explicit operator bool() const { return short_ != nullptr; }
 
     /// Values of the whole and the short one at points of the cells.
@@ -203,23 +203,23 @@ struct Way : Code {
 };
 
 template <class Way>
-class ShortenedKernel : public testing::Test {};
+class SpecializedKernel : public testing::Test {};
 using Ways = testing::Types<Way<float, Whole>, Way<double, Whole>, Way<float, InParts>,
                             Way<double, InParts>, Way<float, Blended>, Way<double, Blended>>;
-TYPED_TEST_SUITE(ShortenedKernel, Ways);
+TYPED_TEST_SUITE(SpecializedKernel, Ways);
 
 constexpr int formulas = 700;
 
-TYPED_TEST(ShortenedKernel, HasTheSignsOfTheWholeOne) {
+TYPED_TEST(SpecializedKernel, HasTheSignsOfTheWholeOne) {
     using Real = typename TypeParam::Real;
     RandomNumbers random(1);
-    int shortened = 0;
+    int specialized = 0;
     for (int i = 0; i < formulas; ++i) {
         const std::string text = random_solid(random, random.between(1, 4));
         const UpwardRounding upward;
         Comparison<Real> comparison(text, TypeParam::kernel(text), random);
         if (!comparison) continue;
-        ++shortened;
+        ++specialized;
         comparison.compare([](Real whole, Real part) {
             // A root of either may be rounded to the other side.
             if (std::abs(whole) < Real(1e-5)) return;
@@ -227,20 +227,20 @@ TYPED_TEST(ShortenedKernel, HasTheSignsOfTheWholeOne) {
             EXPECT_EQ(whole < 0, part < 0) << whole << " and " << part;
         });
     }
-    EXPECT_GT(shortened, formulas / 4);
+    EXPECT_GT(specialized, formulas / 4);
 }
 
 /// Under a sum nothing follows from signs.
-TYPED_TEST(ShortenedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
+TYPED_TEST(SpecializedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
     using Real = typename TypeParam::Real;
     RandomNumbers random(2);
-    int shortened = 0;
+    int specialized = 0;
     for (int i = 0; i < formulas; ++i) {
         const std::string text = random_solid(random, random.between(1, 4)) + " + 0.25x";
         const UpwardRounding upward;
         Comparison<Real> comparison(text, TypeParam::kernel(text), random);
         if (!comparison) continue;
-        ++shortened;
+        ++specialized;
         comparison.compare([](Real whole, Real part) {
             if (!(std::isnan(whole) && std::isnan(part))) {
                 EXPECT_NEAR(static_cast<double>(whole), static_cast<double>(part), 2e-6);
@@ -248,7 +248,7 @@ TYPED_TEST(ShortenedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
         });
         comparison.compare_forms();
     }
-    EXPECT_GT(shortened, formulas / 8);
+    EXPECT_GT(specialized, formulas / 8);
 }
 
 /// What the tape of a formula keeps of its choices in cells where u and v are about 0 and s is
@@ -262,14 +262,14 @@ std::optional<std::size_t> choices_left(const Expr& expr) {
     const UpwardRounding upward;
     const Kernel whole = interpret(expr);
     ChoiceRecord record;
-    whole.shortener->form(columns.batch(view), record);
+    whole.specializer->form(columns.batch(view), record);
     std::vector<std::size_t> all(cells);
     for (std::size_t i = 0; i < cells; ++i)
         all[i] = i;
-    const auto kernel = whole.shortener->shortened(record, all);
+    const auto kernel = whole.specializer->specialized(record, all);
     if (!kernel) return std::nullopt;
-    if (kernel->shortener == nullptr) return 0;
-    kernel->shortener->form(columns.batch(view), record);
+    if (kernel->specializer == nullptr) return 0;
+    kernel->specializer->form(columns.batch(view), record);
     return record.choices;
 }
 

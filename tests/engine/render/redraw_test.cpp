@@ -1,5 +1,5 @@
 #include "engine/annotate/paint.hpp"
-#include "engine/render/floor.hpp"
+#include "engine/render/known_frame.hpp"
 #include "engine/render/render.hpp"
 #include "tests/support/rays.hpp"
 

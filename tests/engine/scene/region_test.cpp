@@ -1,7 +1,7 @@
 #include "engine/scene/region.hpp"
 
 #include "engine/real/rounding.hpp"
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 #include "tests/support/random_numbers.hpp"
 #include "tests/support/rays.hpp"
 
@@ -67,7 +67,7 @@ double depth_in(const Scene& scene, const glm::dvec3& p) {
     return least;
 }
 
-TEST(BeamView, EnclosesWhereRaysAreInside) {
+TEST(TileRays, EnclosesWhereRaysAreInside) {
     const UpwardRounding upward;
     RandomNumbers random(7);
     std::size_t inside = 0;
@@ -79,7 +79,7 @@ TEST(BeamView, EnclosesWhereRaysAreInside) {
         const int height = random.between(64, 600);
         const TraceFrame frame = trace_frame(scene, Kernel{}, camera, height, height, {});
         const Tile tile{random.between(0, height - 64), random.between(0, height - 64), 64, 64};
-        const BeamView view(frame, tile);
+        const TileRays view(frame, tile);
         const int pixels = random.one_in(2) ? 1 : 8 << random.between(0, 3);
         const double half = 0.5 * (pixels - 1);
         const double radius = half * view.pixel();
@@ -111,7 +111,7 @@ TEST(BeamView, EnclosesWhereRaysAreInside) {
 }
 
 /// Of single rays the bounds are as near as rounding allows.
-TEST(BeamView, KnowsWhereARayEntersAndLeaves) {
+TEST(TileRays, KnowsWhereARayEntersAndLeaves) {
     const UpwardRounding upward;
     RandomNumbers random(11);
     std::size_t met = 0;
@@ -123,7 +123,7 @@ TEST(BeamView, KnowsWhereARayEntersAndLeaves) {
         const Framebuffer image(200, 200);
         const TraceFrame frame = trace_frame(scene, Kernel{}, frame_view, 200, 200, {});
         const Tile tile{random.between(0, 136), random.between(0, 136), 64, 64};
-        const BeamView view(frame, tile);
+        const TileRays view(frame, tile);
         for (int col = 0; col < 64; col += 3) {
             const int row = random.between(0, 63);
             const Ray ray(camera, scene.clip, tile.col + col, tile.row + row, image, scene.region);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/scene/region.hpp"
+#include "engine/view/camera.hpp"
 
 #include <array>
 #include <cstdint>

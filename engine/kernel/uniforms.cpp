@@ -1,4 +1,4 @@
-#include "engine/kernel/kernel.hpp"
+#include "engine/kernel/uniforms.hpp"
 
 #include "engine/real/scalar.hpp"
 

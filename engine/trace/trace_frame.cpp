@@ -1,4 +1,4 @@
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include "engine/kernel/kernel.hpp"
 
@@ -13,14 +13,14 @@ Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopC
 
 TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
                        int height, const StopCriterion& stop) {
-    return {scene,
-            kernel,
-            view,
-            width,
-            height,
-            stop,
-            search_depth(scene.clip, view, stop),
-            frame_precision(scene, view, stop)};
+    return {.scene = scene,
+            .kernel = kernel,
+            .view = view,
+            .width = width,
+            .height = height,
+            .stop = stop,
+            .depth = search_depth(scene.clip, view, stop),
+            .precision = frame_precision(scene, view, stop)};
 }
 
 double place_error(const TraceFrame& frame) {

@@ -1,11 +1,12 @@
-// Rests: parts of rays that are left when their cells are as small as they get: roots where f
-// crosses 0, or what cannot be decided. Included once for each instruction set, after Highway.
+// Leftovers: parts of rays on which there may be a root and whose cells are as small as they get.
+// They are roots where f crosses 0, or cannot be decided. Included once for each instruction set,
+// after Highway.
 
-#if defined(ZEROSET_BEAM_RESTS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef ZEROSET_BEAM_RESTS_INL
-#undef ZEROSET_BEAM_RESTS_INL
+#if defined(ZEROSET_BEAM_LEFTOVERS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_BEAM_LEFTOVERS_INL
+#undef ZEROSET_BEAM_LEFTOVERS_INL
 #else
-#define ZEROSET_BEAM_RESTS_INL
+#define ZEROSET_BEAM_LEFTOVERS_INL
 #endif
 
 #include "engine/trace/beam/beam_rays-inl.hpp"
@@ -15,21 +16,22 @@ namespace zeroset::HWY_NAMESPACE {
 
 template <class Real, class Cell>
 void RayMarcher<Real, Cell>::look_around(Real finest) {
-    if (rests_.empty()) return;
+    if (leftovers_.empty()) return;
     ranges_.clear();
     const Margins margins = margins_around(finest);
-    for (const Rest<Real>& rest : rests_)
-        push_around(ranges_, rest, margins);
-    ranges_.evaluate(*rests_.front().segment.kernel);
-    ranges_.evaluate_pieces(*rests_.front().segment.kernel);
+    for (const LeftoverSegment<Real>& leftover : leftovers_)
+        push_around(ranges_, leftover, margins);
+    ranges_.evaluate(*leftovers_.front().segment.kernel);
+    ranges_.evaluate_pieces(*leftovers_.front().segment.kernel);
 }
 
 template <class Real, class Cell>
-void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges, const Rest<Real>& rest,
+void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges,
+                                         const LeftoverSegment<Real>& leftover,
                                          const Margins& margins) const {
-    const auto from = static_cast<double>(rest.from);
-    const auto to = static_cast<double>(rest.to);
-    const auto push = [&](double s, double t) { ranges.push(rest.segment.pixel, s, t); };
+    const auto from = static_cast<double>(leftover.from);
+    const auto to = static_cast<double>(leftover.to);
+    const auto push = [&](double s, double t) { ranges.push(leftover.segment.pixel, s, t); };
     for (std::size_t k = 0; k < margins.count; ++k) {
         const double margin = margins.sizes[k];
         push(from - margin, to + margin);
@@ -39,7 +41,7 @@ void RayMarcher<Real, Cell>::push_around(RangeList<Real>& ranges, const Rest<Rea
 }
 
 template <class Real, class Cell>
-bool RayMarcher<Real, Cell>::is_defined(const Rest<Real>& what, Real finest) {
+bool RayMarcher<Real, Cell>::is_defined(const LeftoverSegment<Real>& what, Real finest) {
     if constexpr (std::is_same_v<Real, double>) {
         const auto& domain = frame_.kernel.domain;
         if (!domain) return false;
@@ -57,11 +59,11 @@ bool RayMarcher<Real, Cell>::is_defined(const Rest<Real>& what, Real finest) {
 }
 
 template <class Real, class Cell>
-auto RayMarcher<Real, Cell>::witnessed(const Rest<Real>& what, Real finest, bool continuous)
-    -> std::optional<Crossing> {
+auto RayMarcher<Real, Cell>::witnessed(const LeftoverSegment<Real>& what, Real finest,
+                                       bool continuous) -> std::optional<Crossing> {
     if constexpr (std::is_same_v<Real, double>) {
         const Kernel& f = frame_.kernel;
-        if (!frame_.parts.empty() || f.witnesses.empty()) return std::nullopt;
+        if (!frame_.union_members.empty() || f.witnesses.empty()) return std::nullopt;
         if (!continuous && !f.defined_everywhere && !is_defined(what, finest)) return std::nullopt;
         for (const auto& witness : f.witnesses) {
             witness_ranges_.clear();
@@ -78,10 +80,10 @@ auto RayMarcher<Real, Cell>::witnessed(const Rest<Real>& what, Real finest, bool
 
 template <class Real, class Cell>
 auto RayMarcher<Real, Cell>::crossing(const RangeList<Real>& ranges, std::size_t first,
-                                      const Rest<Real>& what, Real finest, bool continuous) const
-    -> std::optional<Crossing> {
-    const DepthRange clip = view_.depths(view_.u(what.segment.pixel % tile_size),
-                                         view_.v(what.segment.pixel / tile_size), 0.0, 0.0);
+                                      const LeftoverSegment<Real>& what, Real finest,
+                                      bool continuous) const -> std::optional<Crossing> {
+    const DepthRange clip = rays_.depths(rays_.u(what.segment.pixel % tile_size),
+                                         rays_.v(what.segment.pixel / tile_size), 0.0, 0.0);
     const Margins margins = margins_around(finest);
     int before = 0;
     int behind = 0;
@@ -106,7 +108,7 @@ template <class Real, class Cell>
 std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
                                                   std::size_t first) const {
     if (!frame_.scene.jumps || ranges.continuous(first)) return std::nullopt;
-    // Each before the bracket, the next one behind it.
+    // Boxes before the bracket, each followed by the one behind it.
     const std::array boxes{first + 1, first + 4, first + 7};
     for (std::size_t k = 0; k + 1 < boxes.size(); ++k) {
         const int before = ranges.sign(boxes[k]);
@@ -124,12 +126,12 @@ std::optional<Trend> RayMarcher<Real, Cell>::jump(const RangeList<Real>& ranges,
 
 template <class Real, class Cell>
 template <class Undecided>
-std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
-                                                            const MarchSettings<Real>& settings,
-                                                            Undecided undecided) {
-    const Rest<Real>& what = rests_[rest];
-    const std::size_t box = 3 * margins_around(settings.finest).count * rest;
-    Segment<Real> segment = what.segment;
+std::optional<RaySegment<Real>> RayMarcher<Real, Cell>::decide(std::size_t leftover,
+                                                               const MarchSettings<Real>& settings,
+                                                               Undecided undecided) {
+    const LeftoverSegment<Real>& what = leftovers_[leftover];
+    const std::size_t box = 3 * margins_around(settings.finest).count * leftover;
+    RaySegment<Real> segment = what.segment;
     bool goes_on = true;
     if (!ranges_.excludes_zero(box)) {
         const bool continuous = what.continuous || ranges_.continuous(box);
@@ -144,20 +146,19 @@ std::optional<Segment<Real>> RayMarcher<Real, Cell>::decide(std::size_t rest,
             // Four of the finest cells, as certified_width promises.
             const bool narrow = found->width <= 4 * static_cast<double>(settings.finest);
             if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, found->width);
-            found_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
-                               narrow ? Certificate::Certified : Certificate::Coarse, found->trend);
+            nearest_.add_pending(segment.pixel, 0.5 * from + 0.5 * to,
+                                 narrow ? Certificate::Certified : Certificate::Coarse,
+                                 found->trend);
             return std::nullopt;
         }
         const auto jumps = settings.certifies ? jump(ranges_, box) : std::nullopt;
         if (jumps) {
             const double middle =
                 0.5 * static_cast<double>(what.from) + 0.5 * static_cast<double>(what.to);
-            found_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
+            nearest_.add_pending(segment.pixel, middle, Certificate::Jump, *jumps);
             return std::nullopt;
         }
-        goes_on = undecided(Segment<Real>{segment.pixel, segment.inside, what.from, what.to,
-                                          what.to - what.from, segment.kernel},
-                            continuous);
+        goes_on = undecided(segment.part(what.from, what.to, what.to - what.from), continuous);
     }
     if (!goes_on || !go_behind(segment)) return std::nullopt;
     return segment;
@@ -168,22 +169,27 @@ template <class Undecided>
 void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
                                     const MarchSettings<Real>& settings, Undecided undecided) {
     for (std::size_t first = 0, end = 0; first < doubts.size(); first = end) {
-        rests_.clear();
+        leftovers_.clear();
         for (; end < doubts.size() && doubts[end].kernel == doubts[first].kernel; ++end) {
             const Doubt& doubt = doubts[end];
             const auto from = static_cast<Real>(doubt.from);
             const auto to = static_cast<Real>(doubt.to);
-            rests_.push_back(
-                {{doubt.pixel, false, from, to, to - from, doubt.kernel}, from, to, true});
+            const RaySegment<Real> segment{.pixel = doubt.pixel,
+                                           .inside = false,
+                                           .from = from,
+                                           .to = to,
+                                           .step = to - from,
+                                           .kernel = doubt.kernel};
+            leftovers_.push_back({segment, from, to, true});
         }
         if (frame_.stopped()) {
-            for (const Rest<Real>& rest : rests_)
-                undecided(rest.segment, false);
+            for (const LeftoverSegment<Real>& leftover : leftovers_)
+                undecided(leftover.segment, false);
             continue;
         }
         look_around(settings.finest);
-        for (std::size_t rest = 0; rest < rests_.size(); ++rest)
-            decide(rest, settings, undecided);
+        for (std::size_t i = 0; i < leftovers_.size(); ++i)
+            decide(i, settings, undecided);
     }
 }
 

@@ -17,7 +17,7 @@ struct ReachBox {
     bool operator==(const ReachBox&) const = default;
 };
 
-/// How far what a function is not above 0 on reaches in a box.
+/// Where in a box f may be <= 0.
 struct Reach {
     bool any = false;         ///< else f > 0 and continuous in the whole box
     ReachBox box{};           ///< beside it f > 0 and continuous
@@ -29,20 +29,20 @@ struct Reach {
 
 inline constexpr double face_layer = 0x1p-20;
 
-/// As tight as natural interval extensions tell for slices of a box. `uniforms`: for boxes. In
-/// upward rounding.
+/// Finds where f may be <= 0, as tightly as natural interval extensions tell for slices of the box.
+/// `uniforms`: for boxes. In upward rounding.
 Reach reach_of(const Kernel& kernel, const ReachBox& domain, const float* uniforms);
 
-/// Functions of which f is the least wherever all are defined; elsewhere f is undefined. It does
-/// not change but for what it remembers; any thread.
-class LeastOf {
+/// The parts of a union: f is the least of these functions wherever all are defined; elsewhere f is
+/// undefined. Constant but for what it remembers; any thread.
+class UnionParts {
 public:
     /// `kernels` are alive as long as `owners`.
-    LeastOf(std::vector<const Kernel*> kernels, std::vector<std::shared_ptr<const void>> owners)
+    UnionParts(std::vector<const Kernel*> kernels, std::vector<std::shared_ptr<const void>> owners)
         : kernels_(std::move(kernels)), owners_(std::move(owners)) {}
 
     [[nodiscard]] std::span<const Kernel* const> kernels() const { return kernels_; }
-    /// Of each; those of the last box and uniforms are remembered.
+    /// The reach of each part; those of the last box and uniforms are remembered.
     [[nodiscard]] std::shared_ptr<const std::vector<Reach>> reaches(const ReachBox& domain,
                                                                     const Uniforms& uniforms) const;
 

@@ -1,4 +1,4 @@
-#include "engine/trace/frame_parts.hpp"
+#include "engine/trace/frame_union.hpp"
 
 #include "engine/real/rounding.hpp"
 #include "engine/render/render.hpp"
@@ -40,7 +40,7 @@ std::optional<double> entry(const CsgSphere& sphere, const Ray& ray) {
     return middle - std::sqrt(square);
 }
 
-bool listed(const FrameParts& all, const Tile& tile, std::vector<PartInView>& parts) {
+bool listed(const FrameUnion& all, const Tile& tile, std::vector<UnionMember>& parts) {
     const UpwardRounding upward;
     return all.list(tile, parts);
 }
@@ -54,11 +54,11 @@ TEST_P(View, ListsThePartsThatRaysMeet) {
     const ViewFrame view(GetParam());
     const TraceFrame frame =
         trace_frame(scene, scene.surfaces[0], view, image_size, image_size, {});
-    const LeastOf& least_of = *scene.surfaces[0].shortener->least_of();
-    const FrameParts all(frame, least_of);
+    const UnionParts& union_parts = *scene.surfaces[0].specializer->union_parts();
+    const FrameUnion all(frame, union_parts);
     Framebuffer picture(image_size, image_size);
     render_frame(scene, GetParam(), settings_at("beams", 22), picture);
-    std::vector<PartInView> parts;
+    std::vector<UnionMember> parts;
     int hits = 0;
     for (int row = 0; row < image_size; ++row) {
         for (int col = 0; col < image_size; ++col) {
@@ -70,7 +70,7 @@ TEST_P(View, ListsThePartsThatRaysMeet) {
                 if (!at) continue;
                 first = std::min(first, *at);
                 const auto found =
-                    std::ranges::find(parts, least_of.kernels()[i], &PartInView::kernel);
+                    std::ranges::find(parts, union_parts.kernels()[i], &UnionMember::kernel);
                 ASSERT_NE(found, parts.end());
                 const double depth =
                     glm::dot(ray.eye + *at * ray.direction - view.eye, view.forward) -
@@ -102,15 +102,15 @@ int tiles_as_whole(const std::string& text, const Camera& camera) {
     const Scene scene = scene_of(text, Box::cube(1));
     const TraceFrame frame =
         trace_frame(scene, scene.surfaces[0], ViewFrame(camera), image_size, image_size, {});
-    const FrameParts all(frame, *scene.surfaces[0].shortener->least_of());
-    std::vector<PartInView> parts;
+    const FrameUnion all(frame, *scene.surfaces[0].specializer->union_parts());
+    std::vector<UnionMember> parts;
     int count = 0;
     for (int tile = 0; tile < 9; ++tile)
         count += listed(all, {tile % 3 * 64, tile / 3 * 64, 64, 64}, parts) ? 0 : 1;
     return count;
 }
 
-TEST(FrameParts, AreApartWhereRaysBeginOutside) {
+TEST(FrameUnion, AreApartWhereRaysBeginOutside) {
     const Camera camera = suite_camera(1.0);
     const std::string one = sphere(0.1, 0, 0, 0.4);
     EXPECT_EQ(tiles_as_whole("min(" + one + ", " + sphere(-0.2, 0, 0, 0.5) + ")", camera), 0);
@@ -121,7 +121,7 @@ TEST(FrameParts, AreApartWhereRaysBeginOutside) {
     EXPECT_GT(tiles_as_whole("min(" + one + ", " + one + " + sqrt(0.5 - z))", camera), 0);
 }
 
-TEST(FrameParts, AreNotApartWhereTheEyeIsInOne) {
+TEST(FrameUnion, AreNotApartWhereTheEyeIsInOne) {
     const std::string text = "min(" + sphere(0, 0, 0, 0.5) + ", " + sphere(0.4, 0, 0, 0.3) + ")";
     EXPECT_GT(tiles_as_whole(text, {{0.1, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0.7}), 0);
     EXPECT_EQ(tiles_as_whole(text, {{-0.9, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0.7}), 0);

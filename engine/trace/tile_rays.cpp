@@ -1,4 +1,4 @@
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include "engine/real/rounding.hpp"
 #include "engine/real/scalar.hpp"
@@ -10,7 +10,7 @@
 namespace zeroset {
 namespace {
 
-/// Of the middle of a tile, in pixels.
+/// The column and row of the middle of a tile.
 constexpr double from_first = 0.5 * (tile_size - 1);
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -30,8 +30,8 @@ DepthRange between_planes(double eye, double lo, double hi, double d0, double d1
     return {enter_lo, enter_hi, exit_lo, exit_hi};
 }
 
-/// As wide as wanted, but no finer than double tells apart: somewhat coarser only, or nothing is to
-/// be certified.
+/// The width wanted of brackets, but no finer than double tells apart: somewhat coarser only, or
+/// nothing is to be certified.
 double tolerance_of(const TraceFrame& frame) {
     if (frame.stop.rule == StopRule::Epsilon) return frame.stop.value;
     const Box& clip = frame.scene.clip;
@@ -50,7 +50,7 @@ DepthRange both(const DepthRange& a, const DepthRange& b) {
             std::min(a.exit_lo, b.exit_lo), std::min(a.exit_hi, b.exit_hi)};
 }
 
-BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
+TileRays::TileRays(const TraceFrame& frame, const Tile& tile, int side)
     : view_(frame.view),
       tile_(tile),
       clip_(frame.scene.clip),
@@ -79,7 +79,7 @@ BeamView::BeamView(const TraceFrame& frame, const Tile& tile, int side)
 
 /// A power of two, so that nothing is rounded on the way from U to u and back; within float's range
 /// together with what it is multiplied by.
-double BeamView::beam_distance(const TraceFrame& frame) const {
+double TileRays::beam_distance(const TraceFrame& frame) const {
     constexpr int farther = 56;
     constexpr int highest = 120;
     if (!view_.parallel()) return view_.look_distance;
@@ -87,7 +87,7 @@ double BeamView::beam_distance(const TraceFrame& frame) const {
     return std::ldexp(1.0, std::min(std::ilogb(reach) + 1 + farther, highest));
 }
 
-double BeamView::limit(std::size_t pixel) const {
+double TileRays::limit(std::size_t pixel) const {
     if (tile_.limits == nullptr) return unbounded;
     const double across = std::hypot(u(static_cast<double>(pixel % tile_size)),
                                      v(static_cast<double>(pixel / tile_size)));
@@ -96,7 +96,7 @@ double BeamView::limit(std::size_t pixel) const {
            view_.look_distance + spare;
 }
 
-double BeamView::limit() const {
+double TileRays::limit() const {
     if (tile_.limits == nullptr) return unbounded;
     double farthest = -unbounded;
     for (int row = 0; row < tile_.rows; ++row) {
@@ -106,13 +106,13 @@ double BeamView::limit() const {
     return farthest;
 }
 
-float BeamView::distance_before(double s, double u, double v) const {
+float TileRays::distance_before(double s, double u, double v) const {
     const double distance = distance_at(s, u, v);
     const double before = distance - 0x1p-20 * std::abs(distance);
     return -float_above(-std::max(before, view_.parallel() ? -unbounded : 0.0));
 }
 
-auto BeamView::height(const glm::dvec3& normal, double offset, double error, const Rays& rays) const
+auto TileRays::height(const glm::dvec3& normal, double offset, double error, const Rays& rays) const
     -> Height {
     const double right = glm::dot(normal, view_.right);
     const double up = glm::dot(normal, view_.up);
@@ -126,7 +126,7 @@ auto BeamView::height(const glm::dvec3& normal, double offset, double error, con
     return {glm::dot(normal, view_.eye) - offset, error, forward + across, aside + 0x1p-48};
 }
 
-DepthRange BeamView::below(const Height& height) const {
+DepthRange TileRays::below(const Height& height) const {
     const double shift = view_.parallel() ? 0.0 : view_.look_distance;
     const double a0 = height.a - height.a_radius;
     const double a1 = height.a + height.a_radius;
@@ -153,7 +153,7 @@ DepthRange BeamView::below(const Height& height) const {
 }
 
 /// By the middle of the rays: the others are no farther from it, at the same depth, than `aside`.
-DepthRange BeamView::in_ball(const Ball& ball, const Rays& rays) const {
+DepthRange TileRays::in_ball(const Ball& ball, const Rays& rays) const {
     const glm::dvec3 across = rays.u * view_.right + rays.v * view_.up;
     const double width = std::hypot(rays.u_radius, rays.v_radius);
     const double reach = view_.parallel() ? distance_ : std::max(farthest_, 0.0);
@@ -176,7 +176,7 @@ DepthRange BeamView::in_ball(const Ball& ball, const Rays& rays) const {
             sure ? nearest + at_least : -unbounded, nearest + at_most};
 }
 
-DepthRange BeamView::in_box(const Rays& rays) const {
+DepthRange TileRays::in_box(const Rays& rays) const {
     const double from_eye = view_.look_distance;
     if (view_.parallel()) {
         DepthRange all{nearest_ - from_eye, -unbounded, unbounded, farthest_ - from_eye};
@@ -200,19 +200,19 @@ DepthRange BeamView::in_box(const Rays& rays) const {
             all.exit_lo - from_eye - depth_error_, all.exit_hi - from_eye + depth_error_};
 }
 
-DepthRange BeamView::depths_kept(const Section& section, double u, double v, double u_radius,
+DepthRange TileRays::depths_kept(const Section& section, double u, double v, double u_radius,
                                  double v_radius) const {
     return below(
         height(section.normal, section.offset, error_of(section), {u, v, u_radius, v_radius}));
 }
 
-DepthRange BeamView::depths_uncut(double u, double v, double u_radius, double v_radius) const {
+DepthRange TileRays::depths_uncut(double u, double v, double u_radius, double v_radius) const {
     const Rays rays{u, v, u_radius, v_radius};
     const DepthRange all = in_box(rays);
     return region_.ball ? both(all, in_ball(*region_.ball, rays)) : all;
 }
 
-DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius) const {
+DepthRange TileRays::depths(double u, double v, double u_radius, double v_radius) const {
     DepthRange all = depths_uncut(u, v, u_radius, v_radius);
     for (const Section& section : region_.sections)
         all = both(all, depths_kept(section, u, v, u_radius, v_radius));
@@ -220,7 +220,7 @@ DepthRange BeamView::depths(double u, double v, double u_radius, double v_radius
 }
 
 template <class Real>
-FrustumOf<Real> BeamView::frustum(int pixels) const {
+FrustumOf<Real> TileRays::frustum(int pixels) const {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
     const auto number = [](double value) { return static_cast<Real>(value); };
     FrustumOf<Real> frustum{};
@@ -236,7 +236,7 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
         frustum.forward[i] = number(view_.forward[i]);
         const double across = std::abs(view_.right[i]) * u_most_ + std::abs(view_.up[i]) * v_most_;
         const double direction = std::abs(view_.forward[i]) + across;
-        // What making `base` in double has cost, in units of this format.
+        // The error of making `base` in double, in units of this format.
         const double base_error = 0x1p-50 / unit * (std::abs(view_.eye[i]) + view_.look_distance);
         const double size = std::abs(base_[i]) + distance_ * across;
         frustum.size[i] = upper_end(Real{}, (size + base_error) * (1.0 + 0x1p-20));
@@ -247,7 +247,7 @@ FrustumOf<Real> BeamView::frustum(int pixels) const {
 
 /// In a wider type first, so that each number is rounded once.
 template <class Real>
-RaysOf<Real> BeamView::make_rays() const {
+RaysOf<Real> TileRays::make_rays() const {
     using Wide = long double;
     const NearestRounding nearest;
     const Wide pixel = pixel_;
@@ -269,7 +269,7 @@ RaysOf<Real> BeamView::make_rays() const {
     return rays;
 }
 
-template FrustumOf<float> BeamView::frustum(int pixels) const;
-template FrustumOf<double> BeamView::frustum(int pixels) const;
+template FrustumOf<float> TileRays::frustum(int pixels) const;
+template FrustumOf<double> TileRays::frustum(int pixels) const;
 
 }  // namespace zeroset

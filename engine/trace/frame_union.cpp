@@ -1,8 +1,8 @@
-#include "engine/trace/frame_parts.hpp"
+#include "engine/trace/frame_union.hpp"
 
 #include "engine/kernel/form_cells.hpp"
 #include "engine/real/scalar.hpp"
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,34 +40,46 @@ bool outside(const glm::dvec3& point, const Box& box, double spare) {
            glm::any(glm::greaterThan(point, box.hi + spare));
 }
 
-/// Where a part shows that lies in the box.
-PartInView seen(const TraceFrame& frame, const Kernel* kernel, const Box& box, double spare) {
+/// A member of a union that lies in the box, as the view shows it.
+UnionMember seen(const TraceFrame& frame, const Kernel* kernel, const Box& box, double spare) {
     constexpr double pixel_spare = 1.0;
-    PartInView part{kernel, unbounded, -unbounded, unbounded, -unbounded, unbounded, -unbounded};
+    UnionMember member{.kernel = kernel,
+                       .from = unbounded,
+                       .to = -unbounded,
+                       .first_col = unbounded,
+                       .last_col = -unbounded,
+                       .first_row = unbounded,
+                       .last_row = -unbounded};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 at((corner & 1) != 0 ? box.hi.x + spare : box.lo.x - spare,
                             (corner & 2) != 0 ? box.hi.y + spare : box.lo.y - spare,
                             (corner & 4) != 0 ? box.hi.z + spare : box.lo.z - spare);
         const double along = glm::dot(at - frame.view.eye, frame.view.forward);
         if (!frame.view.parallel() && along < 0x1p-10 * (box.size() + spare))
-            return {kernel, -unbounded, unbounded, -unbounded, unbounded, -unbounded, unbounded};
+            return {.kernel = kernel,
+                    .from = -unbounded,
+                    .to = unbounded,
+                    .first_col = -unbounded,
+                    .last_col = unbounded,
+                    .first_row = -unbounded,
+                    .last_row = unbounded};
         const glm::dvec3 shown = frame.view.homogeneous(at);
         const double half = 0.5 * frame.height;
         const double col = 0.5 * frame.width + half * (shown.x / shown.z);
         const double row = half - half * (shown.y / shown.z);
-        part.from = std::min(part.from, along - frame.view.look_distance - spare);
-        part.to = std::max(part.to, along - frame.view.look_distance + spare);
-        part.first_col = std::min(part.first_col, col - pixel_spare);
-        part.last_col = std::max(part.last_col, col + pixel_spare);
-        part.first_row = std::min(part.first_row, row - pixel_spare);
-        part.last_row = std::max(part.last_row, row + pixel_spare);
+        member.from = std::min(member.from, along - frame.view.look_distance - spare);
+        member.to = std::max(member.to, along - frame.view.look_distance + spare);
+        member.first_col = std::min(member.first_col, col - pixel_spare);
+        member.last_col = std::max(member.last_col, col + pixel_spare);
+        member.first_row = std::min(member.first_row, row - pixel_spare);
+        member.last_row = std::max(member.last_row, row + pixel_spare);
     }
-    return part;
+    return member;
 }
 
-bool meets(const PartInView& part, const Tile& tile) {
-    return part.last_col >= tile.col && part.first_col <= tile.col + tile.cols &&
-           part.last_row >= tile.row && part.first_row <= tile.row + tile.rows;
+bool meets(const UnionMember& member, const Tile& tile) {
+    return member.last_col >= tile.col && member.first_col <= tile.col + tile.cols &&
+           member.last_row >= tile.row && member.first_row <= tile.row + tile.rows;
 }
 
 /// Where the rays of a tile enter the clip box, as one cell for each of its sixteenths.
@@ -93,17 +105,17 @@ private:
 
 template <class Real>
 Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame) {
-    const BeamView view(frame, tile);
-    frustum_ = view.frustum<Real>(side);
+    const TileRays rays(frame, tile);
+    frustum_ = rays.frustum<Real>(side);
     const double half = 0.5 * (side - 1);
     for (int i = 0; i < across * across; ++i) {
         const int col = i % across * side;
         const int row = i / across * side;
         if (col >= tile.cols || row >= tile.rows) continue;
-        const double u = view.u(col + half);
-        const double v = view.v(row + half);
-        const double radius = half * view.pixel();
-        const DepthRange depths = view.depths(u, v, radius, radius);
+        const double u = rays.u(col + half);
+        const double v = rays.v(row + half);
+        const double radius = half * rays.pixel();
+        const DepthRange depths = rays.depths(u, v, radius, radius);
         if (depths.empty()) continue;
         const double far = std::min(depths.enter_hi, depths.exit_hi);
         const double most = std::max(std::abs(depths.enter_lo), std::abs(far));
@@ -111,7 +123,7 @@ Entries<Real>::Entries(const TraceFrame& frame, const Tile& tile) : frame_(frame
         cells_.v[size_] = static_cast<Real>(v);
         cells_.s[size_] = static_cast<Real>(0.5 * (depths.enter_lo + far));
         cells_.s_radius[size_] = upper_end(
-            Real{}, 0.5 * (far - depths.enter_lo) + 16 * most * unit + 4 * view.depth_error());
+            Real{}, 0.5 * (far - depths.enter_lo) + 16 * most * unit + 4 * rays.depth_error());
         ++size_;
     }
     for (std::size_t i = size_; i < room && size_ > 0; ++i) {
@@ -135,44 +147,46 @@ bool Entries<Real>::are_above_zero(const Kernel& kernel) {
 
 }  // namespace
 
-FrameParts::FrameParts(const TraceFrame& frame, const LeastOf& least_of) : frame_(frame) {
+FrameUnion::FrameUnion(const TraceFrame& frame, const UnionParts& union_parts) : frame_(frame) {
     const Box& clip = frame.scene.clip;
     const ReachBox domain = around(clip);
-    const auto reaches = least_of.reaches(domain, frame.scene.uniforms);
+    const auto reaches = union_parts.reaches(domain, frame.scene.uniforms);
     const double spare = 4 * place_error(frame);
     const bool tells_of_faces = has_faces_in_layers(clip, box_of(domain), spare);
     for (std::size_t i = 0; i < reaches->size(); ++i) {
         const Reach& reach = (*reaches)[i];
         if (!reach.any) continue;
         const Box box = box_of(reach.box);
-        const bool whole = reach.within && tells_of_faces &&
-                           (frame.view.parallel() || outside(frame.view.eye, box, spare));
-        parts_.push_back({seen(frame, least_of.kernels()[i], box, spare), reach.continuous, whole});
+        const bool enclosed = reach.within && tells_of_faces &&
+                              (frame.view.parallel() || outside(frame.view.eye, box, spare));
+        members_.push_back(
+            {seen(frame, union_parts.kernels()[i], box, spare), reach.continuous, enclosed});
     }
-    std::ranges::stable_sort(parts_, {}, [](const Part& part) { return part.in_view.from; });
+    std::ranges::stable_sort(members_, {},
+                             [](const Member& member) { return member.in_view.from; });
 }
 
 template <class Real>
-bool FrameParts::are_apart(std::span<const Part* const> parts, const Tile& tile) const {
+bool FrameUnion::are_apart(std::span<const Member* const> members, const Tile& tile) const {
     std::optional<Entries<Real>> entries;  // few tiles need them
-    for (const Part* const part : parts) {
-        if (!part->continuous) return false;
-        if (part->whole) continue;
+    for (const Member* const member : members) {
+        if (!member->continuous) return false;
+        if (member->enclosed) continue;
         if (!entries) entries.emplace(frame_, tile);
-        if (!entries->are_above_zero(*part->in_view.kernel)) return false;
+        if (!entries->are_above_zero(*member->in_view.kernel)) return false;
     }
     return true;
 }
 
-bool FrameParts::list(const Tile& tile, std::vector<PartInView>& parts) const {
-    parts.clear();
-    std::vector<const Part*> in_tile;
-    for (const Part& part : parts_) {
-        if (!meets(part.in_view, tile)) continue;
-        parts.push_back(part.in_view);
-        in_tile.push_back(&part);
+bool FrameUnion::list(const Tile& tile, std::vector<UnionMember>& members) const {
+    members.clear();
+    std::vector<const Member*> in_tile;
+    for (const Member& member : members_) {
+        if (!meets(member.in_view, tile)) continue;
+        members.push_back(member.in_view);
+        in_tile.push_back(&member);
     }
-    if (parts.size() < 2) return true;
+    if (members.size() < 2) return true;
     return frame_.precision == Precision::Double ? are_apart<double>(in_tile, tile)
                                                  : are_apart<float>(in_tile, tile);
 }

@@ -1,4 +1,4 @@
-#include "engine/render/floor.hpp"
+#include "engine/render/known_frame.hpp"
 
 #include "engine/render/render.hpp"
 #include "tests/support/rays.hpp"

@@ -1,4 +1,4 @@
-#include "engine/kernel/least_of.hpp"
+#include "engine/kernel/union_parts.hpp"
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
@@ -132,19 +132,19 @@ TEST(Reach, HoldsAllPointsThatAreNotAboveZero) {
     }
 }
 
-TEST(LeastOf, IsMadeOfTheOperandsOfMin) {
+TEST(UnionParts, IsMadeOfTheOperandsOfMin) {
     RandomNumbers random(7);
     const std::string text = "min(x, y^2 - z, max(sin(x), z), min(x y - 1, 3), y^2 - z)";
     const auto expr = parse(text);
     ASSERT_TRUE(expr);
     for (const Kernel& kernel : {interpret(*expr), interpret_with_parts(*expr)}) {
-        const LeastOf* const least_of = kernel.shortener->least_of();
-        ASSERT_NE(least_of, nullptr);
-        EXPECT_EQ(least_of->kernels().size(), 5U);
+        const UnionParts* const union_parts = kernel.specializer->union_parts();
+        ASSERT_NE(union_parts, nullptr);
+        EXPECT_EQ(union_parts->kernels().size(), 5U);
         const Points points = random_points(random);
         std::array<float, batch_multiple> least;
         least.fill(std::numeric_limits<float>::infinity());
-        for (const Kernel* operand : least_of->kernels()) {
+        for (const Kernel* operand : union_parts->kernels()) {
             const auto f = values_at(*operand, points);
             for (std::size_t i = 0; i < f.size(); ++i)
                 least[i] = std::min(least[i], f[i]);
@@ -153,19 +153,19 @@ TEST(LeastOf, IsMadeOfTheOperandsOfMin) {
     }
 }
 
-TEST(LeastOf, IsNotKnownOfOtherFunctions) {
+TEST(UnionParts, IsNotKnownOfOtherFunctions) {
     for (const char* text : {"max(x, y)", "min(x, y)^2", "max(min(x, y), z)"})
-        EXPECT_EQ(kernel_of(text).shortener->least_of(), nullptr) << text;
+        EXPECT_EQ(kernel_of(text).specializer->union_parts(), nullptr) << text;
 }
 
-TEST(LeastOf, RemembersReachesOfTheLastBoxAndUniforms) {
+TEST(UnionParts, RemembersReachesOfTheLastBoxAndUniforms) {
     const Kernel kernel = kernel_of("min((x - w)^2 + y^2 + z^2 - 0.01, x + 5)");
-    const LeastOf& least_of = *kernel.shortener->least_of();
-    const auto first = least_of.reaches(cube, uniforms_of(0.5, 0.5));
-    EXPECT_EQ(least_of.reaches(cube, uniforms_of(0.5, 0.5)), first);
-    const auto moved = least_of.reaches(cube, uniforms_of(-0.5, -0.5));
+    const UnionParts& union_parts = *kernel.specializer->union_parts();
+    const auto first = union_parts.reaches(cube, uniforms_of(0.5, 0.5));
+    EXPECT_EQ(union_parts.reaches(cube, uniforms_of(0.5, 0.5)), first);
+    const auto moved = union_parts.reaches(cube, uniforms_of(-0.5, -0.5));
     EXPECT_LT((*moved)[0].box.hi[0], 0.0F);
-    const auto beside = least_of.reaches({{-1, -1, -1}, {-0.8F, 1, 1}}, uniforms_of(-0.5, -0.5));
+    const auto beside = union_parts.reaches({{-1, -1, -1}, {-0.8F, 1, 1}}, uniforms_of(-0.5, -0.5));
     EXPECT_FALSE((*beside)[0].any);
     EXPECT_GT((*first)[0].box.lo[0], 0.0F);
     EXPECT_FALSE((*first)[1].any);

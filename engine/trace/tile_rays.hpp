@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/trace/tracer.hpp"
+#include "engine/trace/tile.hpp"
+#include "engine/trace/trace_frame.hpp"
 
 #include <cmath>
 #include <limits>
@@ -16,7 +17,7 @@ struct DepthRange {
     [[nodiscard]] bool empty() const { return !(enter_lo <= exit_hi); }
 };
 
-/// Inside both.
+/// Where rays are inside both.
 DepthRange both(const DepthRange& a, const DepthRange& b);
 
 /// A column or row of a tile as RaysOf counts it.
@@ -35,17 +36,17 @@ constexpr float from_middle(int pixels) { return from_middle(static_cast<float>(
 /// times the largest of the scene's sizes, and u = U / D for a ray at U from the axis. What is
 /// proved of beams holds for any distance; only the rays are not quite those of the view: at depth
 /// s they are off by s U / D, less than 2^-55 of s and of U (TileHits allows 2^-48).
-class BeamView {
+class TileRays {
 public:
     /// `side`: of the tile, at most, in pixels.
-    BeamView(const TraceFrame& frame, const Tile& tile, int side = tile_size);
+    TileRays(const TraceFrame& frame, const Tile& tile, int side = tile_size);
 
-    /// Of a pixel's centre, in the tile.
+    /// u and v of a pixel's centre; columns and rows count from the tile's first pixel.
     [[nodiscard]] double u(double col) const { return u_first_ + col * pixel_; }
     [[nodiscard]] double v(double row) const { return v_first_ - row * pixel_; }
     [[nodiscard]] double pixel() const { return pixel_; }
     [[nodiscard]] double distance() const { return distance_; }
-    /// From the eye, or from the plane through it, to the plane s = 0.
+    /// The distance from the eye, or from the plane through it, to the plane s = 0.
     [[nodiscard]] double look_distance() const { return view_.look_distance; }
     [[nodiscard]] const glm::dvec3& base() const { return base_; }
     [[nodiscard]] const ViewFrame& axes() const { return view_; }
@@ -56,34 +57,35 @@ public:
         return view_.parallel() ? -std::numeric_limits<double>::infinity() : -view_.look_distance;
     }
 
-    /// On the ray of a pixel of the tile, at depth s.
+    /// The point at depth s on the ray of a pixel of the tile.
     [[nodiscard]] glm::dvec3 point(double col, double row, double s) const {
         const glm::dvec3 across = u(col) * view_.right + v(row) * view_.up;
         return base_ + distance() * across + s * (view_.forward + across);
     }
-    /// Inside the clip box and the region, and in front of the eye: of all rays within the radii of
-    /// (u, v).
+    /// Where all rays within the radii of (u, v) are inside the clip box and the region, and in
+    /// front of the eye.
     [[nodiscard]] DepthRange depths(double u, double v, double u_radius, double v_radius) const;
-    /// The same without the sections.
+    /// `depths` as if there were no sections.
     [[nodiscard]] DepthRange depths_uncut(double u, double v, double u_radius,
                                           double v_radius) const;
-    /// On the side that the section keeps. Of one ray it holds to rounding errors.
+    /// Where those rays are on the side that the section keeps. Of one ray it holds to rounding
+    /// errors.
     [[nodiscard]] DepthRange depths_kept(const Section& section, double u, double v,
                                          double u_radius, double v_radius) const;
     /// The distance, as Framebuffer has them, of depth s on the ray of (u, v).
     [[nodiscard]] double distance_at(double s, double u, double v) const {
         return (view_.look_distance + s) * std::sqrt(1.0 + u * u + v * v);
     }
-    /// The same, surely no farther than depth s on the ray of (u, v).
+    /// A distance surely no farther than depth s on the ray of (u, v).
     [[nodiscard]] float distance_before(double s, double u, double v) const;
 
-    /// The cells of `pixels` x `pixels` pixels.
+    /// The frustum of cells of `pixels` x `pixels` pixels.
     template <class Real>
     [[nodiscard]] FrustumOf<Real> frustum(int pixels) const;
 
-    /// The rays of the tile's pixels: a RaysOf<Real> as kernels take it.
+    /// The rays of the tile's pixels as kernels take them: a RaysOf<Real>.
     template <class Real>
-    [[nodiscard]] const Real* rays() const {
+    [[nodiscard]] const Real* kernel_rays() const {
         if constexpr (std::is_same_v<Real, float>) {
             return float_rays_.origin;
         } else {
@@ -93,31 +95,32 @@ public:
 
     [[nodiscard]] const RaysOf<double>& double_rays() const { return double_rays_; }
 
-    /// Behind what depth nothing is wanted on the ray of a pixel of the tile (Tile::limits), or a
-    /// little farther; +inf: all is.
+    /// The depth behind which nothing is wanted on the ray of a pixel of the tile (Tile::limits),
+    /// or a little more; +inf: all is wanted.
     [[nodiscard]] double limit(std::size_t pixel) const;
-    /// The same for all rays of the tile.
+    /// The depth behind which nothing is wanted on any ray of the tile.
     [[nodiscard]] double limit() const;
 
     /// The size of what is seen: the clip box's longest edge, or less in a deep view.
     [[nodiscard]] double extent() const { return extent_; }
     /// A step of Newton's method after which the next one is below what float tells apart.
     [[nodiscard]] double small_step() const { return 0x1p-11 * extent_; }
-    /// Above the rounding errors of a few operations in double on depths.
+    /// A bound of the rounding errors of a few operations in double on depths.
     [[nodiscard]] double depth_error() const { return depth_error_; }
-    /// The same for distances from a section plane, and from a ball's surface.
+    /// A bound of the rounding errors of distances from a section plane, or a ball's surface.
     template <class Shape>
     [[nodiscard]] double error_of(const Shape& shape) const {
         return depth_error_ + 0x1p-46 * size_of(shape);
     }
-    /// Where a root is known well enough: the width wanted of a bracket.
+    /// The width of a bracket that is narrow enough.
     [[nodiscard]] double tolerance() const { return tolerance_; }
 
 private:
     template <class Real>
     [[nodiscard]] RaysOf<Real> make_rays() const;
-    /// Of rays within the radii of (u, v), dot(n, p) - offset at t is a + t b: t from the eye in
-    /// perspective, where a is known to `error`, else from the plane s = 0, where b is.
+    /// A plane seen by the rays within the radii of (u, v): dot(n, p) - offset at t is a + t b,
+    /// with t from the eye in perspective, where a is known to `error`, else from the plane s = 0,
+    /// where b is.
     struct Height {
         double a, a_radius, b, b_radius;
     };
@@ -126,7 +129,7 @@ private:
     };
     [[nodiscard]] Height height(const glm::dvec3& normal, double offset, double error,
                                 const Rays& rays) const;
-    /// Where these are at most 0.
+    /// Where the height is at most 0.
     [[nodiscard]] DepthRange below(const Height& height) const;
     [[nodiscard]] DepthRange in_ball(const Ball& ball, const Rays& rays) const;
     [[nodiscard]] DepthRange in_box(const Rays& rays) const;
@@ -141,7 +144,7 @@ private:
     double pixel_, u_first_, v_first_;
     double u_most_, v_most_;  ///< of |u| and |v| in the tile
     double extent_, depth_error_, tolerance_;
-    /// Of the clip box along the view axis, from the eye.
+    /// Distances of the clip box from the eye along the view axis.
     double nearest_ = std::numeric_limits<double>::infinity();
     double farthest_ = -std::numeric_limits<double>::infinity();
     RaysOf<float> float_rays_;

@@ -1,5 +1,6 @@
-#include "engine/kernel/least_of.hpp"
+#include "engine/kernel/union_parts.hpp"
 
+#include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 
 #include <algorithm>
@@ -15,36 +16,32 @@ class Slices {
 public:
     Slices(const ReachBox& box, std::size_t axis, bool thin_at_ends) {
         for (std::size_t k = 0; k < 3; ++k) {
-            neg_lo_[k].fill(-box.lo[k]);
-            hi_[k].fill(box.hi[k]);
+            std::ranges::fill(boxes_.ends[k], -box.lo[k]);
+            std::ranges::fill(boxes_.ends[k + 3], box.hi[k]);
         }
         const float lo = box.lo[axis];
         const float hi = box.hi[axis];
         for (std::size_t i = 1; i < slices; ++i) {
             const float part = end_of(i - 1, thin_at_ends);
             const float end = std::clamp(lo + (hi - lo) * part, lo, hi);
-            hi_[axis][i - 1] = end;
-            neg_lo_[axis][i] = -end;
+            boxes_.ends[axis + 3][i - 1] = end;
+            boxes_.ends[axis][i] = -end;
         }
     }
     void evaluate(const Kernel& kernel, const float* uniforms) {
-        kernel.range(RangeBatch{slices,
-                                {neg_lo_[0].data(), neg_lo_[1].data(), neg_lo_[2].data()},
-                                {hi_[0].data(), hi_[1].data(), hi_[2].data()},
-                                uniforms,
-                                f_neg_lo_.data(),
-                                f_hi_.data(),
-                                continuous_.data()});
+        kernel.range(boxes_.batch(slices, uniforms));
     }
     [[nodiscard]] bool above_zero(std::size_t i) const {
-        return f_neg_lo_[i] < 0 && !(f_hi_[i] < 0) && continuous_[i] != 0;
+        return boxes_.f_neg_lo[i] < 0 && !(boxes_.f_hi[i] < 0) && continuous(i);
     }
-    [[nodiscard]] bool continuous(std::size_t i) const { return continuous_[i] != 0; }
-    [[nodiscard]] float lo(std::size_t axis, std::size_t i) const { return -neg_lo_[axis][i]; }
-    [[nodiscard]] float hi(std::size_t axis, std::size_t i) const { return hi_[axis][i]; }
+    [[nodiscard]] bool continuous(std::size_t i) const { return boxes_.continuous[i] != 0; }
+    [[nodiscard]] float lo(std::size_t axis, std::size_t i) const { return -boxes_.ends[axis][i]; }
+    [[nodiscard]] float hi(std::size_t axis, std::size_t i) const {
+        return boxes_.ends[axis + 3][i];
+    }
 
 private:
-    /// Of slice i, as a part of the box's width.
+    /// Where slice i ends, as a part of the box's width.
     static float end_of(std::size_t i, bool thin_at_ends) {
         constexpr std::size_t thin = slices / 2 - 1;
         constexpr float step = 0.125F / thin;
@@ -54,10 +51,7 @@ private:
         return 1.0F - step * static_cast<float>(slices - 1 - i);
     }
 
-    using Column = std::array<float, slices>;
-    std::array<Column, 3> neg_lo_, hi_;
-    Column f_neg_lo_, f_hi_;
-    std::array<ContinuityMask<float>, slices> continuous_;
+    RangeBoxes<float, slices> boxes_;
 };
 
 /// Takes away the slices at both ends where f is above 0; returns how much of the box is left.
@@ -114,7 +108,7 @@ bool is_above_zero_at_faces(const Kernel& kernel, const ReachBox& box, const Rea
 Reach reach_of(const Kernel& kernel, const ReachBox& domain, const float* uniforms) {
     constexpr int most_rounds = 5;
     constexpr float small_gain = 0.8F;
-    Reach reach{true, domain, false, false};
+    Reach reach{.any = true, .box = domain};
     const auto go_round = [&](bool thin_at_ends) {
         float left = 1;
         for (std::size_t axis = 0; axis < 3 && reach.any; ++axis)
@@ -129,8 +123,8 @@ Reach reach_of(const Kernel& kernel, const ReachBox& domain, const float* unifor
     return reach;
 }
 
-std::shared_ptr<const std::vector<Reach>> LeastOf::reaches(const ReachBox& domain,
-                                                           const Uniforms& uniforms) const {
+std::shared_ptr<const std::vector<Reach>> UnionParts::reaches(const ReachBox& domain,
+                                                              const Uniforms& uniforms) const {
     const std::scoped_lock lock(mutex_);
     if (reaches_ && domain_ == domain && uniforms_ == uniforms.neg_lo_hi) return reaches_;
     const UpwardRounding upward;

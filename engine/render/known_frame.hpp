@@ -2,26 +2,31 @@
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/scene.hpp"
+#include "engine/scene/settings.hpp"
 #include "engine/trace/tile_grid.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
+#include "engine/view/camera.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace zeroset {
 
-/// A frame whose depths are known already, in float: f and its gradient once for each pixel that is
-/// hit, and the shading. No tracer can be quicker by much; what it takes is the floor that tracers
-/// are measured against. The scene outlives it.
+/// A frame whose depths are known already, in float. To draw it takes f and its gradient once for
+/// each pixel that is hit, and the shading: no tracer can be quicker by much, and tracers are
+/// measured against it. The scene outlives it.
 class KnownFrame {
 public:
     /// `known`: a frame of that scene and camera, without caps.
     KnownFrame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                const Framebuffer& known);
-    /// The same frame again.
+    /// Draws the known frame again.
     void draw(Framebuffer& frame) const;
 
 private:
-    /// What is known of one surface in one tile: RaysOf's columns, and where the hits are.
+    /// The hits of one surface in one tile: columns, rows and depths as NewtonBatchOf has them,
+    /// padded to whole batches, and what is known of each.
     struct Hits {
         std::vector<float> col, row, s;
         std::vector<std::size_t> pixel;  ///< in the tile, in rows of tile_size

@@ -1,9 +1,9 @@
-#include "engine/render/floor.hpp"
+#include "engine/render/known_frame.hpp"
 
 #include "engine/base/parallel.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/trace/beam_view.hpp"
+#include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,19 +61,19 @@ void KnownFrame::evaluate(std::size_t surface, const Tile& tile, const Hits& kno
     const TraceFrame& frame = surfaces_[surface];
     const std::size_t size = known.s.size();
     std::ranges::copy(known.s, s.begin());
-    frame.kernel.newton(
-        NewtonBatchOf<float>{size,
-                             known.col.data(),
-                             known.row.data(),
-                             known.s.data(),
-                             known.s.data(),
-                             BeamView(frame, tile).rays<float>(),
-                             frame.scene.uniforms.points<float>(),
-                             0.0F,
-                             0,
-                             s.data(),
-                             {gradient[0].data(), gradient[1].data(), gradient[2].data()},
-                             per_slope.data()});
+    frame.kernel.newton(NewtonBatchOf<float>{
+        .size = size,
+        .col = known.col.data(),
+        .row = known.row.data(),
+        .from = known.s.data(),
+        .to = known.s.data(),
+        .rays = TileRays(frame, tile).kernel_rays<float>(),
+        .uniforms = frame.scene.uniforms.points<float>(),
+        .small_step = 0.0F,
+        .more_steps = 0,
+        .s = s.data(),
+        .gradient = {gradient[0].data(), gradient[1].data(), gradient[2].data()},
+        .per_slope = per_slope.data()});
     hits.any = true;
     for (std::size_t i = 0; i < known.pixel.size(); ++i) {
         const std::size_t pixel = known.pixel[i];
@@ -97,7 +97,8 @@ void KnownFrame::draw(Framebuffer& frame) const {
             const Hits& known = hits_[index][i];
             if (!known.pixel.empty()) evaluate(i, tile, known, hits[i]);
         }
-        draw_tile(surfaces_, hits, tile, {frame, 0, 0, frame.height});
+        draw_tile(surfaces_, hits, tile,
+                  {.pixels = frame, .col = 0, .row = 0, .height = frame.height});
     });
 }
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace zeroset {
+
+/// When the search along a ray stops [Knoll07, sec. 5.5].
+enum class StopRule : std::uint8_t {
+    DStop,    ///< at cells of the clip box's longest edge times 2^-value
+    Epsilon,  ///< at boxes whose diagonal is below value, world units (eq. 6 and 7)
+    Delta,    ///< where the enclosure of f is narrower than value
+};
+
+struct StopCriterion {
+    StopRule rule = StopRule::DStop;
+    double value = 22.0;
+
+    bool operator==(const StopCriterion&) const = default;
+};
+
+/// The finest d_stop: the cells are then 2^-22 of the domain, about an ulp of float there.
+inline constexpr int max_d_stop = 22;
+
+struct TraceSettings {
+    std::string tracer = "beams";
+    StopCriterion stop;
+    int threads = 0;       ///< 0: all cores
+    bool shadows = false;  ///< of the key light
+    /// Four more rays a pixel, for its colour only: its depth and certificate are of its centre.
+    bool antialias = false;
+
+    bool operator==(const TraceSettings&) const = default;
+};
+
+/// Evaluations of each kernel, in points or boxes (not batches), and how wide the widest bracket of
+/// a Coarse hit is, world units along its ray.
+struct Counters {
+    std::uint64_t range = 0;
+    std::uint64_t value = 0;
+    std::uint64_t form = 0;
+    double coarse_width = 0.0;
+    /// Of tiles that a time limit ended: pixels that are undecided, pixels without shadows or
+    /// smooth edges.
+    std::uint64_t cut_pixels = 0, rough_pixels = 0;
+
+    [[nodiscard]] bool is_cut() const { return cut_pixels + rough_pixels > 0; }
+
+    Counters& operator+=(const Counters& other) {
+        range += other.range;
+        value += other.value;
+        form += other.form;
+        coarse_width = std::max(coarse_width, other.coarse_width);
+        cut_pixels += other.cut_pixels;
+        rough_pixels += other.rough_pixels;
+        return *this;
+    }
+};
+
+}  // namespace zeroset

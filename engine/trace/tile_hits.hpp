@@ -1,0 +1,84 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+#include "engine/trace/tile.hpp"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace zeroset {
+
+/// The way that f goes along a ray at its root.
+enum class Trend : std::int8_t { Falling = -1, Unknown = 0, Rising = 1 };
+
+/// A gradient of whatever size in floats, of which the direction counts.
+std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
+
+/// The hits of one surface in a tile, as a tracer found them. Arrays hold one item a pixel, in rows
+/// of tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre, up to
+/// shifts by 2^-48 of the distances of eye and box from the origin and from each other. With the
+/// rule d_stop the depth of a certified hit differs from that of the first root by at most four
+/// cells along the ray's dominant axis, and 2^-21 of (depth + distance of the eye from the origin)
+/// for rounding; a cell is the clip box's longest edge times 2^-d_stop, but not less than 2^-20 of
+/// its largest coordinate (in double, of as many ulp).
+struct TileHits {
+    struct Pixel {
+        std::int16_t col, row;  ///< within the tile
+
+        [[nodiscard]] std::size_t index() const {
+            return static_cast<std::size_t>(row * tile_size + col);
+        }
+    };
+    /// A hit whose gradient is not known yet.
+    struct Point {
+        std::size_t pixel;
+        std::array<double, 3> position;  ///< on the surface, world units
+        Trend trend = Trend::Unknown;
+    };
+
+    bool any = false;                      ///< whether there is a hit
+    std::vector<float> depth;              ///< distance from the eye along the ray; +inf: no hit
+    std::vector<Certificate> certificate;  ///< of hits
+    std::array<std::vector<float>, 3> gradient;  ///< of f at hits, but for those among `points`
+    std::vector<Point> points;
+    /// Errors of `points` along rays.
+    struct PointErrors {
+        double bracket;  ///< how far a root may be from its point
+        double depth;    ///< what rounding may make of a depth
+    };
+    std::optional<PointErrors> point_errors;  ///< where the tracer knows them
+    /// Where rays passed a first cell that could be neither rejected nor drawn (a pole, a jump, the
+    /// edge of a domain): a distance no larger than the cell's; +inf: there is none. Whether the
+    /// ray hit something afterwards or not; such a hit is not certified.
+    std::vector<float> unsettled;
+    bool any_unsettled = false;
+    std::vector<float> lit;  ///< whether the key light reaches a hit: 0 or 1
+    bool any_dark = false;   ///< else `lit` is 1 everywhere
+    /// Whether a hit is on a section that caps the surface's solid: its gradient is the section's
+    /// normal.
+    std::vector<std::uint8_t> cap;
+    bool any_cap = false;  ///< else `cap` is 0 everywhere
+    /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
+    /// surfaces; else empty.
+    std::array<std::vector<float>, 3> reflectance;
+
+    TileHits();
+    void clear();
+    /// Takes away all shadows.
+    void light_all();
+    /// Adds a hit whose gradient is to be found.
+    void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
+    /// A cell on the ray, no nearer than `distance`, could be neither rejected nor drawn.
+    void mark_unsettled(Pixel at, float distance);
+    /// All rays of the tile are unsettled from the eye on.
+    void leave_undecided(const Tile& tile);
+    /// Puts a cap in place of what was found behind it.
+    void put_cap(Pixel at, float distance, Certificate known, const glm::dvec3& normal);
+};
+
+}  // namespace zeroset

@@ -1,0 +1,17 @@
+#include "engine/view/box.hpp"
+
+#include <algorithm>
+
+namespace zeroset {
+
+double Box::size() const {
+    const glm::dvec3 edges = hi - lo;
+    return std::max({edges.x, edges.y, edges.z});
+}
+
+Box scaled(const Box& box, double factor) {
+    const glm::dvec3 centre = box.centre();
+    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
+}
+
+}  // namespace zeroset
