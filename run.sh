@@ -7,7 +7,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"
 
 install_packages run
 configure_and_build release zeroset 6
-zeroset=$root/build/release/zeroset
+zeroset=$build/zeroset
 
 if (($#)) || [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then
     exec "$zeroset" "$@"

@@ -5,5 +5,5 @@ set -euo pipefail
 source "$(dirname -- "${BASH_SOURCE[0]}")/scripts/build.sh"
 
 install_packages run test
-configure_and_build test all 15
-exec ctest --test-dir "$root/build/test" --output-on-failure --no-tests=error -j "$(nproc)" "$@"
+configure_and_build test all 12
+exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j "$(nproc)" "$@"

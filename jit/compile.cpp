@@ -66,17 +66,17 @@ KernelCache<void>& later_functions() {
 
 /// One function that is to be made.
 struct Piece {
-    VectorKind kind;
-    KernelPart part;
+    VectorKind vector;
+    KernelKind kind;
     bool hasty = false;
 
     [[nodiscard]] std::string key(const Expr& expr) const {
-        const char* const type = kind.type == RealType::Float ? "f" : "d";
+        const char* const type = vector.type == RealType::Float ? "f" : "d";
         const char* const how = hasty ? "hasty " : "";
-        return how + std::to_string(kind.lanes) + type + symbol_of(part) + ":" + expr.key();
+        return how + std::to_string(vector.lanes) + type + symbol_of(kind) + ":" + expr.key();
     }
     [[nodiscard]] Lowering lowering(const Expr& expr) const {
-        return lowering_of(expr, kind, part);
+        return lowering_of(expr, vector, kind);
     }
 };
 
@@ -88,7 +88,7 @@ Code cached_code(const Expr& expr, const Piece& piece) {
     if (auto known = cache().find(key)) return known;
     auto code = on_large_stack([&] {
         const NearestRounding guard;
-        return make_code(piece.lowering(expr), symbol_of(piece.part), piece.hasty);
+        return make_code(piece.lowering(expr), symbol_of(piece.kind), piece.hasty);
     });
     if (code) cache().insert(std::move(key), *code);
     return code;
@@ -101,25 +101,15 @@ void put_in(KernelFunction<Batch>& function, std::shared_ptr<const MachineCode> 
 }
 
 void put_in(Kernel& kernel, const Piece& piece, std::shared_ptr<const MachineCode> code) {
-    const bool in_float = piece.kind.type == RealType::Float;
-    switch (piece.part) {
-        case KernelPart::Range:
-            return in_float ? put_in(kernel.range_float, std::move(code))
-                            : put_in(kernel.range_double, std::move(code));
-        case KernelPart::Value:
-            return in_float ? put_in(kernel.value_float, std::move(code))
-                            : put_in(kernel.value_double, std::move(code));
-        case KernelPart::Form:
-            return in_float ? put_in(kernel.form_float, std::move(code))
-                            : put_in(kernel.form_double, std::move(code));
-        case KernelPart::RayForm:
-            return in_float ? put_in(kernel.ray_form_float, std::move(code))
-                            : put_in(kernel.ray_form_double, std::move(code));
-        case KernelPart::Newton:
-            return in_float ? put_in(kernel.newton_float, std::move(code))
-                            : put_in(kernel.newton_double, std::move(code));
-        case KernelPart::RayValue: return put_in(kernel.ray_value, std::move(code));
-        case KernelPart::Points: assert(false); return;
+    const bool in_float = piece.vector.type == RealType::Float;
+    switch (piece.kind) {
+#define ZEROSET_KERNEL_FUNCTION(name, Kind, Batch)                      \
+    case KernelKind::Kind:                                              \
+        return in_float ? put_in(kernel.in_float.name, std::move(code)) \
+                        : put_in(kernel.in_double.name, std::move(code));
+#include "engine/kernel/kernel_functions.def"
+        case KernelKind::RayValue: return put_in(kernel.ray_value, std::move(code));
+        case KernelKind::Points: assert(false); return;
     }
 }
 
@@ -199,14 +189,14 @@ void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& 
 /// The functions made at once for these options, those that the beam tracer needs; longest first.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
     const bool hasty = options.hasty;
-    std::vector<Piece> pieces{{vectors.in_float, KernelPart::Form, hasty}};
-    if (!options.quick) pieces.push_back({vectors.in_float, KernelPart::RayForm, hasty});
-    pieces.push_back({vectors.in_float, KernelPart::Newton, hasty});
-    pieces.push_back({vectors.in_double, KernelPart::RayValue, hasty});
+    std::vector<Piece> pieces{{vectors.in_float, KernelKind::Form, hasty}};
+    if (!options.quick) pieces.push_back({vectors.in_float, KernelKind::RayForm, hasty});
+    pieces.push_back({vectors.in_float, KernelKind::Newton, hasty});
+    pieces.push_back({vectors.in_double, KernelKind::RayValue, hasty});
     if (options.with_double) {
-        pieces.push_back({vectors.in_double, KernelPart::Form, hasty});
-        pieces.push_back({vectors.in_double, KernelPart::Newton, hasty});
-        if (!options.quick) pieces.push_back({vectors.in_double, KernelPart::RayForm, hasty});
+        pieces.push_back({vectors.in_double, KernelKind::Form, hasty});
+        pieces.push_back({vectors.in_double, KernelKind::Newton, hasty});
+        if (!options.quick) pieces.push_back({vectors.in_double, KernelKind::RayForm, hasty});
     }
     return pieces;
 }
@@ -228,19 +218,19 @@ std::vector<Code> codes_of(const Expr& expr, std::span<const Piece> pieces) {
 void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vectors,
                          const CompileOptions& options) {
     const bool hasty = options.hasty;
-    const auto later = [&](auto& function, const VectorKind& kind, KernelPart part) {
-        make_later(function, expr, {kind, part, hasty}, options.patient_nodes);
+    const auto later = [&](auto& function, const VectorKind& vector, KernelKind kind) {
+        make_later(function, expr, {vector, kind, hasty}, options.patient_nodes);
     };
-    later(kernel.range_float, vectors.in_float, KernelPart::Range);
-    later(kernel.value_float, vectors.in_float, KernelPart::Value);
-    later(kernel.value_double, vectors.in_double, KernelPart::Value);
-    if (options.with_double) later(kernel.range_double, vectors.in_double, KernelPart::Range);
+    later(kernel.in_float.range, vectors.in_float, KernelKind::Range);
+    later(kernel.in_float.value, vectors.in_float, KernelKind::Value);
+    later(kernel.in_double.value, vectors.in_double, KernelKind::Value);
+    if (options.with_double) later(kernel.in_double.range, vectors.in_double, KernelKind::Range);
     if (!options.quick) return;
-    make_on_call(kernel.ray_form_float, expr, {vectors.in_float, KernelPart::RayForm, hasty},
-                 kernel.form_float, 0);
+    make_on_call(kernel.in_float.ray_form, expr, {vectors.in_float, KernelKind::RayForm, hasty},
+                 kernel.in_float.form, 0);
     if (options.with_double) {
-        make_on_call(kernel.ray_form_double, expr, {vectors.in_double, KernelPart::RayForm, hasty},
-                     kernel.form_double, 0);
+        make_on_call(kernel.in_double.ray_form, expr,
+                     {vectors.in_double, KernelKind::RayForm, hasty}, kernel.in_double.form, 0);
     }
 }
 
@@ -250,14 +240,14 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
                                                  const CompileOptions& options) {
     const auto vectors = usable_vectors(options);
     if (!vectors) return std::unexpected(vectors.error());
-    std::vector<VectorKind> kinds{vectors->in_float};
-    if (options.with_double) kinds.push_back(vectors->in_double);
+    std::vector<VectorKind> vector_kinds{vectors->in_float};
+    if (options.with_double) vector_kinds.push_back(vectors->in_double);
     std::string text;
-    for (const VectorKind& kind : kinds) {
-        for (const KernelPart part : kernel_parts) {
-            const bool always_double = part == KernelPart::RayValue;
-            if (always_double && kind.type == RealType::Float) continue;
-            const Piece piece{kind, part};
+    for (const VectorKind& vector : vector_kinds) {
+        for (const KernelKind kind : kernel_kinds) {
+            const bool always_double = kind == KernelKind::RayValue;
+            if (always_double && vector.type == RealType::Float) continue;
+            const Piece piece{vector, kind};
             const auto code = on_large_stack([&] { return print(piece.lowering(expr)); });
             if (!code) return code;
             text += *code;
@@ -310,7 +300,7 @@ bool is_compiled(const Expr& expr, const CompileOptions& options) {
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {
     const auto vectors = usable_vectors({});
     if (!vectors) return std::unexpected(vectors.error());
-    auto code = cached_code(expr, {vectors->in_double, KernelPart::Points});
+    auto code = cached_code(expr, {vectors->in_double, KernelKind::Points});
     if (!code) return std::unexpected(code.error());
     PointFunction function;
     put_in(function, std::move(*code));

@@ -28,7 +28,7 @@ template <class Real>
 void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                  llvm::Module& module) {
     using Batch = RangeBatchOf<Real>;
-    BatchFunction function(module, symbol_of(KernelPart::Range), kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelKind::Range), kind, offsetof(Batch, size));
     std::array<llvm::Value*, 3> neg_lo{};
     std::array<llvm::Value*, 3> hi{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -68,7 +68,7 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
 
 template <class Real>
 void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                KernelPart part, llvm::Module& module) {
+                KernelKind part, llvm::Module& module) {
     using Batch = FormBatchOf<Real>;
     BatchFunction function(module, symbol_of(part), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
@@ -97,11 +97,11 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
             return uniform_form<Lanes>({function.load_uniform(uniforms, 2 * (v - 3)),
                                         function.load_uniform(uniforms, 2 * (v - 3) + 1)});
         }
-        return part == KernelPart::RayForm ? coordinate_on_rays(view, *cell, v)
+        return part == KernelKind::RayForm ? coordinate_on_rays(view, *cell, v)
                                            : coordinate(view, *cell, v);
     };
     auto switches = switch_lanes<Batch>(function, expr, facts);
-    if (part == KernelPart::RayForm && count_switches(switches_of(expr, facts)) > 0) {
+    if (part == KernelKind::RayForm && count_switches(switches_of(expr, facts)) > 0) {
         switches.make_cuts(offsetof(Batch, cut_from), offsetof(Batch, cut_to));
     }
     BeamAlgebra<Lanes> algebra(&switches);
@@ -129,10 +129,10 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
 
 template <class Real>
 void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
-                 KernelPart part, llvm::Module& module) {
+                 KernelKind part, llvm::Module& module) {
     using Batch = ValueBatchOf<Real>;
     BatchFunction function(module, symbol_of(part), kind, offsetof(Batch, size));
-    const bool with_gradient = part == KernelPart::Value;
+    const bool with_gradient = part == KernelKind::Value;
     std::array<llvm::Value*, 3> x{};
     std::array<llvm::Value*, 3> gradient{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -204,7 +204,7 @@ template <class Real>
 void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                   llvm::Module& module) {
     using Batch = NewtonBatchOf<Real>;
-    BatchFunction function(module, symbol_of(KernelPart::Newton), kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelKind::Newton), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
                         array(offsetof(Batch, from)), array(offsetof(Batch, to)),
@@ -261,7 +261,7 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
 void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const VectorKind& kind,
                      llvm::Module& module) {
     using Batch = RayValueBatch;
-    BatchFunction function(module, symbol_of(KernelPart::RayValue), kind, offsetof(Batch, size));
+    BatchFunction function(module, symbol_of(KernelKind::RayValue), kind, offsetof(Batch, size));
     const auto array = [&](std::size_t offset) { return function.array(offset); };
     const std::array in{array(offsetof(Batch, col)), array(offsetof(Batch, row)),
                         array(offsetof(Batch, per_slope)), array(offsetof(Batch, s))};
@@ -300,16 +300,16 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
 }
 
 template <class Real>
-void lower_part(const Expr& expr, const VectorKind& kind, KernelPart part, llvm::Module& module) {
+void lower_part(const Expr& expr, const VectorKind& kind, KernelKind part, llvm::Module& module) {
     const std::vector<Facts> facts = facts_of(expr);
     switch (part) {
-        case KernelPart::Range: return lower_range<Real>(expr, facts, kind, module);
-        case KernelPart::Value:
-        case KernelPart::Points: return lower_value<Real>(expr, facts, kind, part, module);
-        case KernelPart::Form: return lower_form<Real>(expr, facts, kind, part, module);
-        case KernelPart::RayForm: return lower_form<Real>(expr, facts, kind, part, module);
-        case KernelPart::Newton: return lower_newton<Real>(expr, facts, kind, module);
-        case KernelPart::RayValue: return lower_ray_value(expr, facts, kind, module);
+        case KernelKind::Range: return lower_range<Real>(expr, facts, kind, module);
+        case KernelKind::Value:
+        case KernelKind::Points: return lower_value<Real>(expr, facts, kind, part, module);
+        case KernelKind::Form: return lower_form<Real>(expr, facts, kind, part, module);
+        case KernelKind::RayForm: return lower_form<Real>(expr, facts, kind, part, module);
+        case KernelKind::Newton: return lower_newton<Real>(expr, facts, kind, module);
+        case KernelKind::RayValue: return lower_ray_value(expr, facts, kind, module);
     }
 }
 
@@ -326,35 +326,33 @@ void remove_unused(llvm::Module& module) {
 }
 
 /// Whether products and sums of the part are fused; the others have the bits of the interpreter.
-bool contracts(KernelPart part) {
+bool contracts(KernelKind part) {
     switch (part) {
-        case KernelPart::Form:
-        case KernelPart::RayForm:
-        case KernelPart::Newton:
-        case KernelPart::RayValue: return true;
-        case KernelPart::Range:
-        case KernelPart::Value:
-        case KernelPart::Points: return false;
+        case KernelKind::Form:
+        case KernelKind::RayForm:
+        case KernelKind::Newton:
+        case KernelKind::RayValue: return true;
+        case KernelKind::Range:
+        case KernelKind::Value:
+        case KernelKind::Points: return false;
     }
     return false;
 }
 
 }  // namespace
 
-const char* symbol_of(KernelPart part) {
-    switch (part) {
-        case KernelPart::Range: return "zeroset_range";
-        case KernelPart::Value: return "zeroset_value";
-        case KernelPart::Form: return "zeroset_form";
-        case KernelPart::RayForm: return "zeroset_ray_form";
-        case KernelPart::Newton: return "zeroset_newton";
-        case KernelPart::RayValue: return "zeroset_ray_value";
-        case KernelPart::Points: return "zeroset_points";
+const char* symbol_of(KernelKind kind) {
+    switch (kind) {
+#define ZEROSET_KERNEL_FUNCTION(name, Kind, Batch) \
+    case KernelKind::Kind: return "zeroset_" #name;
+#include "engine/kernel/kernel_functions.def"
+        case KernelKind::RayValue: return "zeroset_ray_value";
+        case KernelKind::Points: return "zeroset_points";
     }
     return "";
 }
 
-std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelPart part,
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelKind part,
                                     llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("zeroset", context);
     if (kind.type == RealType::Float) {

@@ -19,28 +19,26 @@ struct VectorKind {
     int lanes;
 };
 
-/// The batch functions of engine/kernel/kernel.hpp.
-enum class KernelPart : std::uint8_t {
-    Range,
-    Value,
-    Form,
-    RayForm,
-    Newton,
+/// The kinds of functions that code is made for.
+enum class KernelKind : std::uint8_t {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) kind,
+#include "engine/kernel/kernel_functions.def"
     RayValue,
-    Points,  ///< the values alone, for a PointFunction
+    Points,  ///< values without gradients, for a PointFunction
 };
 
-/// The parts of a Kernel.
-inline constexpr KernelPart kernel_parts[] = {KernelPart::Range,  KernelPart::Value,
-                                              KernelPart::Form,   KernelPart::RayForm,
-                                              KernelPart::Newton, KernelPart::RayValue};
+/// The kinds that are functions of a Kernel.
+inline constexpr KernelKind kernel_kinds[] = {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) KernelKind::kind,
+#include "engine/kernel/kernel_functions.def"
+    KernelKind::RayValue};
 
-/// The name of the part's function.
-const char* symbol_of(KernelPart part);
+/// The name of the function in its module.
+const char* symbol_of(KernelKind kind);
 
 /// A module with one batch function over vectors of this kind: a loop over the items, with all that
 /// depends only on w and the parameters computed before it.
-std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelPart part,
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& vector, KernelKind kind,
                                     llvm::LLVMContext& context);
 
 }  // namespace zeroset::jit

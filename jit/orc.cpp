@@ -70,7 +70,7 @@ std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const 
     return *code;
 }
 
-Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part) {
+Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelKind part) {
     return [&expr, kind, part](llvm::LLVMContext& context) {
         return lower(expr, kind, part, context);
     };

@@ -29,7 +29,7 @@ protected:
 using Lowering = std::function<std::unique_ptr<llvm::Module>(llvm::LLVMContext&)>;
 
 /// The lowering by `lower`; the graph must outlive it.
-Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelPart part);
+Lowering lowering_of(const Expr& expr, const VectorKind& kind, KernelKind part);
 
 /// Compiles and links the module; `symbol` is its function, `hasty` CompileOptions::hasty.
 std::expected<std::shared_ptr<const MachineCode>, CompileError> make_code(const Lowering& lowering,

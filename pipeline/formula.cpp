@@ -42,11 +42,11 @@ void add_witnesses(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
         Kernel& kernel = formula.kernels[i];
         for (const Expr& witness : root_witnesses(formula.drawn[i]))
-            kernel.witnesses.push_back(interpret(witness).range_double);
+            kernel.witnesses.push_back(interpret(witness).in_double.range);
         kernel.defined_everywhere = is_defined_everywhere(formula.drawn[i]);
         if (kernel.witnesses.empty()) continue;
         if (const auto domain = domain_witness(formula.drawn[i]))
-            kernel.domain = interpret(*domain).range_double;
+            kernel.domain = interpret(*domain).in_double.range;
     }
 }
 
@@ -88,7 +88,7 @@ std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& r
         const Expr& drawn = formula.drawn.emplace_back(traceable(surface, sample_region(region)));
         const auto whole = unrestricted(drawn);
         auto& value = formula.unrestricted.emplace_back();
-        if (whole) value = interpret(*whole).value_float;
+        if (whole) value = interpret(*whole).in_float.value;
     }
     formula.code = code_for(formula.drawn, use, how);
     if (formula.code != CodeState::Machine) {

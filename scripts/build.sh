@@ -3,6 +3,7 @@
 # Everything goes to stderr, so that stdout belongs to the program.
 
 root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/..")
+build=$root/build/release  # of both: the tests use the libraries that the program is made of
 
 say() { printf 'zeroset: %s\n' "$*" >&2; }
 
@@ -69,19 +70,21 @@ install_packages() {
         die "could not install ${missing[*]}"
 }
 
-# Configures a preset if its build directory is new, was copied from elsewhere or had other presets.
+# Configures the build directory for a preset, release or test, if it is new, was copied from
+# elsewhere, had other presets or lacks the tests that the preset asks for.
 configure() {
-    local preset=$1 dir=$root/build/$1 fresh=()
+    local preset=$1 cache=$build/CMakeCache.txt fresh=()
     # --fresh discards the cache of another source directory, which cmake would refuse.
-    grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt" || fresh=(--fresh)
-    if ((${#fresh[@]} == 0)) && [[ -f $dir/build.ninja ]] &&
-        cmp -s "$root/CMakePresets.json" "$dir/configured_presets.json"; then
+    grep -qsxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache" || fresh=(--fresh)
+    if ((${#fresh[@]} == 0)) && [[ -f $build/build.ninja ]] &&
+        cmp -s "$root/CMakePresets.json" "$build/configured_presets.json" &&
+        { [[ $preset == release ]] || grep -qsxF "ZEROSET_TESTS:BOOL=ON" "$cache"; }; then
         return
     fi
     say "configuring"
-    (cd -- "$root" && quietly "$dir/configure.log" cmake "${fresh[@]}" --preset "$preset") ||
-        die "cmake failed; its output is above and in $dir/configure.log"
-    cp -- "$root/CMakePresets.json" "$dir/configured_presets.json"
+    (cd -- "$root" && quietly "$build/configure.log" cmake "${fresh[@]}" --preset "$preset") ||
+        die "cmake failed; its output is above and in $build/configure.log"
+    cp -- "$root/CMakePresets.json" "$build/configured_presets.json"
 }
 
 # Reports every half minute the progress of a build whose output goes to a log.
@@ -110,15 +113,15 @@ build_telling_progress() {
 
 # Builds a target of a preset on all cores; silent if there is nothing to do.
 configure_and_build() {
-    local preset=$1 target=$2 minutes=$3 dir=$root/build/$1
+    local preset=$1 target=$2 minutes=$3
     configure "$preset"
-    local ninja=(ninja -C "$dir")
+    local ninja=(ninja -C "$build")
     # The first call updates build.ninja. The dry run names it by an absolute path, which is not a
     # target of ninja: else the dry run would stop at its update, which never counts as done there.
-    quietly "$dir/build.log" "${ninja[@]}" --quiet build.ninja ||
-        die "cmake failed; its output is above and in $dir/build.log"
-    [[ $("${ninja[@]}" -f "$dir/build.ninja" -n "$target") == *"no work to do"* ]] && return
+    quietly "$build/build.log" "${ninja[@]}" --quiet build.ninja ||
+        die "cmake failed; its output is above and in $build/build.log"
+    [[ $("${ninja[@]}" -f "$build/build.ninja" -n "$target") == *"no work to do"* ]] && return
     say "building (first time takes about $minutes minutes)…"
-    build_telling_progress "$dir/build.log" "${ninja[@]}" "$target" ||
-        die "the build failed; its output is above and in $dir/build.log"
+    build_telling_progress "$build/build.log" "${ninja[@]}" "$target" ||
+        die "the build failed; its output is above and in $build/build.log"
 }

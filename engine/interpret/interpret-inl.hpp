@@ -215,22 +215,21 @@ void record_form(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord&
     interpret_cells<Real, bytes>(tape, &batch, false, &record);
 }
 
+template <class Real, std::size_t bytes>
+constexpr InterpreterCode::In<Real> functions_in() {
+    return {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) .name = interpret_##name<Real, bytes>,
+#include "engine/kernel/kernel_functions.def"
+        .record = record_form<Real, bytes>,
+    };
+}
+
 template <std::size_t bytes>
 constexpr InterpreterCode interpreter_code_of() {
-    return {.range_float = interpret_range<float, bytes>,
-            .value_float = interpret_gradient<float, bytes>,
-            .form_float = interpret_form<float, bytes>,
-            .ray_form_float = interpret_ray_form<float, bytes>,
-            .newton_float = interpret_newton<float, bytes>,
-            .record_float = record_form<float, bytes>,
-            .range_double = interpret_range<double, bytes>,
-            .value_double = interpret_gradient<double, bytes>,
-            .form_double = interpret_form<double, bytes>,
-            .ray_form_double = interpret_ray_form<double, bytes>,
-            .newton_double = interpret_newton<double, bytes>,
-            .record_double = record_form<double, bytes>,
+    return {.in_float = functions_in<float, bytes>(),
+            .in_double = functions_in<double, bytes>(),
             .ray_value = interpret_ray_value<bytes>,
-            .point_double = interpret_value<double, bytes>};
+            .points = interpret_point_values<double, bytes>};
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ public:
 
     void form(const FormBatchOf<float>& batch, ChoiceRecord& record) const override {
         make_room(batch, record);
-        interpreter_code().record_float(*tape_, batch, record);
+        interpreter_code().in_float.record(*tape_, batch, record);
     }
     void form(const FormBatchOf<double>& batch, ChoiceRecord& record) const override {
         make_room(batch, record);
-        interpreter_code().record_double(*tape_, batch, record);
+        interpreter_code().in_double.record(*tape_, batch, record);
     }
     [[nodiscard]] std::shared_ptr<const Kernel> specialized(
         const ChoiceRecord& record, std::span<const std::size_t> cells) const override;
@@ -45,17 +45,7 @@ private:
 
 void set_code(Kernel& kernel, const std::shared_ptr<const Tape>& tape) {
     const InterpreterCode& code = interpreter_code();
-    kernel.range_float = {code.range_float, tape};
-    kernel.value_float = {code.value_float, tape};
-    kernel.form_float = {code.form_float, tape};
-    kernel.ray_form_float = {code.ray_form_float, tape};
-    kernel.range_double = {code.range_double, tape};
-    kernel.value_double = {code.value_double, tape};
-    kernel.form_double = {code.form_double, tape};
-    kernel.ray_form_double = {code.ray_form_double, tape};
-    kernel.newton_float = {code.newton_float, tape};
-    kernel.newton_double = {code.newton_double, tape};
-    kernel.ray_value = {code.ray_value, tape};
+    visit_functions([&tape](auto& function, auto call) { function = {call, tape}; }, kernel, code);
     kernel.has_double = true;
     kernel.interpreted = true;
     kernel.steps = tape->steps().size();
@@ -152,7 +142,7 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
 }
 
 PointFunction interpret_points(const Expr& expr) {
-    return {interpreter_code().point_double,
+    return {interpreter_code().points,
             std::make_shared<const Tape>(
                 std::make_shared<const TapeGraph>(expr, facts_of(expr), Parts{}))};
 }

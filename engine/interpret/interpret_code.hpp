@@ -18,20 +18,18 @@ struct InterpreterCode {
     template <class Real>
     using Record = void (*)(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord& record);
 
-    Function<RangeBatchOf<float>> range_float;
-    Function<ValueBatchOf<float>> value_float;
-    Function<FormBatchOf<float>> form_float;
-    Function<FormBatchOf<float>> ray_form_float;
-    Function<NewtonBatchOf<float>> newton_float;
-    Record<float> record_float;
-    Function<RangeBatchOf<double>> range_double;
-    Function<ValueBatchOf<double>> value_double;
-    Function<FormBatchOf<double>> form_double;
-    Function<FormBatchOf<double>> ray_form_double;
-    Function<NewtonBatchOf<double>> newton_double;
-    Record<double> record_double;
+    /// The functions in one type, of the names of KernelsOf.
+    template <class Real>
+    struct In {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) Function<Batch<Real>> name;
+#include "engine/kernel/kernel_functions.def"
+        Record<Real> record;
+    };
+
+    In<float> in_float;
+    In<double> in_double;
     Function<RayValueBatch> ray_value;
-    Function<ValueBatchOf<double>> point_double;  ///< without gradients
+    Function<ValueBatchOf<double>> points;  ///< values without gradients
 };
 
 /// This thread's room for the values of a graph, kept from call to call. The code of a part may be

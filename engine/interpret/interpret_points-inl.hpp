@@ -86,7 +86,7 @@ inline bool is_coordinate(const Node& node, const Facts& facts) {
 }
 
 template <class Real, std::size_t bytes>
-void interpret_gradient(const void* code, const ValueBatchOf<Real>* batch) {
+void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
     using Lanes = Block<Real, bytes>;
     const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Dual<Lanes> {
         if (!is_coordinate(node, facts))
@@ -110,7 +110,7 @@ void interpret_gradient(const void* code, const ValueBatchOf<Real>* batch) {
 
 /// Leaves the batch's gradient alone, unless parts have code: they write theirs.
 template <class Real, std::size_t bytes>
-void interpret_value(const void* code, const ValueBatchOf<Real>* batch) {
+void interpret_point_values(const void* code, const ValueBatchOf<Real>* batch) {
     using Lanes = Block<Real, bytes>;
     const auto leaf = [&](const Node& node, const Facts& facts, std::size_t i) -> Lanes {
         if (!is_coordinate(node, facts))
@@ -244,8 +244,7 @@ void interpret_newton(const void* code, const NewtonBatchOf<Real>* batch) {
         const std::size_t count = std::min(points.most_pixels, batch->size - first);
         points.place(batch->rays, batch->col + first, batch->row + first, count);
         for (int step = 0; step <= batch->more_steps; ++step) {
-            points.evaluate(interpret_gradient<Real, bytes>, code, batch->uniforms,
-                            batch->s + first);
+            points.evaluate(interpret_value<Real, bytes>, code, batch->uniforms, batch->s + first);
             if (!take_step(*batch, first, count, points)) break;
         }
     }
@@ -260,7 +259,7 @@ void interpret_ray_value(const void* code, const RayValueBatch* batch) {
         points.place(batch->rays, batch->col + first, batch->row + first, count);
         for (int step = 0;; ++step) {
             double* const s = batch->s + first;
-            points.evaluate(interpret_value<double, bytes>, code, batch->uniforms, s);
+            points.evaluate(interpret_point_values<double, bytes>, code, batch->uniforms, s);
             if (step == batch->steps) break;
             for (std::size_t b = 0; b < count / Lanes::lanes; ++b) {
                 const std::size_t i = b * Lanes::lanes;

@@ -42,35 +42,36 @@ Batch batch_of_part(const PartCode& code, const Batch& batch) {
     return own;
 }
 
-/// Calls the function of the shape's kernel.
-template <auto function, class Batch>
+/// Calls the function of the shape's kernel that `pick` names.
+template <auto pick, class Batch>
 void call_part(const void* code, const Batch* batch) {
     const auto& part = *static_cast<const PartCode*>(code);
-    (part.shape->kernel.*function)(batch_of_part(part, *batch));
+    pick(part.shape->kernel)(batch_of_part(part, *batch));
 }
 
 /// As call_part, but never waits for code.
-template <auto function, class Batch>
+template <auto pick, class Batch>
 void call_part_meanwhile(const void* code, const Batch* batch) {
     const auto& part = *static_cast<const PartCode*>(code);
-    const auto& of_shape = part.shape->kernel.*function;
+    const auto& of_shape = pick(part.shape->kernel);
     const Batch own = batch_of_part(part, *batch);
     (of_shape.meanwhile != nullptr ? of_shape.meanwhile : of_shape.call)(of_shape.code.get(), &own);
 }
 
-template <auto function, class Batch>
-void set(KernelFunction<Batch> Kernel::* /*which*/, Kernel& kernel,
-         const std::shared_ptr<const PartCode>& code) {
-    kernel.*function = {call_part<function, Batch>, code, call_part_meanwhile<function, Batch>};
+template <auto pick, class Batch>
+void set(KernelFunction<Batch>& function, const std::shared_ptr<const PartCode>& code) {
+    function = {call_part<pick, Batch>, code, call_part_meanwhile<pick, Batch>};
 }
 
-/// The functions, and what is to be known of them.
+/// Sets the functions of a part, and what is to be known of them.
 void set_code(Kernel& kernel, const std::shared_ptr<const PartCode>& code) {
-    const auto put = [&]<auto... functions>() { (set<functions>(functions, kernel, code), ...); };
-    put.template operator()<&Kernel::range_float, &Kernel::value_float, &Kernel::form_float,
-                            &Kernel::ray_form_float, &Kernel::newton_float, &Kernel::ray_value,
-                            &Kernel::range_double, &Kernel::value_double, &Kernel::form_double,
-                            &Kernel::ray_form_double, &Kernel::newton_double>();
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch)                                              \
+    set<[](const Kernel& k) -> const auto& { return k.in_float.name; }>(kernel.in_float.name,   \
+                                                                        code);                  \
+    set<[](const Kernel& k) -> const auto& { return k.in_double.name; }>(kernel.in_double.name, \
+                                                                         code);
+#include "engine/kernel/kernel_functions.def"
+    set<[](const Kernel& k) -> const auto& { return k.ray_value; }>(kernel.ray_value, code);
     const Kernel& of_shape = code->shape->kernel;
     kernel.has_double = of_shape.has_double;
     kernel.branches = of_shape.branches;

@@ -53,7 +53,7 @@ std::array<bool, boxes> excluded(const KernelFunction<RangeBatchOf<Real>>& range
 }  // namespace
 
 FloatCheck::FloatCheck(const Kernel& ranges)
-    : in_float_(ranges.range_float), in_double_(ranges.range_double) {}
+    : in_float_(ranges.in_float.range), in_double_(ranges.in_double.range) {}
 
 bool FloatCheck::measured(const std::array<double, 3>& lo, const std::array<double, 3>& hi,
                           const Uniforms& uniforms) const {

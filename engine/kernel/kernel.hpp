@@ -5,10 +5,12 @@
 #include "engine/kernel/uniforms.hpp"
 #include "engine/real/rounding.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace zeroset {
@@ -40,62 +42,83 @@ struct KernelFunction {
 /// f in double at points; the batch's `gradient` is left alone.
 using PointFunction = KernelFunction<ValueBatchOf<double>>;
 
-/// What the tracer asks of a formula, whoever made the code (jit/compile or
-/// engine/expr/interpret).
+/// The functions of a kernel in one type; engine/kernel/kernel_functions.def says what each does.
+template <class Real>
+struct KernelsOf {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) KernelFunction<Batch<Real>> name;
+#include "engine/kernel/kernel_functions.def"
+};
+
+/// The code of one formula, by whomever it was made (jit/compile or engine/interpret): all that a
+/// tracer knows of f.
 struct Kernel {
-    KernelFunction<RangeBatchOf<float>> range_float;
-    KernelFunction<ValueBatchOf<float>> value_float;
-    KernelFunction<FormBatchOf<float>> form_float;
-    KernelFunction<FormBatchOf<float>> ray_form_float;  ///< of cells without width
-    KernelFunction<NewtonBatchOf<float>> newton_float;
+    KernelsOf<float> in_float;
+    KernelsOf<double> in_double;  ///< slow but for `value`, unless `has_double`
     KernelFunction<RayValueBatch> ray_value;
-    // Slow (interpreted) but for the values, unless whole frames can be traced in double.
-    KernelFunction<RangeBatchOf<double>> range_double;
-    KernelFunction<ValueBatchOf<double>> value_double;
-    KernelFunction<FormBatchOf<double>> form_double;
-    KernelFunction<FormBatchOf<double>> ray_form_double;
-    KernelFunction<NewtonBatchOf<double>> newton_double;
-    /// Of the sizes of FormBatchOf, NewtonBatchOf and RayValueBatch; divides batch_multiple.
+    /// Divides batch_multiple; sizes of FormBatchOf, NewtonBatchOf and RayValueBatch are multiples.
     std::size_t lane_multiple = batch_multiple;
-    bool has_double = false;              ///< whether whole frames can be traced in double
+    bool has_double = false;              ///< whole frames can be traced in double
     std::vector<std::string> parameters;  ///< names of the uniforms after w
     bool uses_w = false;
-    std::size_t switches = 0;  ///< of HeldSwitches
-    bool branches = false;     ///< whether BranchBits are ever but 0; else they are not written
+    std::size_t switches = 0;  ///< number of switches in HeldSwitches
+    bool branches = false;     ///< BranchBits may be other than 0; else they are not written
     std::shared_ptr<const Specializer> specializer;  ///< nullptr where it would not pay
     bool interpreted = false;                        ///< else machine code
-    std::size_t steps = 0;  ///< that the interpreter takes for an item; 0: machine code
+    std::size_t steps = 0;  ///< steps of the interpreter for an item; 0: machine code
     std::shared_ptr<const FloatCheck> float_check;  ///< nullptr: floats suffice
     /// Ranges of functions whose zeros are zeros of f (engine/rewrite/root_witnesses.hpp).
     std::vector<KernelFunction<RangeBatchOf<double>>> witnesses;
-    bool defined_everywhere = false;  ///< for all values of the variables, surely
+    bool defined_everywhere = false;  ///< f is surely defined for all values of the variables
     /// Ranges of a function that is continuous only where f is defined; none: not known.
     KernelFunction<RangeBatchOf<double>> domain;
 
-    void range(const RangeBatchOf<float>& batch) const { range_float(batch); }
-    void range(const RangeBatchOf<double>& batch) const { range_double(batch); }
-    void value(const ValueBatchOf<float>& batch) const { value_float(batch); }
-    void value(const ValueBatchOf<double>& batch) const { value_double(batch); }
-    void form(const FormBatchOf<float>& batch) const { form_float(batch); }
-    void form(const FormBatchOf<double>& batch) const { form_double(batch); }
-    /// As `form`; the frustum's radii are 0.
-    void ray_form(const FormBatchOf<float>& batch) const { ray_form_float(batch); }
-    void ray_form(const FormBatchOf<double>& batch) const { ray_form_double(batch); }
-    void newton(const NewtonBatchOf<float>& batch) const { newton_float(batch); }
-    void newton(const NewtonBatchOf<double>& batch) const { newton_double(batch); }
-    explicit operator bool() const { return static_cast<bool>(range_float); }
+    /// The functions in one type.
+    template <class Real>
+    [[nodiscard]] const KernelsOf<Real>& in() const {
+        if constexpr (std::is_same_v<Real, float>) {
+            return in_float;
+        } else {
+            return in_double;
+        }
+    }
+
+    // The function of each name, in the batch's type.
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) \
+    template <class Real>                          \
+    void name(const Batch<Real>& batch) const {    \
+        in<Real>().name(batch);                    \
+    }
+#include "engine/kernel/kernel_functions.def"
+
+    explicit operator bool() const { return static_cast<bool>(in_float.range); }
 
     /// A kernel whose functions never wait for their code to be made.
-    [[nodiscard]] Kernel without_waiting() const {
-        Kernel kernel = *this;
-        const auto change = [](auto&... functions) {
-            ((functions = functions.without_waiting()), ...);
-        };
-        change(kernel.range_float, kernel.value_float, kernel.form_float, kernel.ray_form_float,
-               kernel.newton_float, kernel.ray_value, kernel.range_double, kernel.value_double,
-               kernel.form_double, kernel.ray_form_double, kernel.newton_double);
-        return kernel;
-    }
+    [[nodiscard]] Kernel without_waiting() const;
 };
+
+/// Calls `visit` with each function of a kernel; with several kernels, or tables with members of
+/// the same names, once for each name with the functions of all of them.
+template <class Visit, class... Kernels>
+void visit_functions(Visit&& visit, Kernels&&... kernels) {
+#define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) \
+    visit(kernels.in_float.name...);               \
+    visit(kernels.in_double.name...);
+#include "engine/kernel/kernel_functions.def"
+    visit(kernels.ray_value...);
+}
+
+inline Kernel Kernel::without_waiting() const {
+    Kernel kernel = *this;
+    visit_functions([](auto& function) { function = function.without_waiting(); }, kernel);
+    return kernel;
+}
+
+/// True if both lists hold the same code.
+inline bool have_same_code(const std::vector<Kernel>& a, const std::vector<Kernel>& b) {
+    const auto same = [](const Kernel& x, const Kernel& y) {
+        return x.in_float.range == y.in_float.range;
+    };
+    return std::ranges::equal(a, b, same);
+}
 
 }  // namespace zeroset

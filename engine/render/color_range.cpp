@@ -60,10 +60,6 @@ bool fits(const ValueRange& range, const ValueRange& found) {
            found.hi - found.lo >= 0.5 * width;
 }
 
-bool same_surfaces(const std::vector<Kernel>& a, const std::vector<Kernel>& b) {
-    return std::ranges::equal(a, b, {}, &Kernel::range_float, &Kernel::range_float);
-}
-
 }  // namespace
 
 ValueRange fitting_range(std::vector<double> values, bool symmetric) {
@@ -117,7 +113,7 @@ std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
 std::optional<ValueRange> SteadyRange::last(const Scene& scene) const {
     Coloring same = coloring_;
     same.range = scene.coloring.range;
-    const bool same_values = same == scene.coloring && same_surfaces(surfaces_, scene.surfaces);
+    const bool same_values = same == scene.coloring && have_same_code(surfaces_, scene.surfaces);
     return same_values ? range_ : std::nullopt;
 }
 

@@ -22,10 +22,6 @@ std::size_t pixels_of(const RenderRequest& request) {
     return static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
 }
 
-bool same_surfaces(const std::vector<Kernel>& a, const std::vector<Kernel>& b) {
-    return std::ranges::equal(a, b, {}, &Kernel::range_float, &Kernel::range_float);
-}
-
 /// Copies the pixels of `rect` that are at the same places of a picture of another size.
 void stretch(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
     for (int row = rect.row; row < rect.row + rect.rows; ++row) {
@@ -179,7 +175,7 @@ std::uint64_t RenderJob::submit(RenderRequest request) {
 }
 
 bool RenderJob::starving(const RenderRequest& next, Clock::time_point now) const {
-    return drawing_ && first_ && same_surfaces(next.scene.surfaces, surfaces_) &&
+    return drawing_ && first_ && have_same_code(next.scene.surfaces, surfaces_) &&
            now - published_ > pace_.starving_after;
 }
 
@@ -201,7 +197,7 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_};
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
-    if (!same_surfaces(surfaces_, work.request.scene.surfaces)) {
+    if (!have_same_code(surfaces_, work.request.scene.surfaces)) {
         work.is_new = !work.request.again;
         governor_.forget(std::ranges::any_of(work.request.scene.surfaces, &Kernel::interpreted));
     }

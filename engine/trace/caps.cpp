@@ -78,7 +78,7 @@ int solid_sign(const Scene& scene, std::size_t surface) {
     const Solid solid = surface < scene.solids.size() ? scene.solids[surface] : Solid();
     if (solid.side != SolidSide::Automatic) return solid.side == SolidSide::Below ? -1 : 1;
     const auto& value =
-        solid.unrestricted ? solid.unrestricted : scene.surfaces[surface].value_float;
+        solid.unrestricted ? solid.unrestricted : scene.surfaces[surface].in_float.value;
     const UpwardRounding upward;
     for (int face = 0; face < 6; ++face) {
         if (!is_mostly_negative(scene, value, face)) return -1;

@@ -61,7 +61,7 @@ std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const PlainAlgebra& 
                                           const jit::VectorKind& kind, llvm::LLVMContext& context) {
     auto module = std::make_unique<llvm::Module>("plain", context);
     const std::vector<Facts> facts = facts_of(expr);
-    jit::BatchFunction function(*module, jit::symbol_of(jit::KernelPart::Range), kind,
+    jit::BatchFunction function(*module, jit::symbol_of(jit::KernelKind::Range), kind,
                                 offsetof(RangeBatch, size));
     const auto array = [&](std::size_t offset, std::size_t i) {
         return function.array(offset + i * sizeof(float*));
@@ -170,7 +170,7 @@ std::expected<std::shared_ptr<const jit::MachineCode>, jit::CompileError> plain_
             return lower_plain(expr, PlainAlgebra(careful), {RealType::Float, jit::host_lanes()},
                                context);
         },
-        jit::symbol_of(jit::KernelPart::Range), false);
+        jit::symbol_of(jit::KernelKind::Range), false);
 }
 
 void time_all(benchmark::State& state, const GalleryItem& item, const Expr& expr) {
@@ -178,7 +178,7 @@ void time_all(benchmark::State& state, const GalleryItem& item, const Expr& expr
     const auto careful_code = plain_code(expr, true);
     const auto bare_code = plain_code(expr, false);
     if (!kernel || !careful_code || !bare_code) return state.SkipWithError("does not compile");
-    Side<FE_UPWARD> sound(kernel->range_float.call, Samples<float>(item));
+    Side<FE_UPWARD> sound(kernel->in_float.range.call, Samples<float>(item));
     Side<FE_TONEAREST> careful(reinterpret_cast<RangeCode>((*careful_code)->entry()),
                                plain_samples(item));
     Side<FE_TONEAREST> bare(reinterpret_cast<RangeCode>((*bare_code)->entry()),

@@ -136,13 +136,13 @@ public:
     [[nodiscard]] Ranges of(const Kernel& kernel) const {
         Ranges ranges;
         const UpwardRounding upward;
-        kernel.range({batch_multiple,
-                      {neg_lo_[0].data(), neg_lo_[1].data(), neg_lo_[2].data()},
-                      {hi_[0].data(), hi_[1].data(), hi_[2].data()},
-                      uniforms_.neg_lo_hi.data(),
-                      ranges.neg_lo.data(),
-                      ranges.hi.data(),
-                      ranges.continuous.data()});
+        kernel.in_float.range({batch_multiple,
+                               {neg_lo_[0].data(), neg_lo_[1].data(), neg_lo_[2].data()},
+                               {hi_[0].data(), hi_[1].data(), hi_[2].data()},
+                               uniforms_.neg_lo_hi.data(),
+                               ranges.neg_lo.data(),
+                               ranges.hi.data(),
+                               ranges.continuous.data()});
         return ranges;
     }
 

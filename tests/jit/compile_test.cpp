@@ -63,9 +63,9 @@ TEST(Jit, SharesTheCodeOfEqualGraphs) {
     const Kernel first = compiled(parsed("x^2 + y^2 + z^2 - 1.25"), 4);
     const Kernel second = compiled(parsed("x*x + y*y + z*z = 1.25"), 4);
     const Kernel other = compiled(parsed("x*x + y*y + z*z = 1.26"), 4);
-    EXPECT_EQ(first.range_float, second.range_float);
-    EXPECT_EQ(first.form_float, second.form_float);
-    EXPECT_NE(first.range_float, other.range_float);
+    EXPECT_EQ(first.in_float.range, second.in_float.range);
+    EXPECT_EQ(first.in_float.form, second.in_float.form);
+    EXPECT_NE(first.in_float.range, other.in_float.range);
 }
 
 TEST(Jit, MakesDoubleWhenAskedAndApart) {
@@ -74,10 +74,10 @@ TEST(Jit, MakesDoubleWhenAskedAndApart) {
     EXPECT_FALSE(floats.has_double);
     const Kernel both = compiled(expr, 4, true);
     EXPECT_TRUE(both.has_double);
-    EXPECT_EQ(floats.range_float, both.range_float);
-    EXPECT_EQ(floats.value_double, both.value_double);
-    EXPECT_NE(floats.form_double, both.form_double);
-    EXPECT_EQ(both.range_double, compiled(expr, 4, true).range_double);
+    EXPECT_EQ(floats.in_float.range, both.in_float.range);
+    EXPECT_EQ(floats.in_double.value, both.in_double.value);
+    EXPECT_NE(floats.in_double.form, both.in_double.form);
+    EXPECT_EQ(both.in_double.range, compiled(expr, 4, true).in_double.range);
 }
 
 TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
@@ -86,17 +86,18 @@ TEST(Jit, LetsOtherCodeWorkUntilAFunctionIsMade) {
     const KernelBatch batch(random, 64);
     const Kernel quick = test::compiled(expr, {.quick = true});
     const Kernel meanwhile = quick.without_waiting();
-    EXPECT_NE(meanwhile.range_float, quick.range_float);
-    EXPECT_EQ(meanwhile.form_float, quick.form_float);
+    EXPECT_NE(meanwhile.in_float.range, quick.in_float.range);
+    EXPECT_EQ(meanwhile.in_float.form, quick.in_float.form);
     EXPECT_EQ(batch.run(interpret(expr)), batch.run(meanwhile));
 
-    EXPECT_NE(meanwhile.ray_form_float, quick.ray_form_float);
-    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), centres_and_errors(quick.form_float));
-    const auto of_rays = centres_and_errors(quick.ray_form_float);
-    const auto interpreted = centres_and_errors(interpret(expr).ray_form_float);
+    EXPECT_NE(meanwhile.in_float.ray_form, quick.in_float.ray_form);
+    EXPECT_EQ(centres_and_errors(meanwhile.in_float.ray_form),
+              centres_and_errors(quick.in_float.form));
+    const auto of_rays = centres_and_errors(quick.in_float.ray_form);
+    const auto interpreted = centres_and_errors(interpret(expr).in_float.ray_form);
     for (std::size_t i = 0; i < of_rays.size(); ++i)  // equal except for fused roundings
         EXPECT_NEAR(of_rays[i], interpreted[i], 1e-6F);
-    EXPECT_EQ(centres_and_errors(meanwhile.ray_form_float), of_rays);
+    EXPECT_EQ(centres_and_errors(meanwhile.in_float.ray_form), of_rays);
     EXPECT_EQ(batch.run(quick), batch.run(meanwhile));
 }
 
@@ -108,10 +109,11 @@ TEST(Jit, HasTheSameBitsInHaste) {
         const Expr expr = parsed(text);
         const Kernel thorough = test::compiled(expr, {});
         const Kernel hasty = test::compiled(expr, {.hasty = true});
-        EXPECT_NE(hasty.form_float, thorough.form_float);
-        EXPECT_EQ(centres_and_errors(hasty.form_float), centres_and_errors(thorough.form_float));
-        EXPECT_EQ(centres_and_errors(hasty.ray_form_float),
-                  centres_and_errors(thorough.ray_form_float));
+        EXPECT_NE(hasty.in_float.form, thorough.in_float.form);
+        EXPECT_EQ(centres_and_errors(hasty.in_float.form),
+                  centres_and_errors(thorough.in_float.form));
+        EXPECT_EQ(centres_and_errors(hasty.in_float.ray_form),
+                  centres_and_errors(thorough.in_float.ray_form));
         EXPECT_EQ(batch.run(hasty), batch.run(thorough)) << text;
     }
 }
@@ -130,9 +132,10 @@ TEST(Jit, KeepsLaneCountsApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
     const std::vector<int> lanes = machine_lanes();
     for (std::size_t i = 1; i < lanes.size(); ++i) {
-        EXPECT_NE(compiled(expr, lanes[i - 1]).range_float, compiled(expr, lanes[i]).range_float);
+        EXPECT_NE(compiled(expr, lanes[i - 1]).in_float.range,
+                  compiled(expr, lanes[i]).in_float.range);
     }
-    EXPECT_EQ(compiled(expr, 0).range_float, compiled(expr, jit::host_lanes()).range_float);
+    EXPECT_EQ(compiled(expr, 0).in_float.range, compiled(expr, jit::host_lanes()).in_float.range);
     EXPECT_EQ(jit::host_lanes(), lanes.back());
 }
 

@@ -56,8 +56,8 @@ std::vector<std::pair<std::string, Kernel>> kernels_of(std::string_view text) {
     std::vector<std::pair<std::string, Kernel>> kernels;
     for (const auto& [name, code] : interpreter_codes()) {
         Kernel kernel = interpret(*expr);
-        kernel.ray_form_float.call = code->ray_form_float;
-        kernel.ray_form_double.call = code->ray_form_double;
+        kernel.in_float.ray_form.call = code->in_float.ray_form;
+        kernel.in_double.ray_form.call = code->in_double.ray_form;
         kernels.emplace_back(name, std::move(kernel));
     }
     for (const int lanes : {4, 8, 16}) {

@@ -81,8 +81,8 @@ std::vector<std::pair<std::string, Kernel>> interpreters_of(const Expr& expr) {
     std::vector<std::pair<std::string, Kernel>> kernels;
     for (const auto& [name, code] : interpreter_codes()) {
         Kernel kernel = interpret(expr);
-        kernel.newton_float.call = code->newton_float;
-        kernel.newton_double.call = code->newton_double;
+        kernel.in_float.newton.call = code->in_float.newton;
+        kernel.in_double.newton.call = code->in_double.newton;
         kernel.ray_value.call = code->ray_value;
         kernels.emplace_back(name, std::move(kernel));
     }

@@ -68,9 +68,9 @@ FormAnswers<Real> answers_of(const Kernel& kernel, const FormCells<Real>& cells)
                                   out.continuous.data(),
                                   out.nowhere.data()};
     if constexpr (std::is_same_v<Real, float>) {
-        run(kernel.form_float, batch);
+        run(kernel.in_float.form, batch);
     } else {
-        run(kernel.form_double, batch);
+        run(kernel.in_double.form, batch);
     }
     find_values(kernel, cells, out.value);
     return out;

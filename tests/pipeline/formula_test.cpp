@@ -22,11 +22,11 @@ float value_at(const Kernel& kernel, float x, float y, float z) {
     columns[0].fill(x);
     columns[1].fill(y);
     columns[2].fill(z);
-    kernel.value({batch_multiple,
-                  {columns[0].data(), columns[1].data(), columns[2].data()},
-                  uniforms.middle.data(),
-                  columns[3].data(),
-                  {columns[4].data(), columns[5].data(), columns[6].data()}});
+    kernel.in_float.value({batch_multiple,
+                           {columns[0].data(), columns[1].data(), columns[2].data()},
+                           uniforms.middle.data(),
+                           columns[3].data(),
+                           {columns[4].data(), columns[5].data(), columns[6].data()}});
     return columns[3][0];
 }
 
@@ -52,7 +52,7 @@ TEST(CompileFormula, MakesCodeThatRuns) {
         z[i] = -1.0F;
     }
     const UpwardRounding upward;
-    formula->kernels[0].value(
+    formula->kernels[0].in_float.value(
         {batch_multiple, {x, y, z}, uniforms.middle.data(), f, {slope[0], slope[1], slope[2]}});
     for (std::size_t i = 0; i < batch_multiple; ++i) {
         EXPECT_EQ(f[i], x[i] * x[i] + 1.0F);
@@ -76,7 +76,7 @@ TEST(CompileFormula, MakesCodeInDoubleOnDemand) {
     EXPECT_TRUE(deep.has_code(Precision::Double));
     EXPECT_EQ(deep.code, CodeState::Machine);
     ASSERT_EQ(deep.kernels.size(), 2);
-    EXPECT_EQ(deep.kernels[1].range_float, formula->kernels[1].range_float);
+    EXPECT_EQ(deep.kernels[1].in_float.range, formula->kernels[1].in_float.range);
     const auto at_once = compile_formula("x^2 + y = z; z = 2", {}, Precision::Double);
     EXPECT_TRUE(at_once.value().has_code(Precision::Double));
 }

@@ -92,9 +92,9 @@ Ranges<Real> ranges_of(const Kernel& kernel, const Boxes<Real>& boxes) {
                                    f_hi.data(),
                                    continuous.data()};
     if constexpr (std::is_same_v<Real, float>) {
-        run(kernel.range_float, batch);
+        run(kernel.in_float.range, batch);
     } else {
-        run(kernel.range_double, batch);
+        run(kernel.in_double.range, batch);
     }
     Ranges<Real> result{};
     for (std::size_t i = 0; i < boxes_a_batch; ++i) {

@@ -188,10 +188,10 @@ void form_by_pieces(const void* code, const FormBatchOf<Real>* batch) {
 Kernel by_pieces(const Kernel& kernel) {
     const auto whole = std::make_shared<const Kernel>(kernel);
     Kernel result = kernel;
-    result.range_float = {range_by_pieces<float>, whole};
-    result.range_double = {range_by_pieces<double>, whole};
-    result.form_float = {form_by_pieces<float>, whole};
-    result.form_double = {form_by_pieces<double>, whole};
+    result.in_float.range = {range_by_pieces<float>, whole};
+    result.in_double.range = {range_by_pieces<double>, whole};
+    result.in_float.form = {form_by_pieces<float>, whole};
+    result.in_double.form = {form_by_pieces<double>, whole};
     return result;
 }
 

@@ -41,7 +41,7 @@ public:
     void push(std::uint32_t pixel, double s, double t) {
         push(rays_.u(pixel % tile_size), rays_.v(pixel / tile_size), 0.0, 0.0, s, t);
     }
-    void evaluate(const Kernel& kernel) { evaluate(range_of(kernel)); }
+    void evaluate(const Kernel& kernel) { evaluate(kernel.template in<Real>().range); }
     void evaluate(const KernelFunction<RangeBatchOf<Real>>& range);
     /// Looks at those boxes of the evaluated list piece by piece in which switches are open.
     void evaluate_pieces(const Kernel& kernel);
@@ -65,14 +65,6 @@ public:
     }
 
 private:
-    static const KernelFunction<RangeBatchOf<Real>>& range_of(const Kernel& kernel) {
-        if constexpr (std::is_same_v<Real, float>) {
-            return kernel.range_float;
-        } else {
-            return kernel.range_double;
-        }
-    }
-
     /// Whether f is known to be of either sign, and nowhere 0.
     [[nodiscard]] bool in_two_parts(std::size_t i) const {
         constexpr Real nowhere = -std::numeric_limits<Real>::infinity();
@@ -140,7 +132,7 @@ void RangeList<Real>::evaluate_pieces(const Kernel& kernel) {
                 of.ends[axis][k] = boxes_.ends[axis][list.cell(k)];
         }
         counters_.range += list.size();
-        range_of(kernel)(of.batch(list.size(), uniforms(), list.held()));
+        kernel.template in<Real>().range(of.batch(list.size(), uniforms(), list.held()));
     };
     memory_.pieces.visit(
         most_switches, evaluate, [&](std::size_t k) { return of.excludes_zero(k); },

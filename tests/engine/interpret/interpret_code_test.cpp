@@ -17,10 +17,10 @@ namespace {
 
 /// The kernel with the functions of such registers in place of the machine's widest.
 Kernel with_code(Kernel kernel, const InterpreterCode& code) {
-    kernel.range_float.call = code.range_float;
-    kernel.value_float.call = code.value_float;
-    kernel.range_double.call = code.range_double;
-    kernel.value_double.call = code.value_double;
+    kernel.in_float.range.call = code.in_float.range;
+    kernel.in_float.value.call = code.in_float.value;
+    kernel.in_double.range.call = code.in_double.range;
+    kernel.in_double.value.call = code.in_double.value;
     return kernel;
 }
 

@@ -43,13 +43,13 @@ Answer range_over(const Expr& expr, float lo, float hi, double w = 0) {
     Uniforms uniforms;
     uniforms.set(0, w);
     const UpwardRounding upward;
-    kernel.range({items,
-                  {neg_los.data(), neg_los.data(), neg_los.data()},
-                  {his.data(), his.data(), his.data()},
-                  uniforms.neg_lo_hi.data(),
-                  f_neg_lo.data(),
-                  f_hi.data(),
-                  continuous.data()});
+    kernel.in_float.range({items,
+                           {neg_los.data(), neg_los.data(), neg_los.data()},
+                           {his.data(), his.data(), his.data()},
+                           uniforms.neg_lo_hi.data(),
+                           f_neg_lo.data(),
+                           f_hi.data(),
+                           continuous.data()});
     const bool defined = f_hi[items - 1] != nowhere;
     EXPECT_TRUE(continuous[0] == 0 || continuous[0] == ~0U);
     return {defined ? -f_neg_lo[items - 1] : nowhere, f_hi[items - 1], continuous[0] != 0};

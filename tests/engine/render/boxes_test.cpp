@@ -41,7 +41,7 @@ std::uint64_t boxes_not_finite(double half_edge, double distance) {
     auto watched = std::make_shared<Watched>();
     watched->kernel = interpret(*expr);
     Kernel kernel = watched->kernel;
-    kernel.range_float = {watched_range, watched};
+    kernel.in_float.range = {watched_range, watched};
     const auto edge = static_cast<float>(half_edge);
     Scene scene{{kernel}, {glm::vec3(-edge), glm::vec3(edge)}, {}};
     scene.uniforms.set(0, 0.0);

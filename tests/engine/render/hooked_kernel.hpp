@@ -22,17 +22,7 @@ inline Kernel hooked(Kernel kernel, const std::function<void()>& hook) {
                     },
                     std::move(code)};
     };
-    change(kernel.range_float);
-    change(kernel.value_float);
-    change(kernel.form_float);
-    change(kernel.ray_form_float);
-    change(kernel.newton_float);
-    change(kernel.ray_value);
-    change(kernel.range_double);
-    change(kernel.value_double);
-    change(kernel.form_double);
-    change(kernel.ray_form_double);
-    change(kernel.newton_double);
+    visit_functions(change, kernel);
     return kernel;
 }
 

@@ -55,8 +55,8 @@ void range_around(const void* code, const RangeBatchOf<Real>* batch) {
 Kernel kernel_of(const Target& target) {
     Kernel kernel;
     const auto code = std::make_shared<Target>(target);
-    kernel.range_float = {range_around<float>, code};
-    kernel.range_double = {range_around<double>, code};
+    kernel.in_float.range = {range_around<float>, code};
+    kernel.in_double.range = {range_around<double>, code};
     kernel.has_double = true;
     return kernel;
 }

@@ -123,7 +123,7 @@ TEST_P(CapTest, FillsTheSameHoweverTheSurfaceIsRestricted) {
             scene_.surfaces[0] = interpret(surface);
             const auto plain = unrestricted(surface);
             ASSERT_TRUE(plain);
-            scene_.solids = {{SolidSide::Automatic, interpret(*plain).value_float}};
+            scene_.solids = {{SolidSide::Automatic, interpret(*plain).in_float.value}};
             render();
             EXPECT_EQ(solid_sign(scene_, 0), sign);
             EXPECT_EQ(frame_.certificate, whole.certificate);

@@ -168,13 +168,13 @@ Interval<float> range_of(const Kernel& kernel, const std::array<Interval<float>,
     std::array<float, batch_multiple> f_neg_lo{};
     std::array<float, batch_multiple> f_hi{};
     std::array<std::uint32_t, batch_multiple> continuous{};
-    kernel.range({batch_multiple,
-                  {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
-                  {hi[0].data(), hi[1].data(), hi[2].data()},
-                  w.data(),
-                  f_neg_lo.data(),
-                  f_hi.data(),
-                  continuous.data()});
+    kernel.in_float.range({batch_multiple,
+                           {neg_lo[0].data(), neg_lo[1].data(), neg_lo[2].data()},
+                           {hi[0].data(), hi[1].data(), hi[2].data()},
+                           w.data(),
+                           f_neg_lo.data(),
+                           f_hi.data(),
+                           continuous.data()});
     return {f_neg_lo[0], f_hi[0]};
 }
 
