@@ -41,9 +41,11 @@ struct TileHits {
         Trend trend = Trend::Unknown;
     };
 
-    bool any = false;                      ///< whether there is a hit
-    std::vector<float> depth;              ///< distance from the eye along the ray; +inf: no hit
-    std::vector<Certificate> certificate;  ///< of hits
+    bool any = false;  ///< whether there is a hit
+    /// Distance from the eye along the ray; +inf: no hit. While a tracer works it may hold other
+    /// numbers: that of beams keeps depths along the view axis in it.
+    std::vector<float> depth;
+    std::vector<Certificate> certificate;        ///< of hits
     std::array<std::vector<float>, 3> gradient;  ///< of f at hits, but for those among `points`
     std::vector<Point> points;
     /// Errors of `points` along rays.

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -36,7 +37,12 @@ public:
     /// Begins a tile whose certificates and gradients go to `hits`, which is clear. Where less is
     /// wanted of its rays, a root stands at the limit until `end` takes it away.
     void begin(TileHits& hits, const Tile& tile, const TileRays& rays) {
-        if (any_ || !limits_.empty()) std::ranges::fill(s, none);
+        if constexpr (std::is_same_v<Real, float>) {
+            s = hits.depth.data();
+        } else {
+            own_.assign(tile_pixels, none);
+            s = own_.data();
+        }
         any_ = false;
         hits_ = &hits;
         pending.clear();
@@ -44,7 +50,7 @@ public:
         if (tile.limits == nullptr) return;
         for (std::size_t pixel = 0; pixel < tile_pixels; ++pixel)
             s[pixel] = upper_end(Real{}, rays.limit(pixel));
-        limits_ = s;
+        limits_.assign(s, s + tile_pixels);
     }
     void end() {
         for (std::size_t pixel = 0; pixel < limits_.size(); ++pixel) {
@@ -88,8 +94,10 @@ public:
     float* gradients(std::size_t axis, std::size_t pixel) { return &hits_->gradient[axis][pixel]; }
     [[nodiscard]] bool any() const { return any_; }
 
-    /// The depth of the nearest root of each pixel, in rows of tile_size; +inf: none.
-    std::vector<Real> s = std::vector<Real>(tile_pixels, none);
+    /// The depth of the nearest root of each pixel, in rows of tile_size; +inf: none. In float it
+    /// stands in TileHits::depth, whose distances BeamTile::write_hits makes of it in the end: an
+    /// array of its own takes the quickest pictures some hundredths longer.
+    Real* s = nullptr;
     /// Roots whose gradients are not known, or not for sure.
     struct Pending {
         std::uint32_t pixel;
@@ -100,6 +108,7 @@ public:
 
 private:
     bool any_ = false;
+    std::vector<Real> own_;     ///< depths that have no place in the hits
     std::vector<Real> limits_;  ///< what `s` began with; empty: `none`
     TileHits* hits_ = nullptr;
 };

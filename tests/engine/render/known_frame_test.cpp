@@ -13,7 +13,7 @@
 namespace zeroset::test {
 namespace {
 
-TEST(Floor, DrawsTheSameFrame) {
+TEST(KnownFrame, DrawsTheSameFrame) {
     Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
     scene.surfaces.push_back(scene_of("z = 0.3 x y", Box::cube(2)).surfaces[0]);
     const Camera camera = default_camera(scene.clip);
