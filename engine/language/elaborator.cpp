@@ -1,4 +1,4 @@
-// From a text's statements to surfaces.
+// Builds the surfaces of a text's statements.
 
 #include "engine/language/elaborator.hpp"
 
@@ -15,10 +15,11 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t first_argument =
-    ProgramLimits::parameters;                     // numbers of functions' arguments, as parameters
-constexpr std::size_t longest_readings = 200'000;  // of all definitions, bytes
+    ProgramLimits::parameters;                     // first number of the parameters that stand for
+                                                   // functions' arguments
+constexpr std::size_t longest_readings = 200'000;  // bytes, all definitions together
 
-/// What to type for a built-in value whose name means something else.
+/// The formula to type for a built-in value whose name the text gives another meaning.
 std::string_view spelled_out(std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> spellings{
         {{"r", "sqrt(x^2 + y^2 + z^2)"},
@@ -56,7 +57,7 @@ std::expected<Program, ParseError> Elaborator::program() {
     return result();
 }
 
-/// tann(x) = y defines tann; another name may have been meant.
+/// A hint for a text without a surface: tann(x) = y defines tann, but may have been meant as tan.
 std::string Elaborator::hint_without_surface() {
     const Definition* const last = table_.of_statement(tree_.statements.size() - 1);
     const bool is_function = last != nullptr && last->is_function;
@@ -95,7 +96,7 @@ std::expected<Expr, ParseError> Elaborator::last_value() {
     return builder_.finish(*root, parameters_);
 }
 
-/// x = ..., y = ... and z = ..., each of u and v: no three surfaces.
+/// The error for x = ..., y = ... and z = ... of u and v: a parametric surface.
 std::optional<ParseError> Elaborator::error_for_parametric() {
     std::array<bool, 3> given{};
     std::array<bool, 2> used{};
@@ -139,8 +140,8 @@ bool Elaborator::build_statements() {
            });
 }
 
-/// A definition that no surface needs, or a function that has a value only for the arguments it is
-/// called with, is no error where there is a surface.
+/// Notes instead of failing, if the text has a surface, that a definition cannot be read: no
+/// surface needs it, or it is a function that has a value only for the arguments it is called with.
 bool Elaborator::note_unreadable(const Definition& definition) {
     if (surfaces_.empty() || !error_) return false;
     const std::size_t offset = tree_.statements[definition.statement].offset;
@@ -166,7 +167,7 @@ bool Elaborator::build_surface(std::size_t index) {
     return add_surface(index, *root);
 }
 
-/// Whether a statement such as e = 3 or r = sqrt(x^2 + y^2 + z^2), whose name nothing uses, is no
+/// Whether a statement such as e = 3 or r = sqrt(x^2 + y^2 + z^2), whose name is not used, is no
 /// surface.
 bool Elaborator::defines_nothing_else(std::size_t statement, NodeId root) const {
     const StatementSyntax& syntax = tree_.statements[statement];
@@ -217,7 +218,7 @@ Elaborator::Number Elaborator::equation(const StatementSyntax& statement) {
     return restricted(*f, statement);
 }
 
-/// A statement without "=".
+/// Builds a statement without "=".
 Elaborator::Number Elaborator::expression(SyntaxId id) {
     const Built value = build(id, nullptr);
     if (!value) return std::nullopt;
@@ -285,7 +286,7 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
     return true;
 }
 
-/// The readings of many definitions share their length.
+/// The longest reading of one definition, in bytes; many definitions share `longest_readings`.
 std::size_t Elaborator::longest_definition() {
     const std::size_t count = std::max<std::size_t>(table_.all().size(), 1);
     return std::clamp<std::size_t>(longest_readings / count, 20, 2'000);
@@ -309,7 +310,7 @@ std::optional<std::string> Elaborator::value_text(Definition& definition) {
            builder_.text(definition.value->id, parameters_, longest_definition());
 }
 
-/// A built-in name that means something else than ever.
+/// Notes that a definition gives a built-in name another meaning.
 void Elaborator::note_built_in(const Definition& definition) {
     const std::string& name = definition.name;
     if (!is_built_in_value(name) || built_in(name)->id == definition.value->id) return;
@@ -318,7 +319,7 @@ void Elaborator::note_built_in(const Definition& definition) {
                    std::string(spelled_out(name)));
 }
 
-/// The function's reading, its arguments taken as parameters of their own.
+/// The reading of a function; its arguments are built as parameters of their own.
 std::optional<std::string> Elaborator::function_text(Definition& definition) {
     std::vector<NodeId> arguments;
     std::string text = definition.name + "(";
@@ -341,7 +342,7 @@ std::expected<Program, ParseError> Elaborator::result() {
     std::ranges::sort(surfaces_, {}, &Surface::statement);
     Program program;
     std::size_t nodes = 0;
-    // A text of many surfaces shares the time for the readings.
+    // The time for writing readings is shared by all surfaces.
     const std::size_t longest = std::min<std::size_t>(longest_text, 1'000'000 / surfaces_.size());
     for (const Surface& surface : surfaces_) {
         Expr expr = builder_.finish(surface.root, parameters_);

@@ -14,30 +14,31 @@
 #include <utility>
 #include <vector>
 
-// Private to parse.hpp: from trees of names to one graph.
+// Private to parse.hpp: builds one graph from the syntax trees.
 
 namespace zeroset {
 
 class Elaborator {
 public:
-    /// What stands at `counted_end` or behind makes no definition of what is before it.
+    /// Text at offset `counted_end` or later does not decide whether an earlier statement is a
+    /// definition.
     explicit Elaborator(const SyntaxTree& tree, std::size_t counted_end = std::string_view::npos)
         : tree_(tree), notes_(tree.notes), table_(tree, counted_end, notes_) {
         error_ = table_.error();
     }
 
     std::expected<Program, ParseError> program();
-    /// The last statement, an expression.
+    /// The value of the last statement, an expression.
     std::expected<Expr, ParseError> last_value();
     /// The only statement, an equation or an expression; its constants may be undefined.
     std::expected<Expr, ParseError> formula();
 
 private:
     using Value = BuiltValue;
-    using Built = std::optional<Value>;  ///< without a value: `error_` says why
+    using Built = std::optional<Value>;  ///< nullopt is an error, which is in `error_`
     using Number = std::optional<NodeId>;
 
-    /// A name of a function's argument, of a sum's index or of a value in a function's body.
+    /// A local name: a function's argument, a sum's index, or a value in a function's body.
     struct Binding {
         std::string_view name;
         Value value;
@@ -93,8 +94,8 @@ private:
     Built with_local_value(const Syntax& syntax, const Binding* scope);
     Built last_of_list(const Syntax& syntax);
 
-    // elaborator_condition.cpp: what is true or false
-    /// What a number is where a condition is wanted.
+    // elaborator_condition.cpp: truth values
+    /// How a number is treated where a condition is expected.
     enum class Numbers : std::uint8_t { Refused, TrueUnlessZero };
     Number condition(SyntaxId id, const Binding* scope, Numbers numbers);
     Number number_of(const Value& value, std::size_t offset);
@@ -122,7 +123,7 @@ private:
     [[nodiscard]] std::optional<bool> known_truth(NodeId condition) const;
     std::optional<std::vector<NodeId>> numbers(std::span<const SyntaxId> ids, const Binding* scope);
 
-    /// The node as a value, unless the graph is too large or holds a constant that is no number.
+    /// The node as a value; an error if the graph is too large or a constant in it is undefined.
     Built done(NodeId id, std::size_t offset, bool condition = false);
     [[nodiscard]] bool divides_by_zero(const Node& node) const;
     std::nullopt_t fail(std::size_t offset, std::string reason, std::string hint = {});
@@ -131,18 +132,20 @@ private:
     Notes notes_;
     DefinitionTable table_;
     ExprBuilder builder_;
-    std::vector<Facts> facts_;  ///< of the builder's nodes
+    std::vector<Facts> facts_;  ///< facts of the builder's nodes, by index
     std::unordered_map<std::string, std::size_t> parameter_index_;
     std::vector<std::string> parameters_;
     std::unordered_map<Call, Value, CallHash> calls_;
-    std::unordered_map<SyntaxId, Value> earlier_;  ///< of lists
-    std::map<double, NodeId> kept_;                ///< by psh
-    std::optional<std::size_t> library_offset_;    ///< of the call whose body is being built
+    std::unordered_map<SyntaxId, Value> earlier_;  ///< values of lists
+    std::map<double, NodeId> kept_;                ///< values kept by psh, by index
+    std::optional<std::size_t> library_offset_;    ///< offset of the library call whose body is
+                                                   ///< being built
     std::vector<Surface> surfaces_;
-    std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 that nothing uses
+    std::vector<std::size_t> without_surface_;  ///< statements such as e = 3 whose names are not
+                                                ///< used
     std::map<std::size_t, Reading> readings_;   ///< by statement
     std::optional<ParseError> error_;
-    std::size_t statement_ = 0;  ///< whose names are looked up
+    std::size_t statement_ = 0;  ///< the statement in which names are looked up
     bool refuses_undefined_ = true;
     int depth_ = 0;
     std::size_t steps_ = 0;

@@ -1,4 +1,4 @@
-// From calls of functions to nodes: built-in ones, those of the text, sums.
+// Builds calls: of built-in functions, of functions that the text defines, of sums.
 
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
@@ -13,7 +13,7 @@ namespace zeroset {
 namespace {
 
 constexpr double max_terms = 10'000;
-constexpr double largest_bound = 1e15;  // i + 1 is another number
+constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
     return done(make_function(builder_, *syntax.function, arguments), syntax.offset);
 }
 
-/// Whether a condition holds that does not depend on anything. No answer: it depends.
+/// The truth value of a condition that is constant; nullopt: it is not.
 std::optional<bool> Elaborator::known_truth(NodeId condition) const {
     const auto& constant = facts_[condition].constant;
     if (!constant || constant->neg_lo != -constant->hi) return std::nullopt;
@@ -58,7 +58,8 @@ std::optional<std::vector<NodeId>> Elaborator::numbers(std::span<const SyntaxId>
     return values;
 }
 
-/// A function of library.def: its body with the arguments, and with no name of the text.
+/// Calls a function of library.def: builds its body with the arguments and without the text's
+/// names.
 Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* scope) {
     const LibraryFunction& function = tree_.library.at(syntax.function);
     const auto arguments = numbers(syntax.operands, scope);
@@ -76,7 +77,7 @@ Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* 
     return value;
 }
 
-/// psh(i, a), which is 1 and keeps a, and csd(i), which is what was kept last.
+/// Builds psh(i, a), which is 1 and keeps a, or csd(i), the value last kept for i.
 Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* scope) {
     const std::string name(syntax.function->name);
     const auto index =
@@ -95,7 +96,7 @@ Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* sc
                 "type psh(i, a) for the same i before it");
 }
 
-/// The exact value of a bound or an index.
+/// The exact value of a bound or an index, which must be a whole number.
 std::optional<double> Elaborator::whole_number(SyntaxId id, const Binding* scope,
                                                const Complaint& otherwise) {
     const Number value = number(id, scope);
@@ -107,7 +108,7 @@ std::optional<double> Elaborator::whole_number(SyntaxId id, const Binding* scope
     return fail(tree_[id].offset, otherwise.reason, otherwise.hint);
 }
 
-/// sum(f, i, m, n) and its kin, written out.
+/// Writes out sum(f, i, m, n), prod, least or greatest.
 Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scope) {
     const std::string name(syntax.function->name);
     const Syntax& index = tree_[syntax.operands[1]];

@@ -1,4 +1,4 @@
-// From a tree's comparisons to nodes that are true or false, and back to numbers.
+// Builds comparisons and connectives, and converts between truth values and numbers.
 
 #include "engine/expr/exact.hpp"
 #include "engine/expr/simplify.hpp"
@@ -18,7 +18,7 @@ Elaborator::Number Elaborator::number_of(const Value& value, std::size_t offset)
     return number ? Number(number->id) : std::nullopt;
 }
 
-/// A number as a condition: it holds where the number is not 0.
+/// A number as a condition: true where the number is not 0.
 Elaborator::Number Elaborator::condition_of(const Value& value, std::size_t offset) {
     if (value.condition) return value.id;
     const Node node = builder_.node(value.id);
@@ -42,7 +42,7 @@ Elaborator::Number Elaborator::condition(SyntaxId id, const Binding* scope, Numb
     return condition_of(*value, offset);
 }
 
-/// a < b < c is a < b and b < c.
+/// Builds a comparison; a < b < c is a < b and b < c.
 Elaborator::Built Elaborator::compare(const Syntax& syntax, const Binding* scope) {
     Built left = build(syntax.operands[0], scope);
     Number all;
@@ -75,7 +75,7 @@ Elaborator::Number Elaborator::compared(char mark, const Value& left, const Valu
     return ascending ? make_call(builder_, op, *a, *b) : make_call(builder_, op, *b, *a);
 }
 
-/// a <= b and b <= a; of conditions whether they are the same.
+/// Builds a == b of numbers as a <= b and b <= a; of truth values as both true or both false.
 Elaborator::Number Elaborator::equality(const Value& left, const Value& right, std::size_t offset) {
     if (left.condition) {
         if (const Number same = same_truth(left, right)) return same;
@@ -91,7 +91,7 @@ Elaborator::Number Elaborator::equality(const Value& left, const Value& right, s
     return make_call(builder_, Op::And, up, down);
 }
 
-/// Where a condition is 0, 1 or as another condition; nothing for other numbers.
+/// Where a condition equals 0, 1 or another condition; nullopt for other numbers.
 Elaborator::Number Elaborator::same_truth(const Value& condition, const Value& other) {
     const auto both = [&](NodeId a, NodeId b) { return make_call(builder_, Op::And, a, b); };
     if (other.condition) {

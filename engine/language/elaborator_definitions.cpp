@@ -27,7 +27,8 @@ DefinitionTable::DefinitionTable(const SyntaxTree& tree, std::size_t counted_end
     note_definitions(notes);
 }
 
-/// `name = ...` or `name(a, b) = ...`, unless a restriction makes it a surface.
+/// The definition `name = ...` or `name(a, b) = ...` in a statement; with a restriction the
+/// statement is a surface.
 std::optional<Definition> DefinitionTable::definition_in(std::size_t index) const {
     const StatementSyntax& statement = tree_.statements[index];
     const Syntax& relation = tree_[statement.relation];
@@ -70,8 +71,8 @@ bool DefinitionTable::read_definitions() {
     return true;
 }
 
-/// Whether f(x, y) = 1 is an equation, f being known: its arguments are the variables, and the
-/// right side is no function of them.
+/// Whether f(x, y) = 1 is an equation: f is already defined, its arguments are the variables, and
+/// the right side does not depend on them.
 bool DefinitionTable::is_level_of_function(const Definition& definition) const {
     if (!definition.is_function || definition.is_certain) return false;
     const auto known = functions_.find(definition.name);
@@ -84,7 +85,7 @@ bool DefinitionTable::is_level_of_function(const Definition& definition) const {
     return definition.arguments != last.arguments || !mentions_any_of(definition);
 }
 
-/// Whether a function's body has its arguments or calls its name.
+/// Whether a function's body uses its arguments or calls the function itself.
 bool DefinitionTable::mentions_any_of(const Definition& definition) const {
     std::vector<SyntaxId> pending{definition.body};
     while (!pending.empty()) {
@@ -144,7 +145,7 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
     if (repeats) --bound[index];
 }
 
-/// Counts uses of defined names in statements that do not define the name themselves.
+/// Counts the uses of each defined name in statements that do not define it.
 void DefinitionTable::count_uses(std::size_t counted_end) {
     for (const Definition& definition : definitions_)
         counts_.try_emplace(definition.name, 0);
@@ -165,8 +166,8 @@ bool DefinitionTable::is_used(std::string_view name) const {
     return count != counts_.end() && count->second > 0;
 }
 
-/// A built-in name is defined where another statement uses it, by what does not depend on r, rho,
-/// theta or phi; else the statement is an equation.
+/// Keeps the definition of a built-in name only where another statement uses the name and the value
+/// does not depend on r, rho, theta or phi; else the statement is an equation.
 void DefinitionTable::choose_built_in() {
     for (std::size_t i = 0; i < definitions_.size(); ++i) {
         const Definition& definition = definitions_[i];
@@ -187,7 +188,7 @@ void DefinitionTable::choose_built_in() {
     }
 }
 
-/// A letter's value that depends on the place and that nothing uses is an equation: c = x^2 + y^2.
+/// Makes an equation of a letter's unused value that depends on the point: c = x^2 + y^2.
 void DefinitionTable::choose_levels() {
     for (std::size_t i = 0; i < definitions_.size(); ++i) {
         const Definition& definition = definitions_[i];
@@ -199,7 +200,7 @@ void DefinitionTable::choose_levels() {
     }
 }
 
-/// Enters the definitions by name.
+/// Fills the tables of definitions by name.
 void DefinitionTable::enter() {
     values_.clear();
     functions_.clear();
@@ -210,9 +211,10 @@ void DefinitionTable::enter() {
     }
 }
 
-/// Which statements depend on the place, by themselves or by what they use.
+/// Finds which statements depend on the point, directly or by the names they use.
 void DefinitionTable::find_places() {
-    std::vector<std::vector<std::uint32_t>> users(definitions_.size());  // statements
+    std::vector<std::vector<std::uint32_t>> users(
+        definitions_.size());  // statements that use each definition
     std::vector<std::size_t> changed;
     std::ranges::fill(places_, Places{});
     for (std::size_t i = 0; i < tree_.statements.size(); ++i) {
@@ -255,7 +257,7 @@ void DefinitionTable::note_definitions(Notes& notes) const {
     }
 }
 
-/// Notes on names that are defined twice or belong to a built-in function.
+/// Notes names that are defined twice or are those of a built-in function.
 void DefinitionTable::note_repetitions(const Lists& lists, Notes& notes) const {
     for (const auto& [name, indices] : lists) {
         for (std::size_t k = 1; k < indices.size(); ++k) {
@@ -294,7 +296,7 @@ Definition* DefinitionTable::found(Lists& lists, std::string_view name, std::siz
     const auto from = std::ranges::lower_bound(
         indices, statement, {}, [&](std::uint32_t index) { return definitions_[index].statement; });
     if (from != indices.begin()) return &definitions_[*std::prev(from)];
-    // A built-in name keeps its meaning in its own first definition.
+    // In its own first definition a built-in name keeps its meaning.
     const bool is_own = last.statement == statement && is_built_in_value(name);
     return is_own ? nullptr : &last;
 }

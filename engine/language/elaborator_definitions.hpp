@@ -14,14 +14,14 @@
 #include <unordered_map>
 #include <vector>
 
-// Private to Elaborator: the definitions of a text and which of them a name means.
+// Private to Elaborator: the definitions of a text, and which of them a name refers to.
 
 namespace zeroset {
 
-/// A node or a truth value.
+/// A node of the graph, which is a number or a truth value.
 struct BuiltValue {
     NodeId id;
-    bool condition;  ///< a truth value, not a number
+    bool condition;  ///< true: a truth value
 };
 
 /// A statement `name = body` or `name(arguments) = body`.
@@ -35,10 +35,10 @@ struct Definition {
     bool in_progress = false;
     bool settled = false;
     bool is_called = false;
-    std::optional<BuiltValue> value;  ///< of a value, once known
+    std::optional<BuiltValue> value;  ///< the value of the body, once known; none for a function
 };
 
-/// A name or call in a statement that is no argument of a function.
+/// A use of a name or function in a statement; names of arguments are none.
 struct NameUse {
     SyntaxId at;
     bool calls;
@@ -46,17 +46,19 @@ struct NameUse {
 
 class DefinitionTable {
 public:
-    /// Reads the statements; uses at `counted_end` or behind do not make a definition. Notes what
-    /// is defined again, what hides a built-in function, and what is an equation.
+    /// Reads the statements; uses at offset `counted_end` or later do not make a definition. Adds
+    /// notes on names defined again, names that hide a built-in function, and statements that are
+    /// equations.
     DefinitionTable(const SyntaxTree& tree, std::size_t counted_end, Notes& notes);
 
-    /// What is wrong with the definitions by themselves.
+    /// The error in the definitions themselves, if any.
     [[nodiscard]] const std::optional<ParseError>& error() const { return error_; }
     [[nodiscard]] std::vector<Definition>& all() { return definitions_; }
     /// The definition that a statement is; nullptr: it is none.
     [[nodiscard]] Definition* of_statement(std::size_t statement);
-    /// What a name means in a statement: in a definition the last one before it, or if there is
-    /// none the last of all; in a surface the last of all. nullptr: it is not defined.
+    /// The definition that a name refers to in a statement: in a surface the last one of the text;
+    /// in a definition the last one before it, or if there is none the last one of the text.
+    /// nullptr: none.
     [[nodiscard]] Definition* value(std::string_view name, std::size_t statement) {
         return found(values_, name, statement);
     }
@@ -64,11 +66,11 @@ public:
         return found(functions_, name, statement);
     }
     [[nodiscard]] std::span<const NameUse> uses(std::size_t statement) const;
-    /// The definition that a use means; nullptr: none.
+    /// The definition that a use refers to; nullptr: none.
     [[nodiscard]] Definition* meant(const NameUse& use, std::size_t statement);
 
 private:
-    /// How many arguments and indices around a place have a name.
+    /// Number of enclosing arguments and indices, by name.
     using Bound = std::unordered_map<std::string_view, int>;
     using Lists = NameMap<std::vector<std::uint32_t>>;
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -92,21 +94,22 @@ private:
     }
     Definition* found(Lists& lists, std::string_view name, std::size_t statement);
 
-    /// In which way a statement depends on the place.
+    /// How a statement depends on the point.
     struct Places {
-        bool axes = false;   ///< by x, y or z
-        bool polar = false;  ///< by r, rho, theta or phi
+        bool axes = false;   ///< through x, y or z
+        bool polar = false;  ///< through r, rho, theta or phi
         bool operator==(const Places&) const = default;
     };
 
     const SyntaxTree& tree_;
     std::vector<Definition> definitions_;
-    std::vector<bool> out_;                    ///< definitions that turn out to be equations
-    std::vector<std::uint32_t> of_statement_;  ///< or none
+    std::vector<bool> out_;                    ///< definitions that turned out to be equations
+    std::vector<std::uint32_t> of_statement_;  ///< index of its definition, or `none`
     std::vector<NameUse> uses_;
-    std::vector<std::size_t> first_use_;  ///< of each statement, and the end
-    NameMap<std::size_t> counts_;         ///< of the uses of a name in other statements
-    std::vector<Places> places_;          ///< of each statement
+    std::vector<std::size_t> first_use_;  ///< index of each statement's first use in uses_, and one
+                                          ///< past the last
+    NameMap<std::size_t> counts_;         ///< number of uses of a name in other statements
+    std::vector<Places> places_;          ///< one for each statement
     Lists values_;
     Lists functions_;
     std::optional<ParseError> error_;

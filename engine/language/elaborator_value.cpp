@@ -1,4 +1,4 @@
-// From a tree's expressions to nodes.
+// Builds the nodes of expressions.
 
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/expr/constants.hpp"
@@ -15,9 +15,10 @@ namespace zeroset {
 namespace {
 
 constexpr double largest_number = 1e300;
-constexpr int max_depth = 5000;  // of trees within calls within trees
-constexpr int deep = 500;        // from here on values are known before they are looked up
-constexpr std::size_t max_steps = 10'000'000;  // takes below two seconds
+constexpr int max_depth = 5000;  // depth of trees within calls within trees
+constexpr int deep = 500;        // from this depth on, definitions are settled before they are
+                                 // looked up
+constexpr std::size_t max_steps = 10'000'000;  // takes less than two seconds
 
 std::string why_undefined(const Node& node) {
     if (node.op == Op::Divide) return "a division by 0";
@@ -118,7 +119,7 @@ Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     return unknown(syntax);
 }
 
-/// A parameter, or what is wrong with the name.
+/// The parameter of this name, or the error for a name that can be none.
 Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
     const std::string& name = syntax.text;
     if (const Definition* const function = table_.function(name, statement_)) {
@@ -177,7 +178,7 @@ Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t off
     return done(builder_.variable(variable_w + 1 + static_cast<int>(entry->second)), offset);
 }
 
-/// X and E are parameters here, but the coordinate and 2.718... elsewhere.
+/// Notes that X and E are parameters here, but the coordinate and 2.718... elsewhere.
 void Elaborator::note_capital(const std::string& name, std::size_t offset) {
     const bool is_axis = name == "X" || name == "Y" || name == "Z";
     if (!is_axis && name != "E") return;
@@ -201,8 +202,8 @@ Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax
     return definition.value;
 }
 
-/// Makes all values known that a definition needs, the innermost first: a long chain of definitions
-/// takes no deep stack.
+/// Builds all values that a definition needs, the innermost first, so that a long chain of
+/// definitions needs no deep stack.
 bool Elaborator::settle(Definition& definition) {
     struct Visit {
         Definition* of;
@@ -277,7 +278,7 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
     return Value{*total, false};
 }
 
-/// Whether a divisor is a name whose value is 0; the error says so.
+/// Whether a divisor is a name whose value is 0; sets the error if so.
 bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
     const Syntax& syntax = tree_[id];
     const auto& constant = facts_[divisor].constant;
@@ -288,7 +289,7 @@ bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
     return true;
 }
 
-/// A name with a value in what follows it, in a function's body.
+/// Builds an expression that follows a local value in a function's body.
 Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
     const Built value = build(syntax.operands[0], scope);
     if (!value) return value;
@@ -296,7 +297,7 @@ Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Bindi
     return build(syntax.operands[1], &binding);
 }
 
-/// The values of a list, each known once and for all, so that a long list takes no deep stack.
+/// Builds the values of a list in order, each once, so that a long list needs no deep stack.
 Elaborator::Built Elaborator::last_of_list(const Syntax& syntax) {
     Built last;
     for (const SyntaxId id : syntax.operands) {

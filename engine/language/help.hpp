@@ -6,7 +6,7 @@
 
 namespace zeroset {
 
-/// One line of the help: what to type, and what it does.
+/// A line of the help: what to type, and what it does.
 struct HelpEntry {
     std::string typed;
     std::string meaning;
@@ -17,10 +17,10 @@ struct HelpSection {
     std::vector<HelpEntry> entries;
 };
 
-/// The formula language in one screen and all its functions.
+/// The help on the formula language: one screen, and all functions.
 std::vector<HelpSection> language_help();
 
-/// How a text is built, in EBNF.
+/// The grammar of the language, in EBNF.
 std::string_view language_grammar();
 
 }  // namespace zeroset

@@ -17,7 +17,7 @@ ParseError unknown_parameter(const std::string& name, std::span<const std::strin
     return {0, "there is no parameter '" + name + "'", known};
 }
 
-/// The graph with its parameters numbered as these are.
+/// The graph with its parameters renumbered to their places in `parameters`.
 std::expected<Expr, ParseError> renumbered(const Expr& expr,
                                            std::span<const std::string> parameters) {
     constexpr int first = variable_w + 1;
@@ -46,7 +46,8 @@ std::expected<Program, ParseError> read_program(std::string_view text) {
 
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
                                            std::span<const std::string> parameters) {
-    // Alone first: it must be one statement, whatever the program goes on with.
+    // The expression is first read alone, since it must be one statement whatever program precedes
+    // it.
     const auto alone = read_syntax(expression);
     if (!alone) return std::unexpected(alone.error());
     if (alone->statements.size() > 1) {

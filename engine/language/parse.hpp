@@ -11,23 +11,25 @@
 
 namespace zeroset {
 
-/// A text as it was understood. Surfaces share the numbering of the parameters.
+/// What a text says. All surfaces share the numbering of the parameters.
 struct Program {
-    std::vector<Expr> surfaces;  ///< f of f = 0, restricted by Op::Where; at least one
+    std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
+                                 ///< one
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
 };
 
-/// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded
-/// whatever it says.
+/// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded for any
+/// text.
 std::expected<Program, ParseError> read_program(std::string_view text);
 
-/// Reads an expression with the functions and values of a program (its text, which can be read) and
-/// with its parameters, in their order; others are an error. Offsets are of the expression.
+/// Reads an expression that may use the functions and values of a program (its text, which must be
+/// readable) and the given parameters, in their order; another parameter is an error. Offsets of
+/// errors count from the start of the expression.
 std::expected<Expr, ParseError> read_value(std::string_view expression, std::string_view program,
                                            std::span<const std::string> parameters);
 
-/// Reads the one formula of a text, which may also be constant, even undefined (1/0).
+/// Reads a text of one formula, which may also be constant, even undefined (1/0).
 std::expected<Expr, ParseError> parse(std::string_view text);
 
 }  // namespace zeroset

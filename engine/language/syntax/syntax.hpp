@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-// What a text says before names mean anything: a tree for each statement.
+// A text as trees, one for each statement, before names are looked up.
 
 namespace zeroset {
 
@@ -25,20 +25,20 @@ enum class SyntaxKind : std::uint8_t {
     Sum,      ///< marks: '+' or '-' before each operand but the first
     Product,  ///< marks: '*', '/' or '%' before each operand but the first
     Power,    ///< base, exponent
-    Call,     ///< function, or text: the name of a function of the text
+    Call,     ///< function, or text: the name of a function that the text defines
     Compare,  ///< marks between the operands: '=', '<', '>', 'l' for <=, 'g' for >=, 'e' for ==,
               ///< 'n' for !=
     And,      ///< 2 operands or more
     Or,       ///< 2 operands or more
     Not,      ///< 1 operand
-    Cases,    ///< condition, value, condition, value, ..., and maybe the value otherwise; marks:
-              ///< "?" if written condition ? value : value
-    Let,      ///< text: a name; the name's value, and what has the name in it
-    List,     ///< values one after the other, of which the last counts
-    Earlier,  ///< a value that stands before in the same list
+    Cases,    ///< condition, value, condition, value, ..., and perhaps a last value for all other
+              ///< cases; marks: "?" if written condition ? value : value
+    Let,      ///< text: a name; operands: its value, and the expression that may use the name
+    List,     ///< values computed in order; the value of the list is the last one
+    Earlier,  ///< an earlier value of the same list
 };
 
-/// Whether it is true or false by itself.
+/// Whether a node of this kind is a truth value by itself.
 constexpr bool is_condition(SyntaxKind kind) {
     return kind == SyntaxKind::Compare || kind == SyntaxKind::And || kind == SyntaxKind::Or ||
            kind == SyntaxKind::Not;
@@ -46,20 +46,20 @@ constexpr bool is_condition(SyntaxKind kind) {
 
 struct Syntax {
     SyntaxKind kind = SyntaxKind::Number;
-    std::size_t offset = 0;  ///< where an error in it is shown
+    std::size_t offset = 0;  ///< where an error about the node is shown, in bytes of the text
     std::string text;
     std::vector<SyntaxId> operands;
     std::string marks;
     const Function* function = nullptr;
 };
 
-/// A statement as typed: what it says and the conditions that restrict it.
+/// A statement as typed: its relation and the conditions that restrict it.
 struct StatementSyntax {
     SyntaxId relation;
     std::vector<SyntaxId> restrictions;
-    std::size_t offset;       ///< of its first character
-    bool is_certain = false;  ///< a definition, as := and words such as float say
-    char leading_sign = 0;    ///< '+' or '-' if its line starts with it, below another
+    std::size_t offset;       ///< offset of its first character, in bytes
+    bool is_certain = false;  ///< marked as a definition, by := or a word such as float
+    char leading_sign = 0;    ///< '+' or '-' if its line starts with it and is not the first
 };
 
 /// A function of library.def.
@@ -71,14 +71,15 @@ struct LibraryFunction {
 struct SyntaxTree {
     std::vector<Syntax> nodes;
     std::vector<StatementSyntax> statements;
-    std::map<const Function*, LibraryFunction> library;  ///< those that are called
+    std::map<const Function*, LibraryFunction> library;  ///< the functions of library.def that are
+                                                         ///< called
     Notes notes;
 
     [[nodiscard]] const Syntax& operator[](SyntaxId id) const { return nodes[id]; }
 };
 
-/// The trees of a text's statements. Functions are found by name; other names are any. What stands
-/// at `counted_end` or behind does not tell whether a name before it is a definition.
+/// Reads the trees of a text's statements. Functions are looked up by name; other names are not.
+/// Text at offset `counted_end` or later does not decide whether an earlier name is defined.
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text,
                                                   std::size_t counted_end = std::string_view::npos);
 

@@ -1,4 +1,4 @@
-// What is wrong with a text, and what to type instead.
+// Errors in a text, each with a hint what to type instead.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
@@ -28,7 +28,7 @@ ParseError SyntaxParser::missing_operand() const {
             here.kind == TokenKind::End};
 }
 
-/// Why the next token cannot follow a finished operand.
+/// The error for a next token that cannot follow a complete operand.
 ParseError SyntaxParser::surplus() const {
     const Token& here = next();
     const std::string text(here.text);

@@ -14,7 +14,7 @@ bool is_f(const Token& token) {
     return token.kind == TokenKind::Name && (token.text == "f" || token.text == "F");
 }
 
-/// Whether the token is an f right behind a number with a point or an exponent.
+/// Whether the token is an f directly after a number with a point or an exponent.
 bool ends_number(std::span<const Token> tokens, std::size_t at) {
     if (at == 0 || !is_f(tokens[at])) return false;
     const Token& number = tokens[at - 1];
@@ -22,7 +22,7 @@ bool ends_number(std::span<const Token> tokens, std::size_t at) {
            number.text.find_first_of(".eE") != std::string_view::npos;
 }
 
-/// Whether an f that is a value stands somewhere else.
+/// Whether the text has an f that is a value.
 bool has_f(std::span<const Token> tokens, const DefinedNames& defined) {
     if (defined.defines_value("f")) return true;
     for (std::size_t at = 0; at < tokens.size(); ++at) {
@@ -32,7 +32,7 @@ bool has_f(std::span<const Token> tokens, const DefinedNames& defined) {
     return false;
 }
 
-/// Whether nothing goes on with the f, as 0.5f_1, 0.5fx and 0.5f(x) do.
+/// Whether nothing continues the f, as in 0.5f_1, 0.5fx and 0.5f(x).
 bool stands_alone(std::span<const Token> tokens, std::size_t at) {
     const Token& next = tokens[at + 1];
     const bool goes_on =

@@ -7,8 +7,7 @@
 
 namespace zeroset {
 
-/// Leaves out the f of numbers such as 0.5f, as programs write them, unless the text has an f of
-/// its own.
+/// Removes the f of numbers such as 0.5f, as programs write them, unless the text has a value f.
 std::vector<Token> without_float_suffixes(std::vector<Token> tokens, const DefinedNames& defined,
                                           Notes& notes);
 

@@ -1,5 +1,5 @@
-// Lists of instructions, a line each, as Fidget and libfive keep their models (.vm): a name for the
-// result, what is done, the names of what it is done with. The last result is the formula.
+// Lists of instructions as Fidget and libfive store models (.vm). Each line has a name for its
+// result, the operation, and the names of the operands. The last result is the formula.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
@@ -12,7 +12,7 @@
 namespace zeroset {
 namespace {
 
-/// Words whose functions have other names here.
+/// Operations whose functions have other names here.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> other_words{
     {{"log", "ln"}, {"rem", "mod"}, {"nth-root", "root"}}};
 

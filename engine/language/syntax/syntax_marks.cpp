@@ -13,31 +13,31 @@
 namespace zeroset {
 namespace {
 
-/// A text that nests deeper is refused by the parser.
+/// Deepest nesting of brackets; the parser refuses deeper ones.
 constexpr std::size_t deepest = 1100;
 
-/// What becomes of a token.
+/// What a token is replaced by.
 enum class Mark : std::uint8_t { Stays, Or, And, Nothing, Point, Ends, Label };
 
 enum class Place : std::uint8_t { Statement, Call, Group, Braces };
 
-/// A comma and whether digits stand right before and behind it.
+/// A comma; it may be a decimal point if digits stand directly before and after it.
 struct Comma {
     std::size_t at;
     bool may_be_point;
-    bool behind_connective = false;  ///< "and" or a bar stands since the comma
-    bool before_comparison = false;  ///< a comparison starts behind it
+    bool behind_connective = false;  ///< an "and" or a bar follows the comma
+    bool before_comparison = false;  ///< a comparison starts after it
 };
 
 struct Frame {
     Place place = Place::Statement;
     const Token* called = nullptr;  ///< the name before the bracket
-    bool is_condition = false;      ///< all in it
+    bool is_condition = false;      ///< everything in it is a condition
     std::size_t colons = 0;
-    std::size_t choices = 0;      ///< "?" without its ":"
+    std::size_t choices = 0;      ///< "?" still without their ":"
     std::size_t comparisons = 0;  ///< < > <= >= != and connectives
     std::size_t equals = 0;
-    std::size_t part_begin = 0;  ///< comparisons and equals before the last separator
+    std::size_t part_begin = 0;  ///< comparisons + equals before the last separator
     std::vector<Comma> commas;
     std::vector<Bar> bars;  ///< since the last separator
 };
@@ -92,7 +92,7 @@ private:
     Notes& notes_;
     std::vector<Mark> marks_;
     std::vector<Frame> frames_;
-    std::size_t statement_ = 0;  ///< index of its first token
+    std::size_t statement_ = 0;  ///< index of the statement's first token
 };
 
 void MarkReader::read_token(std::size_t at) {
@@ -129,7 +129,7 @@ bool MarkReader::takes(const Token& name, std::size_t arguments) const {
     return function != nullptr && function->takes(arguments);
 }
 
-/// Whether what stands here is true or false: behind "if(" up to the comma, in { }.
+/// Whether a condition is expected here: after "if(" up to the comma, or in { }.
 bool MarkReader::wants_condition() const {
     const Frame& frame = frames_.back();
     const bool behind_if = frame.called != nullptr && frame.called->text == "if";
@@ -173,7 +173,7 @@ void MarkReader::end_statement(std::size_t at) {
     statement_ = at + 1;
 }
 
-/// A line that starts with a sign may have been meant to go on with the one before.
+/// Notes that a line that starts with a sign may have been meant to continue the one before.
 void MarkReader::note_sign(std::size_t at) {
     if (tokens_[at].text != "\n" || at == statement_) return;
     const Token& next = tokens_[at + 1];
@@ -223,7 +223,8 @@ bool MarkReader::is_label(std::size_t at) const {
            adjacent(first, tokens_[statement_ + 1]);
 }
 
-/// Outside brackets a ":" ends a surface, as in K3DSurf, or stands behind the name of an equation.
+/// Decides on a ":". Outside brackets it ends a surface, as in K3DSurf, or follows the name of an
+/// equation.
 void MarkReader::colon(std::size_t at) {
     end_part();
     Frame& here = frame();
@@ -262,7 +263,8 @@ void MarkReader::ampersand(std::size_t at) {
         notes_.add(tokens_[at].offset, "this & means nothing; for a condition type and");
 }
 
-/// What stands between the last comma and the next connective is no comparison any more.
+/// Notes a connective after the last comma: what follows it is no comparison that starts at the
+/// comma.
 void MarkReader::end_operand_behind_comma() {
     if (!frame().commas.empty()) frame().commas.back().behind_connective = true;
 }
@@ -273,7 +275,7 @@ void MarkReader::compare_behind_comma() {
     last.before_comparison = last.before_comparison || !last.behind_connective;
 }
 
-/// A condition stands behind each comma but those that are decimal points.
+/// Treats each comma as followed by a condition, except those that are decimal points.
 void MarkReader::decide_conditions(const Frame& frame) {
     std::vector<Comma> points;
     for (const Comma& comma : frame.commas) {
@@ -328,7 +330,7 @@ void MarkReader::make_points(const std::vector<Comma>& commas) {
     }
 }
 
-/// The tokens with what their marks make of them.
+/// The tokens, replaced as their marks say.
 std::vector<Token> MarkReader::result() {
     std::size_t kept = 0;
     for (std::size_t at = 0; at < tokens_.size(); ++at) {

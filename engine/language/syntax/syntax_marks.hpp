@@ -8,11 +8,11 @@
 
 namespace zeroset {
 
-/// The ":" behind the name of an equation, as it is told from others.
+/// The text of a ":" after the name of an equation, to tell it from other colons.
 inline constexpr std::string_view label_mark = "name:";
 
-/// Decides what the signs of several meanings are: "|" an absolute value or "or", "&" "and" or
-/// LaTeX's mark of a column, "," a decimal point or a separator, ":" the end of a statement.
+/// Decides on the signs with several meanings: "|" is an absolute value or "or", "&" is "and" or
+/// LaTeX's column mark, "," a decimal point or a separator, ":" the end of a statement.
 std::vector<Token> with_plain_marks(std::vector<Token> tokens, const DefinedNames& defined,
                                     Notes& notes);
 

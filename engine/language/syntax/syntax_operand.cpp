@@ -1,4 +1,4 @@
-// The operands of formulas: numbers, names, brackets, calls.
+// Operands of formulas: numbers, names, brackets, calls.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_parser.hpp"
@@ -11,9 +11,10 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t longest_letter = 4;  // f_r and f_th may be parameters
+constexpr std::size_t longest_letter = 4;  // library names up to this length, such as f_r and f_th,
+                                           // may be parameters
 
-/// A number with its decimal point, for 0,5 and 0{,}5, too.
+/// The number with a decimal point, for 0,5 and 0{,}5, too.
 std::string decimal(std::string_view typed) {
     std::string text;
     for (const char c : typed) {
@@ -76,7 +77,7 @@ SyntaxParser::Parsed SyntaxParser::name(const Token& token) {
     return add(SyntaxKind::Name, token.offset, {}, {}, full);
 }
 
-/// Brackets around an operand; "{" may also start cases.
+/// Reads an operand in brackets; "{" may also start cases.
 SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     const std::size_t start = at_ - 1;
     const int bars = std::exchange(bars_, 0);
@@ -98,7 +99,7 @@ SyntaxParser::Parsed SyntaxParser::group(const Token& opener) {
     return inside;
 }
 
-/// Whether the brackets that were just opened hold several values, as (x, y, z).
+/// Whether the brackets just opened hold several values, as (x, y, z).
 bool SyntaxParser::is_list() const {
     int open = 1;
     for (std::size_t i = at_; open > 0 && tokens_[i].kind != TokenKind::End; ++i) {
@@ -110,7 +111,8 @@ bool SyntaxParser::is_list() const {
     return false;
 }
 
-/// The rest of { condition: value, condition: value, value otherwise }, which may lack the last.
+/// Reads the rest of { condition: value, condition: value, value otherwise }, in which the last
+/// value may be missing.
 SyntaxParser::Parsed SyntaxParser::cases(const Token& opener, SyntaxId condition) {
     std::vector<SyntaxId> operands{condition};
     for (;;) {
@@ -148,7 +150,7 @@ SyntaxParser::Parsed SyntaxParser::floor_or_ceil(const Token& opener) {
     return add_call(function, opener.offset, {*inside});
 }
 
-/// A braced group, or as TeX reads it a single digit or operand.
+/// Reads a braced group, or a single digit or operand, as TeX does.
 SyntaxParser::Parsed SyntaxParser::part() {
     const Level level(depth_);
     if (!may_nest()) return std::nullopt;
@@ -207,7 +209,7 @@ SyntaxParser::Parsed SyntaxParser::superscript() {
 }
 
 SyntaxParser::List SyntaxParser::arguments() {
-    take();  // the opener
+    take();  // skips the opener
     const int bars = std::exchange(bars_, 0);
     ++brackets_;
     std::vector<SyntaxId> values;
@@ -223,8 +225,8 @@ SyntaxParser::List SyntaxParser::arguments() {
     return values;
 }
 
-/// Whether the only argument is a list, as in norm([x, y, z]) and length(vec3(x, y, z)); its
-/// opener is next then.
+/// Skips to the list that is the only argument, as in norm([x, y, z]) and length(vec3(x, y, z)), so
+/// that its opener is the next token. False if there is none.
 bool SyntaxParser::skip_to_list() {
     std::size_t at = at_ + 1;
     const bool vector = tokens_[at].kind == TokenKind::Name && tokens_[at].text.starts_with("vec");
@@ -251,7 +253,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
         const bool of_list = function.most < 0 && skip_to_list();
         List values = arguments();
         if (!values) return values;
-        if (of_list) take();  // the list's end
+        if (of_list) take();  // the end of the list
         if (!close(opener)) return std::nullopt;
         return values;
     }
@@ -272,7 +274,7 @@ SyntaxParser::List SyntaxParser::arguments_of(const Token& token, const Function
     return std::vector<SyntaxId>{*value};
 }
 
-/// Whether the next token goes on the argument of a function without parentheses: a name that is
+/// Whether the next token continues the argument of a function without parentheses: a name that is
 /// no function.
 bool SyntaxParser::starts_bare_factor() const {
     if (next().kind != TokenKind::Name || !starts_factor()) return false;
@@ -281,7 +283,8 @@ bool SyntaxParser::starts_bare_factor() const {
            next().text != "\\frac" && next().text != "\\sqrt" && next().text != "log";
 }
 
-/// 2x in sin 2x: a product of a number or a name and names; a bracket only right behind a number.
+/// Reads an argument without parentheses, as 2x in sin 2x: a product of a number or name and names;
+/// a bracket is part of it only directly after a number.
 SyntaxParser::Parsed SyntaxParser::bare_argument() {
     const std::size_t offset = next().offset;
     const Parsed first = signed_power();
@@ -339,7 +342,8 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
     return with_exponent(result, token, function, *exponent);
 }
 
-/// The angle of a point: atan(y, x) of GLSL, but ArcTan[x, y] of Mathematica.
+/// The arguments of an angle in the order of atan2: GLSL has atan(y, x), but Mathematica ArcTan[x,
+/// y].
 std::vector<SyntaxId> SyntaxParser::in_order_of_atan2(const Token& token,
                                                       std::vector<SyntaxId> values) {
     const bool swapped = token.text == "ArcTan";
@@ -349,7 +353,7 @@ std::vector<SyntaxId> SyntaxParser::in_order_of_atan2(const Token& token,
     return values;
 }
 
-/// sin^2 x is (sin x)^2, but sin^-1 x is the inverse function.
+/// Applies an exponent after a function's name: sin^2 x is (sin x)^2, but sin^-1 x is the inverse.
 SyntaxParser::Parsed SyntaxParser::with_exponent(SyntaxId call, const Token& token,
                                                  const Function& function, SyntaxId exponent) {
     const Syntax& power_of = tree_[exponent];

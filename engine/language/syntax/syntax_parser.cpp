@@ -12,7 +12,7 @@ constexpr int max_depth = 1000;
 
 }  // namespace
 
-/// condition ? value : condition ? value : value
+/// Reads condition ? value : condition ? value : value.
 SyntaxParser::Parsed SyntaxParser::choice() {
     const std::size_t offset = next().offset;
     Parsed first = logic();
@@ -123,7 +123,7 @@ SyntaxParser::Parsed SyntaxParser::sum() {
     return add(SyntaxKind::Sum, offset, std::move(operands), marks);
 }
 
-/// Whether the "{" that comes next holds conditions rather than a factor or cases.
+/// Whether the "{" that is next holds restricting conditions rather than a factor or cases.
 bool SyntaxParser::restricts() const {
     if (brackets_ > 0) return false;
     int open = 0;
@@ -170,7 +170,7 @@ SyntaxParser::Parsed SyntaxParser::product() {
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
 }
 
-/// Whether the "/" of d/dx comes next, typed without spaces and d being no defined name.
+/// Whether the "/" of d/dx is next, typed without spaces, and d is not a defined name.
 bool SyntaxParser::is_derivative() const {
     if (!next_is("/") || at_ == 0 || at_ + 2 >= tokens_.size()) return false;
     const auto is_d = [](const Token& token) {
@@ -201,7 +201,8 @@ SyntaxParser::Parsed SyntaxParser::signed_power() {
     return add(SyntaxKind::Negate, offset, {*operand});
 }
 
-/// !x, as programs write "not", and ~(x < 1). "~" before what is no condition is a space.
+/// Reads !x, which programs write for "not", or ~(x < 1). "~" before anything but a condition is a
+/// space.
 SyntaxParser::Parsed SyntaxParser::negated() {
     const Level level(depth_);
     if (!may_nest()) return std::nullopt;
@@ -255,7 +256,8 @@ SyntaxId SyntaxParser::add_call(const Function& function, std::size_t offset,
     return call;
 }
 
-/// The body of a function of library.def, once in the tree. Errors in it are shown at `offset`.
+/// Adds the body of a function of library.def, once for each tree. Errors in it are shown at
+/// `offset`.
 void SyntaxParser::add_library_function(const Function& function, std::size_t offset) {
     if (tree_.library.contains(&function)) return;
     std::string text = "float F(" + std::string(function.arguments) + ") {";

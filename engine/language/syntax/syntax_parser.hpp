@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-// Private to the reading of syntax: recursive descent, a function for each rule of the grammar in
-// resources/docs/language.md.
+// Private to the syntax room: a recursive descent parser with a function for each rule of the
+// grammar in resources/docs/language.md.
 
 namespace zeroset {
 
 class SyntaxParser {
 public:
-    /// Without a value: `error_` says why. An error in each value would make the stack of a deeply
-    /// nested formula several times as large.
+    /// nullopt is an error, which is in `error_`. An error in each value would make the stack of a
+    /// deeply nested formula several times as large.
     using Parsed = std::optional<SyntaxId>;
 
     SyntaxParser(std::vector<Token> tokens, const DefinedNames& defined, Notes notes)
@@ -32,14 +32,14 @@ private:
     using Rule = Parsed (SyntaxParser::*)();
     using List = std::optional<std::vector<SyntaxId>>;
 
-    /// A name in the body of a function as programs write it.
+    /// A local name in a function's body as programs write it.
     struct LocalValue {
         std::string name;
         std::size_t offset;
         SyntaxId value;
     };
 
-    /// One more nesting while it lives. Every recursion passes power() or part().
+    /// Counts one more level of nesting while it lives. Every recursion passes power() or part().
     struct Level {
         explicit Level(int& depth) : depth_(depth) { ++depth_; }
         ~Level() { --depth_; }
@@ -85,7 +85,7 @@ private:
     Parsed negated();
     Parsed power();
     Parsed joined_by(std::string_view word, SyntaxKind kind, Rule rule);
-    /// The mark of a comparison, or 0.
+    /// The mark of the comparison that is next, or 0.
     [[nodiscard]] char comparison() const;
     [[nodiscard]] bool starts_factor() const;
     [[nodiscard]] bool restricts() const;
@@ -116,14 +116,14 @@ private:
     // syntax_errors.cpp
     [[nodiscard]] static ParseError wrong_count(const Token& token, const Function& function,
                                                 std::size_t count);
-    /// Why `name(a, b)` is no call.
+    /// The error for `name(a, b)` that calls no function.
     [[nodiscard]] ParseError no_function(const Token& name) const;
     bool close(const Token& opener);
     std::nullopt_t refuse(ParseError error);
     std::nullopt_t fail(const Token& at, std::string reason, std::string hint = {});
     [[nodiscard]] ParseError missing_operand() const;
     [[nodiscard]] ParseError surplus() const;
-    /// Whether `further` levels more are allowed; an error if not.
+    /// Whether `further` more levels are allowed; sets the error if not.
     bool may_nest(int further = 0);
 
     SyntaxId add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
@@ -143,7 +143,7 @@ private:
         return next().kind == TokenKind::Break || next().kind == TokenKind::End;
     }
     const Token& take() { return tokens_[next().kind == TokenKind::End ? at_ : at_++]; }
-    /// The typed text of the token before.
+    /// The text of the token before the next one.
     [[nodiscard]] std::string before() const { return std::string(tokens_[at_ - 1].text); }
 
     std::vector<Token> tokens_;
@@ -151,10 +151,10 @@ private:
     SyntaxTree tree_;
     std::optional<ParseError> error_;
     std::size_t at_ = 0;
-    std::size_t statement_start_ = 0;  ///< index of its first token
-    int depth_ = 0;                    ///< of nested operands
-    int brackets_ = 0;                 ///< open ones
-    int bars_ = 0;                     ///< open |, since the last open bracket
+    std::size_t statement_start_ = 0;  ///< index of the statement's first token
+    int depth_ = 0;                    ///< nesting of operands
+    int brackets_ = 0;                 ///< open brackets
+    int bars_ = 0;                     ///< open "|" since the last open bracket
 };
 
 }  // namespace zeroset

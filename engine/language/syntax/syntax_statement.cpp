@@ -1,4 +1,4 @@
-// The statements of a text, and definitions as programs write them.
+// Statements of a text, and definitions as programs write them.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/syntax/syntax_floats.hpp"
@@ -26,7 +26,8 @@ std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
     return std::move(tree_);
 }
 
-/// Words such as `const float` say that a definition follows, or several with commas between.
+/// Reads a statement. After words such as `const float` a definition follows, or several separated
+/// by commas.
 bool SyntaxParser::statement() {
     std::size_t offset = next().offset;
     skip_label();
@@ -41,7 +42,7 @@ bool SyntaxParser::statement() {
     return false;
 }
 
-/// The name of an equation: e1: x + y = 1.
+/// Skips the name of an equation: e1: x + y = 1.
 void SyntaxParser::skip_label() {
     for (std::size_t at = at_; at <= at_ + 2 && at < tokens_.size(); ++at) {
         if (is_symbol(tokens_[at], {label_mark})) at_ = at + 1;
@@ -58,7 +59,7 @@ bool SyntaxParser::skip_type_words() {
     return skips;
 }
 
-/// Whether a comma and NAME = come next.
+/// Whether a comma and `NAME =` are next.
 bool SyntaxParser::declares_more() const {
     return next_is(",") && tokens_[at_ + 1].kind == TokenKind::Name &&
            is_symbol(tokens_[at_ + 2], {"=", ":="});
@@ -110,7 +111,8 @@ SyntaxParser::Parsed SyntaxParser::relation_of_statement(bool is_certain) {
     return with_equation_outside(*relation);
 }
 
-/// z = x < 0 ? 1 : 2 and f(u) = u < 1: the "=" of an equation binds less than all else.
+/// Moves the "=" of an equation to the top of the tree, since it binds less than all else: z = x <
+/// 0 ? 1 : 2 and f(u) = u < 1.
 SyntaxId SyntaxParser::with_equation_outside(SyntaxId root) {
     std::optional<SyntaxId> parent;
     SyntaxId at = root;
@@ -153,7 +155,7 @@ bool SyntaxParser::restrictions_in_braces(StatementSyntax& statement) {
     return close(opener);
 }
 
-/// Whether `f(float u, float v) {` comes next.
+/// Whether `f(float u, float v) {` is next.
 bool SyntaxParser::starts_program_function() const {
     if (next().kind != TokenKind::Name || !is_symbol(tokens_[at_ + 1], {"("})) return false;
     std::size_t at = at_ + 2;
@@ -162,7 +164,7 @@ bool SyntaxParser::starts_program_function() const {
     return is_symbol(tokens_[at], {")"}) && is_symbol(tokens_[at + 1], {"{"});
 }
 
-/// f(float u, float v) { float a = u*v; return a + 1; }
+/// Reads `f(float u, float v) { float a = u*v; return a + 1; }`.
 SyntaxParser::Parsed SyntaxParser::program_function() {
     const Token& name = take();
     std::vector<SyntaxId> arguments;
@@ -182,7 +184,7 @@ SyntaxParser::Parsed SyntaxParser::program_function() {
     return add(SyntaxKind::Compare, name.offset, {call, *body}, "=");
 }
 
-/// Whether `F = function(u, v) {` or `F = function {` comes next.
+/// Whether `F = function(u, v) {` or `F = function {` is next.
 bool SyntaxParser::starts_pov_function() const {
     return next().kind == TokenKind::Name && is_symbol(tokens_[at_ + 1], {"="}) &&
            tokens_[at_ + 2].kind == TokenKind::Name && tokens_[at_ + 2].text == "function" &&
@@ -214,7 +216,7 @@ SyntaxParser::Parsed SyntaxParser::pov_function() {
     return add(SyntaxKind::Compare, name.offset, {call, *body}, "=");
 }
 
-/// Values one after the other, the last of them behind "return".
+/// Reads a function's braces: local values, then "return" and the result.
 SyntaxParser::Parsed SyntaxParser::block() {
     const Token& opener = take();
     std::vector<LocalValue> locals;
@@ -242,7 +244,7 @@ SyntaxParser::Parsed SyntaxParser::block() {
     return result;
 }
 
-/// float a = 1, b = 2;
+/// Reads `float a = 1, b = 2;`.
 bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
     const bool is_certain = skip_type_words();
     do {

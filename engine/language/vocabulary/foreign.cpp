@@ -64,14 +64,15 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
 
 std::string hint_for_unknown(std::string_view name) {
     std::vector<std::string_view> words = function_spellings();
-    constexpr std::size_t shortest_of_library = 5;  // f_r is near to any short name
+    constexpr std::size_t shortest_of_library = 5;  // shorter library names, such as f_r, are near
+                                                    // to any short name
     std::erase_if(words, [&](std::string_view word) {
         return name.size() < shortest_of_library && find_function(word)->is_of_library();
     });
     words.insert(words.end(), built_in_values().begin(), built_in_values().end());
     if (const auto meant = meant_word(name, words))
         return "did you mean " + std::string(*meant) + "?";
-    // A letter before a known name: a coefficient that nothing else mentions.
+    // A letter before a known name, such as ksin, is meant as a coefficient times that name.
     const bool coefficient = name.size() > 1 && is_built_in(name.substr(1));
     if (coefficient || name.size() == 2) {
         return "for a product type " + std::string(name.substr(0, 1)) + "*" +
@@ -83,7 +84,7 @@ std::string hint_for_unknown(std::string_view name) {
 }
 
 std::string hint_for_sign(char32_t code) {
-    constexpr char32_t wide = 0xFF01 - '!';  // + the ASCII character
+    constexpr char32_t wide = 0xFF01 - '!';  // full-width form of an ASCII character c: c + wide
     static constexpr std::array<std::pair<std::u32string_view, std::string_view>, 7> hints{
         {{U"\"'`“”„‘’«»", "leave quotation marks out; a derivative is typed as its formula"},
          {U"±∓", "type two equations, one with + and one with -"},

@@ -7,20 +7,21 @@
 #include <string>
 #include <string_view>
 
-// What to answer to names and signs of other languages that have no meaning here.
+// Errors and hints for names and signs of other languages that have no meaning here.
 
 namespace zeroset {
 
-/// What is wrong with a name that belongs to what is not read: vectors, noise, commands.
+/// The error for a name of something that the language lacks (vectors, noise, commands); nullopt
+/// for other names.
 std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t offset);
 
-/// The hint for a name that is not known: the nearest known one, or the product that was meant.
+/// A hint for an unknown name: the nearest known name, or the product that was meant.
 std::string hint_for_unknown(std::string_view name);
 
-/// The hint for a character without a meaning.
+/// A hint for a character without a meaning.
 std::string hint_for_sign(char32_t code);
 
-/// What is wrong with the part of a value that stands behind a point, such as hf or x.
+/// The error for a component after a point, such as x in v.x.
 ParseError error_for_part(std::string_view part, std::size_t offset);
 
 }  // namespace zeroset

@@ -26,7 +26,7 @@ constexpr std::pair<std::string_view, std::string_view> other_spellings[] = {
     {"arsinh", "asinh"},
     {"arcosh", "acosh"},
     {"artanh", "atanh"},
-    {"ArcTan", "atan"},  // of Mathematica, whose arguments stand the other way round
+    {"ArcTan", "atan"},  // Mathematica's, whose two arguments are in reverse order
     {"Log", "log"},
     {"arctan2", "atan2"},
     {"sgn", "sign"},
@@ -116,7 +116,7 @@ Index make_index() {
     return index;
 }
 
-/// min, max and what else takes any number of arguments, two by two.
+/// Applies a binary operator from left to right to two or more arguments, or returns the only one.
 NodeId fold(ExprBuilder& builder, Op op, std::span<const NodeId> arguments) {
     return std::accumulate(arguments.begin() + 1, arguments.end(), arguments.front(),
                            [&](NodeId a, NodeId b) { return make_call(builder, op, a, b); });
@@ -131,8 +131,8 @@ NodeId length_of(ExprBuilder& builder, std::span<const NodeId> arguments) {
     return make_call(builder, Op::Sqrt, sum);
 }
 
-/// min(a, b) - h^2 / (4 k) with h = max(k - |a - b|, 0): the quadratic blend, whose value differs
-/// from min only where |a - b| < k.
+/// The quadratic blend min(a, b) - h^2 / (4 k) with h = max(k - |a - b|, 0); it differs from min
+/// only where |a - b| < k.
 NodeId smooth_min(ExprBuilder& builder, NodeId a, NodeId b, NodeId k) {
     const NodeId distance = make_call(builder, Op::Abs, make_subtract(builder, a, b));
     const NodeId h =
@@ -156,7 +156,7 @@ NodeId make_logarithm(ExprBuilder& builder, std::span<const NodeId> a) {
                        make_call(builder, Op::Log, a[1]));
 }
 
-/// trunc(a): floor from 0 on, ceil below.
+/// trunc(a): floor(a) for a >= 0, ceil(a) below.
 NodeId make_trunc(ExprBuilder& builder, NodeId a) {
     const NodeId below = make_call(builder, Op::Less, a, builder.constant(0.0));
     return make_call(builder, Op::If, below, make_call(builder, Op::Ceil, a),
@@ -167,7 +167,7 @@ NodeId make_clamp(ExprBuilder& builder, NodeId a, NodeId low, NodeId high) {
     return make_call(builder, Op::Min, make_call(builder, Op::Max, a, low), high);
 }
 
-/// t^2 (3 - 2t) for t = (a - low)/(high - low), kept from 0 to 1.
+/// t^2 (3 - 2t) with t = (a - low)/(high - low) clamped to [0, 1].
 NodeId make_smooth_step(ExprBuilder& builder, NodeId low, NodeId high, NodeId a) {
     const NodeId whole = make_subtract(builder, high, low);
     const NodeId part = make_divide(builder, make_subtract(builder, a, low), whole);
@@ -192,7 +192,7 @@ NodeId make_step(ExprBuilder& builder, NodeId edge, NodeId a) {
                      builder.constant(1.0));
 }
 
-/// select(a, below, above) and select(a, below, at 0, above) of POV-Ray.
+/// POV-Ray's select(a, below, above) and select(a, below, at 0, above).
 NodeId make_select(ExprBuilder& builder, std::span<const NodeId> a) {
     const NodeId zero = builder.constant(0.0);
     NodeId otherwise = a[2];
@@ -205,12 +205,12 @@ NodeId make_select(ExprBuilder& builder, std::span<const NodeId> a) {
 
 NodeId pi_of(ExprBuilder& builder) { return builder.constant(pi.value.lo, pi.value.hi); }
 
-/// a*p/q for an angle in other units.
+/// The angle a in other units: a*p/q.
 NodeId make_angle(ExprBuilder& builder, NodeId a, NodeId p, NodeId q) {
     return make_multiply(builder, make_divide(builder, p, q), a);
 }
 
-/// smooth_union(a, b, ..., k) and its kin: two by two, each blended with the width k.
+/// Blends all but the last argument from left to right; `blend` knows the width k.
 template <class Blend>
 NodeId blended(std::span<const NodeId> a, Blend blend) {
     const auto solids = a.first(a.size() - 1);
@@ -223,7 +223,7 @@ NodeId make_without(ExprBuilder& builder, std::span<const NodeId> a) {
     });
 }
 
-/// f_torus(x, y, z, R, r) around the y-axis.
+/// f_torus(x, y, z, R, r): a torus around the y-axis.
 NodeId make_torus(ExprBuilder& builder, std::span<const NodeId> a) {
     const NodeId across = length_of(builder, std::array{a[0], a[2]});
     const NodeId tube = length_of(builder, std::array{make_subtract(builder, across, a[3]), a[1]});
@@ -245,7 +245,7 @@ NodeId make_superellipsoid(ExprBuilder& builder, std::span<const NodeId> a) {
     return make_subtract(builder, builder.constant(1.0), size);
 }
 
-/// f_rounded_box(x, y, z, r, a, b, c): the distance from the box without its rounding, less r.
+/// f_rounded_box(x, y, z, r, a, b, c): the distance from the box shrunk by r, minus r.
 NodeId make_rounded_box(ExprBuilder& builder, std::span<const NodeId> a) {
     std::array<NodeId, 3> outside{};
     for (std::size_t i = 0; i < outside.size(); ++i) {
@@ -321,7 +321,7 @@ NodeId make_composed(ExprBuilder& builder, Composed function, std::span<const No
         case Composed::Sum:
         case Composed::Product: break;
     }
-    assert(false);  // written out where they are read
+    assert(false);  // the elaborator writes these functions out
     return a[0];
 }
 

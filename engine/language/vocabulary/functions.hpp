@@ -11,47 +11,48 @@
 
 namespace zeroset {
 
-/// Functions made of several operators (functions.def).
+/// Functions composed of several operators, one for each row of functions.def.
 enum class Composed : std::uint8_t {
 #define ZEROSET_FUNCTION(id, name, least, most, arguments, meaning) id,
 #include "engine/language/vocabulary/functions.def"
 #undef ZEROSET_FUNCTION
 };
 
-/// A function of the language.
+/// A function of the language. Exactly one of `op`, `composed` and `body` is set.
 struct Function {
     std::string_view name;
-    int least;  ///< number of arguments
-    int most;   ///< -1: any number
+    int least;  ///< fewest arguments
+    int most;   ///< most arguments; -1: any number
     std::string_view arguments;
-    std::string_view meaning;          ///< one line
-    std::optional<Op> op;              ///< of op.def, or
-    std::optional<Composed> composed;  ///< of functions.def, or
-    std::string_view body = {};        ///< of library.def, in the language itself
+    std::string_view meaning;          ///< one line of help
+    std::optional<Op> op;              ///< the operator, for a row of op.def
+    std::optional<Composed> composed;  ///< for a row of functions.def
+    std::string_view body = {};        ///< for a row of library.def: the formula, in the language
+                                       ///< itself
 
-    /// Whether it is sum or its kin, whose second argument is a name.
+    /// Whether the second argument is the name of an index: sum, prod, least, greatest.
     [[nodiscard]] bool repeats() const {
         return composed == Composed::Sum || composed == Composed::Product ||
                composed == Composed::Least || composed == Composed::Greatest;
     }
-    /// Whether it is of library.def.
+    /// Whether the function is a row of library.def.
     [[nodiscard]] bool is_of_library() const { return !body.empty(); }
     [[nodiscard]] bool takes(std::size_t arguments_given) const;
-    /// "2 arguments", "1 or 2 arguments", "2 or more arguments".
+    /// The number of arguments in words: "2 arguments", "1 or 2 arguments", "2 or more arguments".
     [[nodiscard]] std::string arity_text() const;
 };
 
-/// All functions: those of op.def, those of functions.def, those of library.def.
+/// All functions: the rows of op.def, functions.def and library.def.
 std::span<const Function> functions();
-/// By name or by another usual spelling (arcsin, sgn, tg); nullptr when there is none.
+/// Finds a function by its name or by another usual spelling (arcsin, sgn, tg); nullptr: none.
 const Function* find_function(std::string_view name);
 /// All spellings that find_function knows.
 std::vector<std::string_view> function_spellings();
-/// The function whose value at f(a) is a, which "f^-1" means: asin for sin. nullptr: none.
+/// The inverse function, which f^-1 means: asin for sin; nullptr where there is none.
 const Function* inverse_of(const Function& function);
 
-/// The node of a function of op.def, or of functions.def without what the elaborator writes out:
-/// sum and its kin, psh and csd. `arguments`: as many as it takes.
+/// The node of a call of a function of op.def or functions.def, except those that the elaborator
+/// writes out: sum, prod, least, greatest, psh and csd. `arguments`: as many as the function takes.
 NodeId make_function(ExprBuilder& builder, const Function& function,
                      std::span<const NodeId> arguments);
 

@@ -12,7 +12,7 @@ bool alike(char a, char b) {
     return small(a) == small(b);
 }
 
-/// Optimal string alignment distance.
+/// The optimal string alignment distance of a and b.
 std::size_t distance(std::string_view a, std::string_view b) {
     const std::size_t width = b.size() + 1;
     std::vector<std::size_t> d((a.size() + 1) * width);

@@ -6,9 +6,8 @@
 
 namespace zeroset {
 
-/// The word with the fewest insertions, deletions, replacements and swaps of neighbours away
-/// from `typed`; the first of equals. `words` must not be empty.
-/// Capital and small letters are alike.
+/// The word that the fewest insertions, deletions, replacements and swaps of neighbours turn
+/// `typed` into, regardless of case; of several, the first one. `words` must not be empty.
 std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words);
 
 /// The nearest word if it is near enough to have been meant: at most half of `typed` is wrong.

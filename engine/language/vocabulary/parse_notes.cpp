@@ -6,8 +6,8 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t most_notes = 100'000;       // of a text
-constexpr std::size_t most_notes_of_reading = 8;  // each different
+constexpr std::size_t most_notes = 100'000;       // in one text
+constexpr std::size_t most_notes_of_reading = 8;  // in one reading, without repetitions
 
 }  // namespace
 

@@ -11,9 +11,10 @@ namespace zeroset {
 /// Remarks on what was read in an unusual way, collected while a text is read.
 class Notes {
 public:
-    /// One line about what stands at `offset`.
+    /// Adds a remark of one line about the text at `offset`.
     void add(std::size_t offset, std::string text);
-    /// Gives each remark to the reading of its statement. The readings stand in their order.
+    /// Moves each remark into the reading of its statement. `readings` must be in the order of the
+    /// text.
     void hand_over(std::vector<Reading>& readings);
 
 private:

@@ -18,23 +18,23 @@ struct ParseError {
 
 enum class StatementKind : std::uint8_t { Value, Function, Surface };
 
-/// A statement as it was understood.
+/// How a statement was understood.
 struct Reading {
     StatementKind kind;
-    std::size_t offset;  ///< of the statement in the text, bytes
-    std::string text;    ///< with every operator written out; the text of a surface parses to it;
-                         ///< long ones are cut and end with "..."
-    std::vector<std::string> notes = {};  ///< what was read in an unusual way, and what to type for
-                                          ///< the other; one line each
+    std::size_t offset;  ///< start of the statement, in bytes of the text
+    std::string text;    ///< the statement with every operator written out; the text of a surface
+                         ///< can be parsed again, unless it is long, cut and ends with "..."
+    std::vector<std::string> notes = {};  ///< unusual readings, and what to type for the other
+                                          ///< meaning; one line each
 };
 
-/// A text that asks for more is refused.
+/// Limits of a text; a text that exceeds one is refused.
 struct ProgramLimits {
     static constexpr std::size_t text = 2'000'000;  ///< bytes
     static constexpr std::size_t statements = 100'000;
     static constexpr std::size_t surfaces = 100;
     static constexpr std::size_t parameters = 200;
-    static constexpr std::size_t nodes = 1'000'000;  ///< of all surfaces together
+    static constexpr std::size_t nodes = 1'000'000;  ///< all surfaces together
 };
 
 }  // namespace zeroset

@@ -74,9 +74,11 @@ std::vector<std::size_t> Vocabulary::pieces(std::string_view run, bool subscript
     const auto known_places =
         std::ranges::count_if(run, [](char c) { return coordinates.contains(c); });
     if (unknown == 1 && known_places + unknown == std::ssize(run)) {
-        return std::vector<std::size_t>(run.size(), 1);  // a coefficient: axy
+        return std::vector<std::size_t>(run.size(), 1);  // an unknown letter, as a in axy, is a
+                                                         // coefficient
     }
-    // The fewest names: best[i] for the first i letters, the last of them last[i] long.
+    // Splits the run into the fewest names: best[i] names for its first i letters, the last of them
+    // of last[i] letters.
     constexpr std::size_t never = ~std::size_t{0};
     std::vector<std::size_t> best(run.size() + 1, never);
     std::vector<std::size_t> last(run.size() + 1, 0);
@@ -89,7 +91,7 @@ std::vector<std::size_t> Vocabulary::pieces(std::string_view run, bool subscript
             if (best[start] == never || best[start] + 1 >= best[end]) continue;
             const std::string_view piece = run.substr(start, length);
             if (piece == "e" && find_function(run.substr(start - last[start], last[start])))
-                continue;  // "sine" is no sin(e)
+                continue;  // "sine" is not sin(e)
             const bool known = length == 1 ? only_letter || knows_letter(piece[0])
                                            : may_know(piece) && knows_word(piece);
             if (!known) continue;

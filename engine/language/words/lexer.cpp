@@ -63,7 +63,7 @@ Done Lexer::step() {
         ++at_;
         return {};
     }
-    // x.^2 of MATLAB is meant value by value, as all is here.
+    // In MATLAB x.^2 applies to each element; every operator does so here.
     if (c == '.' && (peek(1) == '^' || peek(1) == '*' || peek(1) == '/')) {
         ++at_;
         return {};
@@ -96,7 +96,7 @@ bool Lexer::starts_remark() const {
            (c == '/' && (peek(1) == '/' || peek(1) == '*'));
 }
 
-/// Up to the end of the line, or from /* to */.
+/// Skips a remark: up to the end of the line, or from /* to */.
 Done Lexer::remark() {
     if (declaration()) return {};
     if (peek() == '/' && peek(1) == '*') {
@@ -115,7 +115,7 @@ Done Lexer::remark() {
     return {};
 }
 
-/// #declare and #local, as POV-Ray writes a definition, #define as C does.
+/// Reads the start of a definition of POV-Ray (#declare, #local) or of C (#define).
 bool Lexer::declaration() {
     for (const std::string_view word : {"#declare", "#local", "#define"}) {
         if (!text_.substr(at_).starts_with(word) || is_letter(peek(word.size()))) continue;
@@ -126,8 +126,8 @@ bool Lexer::declaration() {
     return false;
 }
 
-/// Where the name of a macro and its arguments end, which start at `at`: there stands no "=". False
-/// where nothing follows.
+/// Finds the end of a macro's name and arguments, which start at `at`, where an "=" is to be added.
+/// False if nothing follows.
 bool Lexer::find_end_of_macro(std::size_t at) {
     at = std::min(text_.find_first_not_of(" \t", at), text_.size());
     const std::size_t length = name_length(text_, at);
@@ -149,7 +149,7 @@ bool Lexer::may_negate() const {
     return is_connective(last) || is_symbol(last, {"(", "[", "{", "|", "&", ",", "?"});
 }
 
-/// x//2 may have been meant as a quotient without its fraction.
+/// Notes that x//2, read as a remark, may have been meant as a quotient without its fraction.
 void Lexer::note_short_remark() {
     const auto is_part = [](char c) { return is_letter(c) || is_digit(c); };
     const char before = at_ > 0 ? text_[at_ - 1] : ' ';
@@ -158,7 +158,7 @@ void Lexer::note_short_remark() {
     notes_.add(at_ - 1, "what stands behind // is a remark; for a whole quotient type floor(a/b)");
 }
 
-/// An ASCII operator; "**" is "^".
+/// Reads an ASCII operator; "**" becomes "^".
 void Lexer::symbol() {
     static constexpr std::array<std::pair<std::string_view, std::string_view>, 10> pairs{
         {{"===", "=="},
@@ -188,7 +188,7 @@ void Lexer::push_sign(const Sign& sign, std::size_t length) {
     }
 }
 
-/// A run of raised digits. Its token's text is the run as typed; the parser reads it.
+/// Reads a run of raised digits. The token's text is the run as typed; the parser converts it.
 void Lexer::superscript() {
     std::size_t length = 0;
     while (at_ + length < text_.size()) {
@@ -228,7 +228,7 @@ Done Lexer::other_character() {
 Done Lexer::command() {
     const std::size_t letters = run_length(text_, at_ + 1, is_letter);
     const std::string_view word = text_.substr(at_ + 1, letters);
-    if (letters == 0) {  // one sign: \\ is a line end, \{ a brace, \, and \( nothing
+    if (letters == 0) {  // a single sign: \\ ends a line, \{ is a brace, \, and \( mean nothing
         const char sign = peek(1);
         if (sign == '\\') {
             push(TokenKind::Break, "\n", 2);

@@ -16,19 +16,22 @@ class Notes;
 
 enum class TokenKind : std::uint8_t {
     Number,
-    Name,         ///< a run of letters, a defined name, a Greek letter, a LaTeX command as \frac
-    Superscript,  ///< an exponent in raised digits, as "-12"
+    Name,         ///< a run of letters, a defined name, a Greek letter, a LaTeX command such as
+                  ///< \frac
+    Superscript,  ///< an exponent in raised digits, such as "-12"
     Symbol,
-    Break,  ///< between two statements: ";" or the end of a line
+    Break,  ///< the end of a statement: ";" or the end of a line
     End,
 };
 
-/// Signs of one meaning have one text: "×", "·" and "\cdot" are "*", "π" and "\pi" are "pi".
-/// The bars of \left| and \right| are "(|" and "|)"; the commands \frac and \sqrt keep their "\".
+/// A token. Signs with equal meanings have equal texts: "×", "·" and "\cdot" are "*", "π" and "\pi"
+/// are "pi". The bars of \left| and \right| are "(|" and "|)"; the commands \frac and \sqrt keep
+/// their "\".
 struct Token {
     TokenKind kind = TokenKind::End;
-    std::string_view text = {};       ///< a part of the typed text or a constant
-    std::string_view subscript = {};  ///< of a name that is not defined, as typed: "1" of c_{1}
+    std::string_view text = {};       ///< a view of the typed text or a constant
+    std::string_view subscript = {};  ///< subscript of a name that is not defined, as typed: "1" in
+                                      ///< c_{1}
     std::size_t offset = 0;           ///< in bytes
     std::size_t length = 0;           ///< in bytes, as typed
 
@@ -39,21 +42,22 @@ struct Token {
 bool is_symbol(const Token& token, std::initializer_list<std::string_view> symbols);
 /// Whether the token stands between two conditions: and, or.
 bool is_connective(const Token& token);
-/// Whether `second` stands right behind `first`.
+/// Whether `second` follows `first` without a space.
 bool adjacent(const Token& first, const Token& second);
 
-/// The text's tokens, the last of them End. Line ends are Breaks only outside brackets and where
-/// the lines do not go on with each other. A name of `defined` is one token; without `defined` so
-/// is each run of letters, digits and "_". The text and `defined` must outlive the tokens.
+/// The tokens of a text; the last one is End. A line end is a Break only outside brackets and where
+/// the next line does not continue the statement. A name in `defined` is one token; without
+/// `defined`, each run of letters, digits and "_" is one. The text and `defined` must outlive the
+/// tokens.
 std::expected<std::vector<Token>, ParseError> tokenize(std::string_view text,
                                                        const DefinedNames* defined, Notes& notes);
 
-/// Writes functions that other programs define without a name of their own, such as f = @(x) x^2
-/// and f = lambda x: x^2, as f(x) := x^2.
+/// Rewrites functions of other languages that are assigned to a name, such as f = @(x) x^2 and f =
+/// lambda x: x^2, as f(x) := x^2.
 std::vector<Token> with_plain_functions(std::vector<Token> tokens);
-/// Leaves out the line ends that separate nothing: in brackets, behind and before an operator that
-/// wants more, before a "+" that goes on with what has no "=" yet. Behind a "\v" a line that starts
-/// with a sign goes on with a finished one, too.
+/// Removes the line ends that end no statement: in brackets, next to an operator that lacks an
+/// operand, and before a "+" if the statement has no "=" yet. After a "\v", a line that starts with
+/// a sign continues a complete statement, too.
 std::vector<Token> without_inner_line_ends(std::vector<Token> tokens, Notes& notes);
 
 }  // namespace zeroset

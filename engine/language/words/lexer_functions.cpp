@@ -1,4 +1,4 @@
-// Functions without a name of their own, as MATLAB, Python, Maple and JavaScript define them.
+// Anonymous functions as MATLAB, Python, Maple and JavaScript define them.
 
 #include "engine/language/words/lexer.hpp"
 #include "engine/language/words/words_defined.hpp"
@@ -10,11 +10,11 @@
 namespace zeroset {
 namespace {
 
-/// What stands before a function's body.
+/// The tokens before a function's body.
 struct Header {
-    std::span<const Token> name;  ///< one token, or none
+    std::span<const Token> name;  ///< one token, or empty
     std::span<const Token> arguments;
-    std::size_t length;  ///< tokens up to the body
+    std::size_t length;  ///< number of tokens before the body
 };
 
 class FunctionReader {
@@ -51,7 +51,7 @@ private:
     [[nodiscard]] std::span<const Token> part(std::size_t begin, std::size_t end) const {
         return std::span(tokens_).subspan(begin, end - begin);
     }
-    /// The end of the names at `at` with commas between.
+    /// The index after the names, separated by commas, that start at `at`.
     [[nodiscard]] std::size_t end_of_names(std::size_t at) const {
         if (!is_name(at)) return at;
         ++at;
@@ -59,7 +59,7 @@ private:
             at += 2;
         return at;
     }
-    /// -> or =>
+    /// Whether -> or => starts at `at`.
     [[nodiscard]] bool is_arrow(std::size_t at) const {
         return (is(at, "-") || is(at, "=")) && is(at + 1, ">") &&
                adjacent(tokens_[at], tokens_[at + 1]);
@@ -70,11 +70,11 @@ private:
         const bool assigns = is_name(at) && (is(at + 1, "=") || is(at + 1, ":="));
         const auto header = assigns ? unnamed_header(at + 2) : std::nullopt;
         if (!header && is_name(at) && is(at + 1, "(") && is(at + 2, ")") && is(at + 3, ":"))
-            return Header{{}, {}, 4};  // F(): of K3DSurf
+            return Header{{}, {}, 4};  // K3DSurf's F():
         if (!header) return handle_header(at, at);
         return Header{part(at, at + 1), header->arguments, header->length + 2};
     }
-    /// def f(x, y): return
+    /// Reads `def f(x, y): return`, from the name on.
     [[nodiscard]] std::optional<Header> python_header(std::size_t name) const {
         const std::size_t end = end_of_names(name + 2);
         if (!is(name + 1, "(") || !is(end, ")") || !is(end + 1, ":")) return std::nullopt;
@@ -84,13 +84,13 @@ private:
         if (!is_word(body, "return")) return std::nullopt;
         return Header{part(name, name + 1), part(name + 2, end), body + 2 - name};
     }
-    /// @(x, y)
+    /// Reads `@(x, y)`.
     [[nodiscard]] std::optional<Header> handle_header(std::size_t at, std::size_t begin) const {
         const std::size_t end = end_of_names(at + 2);
         if (!is(at, "@") || !is(at + 1, "(") || !is(end, ")")) return std::nullopt;
         return Header{{}, part(at + 2, end), end + 1 - begin};
     }
-    /// @(x, y), lambda x, y:, (x, y) -> and x ->
+    /// Reads `@(x, y)`, `lambda x, y:`, `(x, y) ->` or `x ->`.
     [[nodiscard]] std::optional<Header> unnamed_header(std::size_t at) const {
         if (auto handle = handle_header(at, at)) return handle;
         if (is_word(at, "lambda")) {
@@ -103,7 +103,7 @@ private:
         return Header{{}, part(at + 1, end), end + 3 - at};
     }
 
-    /// As name(arguments) :=; without a name the body stands alone.
+    /// Writes `name(arguments) :=`, or nothing for a function without a name.
     void write(const Header& header, std::size_t body) {
         if (header.name.empty()) return;
         const auto symbol = [&](std::string_view text, std::size_t offset) {

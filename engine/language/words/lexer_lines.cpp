@@ -1,4 +1,4 @@
-// Where the lines of a text go on with each other.
+// Where a line continues the statement of the line before it.
 
 #include "engine/language/vocabulary/parse_notes.hpp"
 #include "engine/language/words/lexer.hpp"
@@ -8,14 +8,15 @@
 namespace zeroset {
 namespace {
 
-/// Whether a statement cannot begin with this token. "%" at the start of a line begins a remark.
+/// Whether no statement can begin with this token. "%" is missing: at the start of a line it begins
+/// a remark.
 bool goes_on(const Token& token) {
     return token.kind == TokenKind::Superscript || is_connective(token) ||
            is_symbol(token, {"*", "/", "^", ")", "]", "}", ",", "=", "==", ":=", "<", ">",
                              "<=", ">=", "!=", "|)", "&", "?"});
 }
 
-/// Whether a statement cannot end with this token.
+/// Whether no statement can end with this token.
 bool wants_more(const Token& token) {
     return is_connective(token) ||
            is_symbol(token, {"+", "-", "*", "/", "%", "^", ",", "=", "==", ":=", "<", ">",
@@ -51,7 +52,7 @@ private:
         }
         tokens_[kept_++] = token;
     }
-    /// Whether the statement goes on behind the line end `at`.
+    /// Whether the statement continues after the line end at index `at`.
     [[nodiscard]] bool joins(std::size_t at) const {
         const Token& next = tokens_[at + 1];
         if (open_ > 0 || kept_ == 0) return true;
@@ -60,7 +61,7 @@ private:
         const bool between_values = is_symbol(last, {":"}) || is_symbol(next, {":"});
         return between_values && choices_ > 0;
     }
-    /// Whether the line behind `at` starts with a sign and goes on.
+    /// Whether the line after `at` starts with a sign and continues the statement.
     bool joins_sign(std::size_t at) {
         const Token& next = tokens_[at + 1];
         if (!is_symbol(next, {"+", "-"})) return false;
@@ -83,10 +84,10 @@ private:
 
     std::vector<Token> tokens_;
     Notes& notes_;
-    std::size_t kept_ = 0;     ///< of the tokens, at their start
-    int open_ = 0;             ///< brackets
+    std::size_t kept_ = 0;     ///< number of tokens kept so far, at the front of tokens_
+    int open_ = 0;             ///< open brackets
     int choices_ = 0;          ///< "?" in the statement so far
-    bool has_equals_ = false;  ///< in the statement so far
+    bool has_equals_ = false;  ///< the statement so far has an "="
 };
 
 }  // namespace

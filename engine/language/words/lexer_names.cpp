@@ -1,4 +1,4 @@
-// The names of a text.
+// Names in a text: defined names, runs of letters, subscripts.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/words/lexer_reader.hpp"
@@ -9,8 +9,8 @@
 namespace zeroset {
 namespace {
 
-/// Whether the run can be letters with subscripts and numbers. One that cannot, such as f_hex_y, is
-/// a single name, known or not.
+/// Whether the run can be letters with subscripts and numbers. If not, as f_hex_y, it is a single
+/// name, known or not.
 bool has_pieces(std::string_view run) {
     std::size_t at = 0;
     while (at < run.size()) {
@@ -55,9 +55,9 @@ std::size_t name_length(std::string_view text, std::size_t start) {
     return at - start;
 }
 
-/// A defined name, or the letters up to the next digit or sign.
+/// Reads a defined name, or the letters up to the next digit or sign.
 bool Lexer::identifier() {
-    const bool within = at_ < run_end_;  // what is left of a run without a name for all of it
+    const bool within = at_ < run_end_;  // this is the rest of a run that is no name as a whole
     if (!within) run_end_ = at_ + name_length(text_, at_);
     const std::string_view run = text_.substr(at_, run_end_ - at_);
     if (run.empty()) return skip_pattern_mark();
@@ -74,7 +74,7 @@ bool Lexer::identifier() {
     return true;
 }
 
-/// The "_" of Mathematica's f[x_, y_].
+/// Skips the "_" of Mathematica's f[x_, y_].
 bool Lexer::skip_pattern_mark() {
     const bool behind_name =
         !tokens_.empty() && tokens_.back().end() == at_ && tokens_.back().kind == TokenKind::Name;
@@ -84,7 +84,7 @@ bool Lexer::skip_pattern_mark() {
     return is_mark;
 }
 
-/// np.sin, Math.PI, std::sqrt: what a name is called in a program.
+/// Skips the prefix of a library's name: np.sin, Math.PI, std::sqrt.
 bool Lexer::library_prefix(std::string_view run) {
     static constexpr std::array<std::string_view, 7> libraries{"np",    "numpy", "math", "Math",
                                                                "cmath", "std",   "glm"};
@@ -96,7 +96,8 @@ bool Lexer::library_prefix(std::string_view run) {
     return true;
 }
 
-/// The defined name that the run is or that starts it and ends in a digit: x2y2 is x2*y2.
+/// Reads the run if it is a defined name, or a defined name at its start that ends in a digit: x2y2
+/// is x2*y2.
 bool Lexer::defined_name(std::string_view run) {
     if (defined_ == nullptr) return false;
     if (const auto whole = defined_->find(run, at_)) {
@@ -145,7 +146,7 @@ std::string_view Lexer::subscript() {
     return text_.substr(begin, at_ - begin);
 }
 
-/// `{letters}` from `at` on as one name, as in \operatorname{sgn}.
+/// Reads `{letters}` at `at` as one name, as in \operatorname{sgn}.
 bool Lexer::word_in_braces(std::size_t at) {
     if (at >= text_.size() || text_[at] != '{') return false;
     const std::size_t length = run_length(text_, at + 1, is_letter);

@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
-// Private to tokenize(): the reading of a text, sign by sign.
+// Private to tokenize(): reads a text character by character.
 
 namespace zeroset {
 
-/// Length of the run of `text` from `start` on that satisfies the predicate.
+/// The number of characters from `start` on that satisfy the predicate, up to the first that does
+/// not.
 template <class Predicate>
 std::size_t run_length(std::string_view text, std::size_t start, Predicate predicate) {
     if (start >= text.size()) return 0;
@@ -22,7 +23,7 @@ std::size_t run_length(std::string_view text, std::size_t start, Predicate predi
     return static_cast<std::size_t>(end - rest.begin());
 }
 
-/// Length of the run of letters, digits and subscripts at `start`: Iso_2, c_{12}, α1, x₁.
+/// The length of the run of letters, digits and subscripts at `start`: Iso_2, c_{12}, α1, x₁.
 std::size_t name_length(std::string_view text, std::size_t start);
 
 using Done = std::expected<void, ParseError>;
@@ -53,7 +54,7 @@ private:
     void symbol();
     bool word_in_braces(std::size_t at);
     void superscript();
-    /// The subscript that starts at `at_`, which moves behind it; empty when there is none.
+    /// Reads the subscript at `at_`, if there is one; else returns an empty text.
     std::string_view subscript();
 
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
@@ -67,11 +68,12 @@ private:
     std::string_view text_;
     const DefinedNames* defined_;
     Notes& notes_;
-    bool is_latex_;  ///< the text has commands
+    bool is_latex_;  ///< the text has LaTeX commands
     std::size_t at_ = 0;
-    std::size_t macro_end_ = std::string_view::npos;  ///< where the "=" of a #define is missing
-    std::size_t run_end_ = 0;                         ///< of the last run of letters and digits
-    bool line_start_ = true;  ///< nothing but spaces and remarks since the last line end
+    std::size_t macro_end_ = std::string_view::npos;  ///< where the missing "=" of a #define
+                                                      ///< belongs
+    std::size_t run_end_ = 0;                         ///< end of the last run of letters and digits
+    bool line_start_ = true;  ///< only spaces and remarks since the last line end
     std::vector<Token> tokens_;
 };
 

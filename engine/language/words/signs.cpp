@@ -30,7 +30,7 @@ constexpr std::array operator_signs{
     std::pair{U'¼', number("0.25")}, std::pair{U'¾', number("0.75")},
 };
 
-/// Greek letters and their LaTeX names; pi, tau, theta, phi and rho have a meaning.
+/// A Greek letter and its LaTeX name. Of them pi, tau, theta, phi and rho have a meaning.
 struct Greek {
     char32_t code;
     std::string_view command;

@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    /// Whether the bar before stands right before this one, with or without space.
+    /// Whether bar i directly follows bar i - 1, with or without a space between.
     [[nodiscard]] bool is_next(std::size_t i) const {
         return i > 0 && bars_[i - 1].at + 1 == bars_[i].at;
     }
@@ -74,7 +74,7 @@ private:
         return std::nullopt;
     }
 
-    /// For a bar behind an operand and outside absolute values.
+    /// Whether bar i means "or"; it must follow an operand and be outside absolute values.
     [[nodiscard]] bool means_or(std::size_t i) const {
         const Token& next = tokens_[bars_[i].at + (is_double(i) ? 2 : 1)];
         if (!begins_operand(next) && !is_symbol(next, {"+", "-", "|"})) return false;
@@ -85,7 +85,7 @@ private:
         return false;
     }
 
-    /// x |y| z has no space within the bars; a | b | c has, and may have meant "or".
+    /// Notes bars with a space inside: x |y| z has none; a | b | c has, and may have meant "or".
     void note_spaces(std::size_t i, std::size_t closer) const {
         const bool doubled = is_double(i);
         const std::size_t begin = bars_[i].at + (doubled ? 1 : 0);

@@ -20,14 +20,15 @@ bool is_single(const Token& token) {
     return token.kind == TokenKind::Name && (token.text.size() == 1 || !is_letter(token.text[0]));
 }
 
-/// log and 10 right behind it are one name.
+/// Whether a word and the number directly after it are a function's name, as log and 10.
 bool makes_name_with(const Token& word, const Token& number) {
     if (number.kind != TokenKind::Number || !adjacent(word, number)) return false;
     const std::string joined = std::string(word.text) + std::string(number.text);
     return word.subscript.empty() && find_function(joined) != nullptr;
 }
 
-/// The name as it is known, if capital letters alone make it another one: Sin, PI, AND.
+/// The known name that this one equals but for capital letters: sin for Sin, pi for PI, and for
+/// AND.
 std::string_view known_spelling(std::string_view name) {
     const std::string lower = in_small_letters(name);
     if (const Function* const function = find_function(lower)) return function->name;
@@ -40,15 +41,15 @@ std::string_view known_spelling(std::string_view name) {
     return {};
 }
 
-/// Sin[ and the like.
+/// Whether this is a function in Mathematica's notation, such as Sin[.
 bool calls_as_mathematica(const Token& name, const Token& bracket) {
     if (!is_symbol(bracket, {"["}) || name.kind != TokenKind::Name) return false;
     const bool capital = name.text.size() > 1 && name.text[0] >= 'A' && name.text[0] <= 'Z';
     return capital && find_function(in_small_letters(name.text)) != nullptr;
 }
 
-/// Whether a word of programs stands where one belongs: float a, return a, = function(a). It is no
-/// product of its letters.
+/// Whether the token is a word of programs at its place, and no product of letters: float a, return
+/// a, = function(a).
 bool is_program_word(std::span<const Token> tokens, std::size_t at) {
     const Token& word = tokens[at];
     if (word.kind != TokenKind::Name || !word.subscript.empty() || at + 1 == tokens.size())
@@ -69,7 +70,7 @@ bool is_number(std::string_view subscript) {
     return !subscript.empty() && std::ranges::all_of(subscript, is_digit);
 }
 
-/// c_1a is c_1*a, although it looks like one name.
+/// Notes that c_1a is read as c_1*a, although it looks like one name.
 void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
     const bool plain = letter.text.size() == 1 && letter.subscript.empty();
     if (!plain || is_built_in_value(letter.text)) return;
@@ -110,7 +111,7 @@ Words::Words(std::span<const Token> tokens, const DefinedNames& defined) : defin
         is_mathematica_ = calls_as_mathematica(tokens[i], tokens[i + 1]);
 }
 
-/// Whether the token is one name already.
+/// Whether the token is one name and must not be split.
 bool Words::stays_whole(const Token& token) const {
     if (token.kind != TokenKind::Name || is_single(token)) return true;
     if (!is_letter(token.text[0])) return true;
@@ -163,7 +164,7 @@ void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& note
     out.back().length = token.end() - out.back().offset;
 }
 
-/// The function at the start of a run such as Siny, and the lengths of the run's pieces.
+/// The function that a run such as Siny starts with, and the lengths of the run's pieces.
 const Function* Words::capital_function(std::string_view run,
                                         std::vector<std::size_t>& lengths) const {
     constexpr std::size_t longest = 64;
@@ -177,7 +178,7 @@ const Function* Words::capital_function(std::string_view run,
     return function;
 }
 
-/// Whether letters that make no name and what stands right behind them are one unknown name: vec3.
+/// Whether letters that are no name make one unknown name with the token directly after them: vec3.
 bool Words::joins_unknown_name(const Token& token, const std::vector<Token>& out) const {
     if (out.empty() || !adjacent(out.back(), token)) return false;
     const Token& last = out.back();

@@ -12,15 +12,15 @@
 #include <string_view>
 #include <vector>
 
-// How a run of letters such as "xsiny" is made of names: built-in ones, those the text defines,
+// Splits runs of letters such as "xsiny" into names: built-in ones, those that the text defines,
 // single letters.
 
 namespace zeroset {
 
-/// A name as it is printed: the letters, and "_" with the subscript.
+/// The name as it is printed: its letters, then "_" and the subscript.
 std::string full_name(const Token& token);
 
-/// "12" for c_{12} and c₁₂.
+/// The plain digits or letters of a subscript: "12" for c_{12} and c₁₂.
 std::string subscript_text(const Token& token);
 
 /// Whether the name is one letter, with a subscript or without.
@@ -28,7 +28,8 @@ bool is_parameter_name(std::string_view name);
 
 class Words {
 public:
-    /// Reads which letters stand alone. `defined` must outlive the tokens that split() makes.
+    /// Learns from the tokens which letters stand alone. `defined` must outlive this object and the
+    /// tokens that split() makes.
     Words(std::span<const Token> tokens, const DefinedNames& defined);
 
     /// The tokens with runs of letters split into names: xsiny into x, sin, y. A run that is no

@@ -22,7 +22,7 @@ bool is_plain_name(const Token& token) {
     return token.kind == TokenKind::Name && !is_logic_word(token.text);
 }
 
-/// Number of words such as `const float` before a name.
+/// Number of words before a name that belong to its declaration, such as `const float`.
 std::size_t type_words_before(Tokens statement) {
     std::size_t count = 0;
     while (count + 1 < statement.size() && statement[count].kind == TokenKind::Name &&
@@ -31,7 +31,7 @@ std::size_t type_words_before(Tokens statement) {
     return count;
 }
 
-/// Whether conditions stand behind the value: a comma, if it is no decimal one, or braces.
+/// Whether conditions follow the value: after a comma that is no decimal comma, or in braces.
 bool is_restricted(Tokens value) {
     int open = 0;
     for (std::size_t i = 0; i < value.size(); ++i) {
@@ -48,7 +48,8 @@ bool is_restricted(Tokens value) {
     return false;
 }
 
-/// Where the first of `float a = 1, b = 2` ends: at a comma behind which a definition begins.
+/// Index of the end of the first definition in `float a = 1, b = 2`: a comma after which another
+/// definition begins.
 std::size_t end_of_declaration(Tokens statement) {
     int open = 0;
     for (std::size_t i = 0; i < statement.size(); ++i) {
@@ -60,7 +61,7 @@ std::size_t end_of_declaration(Tokens statement) {
     return statement.size();
 }
 
-/// The names between the brackets of NAME(a, b) = ..., and what stands behind the "=".
+/// The arguments of NAME(a, b) = ..., and the tokens after the "=".
 struct Header {
     std::vector<std::string> arguments;
     Tokens value;
@@ -85,7 +86,7 @@ std::optional<Header> function_header(Tokens from_bracket) {
     return std::nullopt;
 }
 
-/// Index of the "{" of `float f(float u, float v) {`, or 0.
+/// Index of the "{" of `float f(float u, float v) {`; 0: there is none.
 std::size_t program_function_brace(Tokens tokens) {
     std::size_t at = type_words_before(tokens);
     if (at == 0 || at + 1 >= tokens.size() || !is_symbol(tokens[at + 1], {"("})) return 0;
@@ -98,7 +99,8 @@ std::size_t program_function_brace(Tokens tokens) {
     return opens ? at + 1 : 0;
 }
 
-/// Length of the list of instructions at the start, or 0: its lines do not end it.
+/// Length of the list of instructions at the start, whose line ends do not end it; 0: there is
+/// none.
 std::size_t instructions_length(Tokens tokens) {
     if (!starts_instructions(tokens)) return 0;
     const auto end = std::ranges::find_if(tokens, [](const Token& token) {
@@ -108,10 +110,10 @@ std::size_t instructions_length(Tokens tokens) {
     return static_cast<std::size_t>(end - tokens.begin());
 }
 
-/// The names at the starts of lines and the words behind them.
+/// The names among the first two tokens of each line.
 std::vector<std::string> names_of_lines(Tokens tokens) {
     std::vector<std::string> names;
-    std::size_t place = 0;  // in the line
+    std::size_t place = 0;  // index in the line
     for (const Token& token : tokens) {
         const bool counts = token.kind == TokenKind::Name && place < 2;
         if (counts) names.push_back(plain_name(token.text));
@@ -120,7 +122,7 @@ std::vector<std::string> names_of_lines(Tokens tokens) {
     return names;
 }
 
-/// Length of the first statement; breaks in the braces of a function do not end it.
+/// Length of the first statement; line ends in the braces of a function do not end it.
 std::size_t statement_length(Tokens tokens) {
     if (const std::size_t length = instructions_length(tokens); length > 0) return length;
     std::size_t at = program_function_brace(tokens);
@@ -135,7 +137,8 @@ std::size_t statement_length(Tokens tokens) {
     return static_cast<std::size_t>(end - tokens.begin());
 }
 
-/// The names before a comma or the closing bracket, without the words before them.
+/// The names directly before a comma or closing bracket; words before them, such as float, are left
+/// out.
 std::vector<std::string> names_in_list(Tokens tokens) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
@@ -145,7 +148,7 @@ std::vector<std::string> names_in_list(Tokens tokens) {
     return names;
 }
 
-/// The names that get a value in the braces of a function.
+/// The names that are assigned values in the braces of a function.
 std::vector<std::string> names_with_values(Tokens block) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i + 1 < block.size(); ++i) {
@@ -232,7 +235,7 @@ void Candidates::read_statement(Tokens statement) {
     read_definition(rest, begin, types > 0);
 }
 
-/// float f(float u, float v) { float a = u*v; return a + 1; }
+/// Reads `float f(float u, float v) { float a = u*v; return a + 1; }`.
 void Candidates::read_program_function(Tokens statement, std::size_t name, std::size_t brace) {
     Candidate candidate{.name = plain_name(statement[name].text),
                         .is_function = true,
@@ -247,7 +250,7 @@ void Candidates::read_program_function(Tokens statement, std::size_t name, std::
     candidates_.push_back(std::move(candidate));
 }
 
-/// F = function(u, v) { u + v }, or of x, y and z if it has no list.
+/// Reads `F = function(u, v) { u + v }`; without a list the arguments are x, y and z.
 void read_pov_function(Candidate& candidate) {
     const Tokens value = candidate.value;
     if (!candidate.is_certain || value.size() < 2 || value[0].text != "function") return;
@@ -290,7 +293,7 @@ void Candidates::read_definition(Tokens statement, std::size_t begin, bool is_ce
     if (is_definition || !candidate.indices.empty()) candidates_.push_back(std::move(candidate));
 }
 
-/// Counts the uses of names outside of the statements that define them.
+/// Counts the uses of each name outside of the statements that define it.
 void Candidates::count_uses(Tokens tokens, std::size_t counted_end) {
     auto candidate = candidates_.begin();
     for (std::size_t i = 0; i < tokens.size(); ++i) {
@@ -308,7 +311,7 @@ void Candidates::count_uses(Tokens tokens, std::size_t counted_end) {
     }
 }
 
-/// The letters of a run that no other letter stands beside.
+/// Adds the letters of a run that have no letter next to them.
 void Candidates::read_letters(std::string_view run) {
     for (std::size_t at = 0; at < run.size();) {
         if (!is_letter(run[at])) {

@@ -13,23 +13,23 @@
 
 namespace zeroset {
 
-/// A statement NAME = ... or NAME(a, b) = ...
+/// A statement of the form NAME = ... or NAME(a, b) = ...
 struct Candidate {
     std::string name = {};
     bool is_function = false;
-    bool is_certain = false;  ///< written with := or behind a word such as float
+    bool is_certain = false;  ///< has a ":=" or a word before it, such as float
     std::size_t name_offset = 0;
-    std::size_t begin = 0;  ///< of the statement in the text, bytes
+    std::size_t begin = 0;  ///< start of the statement, in bytes of the text
     std::size_t end = 0;
     std::vector<std::string> arguments = {};
-    std::vector<std::string> indices = {};  ///< of its sums and products
-    std::span<const Token> value = {};      ///< what stands behind the "="
+    std::vector<std::string> indices = {};  ///< indices of its sums and products
+    std::span<const Token> value = {};      ///< the tokens after the "="
 };
 
-/// How often other statements have a name.
+/// Number of times that other statements use a name.
 struct NameUses {
     std::size_t all = 0;
-    std::size_t calls = 0;  ///< with a bracket behind the name
+    std::size_t calls = 0;  ///< uses with a bracket after the name
 };
 
 /// Whether a list of instructions as Fidget and libfive write them (.vm) begins here: `NAME const
@@ -38,22 +38,24 @@ bool starts_instructions(std::span<const Token> tokens);
 
 class Candidates {
 public:
-    /// Looks through tokens in which each run of letters, digits and "_" is one name.
+    /// Searches tokens in which each run of letters, digits and "_" is one name. Tokens at offset
+    /// `counted_end` or later do not count as uses.
     Candidates(std::span<const Token> tokens, std::size_t counted_end);
 
-    /// In the order of the text. Statements that only have indices have an empty name.
+    /// All candidates, in the order of the text. A statement that only has indices is one without a
+    /// name.
     [[nodiscard]] const std::vector<Candidate>& all() const { return candidates_; }
     [[nodiscard]] NameUses uses(std::string_view name) const;
-    /// Whether the text has statements that define nothing for sure.
+    /// Whether the text has statements that are not certain to be definitions.
     [[nodiscard]] bool has_equations() const { return has_equations_; }
-    /// The factors of the product that the name would be if it were not defined: none if it would
-    /// be no product.
+    /// The factors that the name would be the product of if it were not defined; empty: it would be
+    /// no product.
     [[nodiscard]] std::vector<std::string> factors(std::string_view name) const;
-    /// Whether something else in the text has the letter or defines the name.
+    /// Whether the letter is used, or the name defined, elsewhere in the text.
     [[nodiscard]] bool is_known_factor(const std::string& factor) const;
-    /// Whether the value seems to be the same at all places.
+    /// Whether the value seems to be the same at all points.
     [[nodiscard]] bool is_constant(const Candidate& candidate) const;
-    /// Whether the names in a function's value are its arguments and what all texts know.
+    /// Whether a function's value uses only its arguments and built-in names.
     [[nodiscard]] bool depends_on_arguments_only(const Candidate& candidate) const;
 
 private:

@@ -17,12 +17,12 @@ constexpr std::array<std::string_view, 16> type_words{
     "float", "double", "int",   "real",   "const",   "let",  "var",   "val",
     "def",   "auto",   "local", "static", "declare", "lowp", "highp", "mediump"};
 
-/// Whether a name is one letter, which is never split.
+/// Whether a name is one letter, ASCII or not; such names are never split.
 bool is_letter_name(std::string_view name) {
     return name.size() == 1 || code_point_at(name, 0).length == name.size();
 }
 
-/// The factors with "*" between them, but "sin x" where one is a function.
+/// The factors joined by "*", but by a space after a function: "sin x".
 std::string product_of(const std::vector<std::string>& factors) {
     constexpr std::size_t longest = 40;
     std::string product;
@@ -80,7 +80,7 @@ bool DefinedNames::takes(std::string_view name, std::size_t arguments) const {
     return function != functions_.end() && function->second.contains(arguments);
 }
 
-/// Decides which of the statements that look like definitions are some.
+/// Decides which candidates are definitions.
 class DefinitionSearch {
 public:
     DefinitionSearch(const Candidates& candidates, DefinedNames& result, Notes& notes)
@@ -133,18 +133,18 @@ bool DefinitionSearch::defines_value(const Candidate& candidate) const {
         return false;
     }
     if (candidate.is_certain || is_letter_name(name)) return true;
-    if (is_built_in_value(name)) return false;  // decided where all statements are known
+    if (is_built_in_value(name)) return false;  // decided later, when all statements are known
     if (const Function* const function = find_function(name)) {
         const NameUses uses = candidates_.uses(name);
-        const bool elementary = function->op && function->takes(1);  // sin = 2 is a slip
+        const bool elementary = function->op && function->takes(1);  // sin = 2 is a mistake
         return uses.all > uses.calls || !elementary;
     }
     const std::vector<std::string> factors = candidates_.factors(name);
     return factors.size() < 2 || defines_product(candidate, factors);
 }
 
-/// Whether cx = 0.1 defines cx, though it could be a product: where another statement uses cx, or
-/// the product would be no surface, or nothing else has the letter c.
+/// Whether cx = 0.1 defines cx rather than a product: another statement uses cx, the product would
+/// be no surface, or the letter c occurs nowhere else.
 bool DefinitionSearch::defines_product(const Candidate& candidate,
                                        const std::vector<std::string>& factors) const {
     const auto is_xyz = [](const std::string& factor) {
@@ -156,7 +156,7 @@ bool DefinitionSearch::defines_product(const Candidate& candidate,
     });
     const std::string& name = candidate.name;
     const bool used = candidates_.uses(name).all > 0;
-    const bool of_places_only = std::ranges::all_of(factors, is_xyz);  // xy = 1
+    const bool of_places_only = std::ranges::all_of(factors, is_xyz);  // as in xy = 1
     if (!used && (of_places_only || !candidates_.is_constant(candidate))) return false;
     const bool is_no_surface = std::ranges::none_of(factors, is_place);
     const bool defines = used || is_no_surface || (!is_letter_known && candidates_.has_equations());
@@ -175,7 +175,7 @@ bool DefinitionSearch::defines_function(const Candidate& candidate) const {
     const std::string& name = candidate.name;
     if (candidate.is_certain) return true;
     const bool is_log = name.starts_with("log_") && is_digit(name[4]);
-    if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y
+    if (is_log && candidates_.uses(name).calls == 0) return false;  // log_2(x) = y is an equation
     if (is_letter_name(name) && !is_built_in_value(name)) return true;
     const NameUses uses = candidates_.uses(name);
     const auto is_coordinate = [](const std::string& argument) {

@@ -11,18 +11,18 @@
 #include <string_view>
 #include <vector>
 
-// Which names a text defines: found before anything else, so that they are never split.
+// The names that a text defines. They are found first, so that they are never split.
 
 namespace zeroset {
 
 /// Whether the word stands before a definition in some programming language: float, const, let.
 bool is_type_word(std::string_view word);
 
-/// The name as it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
+/// The form of a name in which it is looked up: c_12 for c_{12} and c₁₂, theta1 for θ1.
 std::string plain_name(std::string_view run);
-/// Whether the run is a plain name as it stands.
+/// Whether the run is already in the form that plain_name gives.
 bool is_plain_name(std::string_view run);
-/// Where the plain name of a run stands in a set or map of names.
+/// Finds the plain name of a run in a set or map of names; returns an iterator.
 template <class Names>
 auto find_plain(Names& names, std::string_view run) {
     return is_plain_name(run) ? names.find(run) : names.find(plain_name(run));
@@ -30,18 +30,18 @@ auto find_plain(Names& names, std::string_view run) {
 
 class DefinedNames {
 public:
-    /// The definitions among tokens in which each run of letters, digits and "_" is one name. What
-    /// stands at `counted_end` or behind does not count as a use of a name.
+    /// Finds the definitions in tokens in which each run of letters, digits and "_" is one name.
+    /// Tokens at offset `counted_end` or later do not count as uses of a name.
     DefinedNames(std::span<const Token> tokens, std::size_t counted_end, Notes& notes);
 
-    /// The name that the run at `offset` is, if it is one of more than a letter.
+    /// The defined name of more than one letter that the run at `offset` is, if it is one.
     [[nodiscard]] std::optional<std::string_view> find(std::string_view run,
                                                        std::size_t offset) const;
     [[nodiscard]] bool defines_value(std::string_view name) const { return values_.contains(name); }
     [[nodiscard]] bool defines_function(std::string_view name) const {
         return functions_.contains(name);
     }
-    /// Whether a defined function of this name takes so many arguments.
+    /// Whether a defined function of this name takes this number of arguments.
     [[nodiscard]] bool takes(std::string_view name, std::size_t arguments) const;
     /// Whether the name at `offset` starts an equation such as z(x, y) = x y, which means z = x y.
     [[nodiscard]] bool is_place_with_arguments(std::size_t offset) const {
@@ -52,14 +52,14 @@ public:
 private:
     friend class DefinitionSearch;
 
-    /// Names of arguments and indices, known in one statement only.
+    /// Names of arguments and indices, valid in one statement only.
     struct Scope {
         std::size_t begin;  ///< in bytes of the text
         std::size_t end;
         NameSet names;
     };
 
-    NameSet words_;  ///< those of more than a letter
+    NameSet words_;  ///< names of more than one letter
     NameSet values_;
     NameMap<std::set<std::size_t>> functions_;  ///< with the numbers of arguments they take
     std::set<std::size_t> places_;

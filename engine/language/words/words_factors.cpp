@@ -1,4 +1,4 @@
-// What a name would be if it were not defined, and what a definition depends on.
+// The product that a name would be if it were not defined, and what a definition depends on.
 
 #include "engine/expr/spelling.hpp"
 #include "engine/language/vocabulary/functions.hpp"
@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// Length of the defined name that ends in a digit and starts the text; 0: none does.
+/// Length of the defined name that ends in a digit and starts the text; 0: there is none.
 std::size_t Candidates::defined_start(std::string_view text, std::string_view whole) const {
     constexpr std::size_t longest = 64;
     for (std::size_t length = std::min(text.size(), longest); length > 1; --length) {
@@ -61,7 +61,7 @@ std::vector<std::string> Candidates::factors(std::string_view name) const {
         if (defined > 0) {
             factors.emplace_back(rest.substr(0, defined));
             rest.remove_prefix(defined);
-        } else if (is_digit(rest[0])) {  // sin2x
+        } else if (is_digit(rest[0])) {  // as in sin2x
             if (factors.empty() || find_function(factors.back()) == nullptr) return {};
             const std::size_t length = std::min(rest.find_first_not_of("0123456789"), rest.size());
             factors.emplace_back(rest.substr(0, length));
