@@ -9,23 +9,23 @@
 namespace zeroset {
 namespace {
 
-// LLVM takes 15 ms for the simplest formula, and 1 to 2 ms for a node more, of which the
-// interpreter evaluates forms in some 0.3 ns and values in 0.1 ns on two cores.
+// LLVM takes 15 ms for the simplest formula and 1 to 2 ms for each further node. The interpreter,
+// on two cores, evaluates the form of a node in about 0.3 ns and its value in 0.1 ns.
 constexpr double most_interpreted_ms = 10.0;
 constexpr double ns_of_value = 0.2;
 constexpr double ns_of_form = 0.6;
-/// The tracer's own work for an evaluation takes as long as so many nodes.
+/// The tracer's own work per evaluation, in nodes that take as long.
 constexpr double nodes_beside = 10.0;
-/// So many pixels of the picture, along a side, are one of the small picture.
+/// The trial picture's sides are the full picture's, divided by this.
 constexpr int reduction = 8;
-/// A small picture that takes longer is one of many that do.
+/// A trial picture that takes longer than this is cut off, and the full picture counts as slow.
 constexpr std::chrono::milliseconds longest_trial{100};
 
-/// Hasty code of a whole formula takes as long for a node as a picture by parts that so long a
-/// small one with all tells of: where much is left out, few lanes are at work.
+/// Estimated time of the picture by parts, in ms per node of the formula, above which hasty code of
+/// the whole pays. Such estimates are too low: where much is left out, few lanes are at work.
 constexpr double whole_code_ms = 0.065;
 
-/// Where there are more, LLVM's longer work on quicker code pays.
+/// In pictures of more pixels, LLVM's longer work on quicker code pays.
 constexpr double most_pixels_of_hasty_code = 512.0 * 512.0;
 
 }  // namespace
@@ -41,7 +41,7 @@ std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula&
     const double pixels = static_cast<double>(picture.width) * picture.height;
     const double scale = pixels / static_cast<double>(small.color.size());
     const auto surfaces = static_cast<double>(formula.drawn.size());
-    // With so many steps for a surface.
+    // Estimates the full picture's time by the interpreters. `steps`: of all surfaces together.
     const auto interpreted_ms = [&](double steps) {
         return 1e-6 * scale * (nodes_beside + steps / surfaces) *
                (ns_of_value * static_cast<double>(counters.value) +

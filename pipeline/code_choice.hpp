@@ -8,10 +8,10 @@
 
 namespace zeroset {
 
-/// The code that is made and has drawn one picture soonest; nothing: the interpreters, of which
-/// `picture` is. A small picture is drawn with them, and its evaluations are counted: what comes
-/// out depends neither on the number of threads nor on the machine's load, unless the small picture
-/// takes 100 ms.
+/// Returns the machine code that, compilation included, finishes this one picture soonest, or
+/// nothing if the interpreters do; `picture` must use their code. Draws a small picture with them
+/// and counts its evaluations. The answer depends neither on the number of threads nor on the
+/// machine's load, unless the small picture takes 100 ms.
 std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula& formula,
                                     const std::atomic<bool>* cancel);
 

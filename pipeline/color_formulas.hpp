@@ -13,23 +13,23 @@
 
 namespace zeroset {
 
-/// The functions behind the colours of a program's surfaces.
+/// The functions that colour a program's surfaces.
 struct ColorFormulas {
     ColorBy by = ColorBy::Plain;
     std::string expression;
-    std::vector<PointFunction> values;  ///< of each surface; empty unless has_formula(by)
+    std::vector<PointFunction> values;  ///< one for each surface; empty unless has_formula(by)
 };
 
-/// Makes them for the surfaces as they were typed. Machine code unless it would take long. The
-/// error's column and offset are of the expression. Thread-safe.
+/// Makes the functions for the surfaces as they were typed, in machine code unless that would take
+/// long. An error's column and offset refer to the expression. Thread-safe.
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice);
 
-/// The error that color_formulas would give.
+/// Returns the error that color_formulas would give, if any.
 std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice);
 
-/// How the choice colours a scene that shows those of the program's surfaces that are `shown`; the
-/// heights are along the axis nearest to the camera's up.
+/// Colours a scene by the choice. `shown`: indices of the program's surfaces in the scene. Heights
+/// are measured along the axis nearest to `up`, the camera's up.
 Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
                      const std::vector<std::size_t>& shown, const glm::dvec3& up);
 

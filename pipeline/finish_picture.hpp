@@ -11,17 +11,17 @@
 
 namespace zeroset {
 
-/// The subject of a frame, of which axes, markers and legend tell.
+/// What axes, markers and legend are made from, beside the frame itself.
 struct FrameSubject {
     const Document& document;
-    const Camera& camera;      ///< that the frame was drawn with
-    const Coloring& coloring;  ///< of the frame, with the range that its colours have
-    bool legend = true;        ///< where the colours tell something
+    const Camera& camera;      ///< the camera that the frame was drawn with
+    const Coloring& coloring;  ///< the frame's colouring, with the range of its values
+    bool legend = true;        ///< draw a legend, if the colours stand for something
 };
 
-/// The finished picture: the frame with the document's axes, clip box, grid and markers and its
-/// legend over its colours; the frame itself where there is none of them. Or one line that says why
-/// they cannot be drawn.
+/// Draws the document's axes, clip box, grid and markers and the legend of the colours over the
+/// frame. Returns the frame itself if there is none of them, or one line that says why they cannot
+/// be drawn.
 std::expected<std::shared_ptr<const Framebuffer>, std::string> finish_picture(
     std::shared_ptr<const Framebuffer> frame, const FrameSubject& subject);
 

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// LLVM takes 0.4 to 1 ms and 25 kB for a node.
+// LLVM takes 0.4 to 1 ms and 25 kB for each node.
 constexpr std::size_t most_nodes = 8'000;
 
 CodeState code_for(const std::vector<Expr>& surfaces, CodeUse use, Preparation how) {
@@ -37,7 +37,7 @@ std::expected<std::vector<Kernel>, InputError> machine_code(const Formula& formu
     return std::move(*kernels);
 }
 
-/// Adds what the kernels of the drawn surfaces know of their functions' zeros.
+/// Adds to each kernel the witnesses of its function's zeros.
 void add_witnesses(Formula& formula) {
     for (std::size_t i = 0; i < formula.drawn.size(); ++i) {
         Kernel& kernel = formula.kernels[i];
@@ -50,12 +50,12 @@ void add_witnesses(Formula& formula) {
     }
 }
 
-/// The formula with the interpreter's code, which is always in both types.
+/// Returns the formula with the interpreter's code, which always evaluates in float and in double.
 Formula interpreted(Formula formula) {
     formula.kernels.clear();
     for (const Expr& surface : formula.drawn) {
         Kernel& kernel = formula.kernels.emplace_back(interpret(surface));
-        // To find what can be left out of few choices takes longer than they do.
+        // With few choices, finding out which can be left out takes longer than evaluating them.
         if (!has_many_choices(surface)) kernel.specializer = nullptr;
     }
     add_witnesses(formula);

@@ -16,61 +16,61 @@
 namespace zeroset {
 
 enum class CodeState : std::uint8_t {
-    Machine,           ///< machine code, or that of the parts of what has many choices
-    InterpretedFirst,  ///< interpreted until its machine code is there
+    Machine,  ///< machine code, of the whole or of the parts of a formula with many choices
+    InterpretedFirst,  ///< interpreted until its machine code is ready
     Interpreted,       ///< too large for machine code
 };
 
-/// The rows of a document, ready to be drawn.
+/// The rows of a document with the code that draws them.
 struct Formula : RowProgram {
     std::vector<Expr> drawn{};      ///< the program's surfaces, each in its tightest form
-    Box region;                     ///< where that is the tightest
-    std::vector<Kernel> kernels{};  ///< of `drawn`
-    /// Solid::unrestricted of each of `drawn`.
+    Box region;                     ///< the region in which `drawn` is tightest
+    std::vector<Kernel> kernels{};  ///< one for each of `drawn`
+    /// Solid::unrestricted for each of `drawn`.
     std::vector<KernelFunction<ValueBatchOf<float>>> unrestricted{};
     CodeState code = CodeState::Machine;
-    double compile_ms = 0.0;  ///< from text to code
+    double compile_ms = 0.0;  ///< time from text to code
 
     [[nodiscard]] bool uses_w() const;
-    /// How many nodes the drawn graphs have.
+    /// Number of nodes of all drawn graphs.
     [[nodiscard]] std::size_t nodes() const;
-    /// Whether it has code of this type; always for float.
+    /// True if there is code in this precision; always true for float.
     [[nodiscard]] bool has_code(Precision precision) const;
 };
 
-/// The code that a formula is prepared with.
+/// Which code to make for a formula.
 enum class Preparation : std::uint8_t {
-    Interpreted,  ///< the interpreters'; machine code may follow
-    Quickest,     ///< machine code where an equal formula has some already, else the interpreters'
-    Compiled,     ///< machine code unless it is too large for that; takes up to a few seconds
+    Interpreted,  ///< the interpreters' code; machine code may follow
+    Quickest,  ///< machine code if an equal formula has some already, else the interpreters' code
+    Compiled,  ///< machine code unless the formula is too large for it; takes up to a few seconds
 };
 
-/// Makes the code of a program, its forms the tightest in `region`. Thread-safe.
+/// Makes the code of a program, in forms that are tightest in `region`. Thread-safe.
 std::expected<Formula, InputError> prepare_formula(RowProgram rows, const Box& region,
                                                    Preparation how);
 
-/// The same formula with machine code, for one whose code is InterpretedFirst, also in `precision`.
+/// Returns the formula with machine code, also in `precision`; its code must be InterpretedFirst.
 /// Thread-safe.
 std::expected<Formula, InputError> with_machine_code(const Formula& formula,
                                                      CodeUse use = CodeUse::FirstPicture,
                                                      Precision precision = Precision::Float);
 
-/// Whether much of a surface may be left out in small cells.
+/// True if a surface has so many choices that much of it may be left out in small cells.
 bool has_many_choices(const Formula& formula);
 
-/// Whether so much of a surface is left out in small cells that machine code is made of its parts
-/// only, whatever it is for.
+/// True if so much of a surface is left out in small cells that machine code is made only of its
+/// parts, whatever the code is for.
 bool is_made_of_parts(const Formula& formula);
 
-/// How many steps an interpreter takes for all surfaces in a small cell near them, where what does
-/// not matter there is left out.
+/// Number of interpreter steps for all surfaces in a small cell near them, after leaving out what
+/// does not matter there.
 double steps_left(const Formula& formula);
 
-/// The same formula with machine code in double beside that in float, interpreted if that cannot be
-/// made. Takes as long as the code in float did. Thread-safe.
+/// Returns the formula with machine code in double beside that in float, or with interpreted double
+/// if that cannot be made. Takes as long as making the code in float. Thread-safe.
 Formula with_double(const Formula& formula);
 
-/// Whether its machine code will be there before a full picture without it is of use.
+/// True if machine code will be ready before a full picture without it would be of use.
 bool is_preview(const Formula& formula);
 
 }  // namespace zeroset

@@ -6,7 +6,7 @@
 namespace zeroset {
 namespace {
 
-/// What prepares sheets: remembers the last good text of each row and the last formula.
+/// Prepares sheets; remembers the last good text of each row and the last formula.
 class Preparer {
 public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
@@ -50,19 +50,19 @@ private:
 
     SheetReader reader_;
     std::shared_ptr<const Formula> last_;
-    std::shared_ptr<const ColorFormulas> colors_;  ///< for `last_`
+    std::shared_ptr<const ColorFormulas> colors_;  ///< made for `last_`
     Box region_;
 };
 
-/// The first picture has so long all cores for itself, unless it is there sooner: a fifth of what
-/// LLVM takes for the formula.
+/// How long the first picture has all cores for itself before LLVM starts, unless it is done
+/// sooner: a fifth of the time that LLVM takes for the formula, within 30 to 300 ms.
 std::chrono::milliseconds head_start(const Formula& formula) {
     constexpr std::size_t least = 30;
     constexpr std::size_t most = 300;
     return std::chrono::milliseconds(std::clamp(formula.nodes() / 5, least, most));
 }
 
-/// The result with machine code in place of the interpreter's.
+/// Replaces the interpreter's code in the result by machine code.
 FormulaResult compiled(FormulaResult result) {
     if (auto formula = with_machine_code(**result.formula)) {
         result.formula = std::make_shared<const Formula>(std::move(*formula));
@@ -118,7 +118,7 @@ std::shared_ptr<const Formula> FormulaJob::take_double() {
     return std::exchange(double_, nullptr);
 }
 
-/// Hands the result on, unless a newer sheet is waiting.
+/// Publishes the result, unless a newer sheet is waiting.
 void FormulaJob::publish(FormulaResult result) {
     {
         const std::scoped_lock lock(mutex_);
@@ -148,7 +148,7 @@ void FormulaJob::prepare_sheets() {
     }
 }
 
-/// Hands on the formula with code in double, unless another one waits for its own.
+/// Publishes the formula with code in double, unless another formula waits for its own.
 void FormulaJob::publish_double(const Formula& formula) {
     auto result = std::make_shared<const Formula>(with_double(formula));
     {

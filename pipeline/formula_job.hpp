@@ -20,33 +20,35 @@ namespace zeroset {
 struct FormulaResult {
     Sheet sheet;
     SheetReading reading;
-    std::expected<std::shared_ptr<const Formula>, InputError> formula;  ///< of reading.text
-    ColorChoice choice = {};  ///< of what the colours tell
-    /// For the formula; where there is an error, the last that could be made, or plain ones.
+    std::expected<std::shared_ptr<const Formula>, InputError> formula;  ///< made from reading.text
+    ColorChoice choice = {};                                            ///< what the colours show
+    /// Colours for the formula. After an error the last ones that could be made, or plain ones.
     std::shared_ptr<const ColorFormulas> colors = {};
     std::optional<InputError> color_error = {};
 };
 
-/// Reads and compiles the newest sheet in the background. Members may be called from the UI thread
-/// and never wait for a compilation; sheets overtaken by a newer one are dropped. A formula
-/// that is new arrives twice: interpreted, and again when its machine code is ready.
+/// Reads and compiles the newest sheet in the background. The UI thread may call all members; none
+/// waits for a compilation. A sheet is dropped when a newer one overtakes it. A new formula arrives
+/// twice: interpreted, and again when its machine code is ready.
 class FormulaJob {
 public:
-    /// `on_result` is called from the job's threads after each result.
+    /// Calls `on_result` from the job's threads after each result.
     explicit FormulaJob(std::function<void()> on_result);
     ~FormulaJob();
     FormulaJob(const FormulaJob&) = delete;
     FormulaJob& operator=(const FormulaJob&) = delete;
 
-    /// `region`: where the formula will be looked at. Of `choice`, its map and range do not matter.
+    /// Replaces the sheet to prepare. `region`: where the formula will be looked at. Map and range
+    /// of `choice` do not matter.
     void submit(Sheet sheet, const Box& region, const ColorChoice& choice = {});
-    /// The newest result not yet taken, or nothing.
+    /// Returns the newest result not yet taken, if any.
     std::optional<FormulaResult> take();
-    /// The result taken last is on the screen: its machine code is made from here on.
+    /// Says that the result taken last is on the screen, so that compiling its machine code may
+    /// begin at once.
     void drawn();
-    /// Makes code in double for a formula, unless it is overtaken by another.
+    /// Makes code in double for a formula, unless another formula overtakes it.
     void submit_double(std::shared_ptr<const Formula> formula);
-    /// The newest formula with code in double not yet taken, or nullptr.
+    /// Returns the newest formula with code in double that was not yet taken, or nullptr.
     std::shared_ptr<const Formula> take_double();
 
 private:
@@ -67,10 +69,10 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::optional<Request> pending_;
-    std::optional<FormulaResult> interpreted_;  ///< its formula waits for its machine code
-    Clock::time_point compile_at_;              ///< when it has waited long enough
-    std::shared_ptr<const Formula> deep_;       ///< waits for its code in double
-    std::shared_ptr<const Formula> double_;     ///< has it
+    std::optional<FormulaResult> interpreted_;  ///< the result whose formula waits for machine code
+    Clock::time_point compile_at_;              ///< when compiling `interpreted_` begins
+    std::shared_ptr<const Formula> deep_;       ///< the formula that waits for code in double
+    std::shared_ptr<const Formula> double_;     ///< the formula whose code in double is ready
     std::optional<FormulaResult> finished_;
     Sheet newest_;
     ColorChoice newest_choice_;

@@ -18,7 +18,7 @@ glm::dvec3 vector_of(const json& array) {
     return {array.at(0).get<double>(), array.at(1).get<double>(), array.at(2).get<double>()};
 }
 
-/// A half edge of a cube about the origin, or x0, x1, y0, y1, z0, z1.
+/// Reads a box: either half the edge of a cube about the origin, or x0, x1, y0, y1, z0, z1.
 Box box_of(const json& box) {
     if (box.is_number()) return Box::cube(box.get<double>());
     const auto at = [&](std::size_t i) { return box.at(i).get<double>(); };
@@ -30,7 +30,7 @@ Camera camera_of(const json& camera) {
             vector_of(camera.at("up")), glm::radians(camera.at("fov").get<double>())};
 }
 
-/// `group`: of an item that names none.
+/// Reads an item. `group`: used for an item that names none.
 GalleryItem item_of(const json& item, const std::string& group) {
     GalleryItem result;
     result.group = item.value("group", group);

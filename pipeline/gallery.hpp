@@ -12,29 +12,29 @@
 
 namespace zeroset {
 
-/// A surface of resources/gallery with its good view.
+/// A surface of resources/gallery with a view that shows it well.
 struct GalleryItem {
     std::string group;
     std::string name;
     std::string title;
     std::string equation;
-    std::string about;   ///< a sentence of explanation
-    std::string source;  ///< where it comes from
+    std::string about;   ///< one sentence of explanation
+    std::string source;  ///< the source of the surface
     Box clip;
     double w = 0.0;
     std::optional<Camera> camera;  ///< default_camera(clip) when absent
 };
 
-/// The group of the papers' surfaces, which the benchmark times.
+/// The group of surfaces from papers, which the benchmark times.
 inline constexpr std::string_view suite_group = "From the papers";
 
-/// All items, in the order of the files. The files are compiled into the program.
+/// All items, in the order of the files, which are compiled into the program.
 const std::vector<GalleryItem>& gallery();
 
-/// The item as a document that looks at it as the item does.
+/// Returns the item as a document with the item's view.
 ReadDocument read_document(const GalleryItem& item);
 
-/// The item called `name` (without "@"), or an error that names the nearest one.
+/// Returns the item called `name` (without "@"), or an error that names the nearest one.
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name);
 
 }  // namespace zeroset

@@ -9,7 +9,7 @@
 namespace zeroset {
 namespace {
 
-/// The surfaces whose rows are visible.
+/// Returns the surfaces whose rows are visible.
 std::vector<ShownSurface> visible_surfaces(const Document& document,
                                            const std::vector<int>& surface_rows) {
     std::vector<ShownSurface> shown;

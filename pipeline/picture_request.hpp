@@ -17,22 +17,21 @@
 
 namespace zeroset {
 
-/// A surface of a program that a picture shows.
+/// One of a program's surfaces that a picture shows.
 struct ShownSurface {
-    std::size_t index = 0;               ///< among the program's surfaces
+    std::size_t index = 0;               ///< index among the program's surfaces
     int row = 0;                         ///< id of its row in the document
-    std::optional<std::uint32_t> color;  ///< 0xRRGGBB of its front; none: the palette's
+    std::optional<std::uint32_t> color;  ///< front colour, 0xRRGGBB; none: the palette's
     SolidSide solid = SolidSide::Automatic;
 
     bool operator==(const ShownSurface&) const = default;
 };
 
 /// Everything that a picture of a document depends on, as values: equal requests give equal
-/// pictures. Made by picture_request; the window, `render`, `bench` and the thumbnails all draw
-/// what it says.
+/// pictures. Made by picture_request for the window, `render`, `bench` and the thumbnails alike.
 struct PictureRequest {
     std::shared_ptr<const Formula> formula;
-    std::shared_ptr<const ColorFormulas> colors;  ///< for the formula and `coloring`
+    std::shared_ptr<const ColorFormulas> colors;  ///< made for the formula and `coloring`
     Box clip;
     Region region;
     Camera camera;
@@ -46,32 +45,32 @@ struct PictureRequest {
     bool operator==(const PictureRequest&) const = default;
 };
 
-/// The picture of a document, by a formula of its rows. Shadows and antialiasing are the
-/// document's, the rest of the settings is that of `settings`.
+/// Makes the request for a picture of the document. `formula`: made from the document's rows.
+/// Shadows and antialiasing come from the document, all other settings from `settings`.
 PictureRequest picture_request(std::shared_ptr<const Formula> formula,
                                std::shared_ptr<const ColorFormulas> colors,
                                const Document& document, const TraceSettings& settings,
                                glm::ivec2 size_px);
 
-/// The camera of a document: its own, or the default one for a picture of this size.
+/// The document's own camera, or the default one for a picture of this size.
 Camera camera_of(const Document& document, glm::ivec2 size_px);
 
-/// True if `next` is the picture `last` by other code, which was not there before.
+/// True if `next` is the same picture as `last`, drawn by code that was not there before.
 bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next);
 
-/// Indices of the surfaces that are shown among those of the program.
+/// Indices, among the program's surfaces, of those that the picture shows.
 std::vector<std::size_t> shown_indices(const PictureRequest& request);
 
-/// The values that all surfaces share.
+/// The uniforms shared by all surfaces.
 Uniforms uniforms_of(const PictureRequest& request);
 
-/// The surfaces with their colours, as the engine draws them.
+/// Converts the surfaces and their colours to the engine's scene.
 Scene scene_of(const PictureRequest& request);
 
-/// The request as the engine takes it.
+/// Converts the request to the engine's.
 RenderRequest render_request(const PictureRequest& request);
 
-/// True if the formula has code in the type that the picture needs.
+/// True if the formula has code in the precision that the picture needs.
 bool has_code_for(const PictureRequest& request);
 
 }  // namespace zeroset

@@ -12,23 +12,23 @@
 
 namespace zeroset {
 
-/// A document, and its rows as they were read or what is wrong with them.
+/// A document with its rows as they were read, or the error in them.
 struct ReadDocument {
     Document document;
     std::expected<RowProgram, InputError> rows;
 };
 ReadDocument read_document(Document document);
-/// Makes rows of a text: one for each statement.
+/// Makes a document of a text, one row for each statement.
 ReadDocument read_document_text(std::string_view text);
 
-/// A document with the code that draws it.
+/// The code that draws a document.
 struct PreparedDocument {
     std::shared_ptr<const Formula> formula;
     std::shared_ptr<const ColorFormulas> colors;
 };
 
-/// Makes what pictures of a document need: code of its rows, tightest in its clip box, and code of
-/// its colours. `rows`: the document's, as they were read. Thread-safe.
+/// Makes what pictures of a document need: the code of its rows, tightest in its clip box, and the
+/// code of its colours. `rows`: the document's rows as they were read. Thread-safe.
 std::expected<PreparedDocument, InputError> prepare(const Document& document, RowProgram rows,
                                                     Preparation how);
 

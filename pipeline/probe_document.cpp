@@ -12,7 +12,7 @@ std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std
 }
 
 double depth_tolerance(const Box& clip, const StopCriterion& stop, Precision precision) {
-    constexpr double guess = 1e-3;  // of the box
+    constexpr double guess = 1e-3;  // part of the box's size
     return certified_width(clip, stop, precision).value_or(guess * clip.size());
 }
 

@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-// What pixels show, for the window and the command line.
+// Formulas and tolerances for probing pixels, used by the window and the command line.
 
 namespace zeroset {
 
-/// f as it was typed of the program's surfaces that are shown, for probe().
+/// The formulas, as they were typed, of the program's surfaces in `shown`, for probe().
 std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std::size_t>& shown);
 
-/// How far the depths of a frame traced in this type may be from the surface, world units; a guess
-/// where the criterion bounds nothing.
+/// Largest distance of the depths of a frame traced in this precision from the surface, world
+/// units; a guess if the criterion bounds nothing.
 double depth_tolerance(const Box& clip, const StopCriterion& stop, Precision precision);
 
 }  // namespace zeroset

@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// The box as where a formula is going to be evaluated.
+/// Converts the box to the region in which a formula is going to be evaluated.
 inline SampleRegion sample_region(const Box& box) {
     SampleRegion region;
     for (int i = 0; i < 3; ++i) {

@@ -18,28 +18,30 @@ namespace {
 
 using Kernels = std::vector<Kernel>;
 
-// Where there are so many, most may be left out in a small cell: an interpreter of the rest may be
-// quicker than machine code of all.
+// With at least so many choices, most of a surface may be left out in a small cell, so that
+// interpreting the rest may be quicker than machine code of the whole.
 constexpr std::size_t many_choices = 24;
-// Machine code of a node takes a sixteenth of the time that the interpreter takes for a step.
+// Number of nodes that machine code evaluates in the time of one interpreter step.
 constexpr double nodes_a_step = 16;
-// LLVM takes 1 ms for a node, 3 where it is thorough.
+// Largest number of nodes compiled as a whole. LLVM takes 1 ms for a node, 3 ms at its most
+// thorough.
 constexpr std::size_t most_whole_nodes = 2'000;
-// So many nodes of parts are compiled at most; the rest is interpreted.
+// Largest number of nodes of parts that are compiled; the rest is interpreted.
 constexpr std::size_t most_part_nodes = 1'000;
-// Where code for the parts takes longer than this, in nodes, one picture is drawn sooner without:
-// 89 shapes of 971 nodes took 2 s for a frame of 0.2.
+// Largest cost of the parts' code, in nodes, that pays for a single picture: 89 shapes of 971 nodes
+// took 2 s to compile for a frame of 0.2 s.
 constexpr std::size_t most_part_cost = 1'000;
 constexpr std::size_t cost_of_shape = 8;
-// LLVM's quicker code of more takes it seconds; of 2000 terms 23 s, where hasty code takes 0.7.
+// Above this number of nodes LLVM's thorough compilation takes seconds: for 2000 terms 23 s, the
+// hasty one 0.7 s.
 constexpr std::size_t most_thorough_nodes = 200;
-// The interpreter evaluates so many in the time that LLVM takes for a function.
+// Number of nodes that the interpreter evaluates in the time that LLVM takes for a function.
 constexpr std::size_t patient_nodes = 30'000'000;
 
 bool is_one(CodeUse use) { return use == CodeUse::OnePicture || use == CodeUse::LongPicture; }
 
 std::size_t choices_in(const Expr& expr) {
-    // A restriction leaves nothing else to evaluate.
+    // Where does not count: a restriction has no alternative to evaluate in its place.
     const auto chooses = [](const Node& node) {
         return may_be_operand(node.op) && node.op != Op::Where;
     };
@@ -54,7 +56,7 @@ jit::CompileOptions options_for(CodeUse use, Precision precision, const Expr& su
             .patient_nodes = is_one(use) ? patient_nodes : 0};
 }
 
-/// Machine code of parts, and an interpreter of the choices between them.
+/// Makes a kernel that interprets the choices and runs machine code of the parts between them.
 Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
     const Expr surface = with_outer_choices(drawn);
     std::vector<Facts> facts = facts_of(surface);
@@ -71,13 +73,13 @@ Kernel by_parts(const Expr& drawn, CodeUse use, Precision precision) {
     return kernel;
 }
 
-/// Remembers the surfaces that code for one picture, or for a first one, was made for.
+/// The surfaces that code was made for, if it was for one picture or a first one.
 ShapeMemory& shapes_seen() {
     static ShapeMemory instance;
     return instance;
 }
 
-/// Code for one surface as a whole, or for its shape.
+/// Compiles one surface as a whole, or its shape.
 std::expected<Kernel, jit::CompileError> whole_code(const Expr& surface,
                                                     std::optional<ShapedGraph> shaped, CodeUse use,
                                                     Precision precision) {
@@ -89,11 +91,11 @@ std::expected<Kernel, jit::CompileError> whole_code(const Expr& surface,
     return kernel_of_shape(surface, std::move(*shaped));
 }
 
-/// Which of the surfaces have code of their parts.
+/// Tells of each surface whether its code is made of its parts.
 std::vector<bool> made_of_parts(std::span<const Expr> surfaces, const Box& region, CodeUse use) {
     std::vector<bool> result;
     for (const Expr& surface : surfaces) {
-        // For one picture it is known already.
+        // For a single picture the decision has been made already and is part of `use`.
         result.push_back(is_one(use) ? use == CodeUse::OnePicture && has_many_choices(surface)
                                      : is_made_of_parts(surface, region));
     }
@@ -125,7 +127,8 @@ std::expected<Kernels, jit::CompileError> machine_code(std::span<const Expr> sur
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         if (!by_their_parts[i]) wholes.push_back(surfaces[i]);
     }
-    // Numbers that stand in the code make it quicker.
+    // Constants that stand in the code make it quicker, so code for many pictures shares shapes
+    // only among these surfaces.
     ShapeMemory only_these;
     ShapeMemory& memory = use == CodeUse::Pictures ? only_these : shapes_seen();
     auto shapes = memory.shape(wholes);

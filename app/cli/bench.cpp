@@ -31,13 +31,13 @@ struct BenchPlan {
     std::vector<TraceSettings> settings;  ///< one for each tracer
     Size size{};
     int repeats = 5;
-    double budget_s = default_budget_s;  ///< of a frame
+    double budget_s = default_budget_s;  ///< for each frame
 };
 
-/// What the window at its first size draws: with the panel.
+/// Size of the picture, without the panel, in the window at its first size.
 constexpr const char* size_in_window = "902x773";
 
-/// An error for an option that --first-picture would leave unheard.
+/// Returns an error for an option that --first-picture would ignore.
 std::optional<InputError> check_first_picture(const BenchCommand& command) {
     const std::string has = "--first-picture has ";
     if (command.json) return InputError{has + "no --json; leave it out, the table is printed"};
@@ -88,7 +88,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
 struct BenchCell {
     FrameTiming timing;
     double compile_ms = 0.0;
-    double floor_ms = 0.0;  ///< see KnownFrame
+    double floor_ms = 0.0;  ///< time by KnownFrame
     double range_per_ray = 0.0, form_per_ray = 0.0, value_per_ray = 0.0;
     CertificateCounts counts;
 };

@@ -18,10 +18,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The value of w for surfaces of a suite in a file.
+/// The value of w for surfaces of a suite file.
 constexpr double suite_w = 0.5;
 
-/// The library's message without its own heading "[json.exception...] ".
+/// The library's message without its prefix "[json.exception...] ".
 std::string plain_message(const std::exception& error) {
     const std::string_view text = error.what();
     const std::size_t end = text.find("] ");

@@ -8,19 +8,19 @@
 
 namespace zeroset {
 
-/// A surface that is timed.
+/// A surface to be timed.
 struct BenchItem {
     std::string name;
     ReadDocument read;
 };
 
-/// The gallery's surfaces of the papers, all seen from the default direction.
+/// The gallery's surfaces from papers, all seen from the default direction.
 std::vector<BenchItem> gallery_suite();
 
-/// All of the gallery, as the window shows them.
+/// The whole gallery, in the views that the window shows.
 std::vector<BenchItem> whole_gallery();
 
-/// The surfaces of a JSON file: {"camera": {direction, distance, fov}, "surfaces": [{name, f,
+/// Reads the surfaces of a JSON file: {"camera": {direction, distance, fov}, "surfaces": [{name, f,
 /// domain}]}; w is 0.5.
 OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path);
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-// The subcommands. Each returns the process's exit code: 0, 2 for what the user typed wrong, 1 for
-// what went wrong at run time; errors go to stderr as one line (a formula's with a caret below).
+// The subcommands. Each returns the process's exit code: 0, 2 for wrong input, 1 for an error at
+// run time. Errors go to stderr as one line; an error in a formula is followed by a caret below its
+// text.
 
 namespace zeroset {
 
@@ -17,7 +18,7 @@ struct RenderCommand {
     TraceText trace;
     std::string size = "1024x1024";
     std::optional<std::string> output, depth, certificate, stats, repeat, budget;
-    std::vector<std::string> probes;  ///< COL,ROW of each
+    std::vector<std::string> probes;  ///< COL,ROW each
     bool no_legend = false;
 };
 int run_render(const RenderCommand& command);
@@ -32,7 +33,7 @@ int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
     std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
-    bool first_picture = false;  ///< times edits in place of frames
+    bool first_picture = false;  ///< times edits instead of frames
 };
 int run_bench(const BenchCommand& command);
 
@@ -45,7 +46,7 @@ int run_gallery(const GalleryCommand& command);
 /// Prints the page of the formula language as Markdown.
 int run_language();
 
-/// Draws the window, with its picture finished, into a file; needs no display.
+/// Draws the window with its finished picture into a file; needs no display.
 struct UiShotCommand {
     std::string equation;
     ViewText view;
@@ -56,7 +57,7 @@ struct UiShotCommand {
     std::string output;
     std::optional<std::string> pointer;
     bool mark_undecided = false;
-    std::vector<std::string> actions;  ///< names of what is done first
+    std::vector<std::string> actions;  ///< names of actions to be run first
 };
 int run_ui_shot(const UiShotCommand& command);
 

@@ -22,7 +22,7 @@ struct ValueAt {
     std::array<double, 3> gradient{};
 };
 
-/// A surface as read and as drawn.
+/// A surface as it was read and as it is drawn.
 struct Explained {
     const Expr* expr = nullptr;
     Expr drawn;
@@ -33,7 +33,7 @@ struct Explanation {
     std::shared_ptr<const Program> program;
     std::vector<Explained> surfaces;
     std::array<double, 4> point{};
-    std::vector<double> parameters;  ///< the program's, in its order
+    std::vector<double> parameters;  ///< the program's parameters, in its order
 };
 
 OrInputError<std::optional<std::array<double, 4>>> point_of(const ExplainCommand& command) {
@@ -73,7 +73,7 @@ OrInputError<Explanation> explained(const ExplainCommand& command) {
     return result;
 }
 
-/// One line; bytes that are no UTF-8 become replacement characters.
+/// Prints one line; bytes that are no UTF-8 become replacement characters.
 void print(const Json& json) {
     std::cout << json.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n";
 }
@@ -97,7 +97,7 @@ Json json_of(const Explained& surface) {
             {"nodes", surface.expr->nodes().size()}};
 }
 
-/// The first surface's members, then all that the text says.
+/// Prints the first surface's members, then everything else that the text says.
 void print_json(const Explanation& explanation) {
     Json json{{"ok", true}};
     json.update(json_of(explanation.surfaces.front()));

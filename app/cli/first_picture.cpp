@@ -21,20 +21,20 @@
 #include <utility>
 #include <vector>
 
-// From an edit to pixels by the jobs that the window has, without panels and OpenGL.
+// Times the way from an edit to pixels through the window's jobs, without panels and OpenGL.
 
 namespace zeroset {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long an edit took to show.
+/// Times from an edit to each result.
 struct EditTimes {
     double formula_ms = 0.0;  ///< until there is code to draw with
     double picture_ms = 0.0;  ///< until the first picture
     double machine_ms = 0.0;  ///< until there is machine code
     int width = 0, height = 0;
-    std::size_t nodes = 0;  ///< of what is drawn
+    std::size_t nodes = 0;  ///< nodes of the drawn graphs
 };
 
 Sheet sheet_of(const Document& document) {
@@ -44,15 +44,15 @@ Sheet sheet_of(const Document& document) {
     return sheet;
 }
 
-/// The window's jobs, and the thread that would be the window's.
+/// The window's jobs; the calling thread takes the place of the window's thread.
 class Editor {
 public:
     explicit Editor(const FirstPicturePlan& plan) : plan_(plan) {}
 
-    /// Puts the document's text in place of the last one.
+    /// Replaces the last text by the document's and times what follows.
     OrInputError<EditTimes> edit(const Document& document);
-    /// Until the picture is complete or a person might have gone on typing, and whatever comes next
-    /// is no motion.
+    /// Waits until the picture is complete or a person might have gone on typing, and long enough
+    /// for the next request to count as no motion.
     void rest();
 
 private:
@@ -72,7 +72,8 @@ private:
     std::mutex mutex_;
     std::condition_variable woken_;
     int calls_ = 0, seen_ = 0;
-    FormulaJob formulas_{[this] { wake(); }};  // the jobs end before what they wake
+    FormulaJob formulas_{
+        [this] { wake(); }};  // declared last, so that the jobs end before what they wake
     RenderJob pictures_{[this] { wake(); }};
 };
 
@@ -134,8 +135,8 @@ bool same_shape(const Program& a, const Program& b) {
     return std::ranges::equal(a.surfaces, b.surfaces, same_graph);
 }
 
-/// The text with one of its numbers a little larger, so that the formula has the same shape;
-/// nothing where there is none such.
+/// Returns the text with one of its numbers a little larger, such that the formula keeps its shape;
+/// nothing if no number allows that.
 std::optional<std::string> with_other_number(const std::string& text, const std::string& digits) {
     const auto whole = read_program(text);
     if (!whole) return std::nullopt;
@@ -156,7 +157,7 @@ std::optional<std::string> with_other_number(const std::string& text, const std:
 
 struct Medians {
     EditTimes text;
-    std::optional<double> number_ms;  ///< of an edit of a number
+    std::optional<double> number_ms;  ///< time of an edit that changes a number
 };
 
 double median(std::vector<double> times) {
@@ -164,7 +165,7 @@ double median(std::vector<double> times) {
     return times[times.size() / 2];
 }
 
-/// The item's view of another text.
+/// Returns the item's document with another text.
 Document document_with(const BenchItem& item, const std::string& text) {
     Document document = item.read.document;
     document.statements = read_text(text).document.statements;

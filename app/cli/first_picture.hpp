@@ -7,16 +7,16 @@
 
 namespace zeroset {
 
-/// How first pictures are timed.
+/// What to time first pictures with.
 struct FirstPicturePlan {
     std::vector<BenchItem> items;
-    TraceSettings settings;  ///< but for the stop, which is the window's where none is given
-    Size size{};             ///< of the full picture
+    TraceSettings settings;  ///< the stop is the window's if none was given
+    Size size{};             ///< of the full picture, pixels
     int repeats = 5;
 };
 
-/// Prints how long the window's way takes from an edit of a text to its first picture: of a text
-/// that is new, and of one in which a number has changed. Returns the process's exit code.
+/// Prints the times that the window takes from an edit of a text to its first picture: for a new
+/// text, and for one in which a number has changed. Returns the process's exit code.
 int print_first_pictures(const FirstPicturePlan& plan);
 
 }  // namespace zeroset

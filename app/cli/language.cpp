@@ -10,7 +10,7 @@
 namespace zeroset {
 namespace {
 
-/// In Markdown's table cells a bar is written with a backslash, also in code.
+/// Escapes bars, which Markdown's table cells require even in code.
 std::string cell(std::string_view text) {
     std::string result;
     for (const char c : text) {

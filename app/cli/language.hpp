@@ -4,7 +4,7 @@
 
 namespace zeroset {
 
-/// The page of the formula language as Markdown: resources/docs/language.md.
+/// The page of the formula language as Markdown, kept as resources/docs/language.md.
 std::string language_page();
 
 }  // namespace zeroset

@@ -1,5 +1,5 @@
-// The command line: zeroset [EQUATION | @NAME | FILE] opens the window, zeroset SUBCOMMAND needs
-// none.
+// The command line: zeroset [EQUATION | @NAME | FILE] opens the window, zeroset SUBCOMMAND needs no
+// window.
 
 #include "app/cli/commands.hpp"
 #include "app/cli/progress.hpp"
@@ -22,7 +22,7 @@
 namespace zeroset {
 namespace {
 
-/// An option with a value, from which spaces at both ends are dropped.
+/// Adds an option with a value; spaces at both ends of the value are dropped.
 template <class Value>
 CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
                        const std::string& about) {
@@ -32,7 +32,7 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
     return app.add_option(names, value, about)->transform(trim);
 }
 
-/// --NAME and --no-NAME.
+/// Adds the pair --NAME and --no-NAME.
 void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
                 const std::string& about) {
     const std::function<void(std::int64_t)> take = [&value](std::int64_t count) {
@@ -130,8 +130,8 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
     return shot_app;
 }
 
-/// "-x^2+y" is an equation: the parser of the command line takes words with a leading space for
-/// values, and the readers of values drop it.
+/// Puts a space before arguments such as "-x^2+y", which are equations: CLI11 takes words with a
+/// leading space for values, and the readers of values drop the space.
 std::vector<std::string> protected_arguments(int argc, char** argv) {
     std::vector<std::string> arguments(argv + 1, argv + argc);
     for (std::string& argument : arguments) {

@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// What `render --probe` says of a pixel: one line of JSON. `surface`: the hit surface's number
-/// among those of the text, from 1; `reading`: how it was read.
+/// The line of JSON that `render --probe` prints for a pixel. `surface`: number of the hit surface
+/// in the text, from 1; `reading`: how that surface was read.
 std::string json_line(int col, int row, const std::optional<PointFacts>& facts, std::size_t surface,
                       const std::string& reading);
 

@@ -24,13 +24,13 @@ std::atomic<bool>& is_shown() {
 }
 
 void write_line(const std::string& text) {
-    // One write, which the line's removal by another thread cannot cut in two.
+    // A single write cannot be cut in two by another thread that clears the line.
     const std::string line = "\r\x1b[K" + text;
     is_shown() = !text.empty();
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
 }
 
-/// What a thread at work and the one that waits for it share.
+/// State shared by the working thread and the one that waits for it.
 struct Ending {
     std::mutex mutex;
     std::condition_variable wake;

@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// How far a command has come. Written by the threads that work, read by the one that waits.
+/// The progress of a command. Written by working threads, read by the waiting one.
 class Progress {
 public:
     enum class Stage : std::uint8_t { Compiling, Fitting, Coloring, Drawing };
@@ -22,7 +22,7 @@ public:
     }
     void add(std::uint64_t parts) { done_ += parts; }
     [[nodiscard]] Stage stage() const { return stage_; }
-    /// From 0 to 1; negative where it is not known.
+    /// From 0 to 1; negative while unknown.
     [[nodiscard]] double done() const {
         const std::uint64_t parts = parts_;
         return parts == 0 ? -1.0 : static_cast<double>(done_) / static_cast<double>(parts);
@@ -36,18 +36,18 @@ private:
 /// "compiling", "drawing", ...
 const char* name_of(Progress::Stage stage);
 
-/// A line such as "drawing  [#########           ]  45 %", without its end. `done` as in Progress;
-/// where it is not known the line tells the seconds.
+/// Formats a line such as "drawing  [#########           ]  45 %", without line end. `done` as in
+/// Progress; if it is unknown, the line shows the seconds instead.
 std::string progress_line(Progress::Stage stage, double done, double seconds);
 
-/// Does `work` on a thread of its own and waits for its end, not beyond `until`; returns whether it
-/// has ended. On a terminal standard error shows the progress of what takes longer than a second.
-/// Work that has not ended goes on beside: what it uses must live on, and the process is to end by
-/// end_process (app/platform/process).
+/// Runs `work` on a thread of its own and waits for its end, but not beyond `until`. Returns true
+/// if it has ended. If standard error is a terminal, it shows the progress of work that takes
+/// longer than a second. Unfinished work goes on: whatever it uses must stay alive, and the process
+/// must end by end_process (app/platform/process).
 bool finish_until(std::chrono::steady_clock::time_point until, const Progress& progress,
                   std::function<void()> work);
 
-/// Takes the line away that shows the progress, if there is one. Any thread.
+/// Clears the line that shows the progress, if there is one. Any thread.
 void clear_progress();
 
 }  // namespace zeroset

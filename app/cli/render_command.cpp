@@ -94,7 +94,7 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     return plan;
 }
 
-/// The first of the files that cannot be written, as its error.
+/// Returns the error of the first output file that cannot be written.
 std::optional<std::string> unwritable_file(const RenderCommand& command) {
     for (const auto* path :
          {&command.output, &command.depth, &command.certificate, &command.stats}) {
@@ -146,7 +146,7 @@ Json stats_of(const RenderedPicture& picture) {
               {"form", timing.counters.form}}}};
 }
 
-/// The reading of each of the program's surfaces.
+/// Returns the reading of each of the program's surfaces.
 std::vector<std::string> surface_readings(const Program& program) {
     std::vector<std::string> texts;
     for (const Reading& reading : program.readings) {
@@ -173,7 +173,7 @@ void print_probes(const RenderedPicture& picture) {
     }
 }
 
-/// The files; or why one cannot be written.
+/// Writes the requested files; returns an error if one cannot be written.
 std::expected<void, std::string> write_files(const RenderCommand& command,
                                              const std::shared_ptr<const RenderedPicture>& made) {
     const RenderedPicture& picture = *made;

@@ -21,32 +21,34 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long after its time has run out a picture is waited for: LLVM cannot be interrupted.
+/// How long to wait for a picture beyond its budget, as LLVM cannot be interrupted.
 constexpr auto patience = std::chrono::seconds(1);
 
-// Of the time left, what the range of the colours may take, and where the surfaces lie.
+// Divisors of the time left: finding the range of the colours and finding the surfaces' extent each
+// may take 1 / share of it.
 constexpr int coloring_share = 4;
 constexpr int fitting_share = 4;
 
-/// A picture being drawn. The thread that draws it may outlive all but this.
+/// A picture being drawn. The thread that draws it shares its ownership and may outlive everything
+/// else.
 struct Drawing {
     RenderedPicture picture;
     Progress progress;
     Clock::time_point start, until;
     std::atomic<bool> cancel = false;
-    std::atomic<bool> has_scene = false;  ///< but for frame and timing all is there
+    std::atomic<bool> has_scene = false;  ///< all members of `picture` but frame and timing are set
 };
 
-/// Frames drawn again for their times each have a budget.
+/// True if the plan draws a single frame; frames repeated for their times each have a budget.
 bool is_one_frame(const RenderPlan& plan) { return plan.repeats == 1 && !plan.warms_up; }
 
-/// When one of so many parts of the time left is over.
+/// Returns the time at which 1 / `parts` of the time left is over.
 Clock::time_point after_share(const Drawing& drawing, int parts) {
     const auto now = Clock::now();
     return now + (drawing.until - now) / parts;
 }
 
-/// A picture of which nothing is decided.
+/// Returns a picture whose pixels are all undecided.
 Framebuffer undecided_frame(const Size& size) {
     Framebuffer frame(size.width, size.height);
     for (int row = 0; row < size.height; ++row) {
@@ -59,13 +61,13 @@ Framebuffer undecided_frame(const Size& size) {
     return frame;
 }
 
-/// The plan's picture by this code.
+/// Makes the request for the plan's picture with the prepared code.
 PictureRequest request_for(const RenderPlan& plan, const PreparedDocument& prepared) {
     return picture_request(prepared.formula, prepared.colors, plan.document, plan.settings,
                            {plan.size.width, plan.size.height});
 }
 
-/// Looks at all of the surface; returns why, where it cannot.
+/// Fits the view to the surfaces; returns the reason if it cannot.
 std::string fit(RenderPlan& plan, const PreparedDocument& prepared, const TimeLimit& limit) {
     const PictureRequest request = request_for(plan, prepared);
     plan.document.camera = request.camera;
@@ -76,7 +78,7 @@ std::string fit(RenderPlan& plan, const PreparedDocument& prepared, const TimeLi
     return framing.found ? "" : framing.note;
 }
 
-/// Finds the range of the colours where the document leaves it open.
+/// Finds the range of the colours if the document leaves it open.
 void find_color_range(Drawing& drawing) {
     const RenderPlan& plan = drawing.picture.plan;
     Scene& scene = drawing.picture.scene;
@@ -87,7 +89,7 @@ void find_color_range(Drawing& drawing) {
                    plan.size.height, {&drawing.cancel, after_share(drawing, coloring_share)});
 }
 
-/// The formula with the code that draws one frame soonest.
+/// Returns the formula with the code that draws one frame soonest.
 std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing,
                                                      const PictureRequest& request) {
     Formula formula = *request.formula;
@@ -102,11 +104,11 @@ std::expected<Formula, InputError> with_code_for_one(const Drawing& drawing,
     return with_machine_code(formula, *use, precision);
 }
 
-/// Makes the code of the picture, and fits the view to the surface where that is planned; or finds
-/// an error.
+/// Makes the picture's code and, if planned, fits the view to the surfaces; returns an error if
+/// something fails.
 std::optional<InputError> prepare_picture(Drawing& drawing) {
     RenderPlan& plan = drawing.picture.plan;
-    // Fitting asks for many ranges, as does any tracer but that of beams.
+    // Fitting evaluates many ranges, as do all tracers but beams, so that machine code pays.
     const bool few =
         is_one_frame(plan) && !plan.fits && plan.settings.tracer == tracers().front().name;
     auto prepared =
@@ -143,7 +145,8 @@ void draw(Drawing& drawing) {
     const auto next_watch = [&] {
         drawing.progress.enter(Progress::Stage::Drawing, pixels);
         const TimeLimit limit{&drawing.cancel, until};
-        until = until_after(Clock::now(), plan.budget_s);  // another frame has its own
+        until =
+            until_after(Clock::now(), plan.budget_s);  // each further frame has a budget of its own
         return RenderWatch{.limit = limit, .on_tile = [&drawing](const PixelRect& rect) {
                                drawing.progress.add(static_cast<std::uint64_t>(rect.cols) *
                                                     static_cast<std::uint64_t>(rect.rows));
@@ -154,12 +157,12 @@ void draw(Drawing& drawing) {
     picture.in_time = !picture.timing.counters.is_cut();
 }
 
-/// What there is of a picture whose thread goes on.
+/// Copies what is finished of a picture whose thread is still running.
 std::shared_ptr<const RenderedPicture> stuck_picture(const Drawing& drawing,
                                                      const RenderPlan& plan) {
     auto picture = std::make_shared<RenderedPicture>();
     if (drawing.has_scene.load(std::memory_order_acquire)) {
-        *picture = drawing.picture;  // no tile of its frame is drawn since it was cancelled
+        *picture = drawing.picture;  // no tile changes any more: the frame was cancelled
     } else {
         picture->plan = plan;
         picture->frame = undecided_frame(plan.size);

@@ -18,46 +18,48 @@
 #include <string>
 #include <vector>
 
-// The work of `render`, between reading its options and writing its files.
+// The work of `render` between reading its options and writing its files.
 
 namespace zeroset {
 
-/// What the options mean, checked before any work.
+/// The meaning of the options, checked before any work.
 struct RenderPlan {
-    Document document;  ///< with what the options say of it
-    RowProgram rows;    ///< the document's
+    Document document;  ///< the document with the options applied
+    RowProgram rows;    ///< the document's rows
     TraceSettings settings;
     Size size{};
     int repeats = 1;
     bool warms_up = false;
-    bool fits = false;               ///< the view to the surface,
-    bool fits_box = false;           ///< and the clip box
+    bool fits = false;               ///< fits the view to the surfaces
+    bool fits_box = false;           ///< `fits` also fits the clip box
     std::vector<glm::ivec2> probes;  ///< columns and rows
     double budget_s = default_budget_s;
 };
 
-/// A picture and what it was made of; after its budget, as far as it came.
+/// A picture and what it was made of; incomplete if the budget ran out.
 struct RenderedPicture {
-    RenderPlan plan;  ///< fitted
+    RenderPlan plan;  ///< the plan after fitting
     std::optional<InputError> error;
-    std::string note;        ///< what --fit could not do; a line or nothing
-    PictureRequest request;  ///< no formula: there was no time for any
-    Scene scene;             ///< of the request, with the range of the colours
+    std::string note;        ///< one line on what --fit could not do, or empty
+    PictureRequest request;  ///< without a formula if there was no time to make one
+    Scene scene;             ///< the request's scene, with the range of the colours
     Framebuffer frame;
     FrameTiming timing;
-    bool in_time = true;                                      ///< all that was wanted is there
-    Progress::Stage stage_at_end = Progress::Stage::Drawing;  ///< else: what took the time
+    bool in_time = true;  ///< everything wanted was finished
+    Progress::Stage stage_at_end =
+        Progress::Stage::Drawing;  ///< unless in_time: the stage that took the time
 };
 
-/// Draws what is planned within its budget, which begins with `start`. Where it ends much too late,
-/// a thread goes on: the process must end by end_process then (`stuck`).
+/// A drawn picture. render_picture draws the plan within its budget, which begins at `start`. If
+/// the work runs much too long, it goes on in a thread and `stuck` is true: then the process must
+/// end by end_process.
 struct RenderOutcome {
     std::shared_ptr<const RenderedPicture> picture;
     bool stuck = false;
 };
 RenderOutcome render_picture(const RenderPlan& plan, std::chrono::steady_clock::time_point start);
 
-/// One line on what the budget left; empty where it left nothing.
+/// One line on what the budget left undone; empty if it left nothing.
 std::string budget_note(const RenderedPicture& picture);
 
 }  // namespace zeroset

@@ -4,7 +4,7 @@
 
 #include <string>
 
-// How a command ends: its exit code, and on stderr one line of what is wrong.
+// The end of a command: its exit code, and one line on stderr for an error.
 
 namespace zeroset {
 

@@ -10,7 +10,7 @@
 namespace zeroset {
 namespace {
 
-/// The milliseconds that `work` takes.
+/// Returns the milliseconds that `work` takes.
 double time_of(const std::function<void()>& work) {
     const auto start = std::chrono::steady_clock::now();
     work();

@@ -10,24 +10,24 @@
 
 namespace zeroset {
 
-/// Times of a frame drawn again and again, tracing and shading, without writing files.
+/// Times of repeated frames: tracing and shading, without writing files.
 struct FrameTiming {
     double median_ms = 0.0, min_ms = 0.0, max_ms = 0.0;
     int repeats = 0;
-    Counters counters;  ///< of one frame
+    Counters counters;  ///< counters of one frame
 };
 
 /// How often a frame is drawn.
 struct Repeats {
     int count = 1;
-    bool warm_up = false;  ///< after one that is not counted
+    bool warm_up = false;  ///< draws one frame first that is not counted
 };
 
-/// Does `work` again and again.
+/// Runs `work` `repeats` times and times each run.
 FrameTiming time_repeats(int repeats, const std::function<void()>& work);
 
-/// Draws into `frame` again and again, each time with another watch; one whose time runs out is the
-/// last, and counts.
+/// Draws into `frame` repeatedly, each time with a watch of its own. A frame whose time runs out is
+/// the last one, and counts.
 FrameTiming time_frames(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                         Framebuffer& frame, const Repeats& repeats,
                         const std::function<RenderWatch()>& next_watch);

@@ -27,11 +27,11 @@
 namespace zeroset {
 namespace {
 
-/// What the options mean, checked before any work.
+/// The meaning of the options, checked before any work.
 struct UiShotPlan {
     DesktopOptions desktop;
     ui::OffscreenOptions window;
-    std::optional<glm::vec2> pointer;  ///< pixels
+    std::optional<glm::vec2> pointer;  ///< position in pixels
 };
 
 OrInputError<ui::Theme> read_theme(const std::string& text) {
@@ -98,7 +98,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (!actions) return std::unexpected(actions.error());
     desktop->actions = std::move(*actions);
     desktop->theme = *theme;
-    desktop->takes_keyboard = false;  // nothing selected, no text cursor
+    desktop->takes_keyboard = false;  // no selected text and no text cursor
     desktop->keeps_files = false;
     desktop->note.clear();
     if (command.mark_undecided) desktop->document.mark_undecided = true;
@@ -107,7 +107,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     return UiShotPlan{*desktop, *window, *pointer};
 }
 
-/// The window's pixels when nothing in it changes any more.
+/// Returns the window's pixels once nothing in the window changes any more.
 Framebuffer draw_settled(ui::OffscreenWindow& window, const DesktopOptions& options,
                          const std::optional<glm::vec2>& pointer) {
     Desktop desktop(window, options);

@@ -9,11 +9,11 @@
 
 namespace zeroset {
 
-/// What becomes of a text that cannot be read. Rows of a file may always have errors: the window
-/// shows them.
+/// Whether a text that cannot be read is an error. Rows of a file may always have errors, which the
+/// window shows.
 enum class TextErrors : std::uint8_t { Shown, Refused };
 
-/// Options of the window for EQUATION; the gallery's first surface where it is empty.
+/// Options of the window for EQUATION, or for the gallery's first surface if EQUATION is empty.
 OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, const ViewText& view,
                                                   const TraceText& trace,
                                                   TextErrors errors = TextErrors::Shown);

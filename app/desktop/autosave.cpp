@@ -22,7 +22,7 @@ fs::path lock_of(const fs::path& file) {
     return lock;
 }
 
-/// An open file that this process alone has locked, or -1.
+/// Opens a file and locks it for this process alone; -1 if that fails.
 int locked(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (file < 0 || ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
@@ -30,7 +30,7 @@ int locked(const fs::path& path) {
     return -1;
 }
 
-/// Whether no process has the lock; a missing one is free.
+/// True if no process holds the lock; a missing lock file counts as free.
 bool is_free(const fs::path& path) {
     const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
     if (file < 0) return true;
@@ -56,7 +56,7 @@ Autosave::Autosave(const std::optional<fs::path>& folder) {
     std::error_code error;
     fs::create_directories(folder_, error);
     fs::permissions(folder_, fs::perms::owner_all, error);
-    // The process's number may be that of a lost session.
+    // A lost session may have had the same process number.
     for (int i = 0; i < 100 && lock_ < 0; ++i) {
         file_ = folder_ / (std::to_string(::getpid()) + "-" + std::to_string(i) + document_ending);
         if (!fs::exists(file_, error)) lock_ = locked(lock_of(file_));
@@ -72,7 +72,7 @@ Autosave::~Autosave() {
 }
 
 void Autosave::keep(const Document& document) {
-    // What cannot be kept is no reason to disturb the work.
+    // A failed write must not disturb the user's work.
     if (lock_ >= 0) (void)save_document(file_, document);
 }
 

@@ -7,32 +7,32 @@
 
 namespace zeroset {
 
-/// A session that ended without being closed.
+/// The document of a session that ended without being closed.
 struct LostSession {
     std::filesystem::path file;
     Document document;
     std::filesystem::file_time_type saved;
 };
 
-/// Where a session keeps its document against a crash: a file of its own in the state folder, and
-/// a lock that ends with the process however that ends.
+/// Keeps a session's document against a crash: in a file of its own in the state folder, with a
+/// lock that the system releases however the process ends.
 class Autosave {
 public:
-    /// Nothing is kept without a folder or where it cannot be written.
+    /// Without a folder, or with one that cannot be written, nothing is kept.
     explicit Autosave(const std::optional<std::filesystem::path>& folder);
-    /// Closed as it should be: the file is removed.
+    /// Removes the file: the session was closed properly.
     ~Autosave();
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
     void keep(const Document& document);
-    /// There is nothing to restore.
+    /// Removes the kept document: there is nothing to restore.
     void forget();
-    /// What was kept is left as by a crash; nothing more is kept.
+    /// Leaves the file as a crash would; keeps nothing from then on.
     void abandon();
-    /// The newest of the sessions that were lost.
+    /// Returns the newest of the lost sessions, if any.
     [[nodiscard]] std::optional<LostSession> lost() const;
-    /// Removes what a lost session left.
+    /// Removes the files of a lost session.
     void discard(const LostSession& session);
 
 private:

@@ -35,14 +35,14 @@
 namespace zeroset {
 namespace {
 
-/// Frames of a slider that plays and moves no picture.
+/// Time between steps of a playing slider that moves no picture.
 constexpr double frame_s = 1.0 / 60.0;
-/// A full picture that takes less is waited for before a slider that plays moves on.
+/// Full pictures quicker than this are waited for before a playing slider moves on.
 constexpr double quick_ms = 30.0;
-/// A slider that plays does not jump farther after a frame that took long.
+/// Longest step of a playing slider, after a frame that took long.
 constexpr double longest_step_s = 0.25;
 
-/// How often it looks whether the surfaces' extent is known.
+/// Interval at which the search for the surfaces' extent is polled.
 constexpr double extent_poll_s = 0.004;
 
 std::string note_of(CodeState code) {
@@ -125,7 +125,7 @@ void Desktop::draw_frame() {
     window_.begin_frame(state_.theme);
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
-    // Before the frame waits for the screen.
+    // Jobs get the edits before the frame waits for the screen.
     follow_edits();
     follow_waiting();
     if (latency_ != nullptr) log_submission(before);
@@ -133,7 +133,8 @@ void Desktop::draw_frame() {
     window_.end_frame();
 }
 
-/// What came of an event: a picture, one as soon as the formula is read and compiled, or nothing.
+/// Tells the log what an event led to: a picture, a picture to come once the formula is read and
+/// compiled, or nothing.
 void Desktop::log_submission(std::uint64_t before) {
     const bool reads = answered_rows_ != submitted_rows_;
     if (request_ != before) {
@@ -171,7 +172,7 @@ void Desktop::take_formula() {
     if (!result) return;
     answered_rows_ = result->sheet;
     answered_choice_ = result->choice;
-    // Nothing is wrong before anything is typed.
+    // An expression that is still empty is no error.
     const bool typed = !trimmed(result->choice.expression).empty();
     state_.color_error = typed && result->color_error ? result->color_error->reason : "";
     state_.reports = result->reading.reports;
@@ -184,7 +185,7 @@ void Desktop::take_formula() {
     }
 }
 
-/// The shown formula, now with code in double, too; nothing else changes.
+/// Takes the shown formula with code in double beside that in float; nothing else changes.
 void Desktop::take_double() {
     std::shared_ptr<const Formula> formula = formulas_.take_double();
     if (formula == nullptr || deepening_ != shown_) return;
@@ -194,7 +195,7 @@ void Desktop::take_double() {
 
 void Desktop::show(const FormulaResult& result) {
     const std::shared_ptr<const Formula>& formula = *result.formula;
-    // The same text again: what is shown may have more code.
+    // For the same text, the shown formula may have more code already.
     const bool same = shown_ != nullptr && shown_->text == formula->text &&
                       shown_->surface_rows == formula->surface_rows &&
                       (shown_->code == formula->code || formula->code != CodeState::Machine);
@@ -263,7 +264,7 @@ void Desktop::upload_frame() {
     uploaded_marks_ = marks;
 }
 
-/// Whether the picture of the last step of a slider that plays is still to come.
+/// True while the picture of the last step of a playing slider is still to come.
 bool Desktop::waits_for_picture() const {
     if (!state_.picture.tracing) return false;
     const bool quick = state_.picture.frame_ms < quick_ms;
@@ -307,7 +308,7 @@ void Desktop::show_gallery_item() {
 
 void Desktop::submit_rows() {
     Sheet sheet = sheet_of(state_.document);
-    // Of the colours, only what needs a formula.
+    // Only what needs a formula is taken from the colouring.
     ColorChoice choice;
     choice.by = state_.document.coloring.by;
     if (choice.by == ColorBy::Expression) choice.expression = state_.document.coloring.expression;
@@ -332,7 +333,7 @@ void Desktop::submit_picture() {
     std::optional<PictureRequest> wanted = wanted_picture();
     if (!wanted || submitted_ == wanted) return;
     if (!has_code_for(*wanted)) {
-        // The last picture stays until the code is there.
+        // The last picture stays until the code in this precision is ready.
         if (deepening_ != shown_) formulas_.submit_double(shown_);
         deepening_ = shown_;
         return;

@@ -37,45 +37,45 @@ namespace zeroset {
 /// What the window starts with.
 struct DesktopOptions {
     Document document;
-    std::string path;        ///< of the document's file; empty: none
-    std::string note;        ///< what is to be said of the document; or empty
-    TraceSettings settings;  ///< but for what the document says
+    std::string path;        ///< of the document's file; empty: it has none
+    std::string note;        ///< a message about the document, or empty
+    TraceSettings settings;  ///< all settings but those that the document has
     ui::Theme theme = ui::Theme::Dark;
-    bool follows_desktop = false;  ///< the theme is the desktop's wish
-    bool on_desktop = false;       ///< there may be one to ask
+    bool follows_desktop = false;  ///< the theme follows the desktop's
+    bool on_desktop = false;       ///< the window is on a desktop, which may have a portal
     ui::Layout layout;
     std::vector<const ui::Action*> actions;  ///< run before the first frame
-    bool takes_keyboard = true;              ///< the first row can be typed over at once
-    bool keeps_files = true;                 ///< as in SessionOptions
-    std::string latency_log;                 ///< the file of a LatencyLog; empty: none
-    bool fit = false;                        ///< looks at all of the surfaces first
-    bool fits_box = true;                    ///< and fits the clip box to them
+    bool takes_keyboard = true;  ///< the first row has the keyboard, with its text selected
+    bool keeps_files = true;     ///< see SessionOptions
+    std::string latency_log;     ///< file of a LatencyLog; empty: none
+    bool fit = false;            ///< looks at all of the surfaces first
+    bool fits_box = true;        ///< `fit` also fits the clip box to the surfaces
 };
 
-/// The window's content over time. Everything here belongs to the window's thread; the jobs'
-/// threads only wake it.
+/// The window's content over time. The window's thread owns all of it; the jobs' threads only wake
+/// that thread.
 class Desktop {
 public:
-    /// `window` outlives it.
+    /// `window` must outlive the desktop.
     Desktop(ui::Window& window, const DesktopOptions& options);
 
-    /// Takes what the jobs have finished, draws, and gives the jobs what has changed.
+    /// Takes what the jobs have finished, draws a frame, and gives the jobs what has changed.
     void draw_frame();
-    /// Whether the last frame showed all there is: the reading or the errors of the rows as they
-    /// stand, and the finished picture of what can be drawn. Until then the window is woken again.
+    /// True if the last frame showed everything: the reading or the errors of the current rows, and
+    /// the finished picture of what can be drawn. Until then the window is woken again.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] bool closed() const { return session_.closed(); }
-    /// The window cannot go on: the document is left to be restored by the next.
+    /// Leaves the document to be restored by the next window, as this one cannot go on.
     void abandon() { session_.abandon(); }
-    /// What the next window takes over.
+    /// The preferences that the next window takes over.
     [[nodiscard]] Preferences preferences() const;
-    /// Seconds since it was made.
+    /// Seconds since construction.
     [[nodiscard]] double now_s() const;
-    /// Seconds until there is something to draw or to do though nothing happens.
+    /// Seconds until a frame must be drawn even if no event comes; nothing: none is due.
     [[nodiscard]] std::optional<double> due_s() const;
 
 private:
-    /// Finds what the window waits for, for the panels to tell.
+    /// Finds what the window waits for, for the panels to show.
     void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
@@ -83,7 +83,7 @@ private:
     void take_frame();
     void upload_frame();
     void show_legend(const RenderResult& result);
-    /// What is behind the picture that is shown, unless another is on its way.
+    /// Returns the request of the picture on the screen; nullptr if a newer one is on its way.
     [[nodiscard]] const PictureRequest* behind_picture() const;
     void follow_edits();
     void show_gallery_item();
@@ -106,16 +106,17 @@ private:
     std::optional<Sheet> submitted_rows_;
     ColorChoice submitted_choice_;
     ColorChoice answered_choice_;
-    std::shared_ptr<const ColorFormulas> colors_;  ///< for `shown_`
+    std::shared_ptr<const ColorFormulas> colors_;  ///< made for `shown_`
     Pointing pointing_;
-    std::optional<Sheet> answered_rows_;        ///< what the newest reading is of
-    std::shared_ptr<const Formula> shown_;      ///< of the newest reading
-    std::shared_ptr<const Formula> deepening_;  ///< `shown_`, when it waits for code in double
+    std::optional<Sheet> answered_rows_;    ///< rows of the newest reading
+    std::shared_ptr<const Formula> shown_;  ///< the formula of the newest reading that has one
+    std::shared_ptr<const Formula>
+        deepening_;  ///< equals `shown_` while that waits for code in double
     std::optional<PictureRequest> submitted_;
     std::uint64_t request_ = 0;
-    std::uint64_t pictured_request_ = 0;  ///< the newest of which a pass was shown
+    std::uint64_t pictured_request_ = 0;  ///< the newest request of which a picture was shown
     bool pictured_fully_ = false;
-    // Of the formula of which a picture was shown last, and a full one.
+    // Texts of the formulas whose picture, and whose full picture, were shown last.
     std::string pictured_text_, figures_text_;
     Waiting waiting_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
@@ -123,21 +124,22 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;
 
-    /// Where the surfaces of `measured_` lie, while that is being found.
+    /// Extent of the surfaces of `measured_`, while it is being computed.
     std::future<Extent> extent_;
     std::optional<PictureRequest> measured_;
     bool fits_box_;
-    unsigned done_gesture_ = 0;            ///< after which the note on what was done goes
-    std::unique_ptr<LatencyLog> latency_;  ///< where one is wanted
-    std::optional<DesktopPortal> portal_;  ///< of a window on a desktop
+    unsigned done_gesture_ =
+        0;  ///< the gesture in which state_.done was set; the next one clears it
+    std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged
+    std::optional<DesktopPortal> portal_;  ///< only for a window on a desktop
 
     GalleryCards cards_;
     FormulaJob formulas_;
     RenderJob pictures_;
 };
 
-/// Opens the window and runs until it is closed. Without a display or OpenGL, and when the driver
-/// has lost the window, one sentence that says so.
+/// Opens the window and runs until it is closed. Returns one sentence as error if there is no
+/// display or no OpenGL, or if the driver has lost the window.
 std::expected<void, std::string> run_desktop(const DesktopOptions& options);
 
 }  // namespace zeroset

@@ -12,8 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = ui::FileChoice::Purpose;
 
-/// As the program's own choice of a file does: documents have their ending. Where that makes it
-/// the name of another file, the user is asked in the window.
+/// Appends the ending of documents where it is missing, as the program's own file dialog does. If
+/// that names another file that exists, the user is asked in the window.
 void take_saved(ui::FileChoice& choice, const std::string& chosen) {
     const fs::path path(chosen + (chosen.ends_with(".json") ? "" : ui::document_ending));
     std::error_code ignored;

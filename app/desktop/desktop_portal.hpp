@@ -9,16 +9,16 @@
 
 namespace zeroset {
 
-/// Between the window's state and the desktop's portal: the theme follows the desktop until the
+/// Connects the window's state to the desktop's portal: the theme follows the desktop until the
 /// user has chosen one, and files are chosen in the desktop's dialog where there is one. The
 /// window's thread only.
 class DesktopPortal {
 public:
-    /// `wake` is called from another thread when there is news; `parent` as in FileRequest.
+    /// Calls `wake` from another thread when there is news; `parent` as in FileRequest.
     DesktopPortal(std::function<void()> wake, std::string parent)
         : parent_(std::move(parent)), portal_(std::move(wake)) {}
 
-    /// Before the panels are drawn.
+    /// To be called before the panels are drawn.
     void follow(ui::UiState& state);
 
 private:
@@ -30,7 +30,7 @@ private:
     ColorWish wish_ = ColorWish::None;
     bool is_wish_known_ = false;
     bool asks_ = false;        ///< the desktop's dialog is open
-    bool has_dialogs_ = true;  ///< as far as is known
+    bool has_dialogs_ = true;  ///< false once the desktop turned out to have no dialogs
 };
 
 }  // namespace zeroset

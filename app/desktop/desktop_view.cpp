@@ -14,12 +14,12 @@
 #include <optional>
 #include <utility>
 
-// Where the window looks: first, after a reset, and to see all of the surfaces; and what it waits
-// for.
+// The window's view: at the start, after a reset, and to see all of the surfaces; and what the
+// window waits for.
 
 namespace zeroset {
 
-/// Looks at the whole box where the document does not say, or when it is asked for.
+/// Looks at the whole box if the document has no camera, and on request.
 void Desktop::find_view() {
     const glm::ivec2 size = state_.viewport_px;
     if (size.x <= 0 || size.y <= 0) return;
@@ -38,7 +38,7 @@ void Desktop::find_view() {
     if (!state_.document.camera) session_.amend(look);
 }
 
-/// Finds where the surfaces lie, in the background, and looks at all of them.
+/// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
     if (state_.gesture != done_gesture_) state_.done.clear();
     if (extent_.valid()) {

@@ -10,24 +10,24 @@
 
 namespace zeroset {
 
-/// The pictures of the gallery's page: those of the cards in sight are drawn, while the large
-/// picture is at rest, and uploaded. The window's thread only.
+/// Pictures of the gallery's page: draws those of the cards in sight, while the large picture is at
+/// rest, and uploads them. The window's thread only.
 class GalleryCards {
 public:
-    /// `keeps_files`: pictures are kept from session to session, and drawn at a low priority, as
-    /// somebody works meanwhile. `wake` is called from another thread after each picture.
+    /// `keeps_files`: pictures are kept from session to session and drawn at a low priority,
+    /// because somebody works meanwhile. `wake` is called from another thread after each picture.
     GalleryCards(bool keeps_files, std::function<void()> wake);
 
-    /// Before the panels are drawn: hands them what was finished.
+    /// Hands the finished pictures to the panels; to be called before they are drawn.
     void show(ui::UiState& state);
-    /// After they were drawn: asks for what they lack.
+    /// Asks for the pictures that the panels lack; to be called after they were drawn.
     void follow(const ui::UiState& state);
     [[nodiscard]] bool settled() const { return !job_.busy(); }
 
 private:
     ThumbnailJob job_;
     std::map<std::size_t, ui::Texture> textures_;
-    glm::ivec2 size_px_{0};  ///< of the textures
+    glm::ivec2 size_px_{0};  ///< size of the textures
 };
 
 }  // namespace zeroset

@@ -71,7 +71,7 @@ void LatencyLog::about_to_swap() {
         const Waiting& waiting = *waiting_;
         const double to_submit = ms(waiting.submitted - waiting.event.at) - waiting.gl_ms;
         const double to_picture = ms(taken.ready - waiting.submitted);
-        // The picture may have been ready while the thread was in OpenGL.
+        // The picture may have become ready while the thread was in OpenGL.
         const auto free = std::clamp(gl_until_, taken.ready, taken.at);
         const double to_swap = ms(taken.at - free) + ms(now - taken.at) - taken.gl_ms;
         line["event"] = name_of(waiting.event.kind);

@@ -12,17 +12,17 @@
 namespace zeroset {
 
 /// Writes a JSON line for each picture that the window hands to the swap: {"t_s", "width",
-/// "height", "complete"}. The first one that follows an input event also says how long that took:
+/// "height", "complete"}. The first picture after an input event also says how long it took:
 ///   "event"          "move" (pointer), "button", "wheel" or "key"
-///   "to_submit_ms"   from the event's arrival in the program until the request for a picture
-///   "to_picture_ms"  from there until the first pixels of a picture are traced
-///   "to_swap_ms"     from there until the frame that has them is about to be swapped
+///   "to_submit_ms"   from the event's arrival in the program to the request for a picture
+///   "to_picture_ms"  from the request to the first traced pixels of a picture
+///   "to_swap_ms"     from those pixels to just before the swap of the frame that has them
 ///   "latency_ms"     the sum of the three
 ///   "total_ms"       from the event to the swap by the clock
-/// Time in which the window's thread was in OpenGL (drawing the panels, the upload, the swap) is in
-/// total_ms alone: on a machine without a graphics card it is that of software. An event that came
-/// while another waited for its picture is not measured.
-/// picture_ready() may be called from any thread, the rest from the window's.
+/// Time that the window's thread spent in OpenGL (drawing the panels, upload, swap) counts in
+/// total_ms only: without a graphics card it is the time of a software renderer. An event that
+/// comes while another waits for its picture is not measured.
+/// picture_ready() may be called from any thread, all else from the window's thread only.
 class LatencyLog {
 public:
     using Clock = std::chrono::steady_clock;
@@ -30,7 +30,7 @@ public:
     explicit LatencyLog(const std::string& path);
 
     void input(const ui::InputEvent& event);
-    /// While it lives, the window's thread is in OpenGL; `log` may be null.
+    /// Counts its lifetime as time of the window's thread in OpenGL; `log` may be null.
     class InOpenGl {
     public:
         explicit InOpenGl(LatencyLog* log) : log_(log), from_(Clock::now()) {}
@@ -46,17 +46,17 @@ public:
     };
 
     void submitted(std::uint64_t request);
-    /// Nothing that the window waits for comes of the event.
+    /// Says that the event led to no picture, so that none is waited for.
     void nothing_submitted();
     void picture_ready();
-    /// A picture was taken from the job; it will be in the next swap.
+    /// Says that a picture was taken from the job and will be in the next swap.
     void taken(std::uint64_t request, int width, int height, bool complete);
     void about_to_swap();
 
 private:
     struct Waiting {
         ui::InputEvent event;
-        double gl_ms = 0.0;  ///< in OpenGL, between the event and the request
+        double gl_ms = 0.0;  ///< time in OpenGL between event and request
         std::optional<std::uint64_t> request;
         Clock::time_point submitted;
     };
@@ -65,7 +65,7 @@ private:
         int width, height;
         bool complete;
         Clock::time_point ready, at;
-        double gl_ms = 0.0;  ///< in OpenGL since
+        double gl_ms = 0.0;  ///< time in OpenGL since `at`
     };
     void add_gl(Clock::time_point from, Clock::time_point to);
 
@@ -75,7 +75,7 @@ private:
     std::optional<Waiting> waiting_;
     std::optional<Taken> taken_;
     std::mutex mutex_;
-    std::optional<Clock::time_point> ready_;  ///< the first picture that was not taken yet
+    std::optional<Clock::time_point> ready_;  ///< when the first picture not yet taken became ready
 };
 
 }  // namespace zeroset

@@ -44,7 +44,8 @@ void Pointing::take_click(ui::UiState& state, const PictureRequest& request, dou
         click_.reset();
         return;
     }
-    // A third place was clicked before the first click's time was over.
+    // The previous click turns into a marker at once, because a new place was clicked in its
+    // waiting time.
     if (click_) keep_marker(state);
     state.selected_marker = click->marker;
     if (click->marker != 0) return;

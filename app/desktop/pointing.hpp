@@ -11,16 +11,17 @@
 
 namespace zeroset {
 
-/// The pointer over the picture, over time: what is under it, and the markers that clicks keep. A
-/// click waits a moment for a second one: double clicks are about the view. The window's thread.
+/// Follows the pointer over the picture: finds what is under it and keeps a marker for each click.
+/// A click waits a moment for a second one, because double clicks move the view instead. The
+/// window's thread only.
 class Pointing {
 public:
     static constexpr double double_click_s = 0.3;
 
-    /// To be called after each frame of the panels. `shown`: the request of the picture on the
-    /// screen; nullptr: facts that were found before stay.
+    /// To be called after each frame of the panels. `shown`: request of the picture on the screen;
+    /// with nullptr, facts found before stay.
     void follow(ui::UiState& state, const PictureRequest* shown, double now_s);
-    /// Seconds until it wants to be called though nothing happens.
+    /// Seconds until follow() must be called even if no event comes; nothing: not at all.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;
 
 private:
@@ -28,7 +29,7 @@ private:
         glm::dvec3 at;
         double since_s;
     };
-    /// What the facts were looked up for.
+    /// The picture, formula and pixel that the facts were looked up for.
     struct Looked {
         std::shared_ptr<const Framebuffer> frame;
         std::shared_ptr<const Formula> formula;

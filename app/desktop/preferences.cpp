@@ -21,7 +21,7 @@ constexpr const char* file_name = "window.json";
 constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
-/// The switches of the layout, by their names in the file.
+/// The layout's switches, with their names in the file.
 constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 8> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},

@@ -9,34 +9,35 @@
 
 namespace zeroset {
 
-/// What a window takes over from the one before it.
+/// What a window takes over from the previous one.
 struct Preferences {
     ui::Layout layout;
-    std::optional<ui::Theme> theme;          ///< nothing: that of the desktop
-    ui::Theme last_theme = ui::Theme::Dark;  ///< until the desktop has answered
+    std::optional<ui::Theme> theme;          ///< nothing: the desktop's theme
+    ui::Theme last_theme = ui::Theme::Dark;  ///< used until the desktop has answered
     ui::WindowSize window;
     bool operator==(const Preferences&) const = default;
 };
 
-/// From the folder's file; what is missing or makes no sense is as usual.
+/// Reads the folder's file; a value that is missing or makes no sense becomes the default.
 Preferences load_preferences(const std::filesystem::path& folder);
 
-/// Keeps the folder's file as the preferences are: a moment after they have changed, so that a
-/// window which is moved is not written at every step, and a crash takes no more than that moment.
+/// Keeps the folder's file up to date. Writes a moment after a change, so that moving a window does
+/// not write at every step and a crash loses no more than that moment.
 class PreferencesFile {
 public:
-    static constexpr double rest_s = 1.0;     ///< without a change, before it is written
-    static constexpr double longest_s = 5.0;  ///< from the first change, though they go on
+    static constexpr double rest_s = 1.0;  ///< time without a change before the file is written
+    static constexpr double longest_s =
+        5.0;  ///< longest time from the first change to writing, even if changes go on
 
-    /// `saved`: as they are in the file. Without a folder nothing is kept.
+    /// `saved`: the preferences in the file. Without a folder nothing is written.
     PreferencesFile(std::optional<std::filesystem::path> folder, const Preferences& saved)
         : folder_(std::move(folder)), saved_(saved), newest_(saved) {}
 
-    /// What they are at `now_s` (any clock that does not go back).
+    /// Takes the preferences at `now_s` (any clock that does not go back) and writes them when due.
     void follow(const Preferences& now, double now_s);
-    /// Seconds until it wants to be called though nothing happens.
+    /// Seconds until follow() must be called even if no event comes; nothing: not at all.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;
-    /// Writes what is not written yet.
+    /// Writes changes that are not written yet.
     void finish();
 
 private:
@@ -45,11 +46,12 @@ private:
     std::optional<std::filesystem::path> folder_;
     Preferences saved_;
     Preferences newest_;
-    double first_s_ = 0.0;  ///< when they became other than saved
-    double last_s_ = 0.0;   ///< when they changed last
+    double first_s_ = 0.0;  ///< when they first differed from `saved_`
+    double last_s_ = 0.0;   ///< time of the last change
 };
 
-/// Makes the folder where it is missing. What cannot be written is left: the program works as well.
+/// Writes the folder's file and makes the folder if it is missing. A failure is ignored: the
+/// program works without the file.
 void save_preferences(const std::filesystem::path& folder, const Preferences& preferences);
 
 }  // namespace zeroset

@@ -31,7 +31,7 @@ void RecentFiles::add(const fs::path& path) {
     std::string text;
     for (const std::string& line : paths_)
         text += line + "\n";
-    // Without the list the program works as well.
+    // A failure is ignored: the program works without the list.
     (void)write_text(file_->string(), text);
 }
 

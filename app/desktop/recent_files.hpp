@@ -8,7 +8,7 @@
 
 namespace zeroset {
 
-/// The documents used last, the newest first; kept in a file of the state folder.
+/// Paths of the documents used last, the newest first; kept in a file of the state folder.
 class RecentFiles {
 public:
     static constexpr std::size_t most = 10;

@@ -47,7 +47,7 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
             "the graphics driver has lost the window; what was open is kept: start zeroset again");
     }
     kept.finish();
-    end_process_after(std::chrono::milliseconds(500), EXIT_SUCCESS);  // LLVM may take its time
+    end_process_after(std::chrono::milliseconds(500), EXIT_SUCCESS);  // LLVM may still be compiling
     return {};
 }
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = ui::FileChoice::Purpose;
 
-/// Where a file is looked for: beside the document, else where the program was started.
+/// Returns the folder in which a file dialog begins: the document's, else the current one.
 std::string first_folder(const std::string& path) {
     std::error_code error;
     const fs::path file = path.empty() ? fs::path() : fs::absolute(path, error);
@@ -32,7 +32,7 @@ std::string bare_name(const std::string& path) {
                : name;
 }
 
-/// The first text, for a document without a name.
+/// Returns the first text that is not empty, as a name for a document without one.
 std::string first_text(const Document& document) {
     for (const Statement& statement : document.statements) {
         if (!statement.text.empty()) return ui::in_one_line(statement.text);
@@ -135,8 +135,6 @@ void Session::keep(double now_s) {
     }
 }
 
-// ---- commands
-
 void Session::follow_command() {
     if (const auto path = std::exchange(state_.open_path, std::nullopt)) {
         attempt({Intent::OpenPath, *path});
@@ -220,8 +218,6 @@ void Session::load(const std::string& path) {
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
 }
 
-// ---- files
-
 void Session::save() {
     if (path_.empty()) return save_as();
     write(path_);
@@ -259,8 +255,6 @@ void Session::follow_file_choice() {
         write(choice.path);
     }
 }
-
-// ---- questions
 
 void Session::ask(Asked what, std::string text, std::vector<std::string> answers) {
     asked_ = what;

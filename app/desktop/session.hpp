@@ -15,49 +15,49 @@
 namespace zeroset {
 
 struct SessionOptions {
-    std::string path;         ///< the document's file; empty: it has none
-    std::string note;         ///< what is to be said of it at first; or empty
-    bool keeps_files = true;  ///< a list of recent files, and the document against a crash
+    std::string path;         ///< of the document's file; empty: it has none
+    std::string note;         ///< the first message about the document, or empty
+    bool keeps_files = true;  ///< keeps a list of recent files, and the document against a crash
 };
 
-/// The document of a window over time: undo, its file, the questions before work is lost. Acts on
-/// the wishes that the panels leave in the state. The window's thread only.
+/// The document of a window over time: undo, its file, questions before work is lost. Fulfils the
+/// wishes that the panels leave in the state. The window's thread only.
 class Session {
 public:
     static constexpr double autosave_s = 3.0;
 
-    /// `state` has the document, and outlives the session.
+    /// `state` holds the document and must outlive the session.
     Session(ui::UiState& state, const SessionOptions& options);
 
-    /// After each frame of the panels. `now_s`: any clock that does not go back.
+    /// To be called after each frame of the panels. `now_s`: any clock that does not go back.
     void follow(double now_s);
-    /// Changes the document by what no person did: no step of undo.
+    /// Changes the document without a step of undo, for changes that no person made.
     void amend(const std::function<void(Document&)>& change);
-    /// Sliders have played: no step of undo, but the document is another.
+    /// Accepts the changes of playing sliders as part of the document, without a step of undo.
     void played();
-    /// In place of the document, as a step that can be undone; it has no file.
+    /// Replaces the document as a step that can be undone; the new document has no file.
     void show(Document document);
-    /// Files dropped on the window.
+    /// Opens files that were dropped on the window.
     void open(const std::vector<std::string>& paths);
-    /// The window is to close; asks if that would lose work.
+    /// Closes the window; asks first if that would lose work.
     void close() { attempt({Intent::Quit, {}}); }
     [[nodiscard]] bool closed() const { return closed_; }
     /// Ends as after a crash: the document is left to be restored.
     void abandon();
 
-    /// Seconds until it wants to be called though nothing happens.
+    /// Seconds until follow() must be called even if no event comes; nothing: not at all.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;
-    /// "* name", or without the star when all is saved.
+    /// "* name", or without the star if all is saved.
     [[nodiscard]] std::string title() const;
 
 private:
-    /// What is to be done once it costs no work.
+    /// What to do once no work would be lost by it.
     enum class Intent { New, ChooseFile, OpenPath, Quit };
     struct Action {
         Intent intent;
         std::string path;
     };
-    /// What the question on the screen is about.
+    /// The subject of the question on the screen.
     enum class Asked { Nothing, LoseWork, Restore, Message };
 
     void follow_command();
@@ -72,7 +72,7 @@ private:
     void save_as();
     void write(const std::string& path);
     void undo(bool back);
-    /// The selected marker's coordinates, or the document.
+    /// Copies the selected marker's coordinates, or else the document.
     void copy();
     void paste();
     void ask(Asked what, std::string text, std::vector<std::string> answers);
@@ -84,14 +84,14 @@ private:
 
     ui::UiState& state_;
     History history_;
-    Document saved_;    ///< as in the file, or as it began
-    std::string path_;  ///< of the file; empty: none
+    Document saved_;    ///< the document as in its file, or as it began
+    std::string path_;  ///< of the document's file; empty: none
     RecentFiles recent_;
     Autosave autosave_;
     std::optional<LostSession> lost_;
-    std::optional<Action> waiting_;  ///< for the answer about the work
+    std::optional<Action> waiting_;  ///< the action that waits for the answer about the work
     Asked asked_ = Asked::Nothing;
-    Document kept_;  ///< by autosave, or as saved where it keeps nothing
+    Document kept_;  ///< the document as autosave kept it, or as `saved_` where nothing is kept
     double kept_s_ = 0.0;
     bool closed_ = false;
 };

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Checksum = std::array<std::byte, sizeof(std::uint64_t)>;
 
-/// FNV-1a, which goes on from `hash`.
+/// FNV-1a; `hash` is the value to continue from.
 std::uint64_t hash_of(std::span<const std::byte> bytes, std::uint64_t hash = 0xCBF29CE484222325U) {
     for (const std::byte byte : bytes)
         hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001B3U;
@@ -29,7 +29,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes, std::uint64_t hash = 0xC
 
 std::uint64_t hash_of(const std::string& text) { return hash_of(std::as_bytes(std::span(text))); }
 
-/// Of the picture and its key: a file under the wrong name is found out, too.
+/// Checksum over key and picture, so that a file under a wrong name is found out, too.
 Checksum checksum(const std::string& key, std::span<const std::byte> png) {
     return std::bit_cast<Checksum>(hash_of(png, hash_of(key)));
 }

@@ -8,17 +8,17 @@
 
 namespace zeroset {
 
-/// Small pictures kept in files, each under the text of all that it depends on. A file that is
-/// damaged counts as missing. Any thread; several processes may share the folder.
+/// Small pictures in files, each under a text of all that it depends on. A damaged file counts as
+/// missing. Any thread; several processes may share the folder.
 class ThumbnailCache {
 public:
-    /// Without a folder nothing is kept. It is made when it is first needed.
+    /// Makes the folder when it is first needed. Without a folder nothing is kept.
     explicit ThumbnailCache(std::optional<std::filesystem::path> folder);
 
     [[nodiscard]] std::optional<RgbaImage> find(const std::string& key) const;
-    /// What cannot be written is left out.
+    /// Writes the picture; a failure is ignored.
     void keep(const std::string& key, const RgbaImage& image) const;
-    /// The file of a key: a PNG with a checksum behind it.
+    /// The file of a key: a PNG followed by a checksum.
     [[nodiscard]] std::filesystem::path file_of(const std::string& key) const;
 
 private:

@@ -17,12 +17,12 @@
 namespace zeroset {
 namespace {
 
-/// Fine enough for a picture of this size, twice as wide and high.
+/// The stop value for thumbnails: fine enough at twice their width and height.
 constexpr double thumbnail_d_stop = 12.0;
-/// As `nice` has it: others come first, but a busy machine does not stop it.
+/// Niceness of the thread: other work comes first, but a busy machine does not stop it.
 constexpr int low_priority = 10;
 
-/// The item's document as it is drawn.
+/// The request for the item's picture.
 PictureRequest request_of(const PreparedDocument& prepared, const Document& document,
                           glm::ivec2 size_px) {
     TraceSettings settings;
@@ -31,7 +31,7 @@ PictureRequest request_of(const PreparedDocument& prepared, const Document& docu
     return picture_request(prepared.formula, prepared.colors, document, settings, size_px);
 }
 
-/// A failure leaves the thread as it is: slower for others, but no less right.
+/// A failure leaves the thread's priority as it is, which only makes other work slower.
 void lower_priority() {
     (void)::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), low_priority);
 }

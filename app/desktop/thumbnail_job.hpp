@@ -17,32 +17,31 @@
 
 namespace zeroset {
 
-/// A finished picture of a surface of the gallery; transparent where it is not hit.
+/// A finished picture of a gallery item; transparent where no surface is hit.
 struct Thumbnail {
-    std::size_t item = 0;  ///< its place in gallery()
+    std::size_t item = 0;  ///< index in gallery()
     RgbaImage image;
 };
 
-/// Draws small pictures of the gallery's surfaces in the background, on one thread; what was drawn
-/// once comes from the cache. All members may be called from the UI thread; none waits for a
-/// picture.
+/// Draws small pictures of gallery items in the background, on one thread; pictures drawn before
+/// come from the cache. The UI thread may call all members; none waits for a picture.
 class ThumbnailJob {
 public:
     enum class Priority : std::uint8_t { Usual, Low };
 
-    /// `on_picture` is called from the job's thread after each picture.
+    /// Calls `on_picture` from the job's thread after each picture.
     ThumbnailJob(ThumbnailCache cache, Priority priority, std::function<void()> on_picture);
     ~ThumbnailJob();
     ThumbnailJob(const ThumbnailJob&) = delete;
     ThumbnailJob& operator=(const ThumbnailJob&) = delete;
 
-    /// These are to be drawn, the first first, in place of those wanted before.
+    /// Sets the pictures to draw, in this order, in place of those wanted before.
     void want(std::vector<std::size_t> items, glm::ivec2 size_px);
-    /// While `held`, nothing is drawn: what was begun is given up and begun again.
+    /// While `held`, nothing is drawn; a picture that was begun is given up and begun again later.
     void hold(bool held);
-    /// The pictures that were finished since.
+    /// Returns the pictures finished since the last call.
     std::vector<Thumbnail> take();
-    /// Whether something wanted is not finished and taken.
+    /// True while a wanted picture is unfinished or a finished one is not taken.
     [[nodiscard]] bool busy() const;
 
 private:
@@ -53,7 +52,7 @@ private:
 
     void run();
     std::optional<Work> wait_for_work();
-    /// Nothing when it was cancelled.
+    /// Returns nothing if the drawing was cancelled.
     std::optional<RgbaImage> picture_of(const Work& work) const;
     void finish(const Work& work, std::optional<RgbaImage> image);
 
@@ -61,7 +60,7 @@ private:
     std::function<void()> on_picture_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
-    std::vector<std::size_t> wanted_;  ///< the first is being drawn or will be next
+    std::vector<std::size_t> wanted_;  ///< the first is being drawn or is next
     glm::ivec2 size_px_{0};
     std::vector<Thumbnail> finished_;
     bool held_ = false;
@@ -70,7 +69,7 @@ private:
     std::thread thread_;
 };
 
-/// All that the picture of a gallery's item depends on, as a text.
+/// All that the picture of a gallery item depends on, as a text.
 std::string thumbnail_key(std::size_t item, glm::ivec2 size_px);
 
 }  // namespace zeroset

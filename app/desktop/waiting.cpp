@@ -7,7 +7,7 @@ namespace {
 
 constexpr double frame_s = 1.0 / 60.0;
 
-/// When something began, if it goes on.
+/// Start of a state: as it was `before`, or `now_s` if new; nothing if the state is over.
 std::optional<double> since(const std::optional<double>& before, bool goes_on, double now_s) {
     if (!goes_on) return std::nullopt;
     return before.value_or(now_s);

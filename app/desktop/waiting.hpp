@@ -6,32 +6,32 @@
 
 namespace zeroset {
 
-/// What the window tells while a text is prepared. What is done within a tenth of a second goes
-/// without a word: the screen would flicker with each key.
+/// What the window says while a text is prepared. It says nothing of what takes less than a tenth
+/// of a second, as the screen would flicker at each key.
 class Waiting {
 public:
     static constexpr double delay_s = 0.1;
-    static constexpr double fade_s = 0.15;  ///< in which the picture is dimmed after that
+    static constexpr double fade_s = 0.15;  ///< time over which the picture is dimmed after delay_s
 
-    /// How things stand.
+    /// What the window waits for at a moment.
     struct For {
-        bool picture = false;   ///< the one that is shown is of another text
-        bool figures = false;   ///< those of the last full picture are of another text
+        bool picture = false;   ///< the picture on the screen is of another text
+        bool figures = false;   ///< the figures of the last full picture are of another text
         bool reading = false;   ///< the text is not read and prepared yet
         bool code = false;      ///< machine code is being made
-        std::size_t nodes = 0;  ///< of the formula that it is made for
+        std::size_t nodes = 0;  ///< nodes of the formula that is compiled
     };
 
-    /// Whenever that may have changed. `now_s`: any clock that does not go back.
+    /// To be called whenever `what` may have changed. `now_s`: any clock that does not go back.
     void follow(const For& what, double now_s);
 
-    /// How far the picture is to be dimmed: 0 (as ever) to 1.
+    /// How much the picture is to be dimmed: 0 (not at all) to 1.
     [[nodiscard]] float dimmed(double now_s) const;
-    /// Whether the figures of the last full picture are to be left out.
+    /// True if the figures of the last full picture are to be left out.
     [[nodiscard]] bool hides_figures(double now_s) const;
-    /// What is going on; empty where there is nothing to tell.
+    /// What the window is doing, for the status line; empty: nothing to tell.
     [[nodiscard]] std::string text(double now_s) const;
-    /// Seconds until either changes though nothing happens.
+    /// Seconds until an answer changes even if no event comes; nothing: none will.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;
 
 private:

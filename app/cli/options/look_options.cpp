@@ -6,7 +6,7 @@
 namespace zeroset {
 namespace {
 
-/// A name of what there is, or else an expression.
+/// Reads the name of a colouring; any other text is an expression.
 void read_color_by(const std::string& text, ColorChoice& coloring) {
     const auto by = color_by_named(text);
     coloring.by = by.value_or(ColorBy::Expression);

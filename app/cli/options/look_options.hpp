@@ -9,18 +9,18 @@
 
 namespace zeroset {
 
-/// What the user typed for colours and markers.
+/// Options for colours and markers, as typed.
 struct LookText {
     std::optional<std::string> color_by, color_range, color_map;
     std::vector<std::string> marks;  ///< x,y,z of each
 };
 
-/// Changes what the options say; what is wrong with them, if anything is. Whether an expression can
-/// be read is for color_formulas.
+/// Applies the options to `coloring` and `markers`. Returns an error if an option is wrong;
+/// expressions are checked later, by color_formulas.
 std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
                                     std::vector<Marker>& markers);
 
-/// "--color-by EXPR: ", what is wrong with it, and where.
+/// Turns an error in the expression into "--color-by EXPR: " with reason and place.
 InputError color_by_error(const InputError& error);
 
 }  // namespace zeroset

@@ -43,7 +43,7 @@ OrInputError<glm::dvec3> read_vector(const std::string& option, const std::strin
     return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
-/// L or x0,x1,y0,y1,z0,z1.
+/// Reads L or x0,x1,y0,y1,z0,z1.
 OrInputError<Box> read_box(const std::string& text) {
     constexpr double largest = 1e9;
     const bool cube = !text.contains(',');
@@ -63,7 +63,7 @@ OrInputError<Box> read_box(const std::string& text) {
             return wrong_input("--box " + text + ": stay between -1e9 and 1e9");
         }
     }
-    // Below this nothing can be decided in double, either.
+    // Smaller boxes cannot be decided even in double.
     const double reach = std::max(glm::length(box.lo), glm::length(box.hi));
     if (box.size() < 1e-15 * reach || box.size() < 1e-30) {
         return wrong_input("--box " + text +
@@ -78,7 +78,7 @@ OrInputError<Projection> read_projection(const std::string& text) {
     return wrong_input("--projection " + text + ": type perspective or orthographic");
 }
 
-/// Sets what the view options say of the camera over the document's.
+/// Changes the document's camera by the view options for it.
 std::optional<InputError> take_camera(const ViewText& view, Document& document) {
     if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
         return std::nullopt;
@@ -115,7 +115,7 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
     return std::nullopt;
 }
 
-/// The document without the view options.
+/// Reads the document without applying the view options.
 OrInputError<InputDocument> stored_document(const std::string& equation) {
     if (is_document_name(equation)) {
         auto loaded = load_document(equation);
@@ -132,13 +132,13 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
     return InputDocument{read_document_text(trimmed(text))};
 }
 
-/// Sets what the view options say of the clip box, w, the camera and the region.
+/// Applies the view options for clip box, w, camera and region.
 std::optional<InputError> take_view(const ViewText& view, Document& document) {
     if (view.box) {
         const auto box = read_box(*view.box);
         if (!box) return box.error();
         document.clip = *box;
-        document.camera.reset();  // the camera before was for the box before
+        document.camera.reset();  // the old camera was meant for the old box
     }
     if (view.w) {
         const auto w = read_number("--w", *view.w);
@@ -153,7 +153,7 @@ std::optional<InputError> take_view(const ViewText& view, Document& document) {
     return std::nullopt;
 }
 
-/// An error for the first value whose parameter the program does not have.
+/// Returns an error for the first value whose parameter the program does not have.
 std::optional<InputError> check_parameters(const Program& program,
                                            const ParameterValues& parameters) {
     for (const auto& [name, value] : parameters) {
@@ -169,7 +169,7 @@ std::optional<InputError> check_parameters(const Program& program,
     return std::nullopt;
 }
 
-/// Sets the sliders of --set.
+/// Applies --set to the sliders.
 std::optional<InputError> take_parameters(const ViewText& view, InputDocument& input) {
     const auto values = read_parameters(view.set);
     if (!values) return values.error();
@@ -184,7 +184,7 @@ std::optional<InputError> take_parameters(const ViewText& view, InputDocument& i
     return std::nullopt;
 }
 
-/// Sets colours, markers and the sides of solids.
+/// Applies the options for colours, markers and sides of solids.
 std::optional<InputError> take_appearance(const ViewText& view, InputDocument& input) {
     Document& document = input.document;
     if (auto error = read_look(view.look, document.coloring, document.markers)) return error;
@@ -267,7 +267,7 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (!input) return input;
     if (auto error = take_view(view, input->document)) return std::unexpected(*error);
     if (input->path.empty()) input->document.home = input->document.camera;
-    // A text that cannot be read comes before what does not fit to it.
+    // An unreadable text is reported before options that do not fit it.
     if (!input->rows && input->path.empty()) return input;
     if (auto error = take_parameters(view, *input)) return std::unexpected(*error);
     if (auto error = take_appearance(view, *input)) return std::unexpected(*error);

@@ -14,11 +14,12 @@
 #include <string_view>
 #include <vector>
 
-// The command line's values: text to numbers, and every way in which the text can be wrong.
+// Converts the text of command-line options to values, and reports every way in which it can be
+// wrong.
 
 namespace zeroset {
 
-/// What the user typed for a view, as text; absent where an option was not given.
+/// The view options as typed; empty where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
     std::vector<std::string> sections, solids;
@@ -28,16 +29,16 @@ struct ViewText {
     LookText look;
 };
 
-/// What the user typed for tracing and for the look.
+/// Options for tracing and for the look, as typed.
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
-    /// Absent: as the document says, or not.
+    /// True or false as given; absent: the document's choice.
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
 };
 
-/// A document that was asked for, with what the options say of its view, colours and solids.
+/// A requested document with the options for view, colours and solids applied.
 struct InputDocument : ReadDocument {
-    std::string path = {};  ///< of its file; empty: it is no file
+    std::string path = {};  ///< of the document's file; empty: it has none
     std::string note = {};  ///< LoadedDocument::note of the file
 };
 
@@ -48,33 +49,33 @@ struct Size {
     int width, height;
 };
 
-/// Reads EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input;
-/// then the view options over what the gallery or the file says. Rows that cannot be read are no
-/// error yet: the window shows them.
+/// Reads EQUATION, @NAME of the gallery, FILE.zeroset.json, or "-" for the text of standard input,
+/// then applies the view options. Rows that cannot be read are no error here: the window shows
+/// them.
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view);
 
-/// The values of --set NAME=VALUE.
+/// Reads the values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
-/// Sets what is given of the look.
+/// Applies the given options for the look to the document.
 void take_look(const TraceText& text, Document& document);
 
-/// All but the look, which is a matter of the document.
+/// Reads the options for tracing; those for the look belong to the document, see take_look.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);
 
 inline constexpr double default_budget_s = 30.0;
 
-/// The seconds of --budget, from a millisecond to a million seconds; default_budget_s if absent.
+/// Reads the seconds of --budget, 0.001 to 1,000,000; default_budget_s if absent.
 OrInputError<double> read_budget(const std::optional<std::string>& text);
 
-/// "WxH" or "N" for a square, each side at least 1 and at most 16384, 100 million pixels in all.
+/// Reads "WxH", or "N" for a square; each side 1 to 16384, at most 100 million pixels in all.
 OrInputError<Size> read_size(const std::string& option, const std::string& text);
 
-/// `count` finite numbers separated by commas; `option` names them in the error.
+/// Reads `count` finite numbers separated by commas; `option` names them in errors.
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,
                                                std::size_t count);
 OrInputError<double> read_number(const std::string& option, const std::string& text);
-/// A whole number from `lowest` to `highest`.
+/// Reads a whole number from `lowest` to `highest`.
 OrInputError<int> read_integer(const std::string& option, const std::string& text, int lowest,
                                int highest);
 

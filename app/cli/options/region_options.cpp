@@ -23,7 +23,7 @@ OrInputError<Ball> read_ball(const std::string& text) {
     return ball;
 }
 
-/// "x<0.3", "x>0.3" or "x=0.3".
+/// Reads "x<0.3", "x>0.3" or "x=0.3"; `sign` is the index of the sign.
 OrInputError<Section> read_axis_section(const std::string& text, std::size_t sign,
                                         const glm::dvec3& eye) {
     const std::string name(trimmed(text.substr(0, sign)));

@@ -6,8 +6,8 @@
 
 namespace zeroset {
 
-/// The region of the view options over `base`. `eye`: a section that says no side keeps the other
-/// one.
+/// Applies the view options to the region `base`. For a section without a side, the side away from
+/// `eye` is kept.
 OrInputError<Region> read_region(const ViewText& view, const Region& base, const glm::dvec3& eye);
 
 }  // namespace zeroset
