@@ -3,7 +3,7 @@
 #include "document/framing.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
-#include "engine/light/shade.hpp"
+#include "engine/image/background.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"

@@ -1,4 +1,4 @@
-// The light on hits, and the colours it makes.
+// The light on hits, and what they send of it to the eye.
 // Included once for each instruction set, after Highway.
 
 #if defined(ZEROSET_SHADE_LIGHT_INL) == defined(HWY_TARGET_TOGGLE)
@@ -71,20 +71,6 @@ HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<flo
             pick(twice_per_root(dot(b, b)), otherwise.scale)};
 }
 
-/// A channel of the picture, 0 to 255, from linear light; gamma 2. In upward rounding.
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<Tag<float>>> encoded(V<float> light) {
-    const V<float> within =
-        hn::Min(hn::Max(light, hn::Set(d<float>, 1e-12F)), hn::Set(d<float>, 1.0F));
-    const V<float> guess = hn::ApproximateReciprocalSqrt(within);
-    const V<float> root = hn::Mul(within, guess);
-    const V<float> twice = hn::Mul(root, hn::NegMulAdd(root, guess, hn::Set(d<float>, 3.0F)));
-    // Whole numbers are the last bits of floats of this size.
-    const V<float> last_bits = hn::Set(d<float>, 0x1.8p23F);
-    const V<float> number =
-        hn::Add(hn::MulAdd(twice, hn::Set(d<float>, 127.5F), hn::Set(d<float>, -0.5F)), last_bits);
-    return hn::And(hn::BitCast(du<float>, number), hn::Set(du<float>, 0xFFU));
-}
-
 /// Numbers that all pixels of a surface share, in all lanes: half the directions of the lights,
 /// which move with the camera, and the colours of its two sides.
 struct Shading {
@@ -106,23 +92,24 @@ struct Shading {
 };
 
 /// The light on the pixels of a row of a tile, in all its vectors.
-struct Light {
+struct RowLight {
     alignas(64) float diffuse[tile_size];
     alignas(64) float gloss[tile_size];   ///< twice that of the highlight, before it is sharpened
     alignas(64) float facing[tile_size];  ///< at least 0: the front is seen
 };
 
 /// Hits that share a vector.
-struct Lit {
+struct HitVector {
     V3 along;               ///< of their rays, not of length 1
     V<float> along_to_key;  ///< the direction of the key light times that
     V3 gradient;
-    V<float> lit;  ///< how much of the key light falls on them
+    V<float> key_light;  ///< how much of it reaches them
     M<float> is_hit;
 };
 
 /// The light on hits, to the pixels from `col` on.
-HWY_INLINE void illuminate(const Shading& shading, const Lit& at, std::size_t col, Light& light) {
+HWY_INLINE void illuminate(const Shading& shading, const HitVector& at, std::size_t col,
+                           RowLight& light) {
     const V<float> zero = hn::Zero(d<float>);
     const V<float> half = hn::Set(d<float>, 0.5F);
     const V<float> two = hn::Set(d<float>, 2.0F);
@@ -134,7 +121,7 @@ HWY_INLINE void illuminate(const Shading& shading, const Lit& at, std::size_t co
     const V<float> to_key = hn::Mul(dot(outward.along, shading.half_key), to_side);
     const V<float> to_fill = hn::Mul(dot(outward.along, shading.half_fill), to_side);
     const V<float> to_sky = hn::Mul(dot(outward.along, shading.half_up), to_side);
-    const V<float> key_light = hn::Mul(hn::Max(to_key, zero), at.lit);
+    const V<float> key_light = hn::Mul(hn::Max(to_key, zero), at.key_light);
     const V<float> fill_light = hn::Max(to_fill, zero);
     const V<float> sky = hn::MulAdd(to_sky, half, half);
     const V<float> diffuse =
@@ -149,7 +136,7 @@ HWY_INLINE void illuminate(const Shading& shading, const Lit& at, std::size_t co
     const V<float> square =
         hn::Max(hn::MulAdd(at.along_to_key, twice_towards_viewer, two), hn::Set(d<float>, 1e-6F));
     const V<float> twice_gloss =
-        hn::Mul(hn::Max(hn::Mul(to_key_and_viewer, twice_per_root(square)), zero), at.lit);
+        hn::Mul(hn::Max(hn::Mul(to_key_and_viewer, twice_per_root(square)), zero), at.key_light);
     hn::Store(diffuse, d<float>, &light.diffuse[col]);
     hn::Store(twice_gloss, d<float>, &light.gloss[col]);
     hn::Store(twice_facing, d<float>, &light.facing[col]);
@@ -167,30 +154,28 @@ struct BySide {
 
 /// The reflectances that each pixel has of its own.
 struct ByPixel {
-    const TileHits& hits;
+    const LitLayer& layer;
 
     HWY_INLINE V<float> at(int channel, V<float> /*facing*/, std::size_t pixel) const {
-        return hn::LoadU(d<float>, &hits.reflectance[static_cast<std::size_t>(channel)][pixel]);
+        return hn::LoadU(d<float>, &layer.reflectance[static_cast<std::size_t>(channel)][pixel]);
     }
 };
 
-/// The colours of the pixels from `col` on, which are those from `pixel` on in the tile.
+/// Writes the light, red, green and blue, that the pixels from `col` on send to the eye. They are
+/// those from `pixel` on in the tile.
 template <class Paint>
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<Tag<float>>> colored(const Paint& paint, const Light& light,
-                                                             std::size_t col, std::size_t pixel) {
+HWY_INLINE void reflect(const Paint& paint, const RowLight& light, std::size_t col,
+                        std::size_t pixel, float* const (&channels)[3]) {
     const V<float> diffuse = hn::Load(d<float>, &light.diffuse[col]);
     V<float> gloss = hn::Load(d<float>, &light.gloss[col]);
     for (int doubling = 0; doubling < 5; ++doubling)
         gloss = hn::Mul(gloss, gloss);
     const V<float> specular = hn::Mul(gloss, hn::Set(d<float>, 0.22F * 0x1p-32F));
     const V<float> facing = hn::Load(d<float>, &light.facing[col]);
-    auto color = hn::Set(du<float>, 0xFF000000U);
     for (int channel = 0; channel < 3; ++channel) {
         const V<float> albedo = paint.at(channel, facing, pixel);
-        const auto value = encoded(hn::MulAdd(albedo, diffuse, specular));
-        color = hn::Or(color, hn::ShiftLeftSame(value, 8 * channel));
+        hn::StoreU(hn::MulAdd(albedo, diffuse, specular), d<float>, channels[channel] + col);
     }
-    return color;
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -20,7 +20,7 @@ constexpr std::size_t cells_at_once = 256;
 
 /// A hit on its path to the light: rays of the light, from the back.
 struct LightPath {
-    TileHits* hits;
+    LitLayer* layer;
     std::size_t pixel;
     double u, v;                         ///< of the light's ray through the hit
     double from, end;                    ///< depths, from the light
@@ -136,14 +136,14 @@ void PathSearch<Real>::search(std::vector<LightPath>& paths) {
                 LightPath path = paths[first + i];
                 switch (judge(path, i)) {
                     case Verdict::Dark:
-                        path.hits->any_dark = true;
-                        path.hits->lit[path.pixel] = 0.0F;
+                        path.layer->any_dark = true;
+                        path.layer->key_light[path.pixel] = 0.0F;
                         continue;
                     case Verdict::Free:
                         path.to = path.next();
                         path.step += path.step;
                         if (!(path.from < path.to)) {
-                            free.push_back({.hits = path.hits,
+                            free.push_back({.layer = path.layer,
                                             .pixel = path.pixel,
                                             .u = path.u,
                                             .v = path.v,
@@ -175,7 +175,7 @@ public:
     }
 
     /// Adds the paths that leave the lit side of the surface.
-    void add(TileHits& hits, std::vector<LightPath>& paths) const;
+    void add(LitLayer& layer, std::vector<LightPath>& paths) const;
 
     double finest;  ///< see PathSearch; Knoll's d_stop - 2 at most
 
@@ -187,7 +187,8 @@ private:
     double bias_;  ///< how far off the surface a path begins, and more the more it slants
 };
 
-void PathMaker::add(TileHits& hits, std::vector<LightPath>& paths) const {
+void PathMaker::add(LitLayer& layer, std::vector<LightPath>& paths) const {
+    const TileHits& hits = *layer.hits;
     for (int row = 0; row < tile_.rows; ++row) {
         for (int col = 0; col < tile_.cols; ++col) {
             const auto at = static_cast<std::size_t>(row * tile_size + col);
@@ -212,7 +213,8 @@ void PathMaker::add(TileHits& hits, std::vector<LightPath>& paths) const {
             const double from = light_rays_.depths(u, v, 0.0, 0.0).enter_lo;
             const double to = distance - light_.look_distance - bias_ / std::max(lit, 0.1);
             if (!(from < to)) continue;
-            paths.push_back({.hits = &hits, .pixel = at, .u = u, .v = v, .from = from, .end = to});
+            paths.push_back(
+                {.layer = &layer, .pixel = at, .u = u, .v = v, .from = from, .end = to});
         }
     }
 }
@@ -224,7 +226,7 @@ glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip) {
 }
 
 void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
-                  std::span<TileHits> hits, Counters& counters) {
+                  std::span<LitLayer> layers, Counters& counters) {
     thread_local std::vector<LightPath> paths;
     paths.clear();
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
@@ -232,9 +234,8 @@ void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, 
         const TileRays light_rays(light, light_tile);
         const PathMaker maker(surfaces[i], tile, light.view, light_rays);
         if (i == 0) {
-            for (TileHits& of_surface : hits.first(surfaces.size())) {
-                if (of_surface.any) maker.add(of_surface, paths);
-            }
+            for (LitLayer& layer : layers)
+                maker.add(layer, paths);
         }
         if (surfaces[i].precision == Precision::Double) {
             PathSearch<double>(light, light_rays, maker.finest, counters).search(paths);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/trace/tile_hits.hpp"
+#include "engine/light/lit_tile.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <span>
@@ -11,11 +11,10 @@ namespace zeroset {
 /// at, so far that its rays are nearly parallel.
 glm::dvec3 shadow_light(const ViewFrame& view, const Box& clip);
 
-/// Finds which hits of a tile that light does not reach, by enclosures along the
-/// paths to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. `hits[i]`
-/// are those of surface i, with their gradients. What is not found within `limit` is lit. In upward
-/// rounding.
+/// Finds which hits of a tile's layers the key light does not reach, by enclosures along the paths
+/// to it [Knoll07, Florez08]: nothing that throws a shadow is missed, however thin. Their gradients
+/// are known. What is not found within `limit` is lit. In upward rounding.
 void find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit, const Tile& tile,
-                  std::span<TileHits> hits, Counters& counters);
+                  std::span<LitLayer> layers, Counters& counters);
 
 }  // namespace zeroset

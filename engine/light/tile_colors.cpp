@@ -31,9 +31,9 @@ Hits hits_of(const TraceFrame& frame, const Tile& tile, const TileHits& hits) {
     return found;
 }
 
-void set(TileHits& hits, std::size_t pixel, const Reflectance& color) {
+void set(LitLayer& layer, std::size_t pixel, const Reflectance& color) {
     for (std::size_t channel = 0; channel < 3; ++channel)
-        hits.reflectance[channel][pixel] = color[channel];
+        layer.reflectance[channel][pixel] = color[channel];
 }
 
 Reflectance plain_front(const Scene& scene, std::size_t surface) {
@@ -56,28 +56,28 @@ Reflectance normal_color(const TileHits& hits, std::size_t pixel) {
 
 }  // namespace
 
-void find_colors(const TraceFrame& frame, std::size_t surface, const Tile& tile, TileHits& hits,
-                 Counters& counters) {
+void find_colors(const TraceFrame& frame, const Tile& tile, LitLayer& layer, Counters& counters) {
+    const TileHits& hits = *layer.hits;
     const Coloring& coloring = frame.scene.coloring;
     const bool plain = coloring.by == ColorBy::Plain;
-    const std::size_t size = plain || !hits.any ? 0 : hits.depth.size();
-    for (std::vector<float>& channel : hits.reflectance)
+    const std::size_t size = plain ? 0 : hits.depth.size();
+    for (std::vector<float>& channel : layer.reflectance)
         channel.resize(size);
     if (size == 0) return;
     const Hits found = hits_of(frame, tile, hits);
     if (!has_range(coloring.by)) {
         for (const std::size_t pixel : found.pixels)
-            set(hits, pixel, normal_color(hits, pixel));
+            set(layer, pixel, normal_color(hits, pixel));
         return;
     }
     if (has_formula(coloring.by)) counters.value += found.pixels.size();
-    const std::vector<double> values = values_at(frame.scene, surface, found.points);
+    const std::vector<double> values = values_at(frame.scene, layer.surface, found.points);
     const ValueRange range = coloring.range.value_or(ValueRange());
     const bool plain_caps = hits.any_cap && is_of_skin(coloring.by);
-    const Reflectance plain_color = plain_front(frame.scene, surface);
+    const Reflectance plain_color = plain_front(frame.scene, layer.surface);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool is_plain = plain_caps && hits.cap[found.pixels[i]] != 0;
-        set(hits, found.pixels[i],
+        set(layer, found.pixels[i],
             is_plain ? plain_color : color_at(coloring.map, range.place(values[i])));
     }
 }

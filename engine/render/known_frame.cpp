@@ -1,6 +1,7 @@
 #include "engine/render/known_frame.hpp"
 
 #include "engine/base/parallel.hpp"
+#include "engine/light/encode.hpp"
 #include "engine/light/shade.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -89,6 +90,7 @@ void KnownFrame::draw(Framebuffer& frame) const {
     frame.blank_rows.clear();
     parallel_for(grid_.size(), threads_, [&](std::size_t index) {
         thread_local std::vector<TileHits> hits;
+        thread_local LitTile lit;
         hits.resize(std::max(hits.size(), surfaces_.size()));
         const UpwardRegisters upward;
         const Tile tile = grid_.tile(index);
@@ -97,8 +99,11 @@ void KnownFrame::draw(Framebuffer& frame) const {
             const Hits& known = hits_[index][i];
             if (!known.pixel.empty()) evaluate(i, tile, known, hits[i]);
         }
-        draw_tile(surfaces_, hits, tile,
-                  {.pixels = frame, .col = 0, .row = 0, .height = frame.height});
+        const auto of_tile = std::span(hits).first(surfaces_.size());
+        lit.begin(of_tile);
+        for (LitLayer& layer : lit.layers())
+            shade(surfaces_[layer.surface], tile, layer);
+        encode_tile(tile, of_tile, lit, {.pixels = frame, .height = frame.height});
     });
 }
 

@@ -2,9 +2,8 @@
 
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
-#include "engine/light/shade.hpp"
-#include "engine/light/shadow.hpp"
-#include "engine/light/tile_colors.hpp"
+#include "engine/light/encode.hpp"
+#include "engine/light/light_tile.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/trace/caps.hpp"
@@ -33,6 +32,7 @@ namespace {
 struct Workspace {
     std::vector<TileHits> hits;  ///< of each surface
     NearestSurfaces nearest;
+    LitTile lit;
     CapFinder caps;
     std::vector<UnionMember> union_members;
     Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
@@ -168,11 +168,9 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
         if (!hits[i].points.empty())
             find_gradients(frame_of(i, tile, limit), tile, hits[i], counters);
     }
-    if (shadows_) find_shadows(surfaces_, limit, tile, hits, counters);
-    for (std::size_t i = 0; i < hits.size(); ++i)
-        find_colors(surfaces_[i], i, tile, hits[i], counters);
+    light_tile(surfaces_, shadows_, limit, tile, hits, workspace.lit, counters);
     if (limit.cancelled()) return TileState::Waiting;
-    draw_tile(surfaces_, hits, tile, out);
+    encode_tile(tile, hits, workspace.lit, out);
     return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
 }
 

@@ -17,11 +17,6 @@ int solid_sign(const Scene& scene, std::size_t surface);
 /// Whether the scene has a section that may be capped.
 bool has_caps(const Scene& scene);
 
-/// The lightness of a cap at a point, as a part of its surface's colour: less than 1, and less
-/// again on the lines of a fine hatch.
-float cap_tone(const ViewFrame& view, int height_px, const glm::dvec3& point,
-               const glm::dvec3& normal);
-
 /// The caps of a tile: where rays enter the region through a section and f has the sign of the
 /// solid, they show the section. One for each thread; what it keeps is room.
 class CapFinder {

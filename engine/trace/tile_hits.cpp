@@ -18,13 +18,7 @@ TileHits::TileHits() {
     for (std::vector<float>& axis : gradient)
         axis.resize(pixels);
     unsettled.resize(pixels, none);
-    lit.resize(pixels, 1.0F);
     cap.resize(pixels, 0);
-}
-
-void TileHits::light_all() {
-    if (any_dark) std::ranges::fill(lit, 1.0F);
-    any_dark = false;
 }
 
 void TileHits::clear() {
@@ -32,7 +26,6 @@ void TileHits::clear() {
     if (any_unsettled) std::ranges::fill(unsettled, none);
     if (any_cap) std::ranges::fill(cap, std::uint8_t{0});
     any_cap = false;
-    light_all();
     any = false;
     any_unsettled = false;
     points.clear();

@@ -59,20 +59,13 @@ struct TileHits {
     /// ray hit something afterwards or not; such a hit is not certified.
     std::vector<float> unsettled;
     bool any_unsettled = false;
-    std::vector<float> lit;  ///< whether the key light reaches a hit: 0 or 1
-    bool any_dark = false;   ///< else `lit` is 1 everywhere
     /// Whether a hit is on a section that caps the surface's solid: its gradient is the section's
     /// normal.
     std::vector<std::uint8_t> cap;
     bool any_cap = false;  ///< else `cap` is 0 everywhere
-    /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
-    /// surfaces; else empty.
-    std::array<std::vector<float>, 3> reflectance;
 
     TileHits();
     void clear();
-    /// Takes away all shadows.
-    void light_all();
     /// Adds a hit whose gradient is to be found.
     void push(Pixel at, const std::array<double, 3>& where, float distance, Certificate known);
     /// A cell on the ray, no nearer than `distance`, could be neither rejected nor drawn.

@@ -1,8 +1,8 @@
 #include "ui/window/texture.hpp"
 
+#include "engine/image/background.hpp"
 #include "engine/image/blend.hpp"
 #include "engine/image/framebuffer.hpp"
-#include "engine/light/shade.hpp"
 #include "ui/window/gl.hpp"
 
 #include <GL/gl.h>

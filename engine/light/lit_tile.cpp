@@ -1,0 +1,28 @@
+#include "engine/light/lit_tile.hpp"
+
+#include <algorithm>
+
+namespace zeroset {
+
+LitLayer::LitLayer() {
+    constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
+    key_light.resize(pixels, 1.0F);
+    light.resize(3 * pixels);
+}
+
+void LitTile::begin(std::span<const TileHits> hits) {
+    count_ = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        if (!hits[i].any) continue;
+        if (count_ == room_.size()) room_.emplace_back();
+        LitLayer& layer = room_[count_++];
+        layer.surface = static_cast<std::uint8_t>(i);
+        layer.hits = &hits[i];
+        if (layer.any_dark) std::ranges::fill(layer.key_light, 1.0F);
+        layer.any_dark = false;
+        for (std::vector<float>& channel : layer.reflectance)
+            channel.clear();
+    }
+}
+
+}  // namespace zeroset

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "engine/trace/tile_hits.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// The light of one surface's hits in a tile. Arrays hold one item a pixel, in rows of tile_size;
+/// items of pixels without a hit are undefined.
+struct LitLayer {
+    std::uint8_t surface = 0;        ///< index in the scene
+    const TileHits* hits = nullptr;  ///< of the surface; there is one at least
+    std::vector<float> key_light;    ///< whether the key light reaches a hit: 0 or 1
+    bool any_dark = false;           ///< else `key_light` is 1 everywhere
+    /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
+    /// surfaces; else empty.
+    std::array<std::vector<float>, 3> reflectance;
+    /// Bits of hits, for each row of pixels, the first pixel lowest.
+    std::array<std::uint64_t, tile_size> hit_rows{};
+    /// Linear light from hits towards the eye; 1 is the brightest that a picture shows. For each
+    /// row of pixels tile_size reds, then as many greens, then blues.
+    std::vector<float> light;
+
+    LitLayer();
+    [[nodiscard]] float* light_row(int row, int channel) { return &light[light_at(row, channel)]; }
+    [[nodiscard]] const float* light_row(int row, int channel) const {
+        return &light[light_at(row, channel)];
+    }
+
+private:
+    static std::size_t light_at(int row, int channel) {
+        return static_cast<std::size_t>(3 * row + channel) * tile_size;
+    }
+};
+static_assert(tile_size <= 64);
+
+/// What light makes of the hits of a tile: a layer for each surface that is hit. One for each
+/// thread; it keeps its room from tile to tile.
+class LitTile {
+public:
+    /// Begins a tile with these hits, item i of surface i, which outlive its layers: all lit by the
+    /// key light, without colours.
+    void begin(std::span<const TileHits> hits);
+    [[nodiscard]] std::span<LitLayer> layers() { return std::span(room_).first(count_); }
+    [[nodiscard]] std::span<const LitLayer> layers() const {
+        return std::span(room_).first(count_);
+    }
+
+private:
+    std::vector<LitLayer> room_;
+    std::size_t count_ = 0;  ///< of layers in use
+};
+
+}  // namespace zeroset
