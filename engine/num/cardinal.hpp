@@ -121,7 +121,7 @@ Interval<Real> cardinal(Cardinal function, const Interval<Real>& x) {
     };
     // sinh(x)/x rises with |x|; the others fall, sin(x)/x up to |x| = 3.
     if (function == Cardinal::Sinh) {
-        const Real lowest = value_at(near, elementary_overflow(top, format.type));
+        const Real lowest = value_at(near, format.bound(top).overflow);
         const Real highest = value_at(far, infinity);
         const Real neg_lo = minimum(widened_by(lowest) - lowest, number(-1));
         const Interval<Real> range{neg_lo, highest + widened_by(highest)};

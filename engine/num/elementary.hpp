@@ -15,7 +15,7 @@ namespace zeroset {
 template <class Real>
 Real library_error(Elementary function, const Real& result) {
     const Format& format = format_of(result);
-    const double relative = elementary_bound_ulp(function, format.type) * 0.5 * format.relative_gap;
+    const double relative = format.bound(function).ulp * 0.5 * format.relative_gap;
     return magnitude(result) * like(result, relative) + like(result, format.smallest_normal);
 }
 
@@ -40,7 +40,7 @@ Real odd_up(Elementary function, const Real& a) {
     const Real result = elementary(function, a);
     const Format& format = format_of(result);
     const auto too_low = result < like(result, -format.largest_finite);
-    const Real overflow = like(result, -elementary_overflow(function, format.type));
+    const Real overflow = like(result, -format.bound(function).overflow);
     const Real finite = select(too_low, overflow, result);
     return finite + library_error(function, finite);
 }
@@ -55,7 +55,7 @@ template <class Real>
 Interval<Real> widened_over(Elementary function, const Real& a, const Real& b) {
     const Format& format = format_of(a);
     const auto too_high = a > like(a, format.largest_finite);
-    const Real finite = select(too_high, like(a, elementary_overflow(function, format.type)), a);
+    const Real finite = select(too_high, like(a, format.bound(function).overflow), a);
     return widened(function, finite, b);
 }
 

@@ -1,16 +1,22 @@
 #pragma once
 
+#include "engine/real/elementary.hpp"
+
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <numbers>
 
-// Properties of a carrier's binary format that the error bounds of the algebra need.
+// Properties of a carrier that the error bounds of the algebra need: its binary format, and its
+// library's elementary functions.
 
 namespace zeroset {
 
 enum class RealType : std::uint8_t { Float, Double };
 
-/// Every member but `type` and `far` is a number of the format itself.
+/// Every number but `far` and the bounds of the library is one of the format itself. It is all in
+/// the header so that its readers are inlined: code in wide registers waits long when it calls code
+/// compiled for narrow ones only.
 struct Format {
     RealType type;
     double relative_gap;  ///< 2 ulp of 1: more than the relative distance of neighbours
@@ -23,6 +29,11 @@ struct Format {
     double far;               ///< operand size beyond which the phase of a wave is unknown
     double per_ln10;          ///< nearest to 1 / ln(10)
     double per_ln2;           ///< nearest to 1 / ln(2)
+    LibraryBounds library;    ///< of the elementary functions that the carrier calls
+
+    [[nodiscard]] constexpr const LibraryBound& bound(Elementary function) const {
+        return library[static_cast<std::size_t>(function)];
+    }
 };
 
 // 1 / (2 pi) is 0x1.45f306dc9c882a53f...p-3: the nearest float is off by 0.87 * 2^-27, the nearest
@@ -37,7 +48,8 @@ inline constexpr Format float_format{.type = RealType::Float,
                                      .turns_slack = 0x1p-21,
                                      .far = 0x1p20,
                                      .per_ln10 = 0x1.bcb7b2p-2,
-                                     .per_ln2 = 0x1.715476p+0};
+                                     .per_ln2 = 0x1.715476p+0,
+                                     .library = sleef_float_bounds};
 inline constexpr Format double_format{.type = RealType::Double,
                                       .relative_gap = 0x1p-51,
                                       .smallest_normal = std::numeric_limits<double>::min(),
@@ -48,7 +60,8 @@ inline constexpr Format double_format{.type = RealType::Double,
                                       .turns_slack = 0x1p-54,
                                       .far = 0x1p46,
                                       .per_ln10 = 0x1.bcb7b1526e50ep-2,
-                                      .per_ln2 = 0x1.71547652b82fep+0};
+                                      .per_ln2 = 0x1.71547652b82fep+0,
+                                      .library = sleef_double_bounds};
 
 constexpr bool brackets_pi(const Format& format) {
     constexpr auto more_digits = std::numbers::pi_v<long double>;

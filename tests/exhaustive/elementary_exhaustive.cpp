@@ -148,7 +148,7 @@ public:
 
     /// Prints the table's line; whether all is as promised.
     [[nodiscard]] bool report() const {
-        const double bound = elementary_bound_ulp(function_.id);
+        const double bound = float_format.bound(function_.id).ulp;
         const bool good = total_.ulps < bound && total_.not_enclosed == 0 &&
                           total_.close_error <= reference_error;
         std::printf("%-6s %11llu floats  worst %.6f ulp at %a  bound %.1f  %s\n", function_.name,

@@ -86,7 +86,7 @@ public:
     }
 
     void report() const {
-        const double bound = elementary_bound_ulp(function_.id, type_of<Real>);
+        const double bound = format_of(Real{}).bound(function_.id).ulp;
         std::printf("%-6s %8llu operands  worst %.4f ulp at (%a, %a)  bound %.1f\n", function_.name,
                     static_cast<unsigned long long>(count_), ulps_, static_cast<double>(a_),
                     static_cast<double>(b_), bound);
@@ -99,9 +99,7 @@ private:
     static constexpr Real largest = std::numeric_limits<Real>::max();
     static constexpr Real smallest = std::numeric_limits<Real>::min();
 
-    [[nodiscard]] double overflow() const {
-        return elementary_overflow(function_.id, type_of<Real>);
-    }
+    [[nodiscard]] double overflow() const { return format_of(Real{}).bound(function_.id).overflow; }
 
     [[nodiscard]] std::string place(Real a, Real b) const {
         char text[80];
