@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/desktop/desktop_portal.hpp"
-#include "app/desktop/gallery_cards.hpp"
+#include "app/gallery/gallery_cards.hpp"
 #include "app/desktop/latency_log.hpp"
 #include "app/desktop/pointing.hpp"
 #include "app/desktop/preferences.hpp"

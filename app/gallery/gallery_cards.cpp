@@ -1,4 +1,4 @@
-#include "app/desktop/gallery_cards.hpp"
+#include "app/gallery/gallery_cards.hpp"
 
 #include "app/platform/folders.hpp"
 
