@@ -35,8 +35,7 @@ struct UiShotPlan {
 };
 
 OrInputError<ui::Theme> read_theme(const std::string& text) {
-    if (text == "dark") return ui::Theme::Dark;
-    if (text == "light") return ui::Theme::Light;
+    if (const auto theme = ui::theme_named(text)) return *theme;
     return wrong_input("--theme " + text + ": type dark or light");
 }
 

@@ -158,8 +158,9 @@ std::optional<double> Desktop::due_s() const {
     if (state_.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
-    if (const auto change = waiting_.due_s(now_s())) due = std::min(due.value_or(*change), *change);
-    if (const auto click = pointing_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
+    if (const auto change = wait_notice_.due_s(now_s()))
+        due = std::min(due.value_or(*change), *change);
+    if (const auto click = inspector_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
     if (!state_.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
         due = std::min(due.value_or(next), next);
@@ -286,7 +287,7 @@ void Desktop::play() {
 
 void Desktop::follow_edits() {
     show_gallery_item();
-    pointing_.follow(state_, behind_picture(), now_s());
+    inspector_.follow(state_, behind_picture(), now_s());
     session_.follow(now_s());
     submit_rows();
     find_view();

@@ -3,10 +3,10 @@
 #include "app/desktop/desktop_portal.hpp"
 #include "app/gallery/gallery_cards.hpp"
 #include "app/desktop/latency_log.hpp"
-#include "app/desktop/pointing.hpp"
+#include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
 #include "app/desktop/session.hpp"
-#include "app/desktop/waiting.hpp"
+#include "app/desktop/wait_notice.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_job.hpp"
@@ -107,7 +107,7 @@ private:
     ColorChoice submitted_choice_;
     ColorChoice answered_choice_;
     std::shared_ptr<const ColorFormulas> colors_;  ///< made for `shown_`
-    Pointing pointing_;
+    PointInspector inspector_;
     std::optional<Sheet> answered_rows_;    ///< rows of the newest reading
     std::shared_ptr<const Formula> shown_;  ///< the formula of the newest reading that has one
     std::shared_ptr<const Formula>
@@ -118,7 +118,7 @@ private:
     bool pictured_fully_ = false;
     // Texts of the formulas whose picture, and whose full picture, were shown last.
     std::string pictured_text_, figures_text_;
-    Waiting waiting_;
+    WaitNotice wait_notice_;
     ui::Theme uploaded_theme_ = ui::Theme::Dark;
     bool uploaded_marks_ = false;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -68,7 +68,7 @@ void Desktop::frame(const Extent& extent) {
 }
 
 void Desktop::follow_waiting() {
-    Waiting::For what;
+    WaitNotice::Causes what;
     what.reading = answered_rows_ != submitted_rows_;
     what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
     what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
@@ -77,10 +77,10 @@ void Desktop::follow_waiting() {
     what.code = !what.reading && (compiles || deepens);
     if (what.code) what.nodes = shown_->nodes();
     const double now = now_s();
-    waiting_.follow(what, now);
-    state_.dimmed = waiting_.dimmed(now);
-    state_.hides_figures = waiting_.hides_figures(now);
-    state_.doing = waiting_.text(now);
+    wait_notice_.follow(what, now);
+    state_.dimmed = wait_notice_.dimmed(now);
+    state_.hides_figures = wait_notice_.hides_figures(now);
+    state_.doing = wait_notice_.text(now);
 }
 
 }  // namespace zeroset

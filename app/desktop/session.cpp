@@ -57,7 +57,7 @@ Session::Session(ui::UiState& state, const SessionOptions& options)
       kept_(state.document) {
     if (!path_.empty()) recent_.add(path_);
     if (lost_) {
-        ask(Asked::Restore,
+        ask(Subject::Restore,
             "Zeroset ended without being closed. Restore what was open?\n\n" +
                 first_text(lost_->document),
             {"Restore", "Discard"});
@@ -101,7 +101,7 @@ void Session::show(Document document) {
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Asked::Nothing) attempt({Intent::OpenPath, paths.front()});
+    if (!paths.empty() && asked_ == Subject::Nothing) attempt({Intent::OpenPath, paths.front()});
 }
 
 void Session::abandon() {
@@ -182,7 +182,7 @@ void Session::paste() {
 void Session::attempt(Action action) {
     if (!unsaved()) return perform(action);
     waiting_ = std::move(action);
-    ask(Asked::LoseWork, "Save the changes to " + state_.name + "?",
+    ask(Subject::LoseWork, "Save the changes to " + state_.name + "?",
         {"Save", "Don't save", "Cancel"});
 }
 
@@ -212,7 +212,7 @@ void Session::begin(Document document, const std::string& path) {
 
 void Session::load(const std::string& path) {
     auto loaded = load_document(path);
-    if (!loaded) return say("I c" + loaded.error().substr(1) + ".");
+    if (!loaded) return say_failure(loaded.error());
     begin(std::move(loaded->document), path);
     recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
@@ -235,7 +235,7 @@ void Session::write(const std::string& path) {
     const auto written = save_document(path, state_.document);
     if (!written) {
         waiting_.reset();
-        return say("I " + written.error().message + ".");
+        return say_failure(written.error().message);
     }
     path_ = path;
     saved_ = kept_ = state_.document;
@@ -256,7 +256,7 @@ void Session::follow_file_choice() {
     }
 }
 
-void Session::ask(Asked what, std::string text, std::vector<std::string> answers) {
+void Session::ask(Subject what, std::string text, std::vector<std::string> answers) {
     asked_ = what;
     state_.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
 }
@@ -265,9 +265,9 @@ void Session::follow_question() {
     if (!state_.dialogs.question || !state_.dialogs.question->chosen) return;
     const std::size_t answer = *state_.dialogs.question->chosen;
     state_.dialogs.question.reset();
-    const Asked asked = std::exchange(asked_, Asked::Nothing);
-    if (asked == Asked::Restore) answer_restore(answer);
-    if (asked == Asked::LoseWork) answer_lose_work(answer);
+    const Subject asked = std::exchange(asked_, Subject::Nothing);
+    if (asked == Subject::Restore) answer_restore(answer);
+    if (asked == Subject::LoseWork) answer_lose_work(answer);
 }
 
 void Session::answer_restore(std::size_t answer) {

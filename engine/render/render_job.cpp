@@ -51,10 +51,11 @@ void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
 }  // namespace
 
 /// A full picture while it is drawn over a coarser one.
-class RenderJob::Growing {
+class RenderJob::GrowingPicture {
 public:
-    Growing(RenderJob& job, const Work& work, TraceSettings settings,
-            std::shared_ptr<const Framebuffer> first, Clock::time_point until = TimeLimit::never)
+    GrowingPicture(RenderJob& job, const Work& work, TraceSettings settings,
+                   std::shared_ptr<const Framebuffer> first,
+                   Clock::time_point until = TimeLimit::never)
         : job_(job),
           work_(work),
           settings_(std::move(settings)),
@@ -95,14 +96,15 @@ private:
     Clock::time_point shown_ = start_;  ///< guarded by showing_
 };
 
-void RenderJob::Growing::tell(ResolutionGovernor& governor, const RenderRequest& request) const {
+void RenderJob::GrowingPicture::tell(ResolutionGovernor& governor,
+                                     const RenderRequest& request) const {
     const auto tiles = static_cast<double>(
         std::ranges::count_if(done_, [](const std::atomic<bool>& tile) { return tile.load(); }));
     const double part = tiles / static_cast<double>(done_.size());
     if (part >= 0.25) governor.measured(pixels_of(request), elapsed_ms() / part);
 }
 
-bool RenderJob::Growing::draw() {
+bool RenderJob::GrowingPicture::draw() {
     const RenderRequest& request = work_.request;
     const Counters counters =
         render_frame(request.scene, request.camera, settings_, *frame_,
@@ -114,7 +116,7 @@ bool RenderJob::Growing::draw() {
     return !job_.cancel_;
 }
 
-void RenderJob::Growing::finish_tile(const PixelRect& rect) {
+void RenderJob::GrowingPicture::finish_tile(const PixelRect& rect) {
     done_[grid_.index_of(rect.col, rect.row)] = true;
     if (first_ == nullptr) return;
     const std::unique_lock lock(showing_, std::try_to_lock);
@@ -126,7 +128,7 @@ void RenderJob::Growing::finish_tile(const PixelRect& rect) {
     shown_ = Clock::now();
 }
 
-std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
+std::shared_ptr<const Framebuffer> RenderJob::GrowingPicture::snapshot() const {
     auto picture = job_.pool_.take(frame_->width, frame_->height);
     picture->blank_rows.clear();
     for (std::size_t i = 0; i < grid_.size(); ++i) {
@@ -277,8 +279,8 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     };
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
-    Growing growing(*this, smaller, stages_of(work.request.settings).front(), nullptr,
-                    Clock::now() + within);
+    GrowingPicture growing(*this, smaller, stages_of(work.request.settings).front(), nullptr,
+                           Clock::now() + within);
     const bool drawn = growing.draw();
     growing.tell(governor_, smaller.request);
     if (!drawn) return {nullptr, false};
@@ -309,7 +311,7 @@ void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> p
     const std::vector<TraceSettings> stages = stages_of(work.request.settings);
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i > 0 && !rests(work)) return;
-        Growing growing(*this, work, stages[i], picture);
+        GrowingPicture growing(*this, work, stages[i], picture);
         const bool drawn = growing.draw();
         if (i == 0) growing.tell(governor_, work.request);
         if (!drawn) return;

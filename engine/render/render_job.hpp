@@ -100,7 +100,7 @@ private:
         bool finds_range = false;  ///< of the colours
         bool is_new = false;       ///< no picture of its surfaces was shown yet
     };
-    class Growing;
+    class GrowingPicture;
 
     void run();
     /// The next request; nothing at the end.

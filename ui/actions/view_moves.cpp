@@ -21,7 +21,7 @@ const Camera& destination(const UiState& state) {
 
 void step(UiState& state, const PointerMotion& motion) {
     if (!state.document.camera) return;
-    state.document.camera = steer(destination(state), motion, turning_of(state));
+    state.document.camera = steer(destination(state), motion, turn_mode_of(state));
     state.move.reset();
 }
 

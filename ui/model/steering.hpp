@@ -22,16 +22,16 @@ struct PointerMotion {
 };
 
 /// How dragging turns.
-struct Turning {
+struct TurnMode {
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< stays up
     bool freely = false;           ///< unless it turns as a ball does
 };
 
 /// The camera after the motion: what is grabbed follows the pointer. Keeps the camera if the
 /// motion would lead to one that sees nothing.
-Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning);
+Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning);
 
 /// How dragging turns the document's view.
-Turning turning_of(const UiState& state);
+TurnMode turn_mode_of(const UiState& state);
 
 }  // namespace zeroset::ui

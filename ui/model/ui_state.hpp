@@ -12,6 +12,7 @@
 #include "engine/view/camera.hpp"
 #include "ui/model/clip_handles.hpp"
 #include "ui/model/dialog_state.hpp"
+#include "ui/model/theme.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_int2.hpp>
@@ -25,8 +26,6 @@
 #include <vector>
 
 namespace zeroset::ui {
-
-enum class Theme : std::uint8_t { Dark, Light };
 
 /// A surface of the gallery.
 struct GalleryEntry {
@@ -138,11 +137,11 @@ inline constexpr const char* w_name = "w";
 struct UiState {
     // Edited by the panels.
     Document document = empty_document();
-    std::map<std::string, Playing> playing;  ///< the sliders that play, by name
-    std::optional<ViewMove> move;            ///< while one is under way
-    std::optional<HandleDrag> handle_drag;   ///< while a handle of the clip region is held
-    unsigned gesture = 0;                    ///< grows with each press of a button
-    bool held = false;                       ///< a button is down
+    std::map<std::string, PlayState> playing;  ///< the sliders that play, by name
+    std::optional<ViewMove> move;              ///< while one is under way
+    std::optional<HandleDrag> handle_drag;     ///< while a handle of the clip region is held
+    unsigned gesture = 0;                      ///< grows with each press of a button
+    bool held = false;                         ///< a button is down
     Layout layout;
     Theme theme = Theme::Dark;
     bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one

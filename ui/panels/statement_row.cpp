@@ -1,6 +1,7 @@
 #include "ui/panels/statement_row.hpp"
 
 #include "document/sheet.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"
@@ -29,7 +30,7 @@ constexpr float button_em = 1.5F;
 constexpr std::size_t most_readings = 4;
 constexpr std::size_t most_notes = 4;
 /// Opacity of a reading of an older text, while the new one is not read yet.
-constexpr float old_reading_faded = 0.5F;
+constexpr double old_reading_faded = 0.5;
 
 /// Everything that the parts of a row need for drawing.
 struct Row {
@@ -168,8 +169,8 @@ RowEvent draw_menu(const Row& row) {
 void draw_readings(const Row& row, float width) {
     ImGui::PushFont(font(FontRole::SmallFormula));
     const bool old = row.state.dimmed > 0.0F && row.report->text != row.statement.text;
-    const float opacity = old ? 1.0F - old_reading_faded * row.state.dimmed : 1.0F;
-    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, opacity));
+    const double dimmed = old ? static_cast<double>(row.state.dimmed) : 0.0;
+    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, 1.0 - old_reading_faded * dimmed));
     const auto& readings = row.report->readings;
     for (std::size_t i = 0; i < std::min(readings.size(), most_readings); ++i) {
         ImGui::PushID(static_cast<int>(i));

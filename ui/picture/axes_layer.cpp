@@ -3,6 +3,7 @@
 #include "engine/annotate/axes.hpp"
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/axis_shapes.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/theme.hpp"
@@ -13,7 +14,7 @@ namespace zeroset::ui {
 namespace {
 
 /// Opacity of each of a label's outline's eight copies, which lie over one another.
-constexpr float outline_opacity = 0.3F;
+constexpr double outline_opacity = 0.3;
 /// Opacity of a number behind a surface: it must be read, unlike lines, which need only be seen.
 constexpr double hidden_label_opacity = 0.6;
 

@@ -1,6 +1,7 @@
 #include "ui/picture/axis_gizmo.hpp"
 
 #include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/steering.hpp"
@@ -68,14 +69,14 @@ void draw_ball(ImDrawList& canvas, const GizmoBall& ball, bool lit, Theme theme)
     const std::uint32_t ink = dark ? palette(theme).ground : palette(theme).sky;
     const ImVec2 at = place_of(ball);
     // What is farther is fainter.
-    const float opacity = lit ? 1.0F : 0.8F + 0.2F * static_cast<float>(ball.nearness);
+    const double opacity = lit ? 1.0 : 0.8 + 0.2 * ball.nearness;
     if (ball.positive) {
-        canvas.AddLine(middle(), at, faded(color, 0.8F * opacity), em(0.14F));
+        canvas.AddLine(middle(), at, faded(color, 0.8 * opacity), em(0.14F));
         canvas.AddCircleFilled(at, em(ball_em), faded(color, opacity));
         draw_letter(canvas, ball, ink);
     } else {
-        canvas.AddCircleFilled(at, em(ball_em), faded(color, lit ? 0.5F : 0.18F));
-        canvas.AddCircle(at, em(ball_em), faded(color, 0.75F * opacity), 0, em(0.1F));
+        canvas.AddCircleFilled(at, em(ball_em), faded(color, lit ? 0.5 : 0.18));
+        canvas.AddCircle(at, em(ball_em), faded(color, 0.75 * opacity), 0, em(0.1F));
         if (lit) draw_letter(canvas, ball, palette(theme).text);
     }
 }
@@ -88,7 +89,7 @@ void follow_pointer(UiState& state, bool clicked, const std::optional<GizmoBall>
         PointerMotion motion;
         motion.orbit =
             glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / static_cast<double>(picture_height());
-        state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+        state.document.camera = steer(*state.document.camera, motion, turn_mode_of(state));
     }
     if (clicked && !dragged && under) {
         const glm::dvec3 outward = under->outward();
@@ -143,7 +144,7 @@ void draw_axis_gizmo(UiState& state) {
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),
-                                   faded(palette(state.theme).text, 0.08F));
+                                   faded(palette(state.theme).text, 0.08));
         }
         for (const GizmoBall& ball : balls) {
             const bool lit = under && under->axis == ball.axis && under->positive == ball.positive;

@@ -3,6 +3,7 @@
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/hidden.hpp"
 #include "engine/annotate/markers.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/clip_outline.hpp"
 #include "ui/picture/draw_shapes.hpp"
@@ -23,9 +24,9 @@ constexpr float stem_em = 6.0F;
 constexpr double longest_stem = 0.15;  ///< in heights of the picture
 constexpr float reach_em = 0.75F;
 constexpr float size_em = 0.36F;  ///< half of a square's edge, a ball's radius
-constexpr float hidden_part = 0.4F;
-constexpr float outline_part = 0.85F;  ///< opacity of what the pointer's handle moves
-constexpr float faint_part = 0.3F;     ///< of a ball's outline otherwise
+constexpr double hidden_part = 0.4;
+constexpr double outline_part = 0.85;  ///< opacity of what the pointer's handle moves
+constexpr double faint_part = 0.3;     ///< of a ball's outline otherwise
 
 Clipping clipping_of(const Document& document) { return {document.clip, document.region}; }
 
@@ -67,7 +68,7 @@ std::uint32_t color_of(const Handle& handle, Theme theme) {
     return (theme == Theme::Dark ? axes_on_dark : axes_on_light).axes[handle.id.index / 2];
 }
 
-float opacity_of(std::uint32_t color) { return static_cast<float>(color >> 24U) / 255.0F; }
+double opacity_of(std::uint32_t color) { return static_cast<double>(color >> 24U) / 255.0; }
 
 /// As opaque as the colour.
 std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
@@ -97,7 +98,7 @@ void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) c
         places.push_back(*at);
     }
     const int count = static_cast<int>(places.size());
-    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3F * opacity_of(color)),
+    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3 * opacity_of(color)),
                        ImDrawFlags_Closed, em(0.22F));
     canvas.AddPolyline(places.data(), count, color, ImDrawFlags_Closed, em(0.11F));
 }
@@ -111,10 +112,10 @@ void Pen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float
     const ImVec2 tip(to.x + 1.1F * step.x, to.y + 1.1F * step.y);
     const ImVec2 left(neck.x - step.y, neck.y + step.x);
     const ImVec2 right(neck.x + step.y, neck.y - step.x);
-    canvas.AddLine(from, neck, faded(0xFF000000U, 0.4F), em(0.26F));
+    canvas.AddLine(from, neck, faded(0xFF000000U, 0.4), em(0.26F));
     canvas.AddLine(from, neck, color, em(0.14F));
     canvas.AddTriangleFilled(tip, left, right, color);
-    canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5F), em(0.07F));
+    canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5), em(0.07F));
 }
 
 void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
@@ -124,13 +125,13 @@ void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
     canvas.AddRect(lo, hi, white_on(color), em(0.12F), 0, em(0.1F));
     const float rim = em(0.07F);
     canvas.AddRect(ImVec2(lo.x - rim, lo.y - rim), ImVec2(hi.x + rim, hi.y + rim),
-                   faded(0xFF000000U, 0.5F), em(0.16F), 0, rim);
+                   faded(0xFF000000U, 0.5), em(0.16F), 0, rim);
 }
 
 void Pen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
     canvas.AddCircleFilled(at, radius, color, 24);
     canvas.AddCircle(at, radius, white_on(color), 24, em(0.1F));
-    canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5F), 24, em(0.07F));
+    canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5), 24, em(0.07F));
 }
 
 void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
@@ -151,7 +152,7 @@ void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
         case HandlePart::BallRadius: return ball(*at, color, size);
         case HandlePart::SectionPlace: return arrow(*from, *at, color, size);
         case HandlePart::SectionTilt:
-            canvas.AddLine(*from, *at, faded(color, 0.6F), em(0.09F));
+            canvas.AddLine(*from, *at, faded(color, 0.6), em(0.09F));
             return ball(*at, color, 0.85F * size);
     }
 }

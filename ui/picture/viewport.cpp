@@ -1,6 +1,7 @@
 #include "ui/picture/viewport.hpp"
 
 #include "engine/annotate/hidden.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/camera.hpp"
 #include "engine/view/navigation.hpp"
 #include "ui/actions/view_moves.hpp"
@@ -27,7 +28,7 @@ namespace zeroset::ui {
 namespace {
 
 /// How much of a picture of another text the background hides.
-constexpr float dimmest = 0.6F;
+constexpr double dimmest = 0.6;
 
 glm::ivec2 size_px(const PictureArea& area) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -48,7 +49,7 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
     // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
     if (state.dimmed > 0.0F) {
-        const float veil = dimmest * state.dimmed;
+        const double veil = dimmest * static_cast<double>(state.dimmed);
         const std::uint32_t sky = faded(colors.sky, veil);
         const std::uint32_t ground = faded(colors.ground, veil);
         canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
@@ -75,7 +76,7 @@ PointerMotion pointer_motion(const PictureArea& area) {
 /// Right after the item that the picture is.
 void follow_view_pointer(UiState& state, const PointerMotion& motion) {
     if (!state.document.camera) return;
-    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    state.document.camera = steer(*state.document.camera, motion, turn_mode_of(state));
     if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
     const auto point = surface_under(state.shown, motion.cursor);
     if (point) centre_on(state, *point);
@@ -104,7 +105,7 @@ void zoom_by_wheel(UiState& state) {
     motion.wheel = static_cast<double>(io.MouseWheel);
     motion.cursor = viewport_area(state).place(io.MousePos);
     motion.surface = surface_under(state.shown, motion.cursor);
-    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    state.document.camera = steer(*state.document.camera, motion, turn_mode_of(state));
 }
 
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
