@@ -9,7 +9,7 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/offscreen_window.hpp"
 #include "ui/window/window.hpp"
 

@@ -63,18 +63,21 @@ Sheet sheet_of(const Document& document) {
 
 ui::UiState first_state(const DesktopOptions& options) {
     ui::UiState state;
-    state.document = options.document;
-    state.theme = options.theme;
-    state.follows_desktop = options.follows_desktop;
-    state.layout = options.layout;
-    state.layout.clip_open = state.layout.clip_open || !state.document.region.is_whole();
+    state.edited.document = options.document;
+    state.edited.theme = options.theme;
+    state.edited.follows_desktop = options.follows_desktop;
+    state.edited.layout = options.layout;
+    state.edited.layout.clip_open =
+        state.edited.layout.clip_open || !state.edited.document.region.is_whole();
     if (options.takes_keyboard) {
-        state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
+        state.wishes.focus =
+            ui::RowFocus{state.edited.document.statements.front().id, ui::RowFocus::Caret::All};
     }
-    state.frame_surfaces = options.fit;
-    state.language_help = language_help();
+    state.wishes.frame_surfaces = options.fit;
+    state.shown.language_help = language_help();
     for (const GalleryItem& item : gallery())
-        state.gallery.push_back({item.title, item.equation, item.about, item.group, item.source});
+        state.shown.gallery.push_back(
+            {item.title, item.equation, item.about, item.group, item.source});
     for (const ui::Action* const action : options.actions)
         action->run(state);
     return state;
@@ -100,8 +103,9 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
 }
 
 Preferences Desktop::preferences() const {
-    const auto chosen = state_.follows_desktop ? std::nullopt : std::optional(state_.theme);
-    return {state_.layout, chosen, state_.theme, window_.size()};
+    const auto chosen =
+        state_.edited.follows_desktop ? std::nullopt : std::optional(state_.edited.theme);
+    return {state_.edited.layout, chosen, state_.edited.theme, window_.size()};
 }
 
 double Desktop::now_s() const {
@@ -119,10 +123,10 @@ void Desktop::draw_frame() {
     take_frame();
     cards_.show(state_);
     follow_waiting();
-    if (portal_) portal_->follow(state_);
+    if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
     play();
-    window_.hold_keys(ui::awaits_keyboard(state_));
-    window_.begin_frame(state_.theme);
+    window_.hold_keys(ui::awaits_keyboard(state_.wishes, state_.pages));
+    window_.begin_frame(state_.edited.theme);
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
     // Jobs get the edits before the frame waits for the screen.
@@ -147,21 +151,22 @@ void Desktop::log_submission(std::uint64_t before) {
 
 bool Desktop::settled() const {
     const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    const bool drawn = shown_ == nullptr ||
-                       (submitted_ && !state_.picture.tracing && !deepens && !is_preview(*shown_));
-    return answered_rows_ == sheet_of(state_.document) && answered_choice_ == submitted_choice_ &&
-           drawn && state_.document.camera && !state_.move &&
-           !(shown_ != nullptr && state_.frame_surfaces) && !extent_.valid() && cards_.settled();
+    const bool drawn = shown_ == nullptr || (submitted_ && !state_.shown.picture.tracing &&
+                                             !deepens && !is_preview(*shown_));
+    return answered_rows_ == sheet_of(state_.edited.document) &&
+           answered_choice_ == submitted_choice_ && drawn && state_.edited.document.camera &&
+           !state_.input.move && !(shown_ != nullptr && state_.wishes.frame_surfaces) &&
+           !extent_.valid() && cards_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
-    if (state_.move) return 0.0;
+    if (state_.input.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (extent_.valid()) due = std::min(due.value_or(extent_poll_s), extent_poll_s);
     if (const auto change = wait_notice_.due_s(now_s()))
         due = std::min(due.value_or(*change), *change);
     if (const auto click = inspector_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
-    if (!state_.playing.empty() && !waits_for_picture()) {
+    if (!state_.edited.playing.empty() && !waits_for_picture()) {
         const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
         due = std::min(due.value_or(next), next);
     }
@@ -175,14 +180,15 @@ void Desktop::take_formula() {
     answered_choice_ = result->choice;
     // An expression that is still empty is no error.
     const bool typed = !trimmed(result->choice.expression).empty();
-    state_.color_error = typed && result->color_error ? result->color_error->reason : "";
-    state_.reports = result->reading.reports;
-    state_.surface_rows = result->reading.surface_rows;
+    state_.shown.reading.color_error =
+        typed && result->color_error ? result->color_error->reason : "";
+    state_.shown.reading.reports = result->reading.reports;
+    state_.shown.reading.surface_rows = result->reading.surface_rows;
     if (result->formula) {
         show(*result);
         submit_picture();
     } else {
-        state_.note = result->formula.error().reason;
+        state_.shown.status.note = result->formula.error().reason;
     }
 }
 
@@ -202,23 +208,24 @@ void Desktop::show(const FormulaResult& result) {
                       (shown_->code == formula->code || formula->code != CodeState::Machine);
     if (!same) shown_ = formula;
     colors_ = result.colors;
-    state_.parameters = result.reading.program->parameters;
-    state_.uses_w = shown_->uses_w();
-    state_.note = note_of(shown_->code);
+    state_.shown.reading.parameters = result.reading.program->parameters;
+    state_.shown.reading.uses_w = shown_->uses_w();
+    state_.shown.status.note = note_of(shown_->code);
     session_.amend(
         [&result](Document& document) { choose_colors(document, result.reading.surface_rows); });
-    std::erase_if(state_.playing, [this](const auto& entry) {
+    std::erase_if(state_.edited.playing, [this](const auto& entry) {
         const std::string& name = entry.first;
-        return name == ui::w_name
-                   ? !state_.uses_w
-                   : std::ranges::find(state_.parameters, name) == state_.parameters.end();
+        return name == ui::w_name ? !state_.shown.reading.uses_w
+                                  : std::ranges::find(state_.shown.reading.parameters, name) ==
+                                        state_.shown.reading.parameters.end();
     });
 }
 
 void Desktop::take_frame() {
     std::optional<RenderResult> result = pictures_.take();
     if (result) {
-        state_.shown = {result->frame, result->camera};
+        state_.shown.picture.frame = result->frame;
+        state_.shown.picture.camera = result->camera;
         if (latency_ != nullptr) {
             latency_->taken(result->request, result->frame->width, result->frame->height,
                             result->complete);
@@ -234,21 +241,24 @@ void Desktop::take_frame() {
         pictured_fully_ = full;
         if (full) {
             figures_text_ = pictured_text_;
-            const bool newest = result->request == request_;
-            state_.picture = {!newest,          result->frame->width, result->frame->height,
-                              result->frame_ms, result->counts,       result->precision};
+            state_.shown.picture.tracing = result->request != request_;
+            state_.shown.figures = {.width_px = result->frame->width,
+                                    .height_px = result->frame->height,
+                                    .frame_ms = result->frame_ms,
+                                    .counts = result->counts,
+                                    .precision = result->precision};
         }
-    } else if (state_.shown.frame != nullptr &&
-               (state_.theme != uploaded_theme_ ||
-                state_.document.mark_undecided != uploaded_marks_)) {
+    } else if (state_.shown.picture.frame != nullptr &&
+               (state_.edited.theme != uploaded_theme_ ||
+                state_.edited.document.mark_undecided != uploaded_marks_)) {
         upload_frame();
     }
 }
 
 void Desktop::show_legend(const RenderResult& result) {
-    state_.legend.reset();
+    state_.shown.picture.legend.reset();
     if (result.coloring.by == ColorBy::Plain) return;
-    state_.legend = legend_of(result.coloring, colors_->expression);
+    state_.shown.picture.legend = legend_of(result.coloring, colors_->expression);
 }
 
 const PictureRequest* Desktop::behind_picture() const {
@@ -258,29 +268,29 @@ const PictureRequest* Desktop::behind_picture() const {
 
 void Desktop::upload_frame() {
     const LatencyLog::InOpenGl uploading(latency_.get());
-    const bool marks = state_.document.mark_undecided;
-    const auto tint = marks ? std::optional(ui::undecided_tint(state_.theme)) : std::nullopt;
-    texture_.upload(*state_.shown.frame, ui::behind_picture(state_.theme), tint);
-    uploaded_theme_ = state_.theme;
+    const bool marks = state_.edited.document.mark_undecided;
+    const auto tint = marks ? std::optional(ui::undecided_tint(state_.edited.theme)) : std::nullopt;
+    texture_.upload(*state_.shown.picture.frame, ui::behind_picture(state_.edited.theme), tint);
+    uploaded_theme_ = state_.edited.theme;
     uploaded_marks_ = marks;
 }
 
 /// True while the picture of the last step of a playing slider is still to come.
 bool Desktop::waits_for_picture() const {
-    if (!state_.picture.tracing) return false;
-    const bool quick = state_.picture.frame_ms < quick_ms;
+    if (!state_.shown.picture.tracing) return false;
+    const bool quick = state_.shown.figures.frame_ms < quick_ms;
     return pictured_request_ != request_ || (quick && !pictured_fully_);
 }
 
 void Desktop::play() {
     const double now = now_s();
     const double elapsed = std::min(now - played_s_, longest_step_s);
-    if (!state_.playing.empty() && waits_for_picture()) return;
+    if (!state_.edited.playing.empty() && waits_for_picture()) return;
     played_s_ = now;
-    for (auto& [name, playing] : state_.playing) {
-        Slider slider = ui::slider_named(state_, name);
+    for (auto& [name, playing] : state_.edited.playing) {
+        Slider slider = ui::slider_named(state_.edited.document, name);
         advance(slider, playing, elapsed);
-        ui::set_slider(state_, name, slider);
+        ui::set_slider(state_.edited.document, name, slider);
     }
     session_.played();
 }
@@ -297,31 +307,32 @@ void Desktop::follow_edits() {
 }
 
 void Desktop::show_gallery_item() {
-    const auto picked = std::exchange(state_.surface, std::nullopt);
+    const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
     Document document = read_document(gallery()[*picked]).document;
-    keep_settings(document, state_.document);
-    document.coloring = state_.document.coloring;
+    keep_settings(document, state_.edited.document);
+    document.coloring = state_.edited.document.coloring;
     document.coloring.range.reset();
     session_.show(std::move(document));
     window_.wake();
 }
 
 void Desktop::submit_rows() {
-    Sheet sheet = sheet_of(state_.document);
+    Sheet sheet = sheet_of(state_.edited.document);
     // Only what needs a formula is taken from the colouring.
     ColorChoice choice;
-    choice.by = state_.document.coloring.by;
-    if (choice.by == ColorBy::Expression) choice.expression = state_.document.coloring.expression;
+    choice.by = state_.edited.document.coloring.by;
+    if (choice.by == ColorBy::Expression)
+        choice.expression = state_.edited.document.coloring.expression;
     if (sheet == submitted_rows_ && choice == submitted_choice_) return;
     submitted_rows_ = sheet;
     submitted_choice_ = choice;
-    formulas_.submit(std::move(sheet), state_.document.clip, choice);
+    formulas_.submit(std::move(sheet), state_.edited.document.clip, choice);
 }
 
 std::optional<PictureRequest> Desktop::wanted_picture() const {
-    const glm::ivec2 size = state_.viewport_px;
-    const Document& document = state_.document;
+    const glm::ivec2 size = state_.input.viewport_px;
+    const Document& document = state_.edited.document;
     if (shown_ == nullptr || colors_ == nullptr || !document.camera || size.x <= 0 || size.y <= 0) {
         return std::nullopt;
     }
@@ -343,7 +354,7 @@ void Desktop::submit_picture() {
     request.preview = is_preview(*shown_);
     request.again = submitted_ && differs_in_code_only(*submitted_, *wanted);
     request_ = pictures_.submit(std::move(request));
-    state_.picture.tracing = true;
+    state_.shown.picture.tracing = true;
     submitted_ = std::move(wanted);
     window_.wake();
 }

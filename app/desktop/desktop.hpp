@@ -1,12 +1,12 @@
 #pragma once
 
 #include "app/desktop/desktop_portal.hpp"
-#include "app/gallery/gallery_cards.hpp"
 #include "app/desktop/latency_log.hpp"
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
 #include "app/desktop/session.hpp"
 #include "app/desktop/wait_notice.hpp"
+#include "app/gallery/gallery_cards.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_job.hpp"
@@ -129,7 +129,7 @@ private:
     std::optional<PictureRequest> measured_;
     bool fits_box_;
     unsigned done_gesture_ =
-        0;  ///< the gesture in which state_.done was set; the next one clears it
+        0;  ///< the gesture in which state_.shown.status.done was set; the next one clears it
     std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged
     std::optional<DesktopPortal> portal_;  ///< only for a window on a desktop
 

@@ -21,7 +21,7 @@ namespace zeroset {
 
 /// Looks at the whole box if the document has no camera, and on request.
 void Desktop::find_view() {
-    const glm::ivec2 size = state_.viewport_px;
+    const glm::ivec2 size = state_.input.viewport_px;
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
     const auto look = [aspect](Document& document) {
@@ -29,18 +29,18 @@ void Desktop::find_view() {
         if (document.camera) first.projection = document.camera->projection;
         document.camera = document.home.value_or(first);
     };
-    const bool reset = std::exchange(state_.reset_view, false);
-    if (reset && state_.document.camera) {
-        Document wished = state_.document;
+    const bool reset = std::exchange(state_.wishes.reset_view, false);
+    if (reset && state_.edited.document.camera) {
+        Document wished = state_.edited.document;
         look(wished);
         ui::move_view(state_, *wished.camera);
     }
-    if (!state_.document.camera) session_.amend(look);
+    if (!state_.edited.document.camera) session_.amend(look);
 }
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
-    if (state_.gesture != done_gesture_) state_.done.clear();
+    if (state_.input.gesture != done_gesture_) state_.shown.status.done.clear();
     if (extent_.valid()) {
         if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
         const Extent extent = extent_.get();
@@ -49,21 +49,22 @@ void Desktop::find_surfaces() {
             frame(extent);
     }
     const std::optional<PictureRequest> wanted = wanted_picture();
-    if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
-    state_.frame_surfaces = false;
+    if (!state_.wishes.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
+    state_.wishes.frame_surfaces = false;
     measured_ = wanted;
     extent_ =
         std::async(std::launch::async, [scene = scene_of(*wanted)] { return find_extent(scene); });
 }
 
 void Desktop::frame(const Extent& extent) {
-    const double aspect = static_cast<double>(state_.viewport_px.x) / state_.viewport_px.y;
+    const double aspect =
+        static_cast<double>(state_.input.viewport_px.x) / state_.input.viewport_px.y;
     const Framing framing =
-        frame_surfaces(state_.document, extent, aspect, std::exchange(fits_box_, true));
-    state_.document.clip = framing.document.clip;
+        frame_surfaces(state_.edited.document, extent, aspect, std::exchange(fits_box_, true));
+    state_.edited.document.clip = framing.document.clip;
     ui::move_view(state_, *framing.document.camera);
-    state_.done = framing.note;
-    done_gesture_ = state_.gesture;
+    state_.shown.status.done = framing.note;
+    done_gesture_ = state_.input.gesture;
     window_.wake();
 }
 
@@ -78,9 +79,9 @@ void Desktop::follow_waiting() {
     if (what.code) what.nodes = shown_->nodes();
     const double now = now_s();
     wait_notice_.follow(what, now);
-    state_.dimmed = wait_notice_.dimmed(now);
-    state_.hides_figures = wait_notice_.hides_figures(now);
-    state_.doing = wait_notice_.text(now);
+    state_.shown.picture.dimmed = wait_notice_.dimmed(now);
+    state_.shown.figures.hidden = wait_notice_.hides_figures(now);
+    state_.shown.status.doing = wait_notice_.text(now);
 }
 
 }  // namespace zeroset

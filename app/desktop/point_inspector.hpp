@@ -38,7 +38,7 @@ private:
         bool operator==(const Lookup&) const = default;
     };
 
-    std::optional<ui::PointedFacts> facts_at(const ui::UiState& state,
+    std::optional<ui::PointedFacts> facts_at(const ui::ShownPicture& shown,
                                              const PictureRequest& request,
                                              const glm::dvec2& cursor);
     const std::vector<Kernel>& typed(const PictureRequest& request);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/window.hpp"
 
 #include <filesystem>

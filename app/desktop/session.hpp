@@ -82,7 +82,7 @@ private:
     void answer_restore(std::size_t answer);
     void answer_lose_work(std::size_t answer);
     void refresh();
-    [[nodiscard]] bool unsaved() const { return !same_work(saved_, state_.document); }
+    [[nodiscard]] bool unsaved() const { return !same_work(saved_, state_.edited.document); }
 
     ui::UiState& state_;
     History history_;

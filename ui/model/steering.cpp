@@ -14,9 +14,7 @@ constexpr double zoom_per_notch = 0.88;
 
 }  // namespace
 
-TurnMode turn_mode_of(const UiState& state) {
-    return {state.document.up, state.document.trackball};
-}
+TurnMode turn_mode_of(const Document& document) { return {document.up, document.trackball}; }
 
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning) {
     Camera moved = camera;

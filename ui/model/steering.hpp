@@ -1,7 +1,7 @@
 #pragma once
 
+#include "document/document.hpp"
 #include "engine/view/camera.hpp"
-#include "ui/model/ui_state.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
@@ -32,6 +32,6 @@ struct TurnMode {
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning);
 
 /// How dragging turns the document's view.
-TurnMode turn_mode_of(const UiState& state);
+TurnMode turn_mode_of(const Document& document);
 
 }  // namespace zeroset::ui

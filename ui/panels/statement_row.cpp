@@ -43,7 +43,8 @@ struct Row {
     bool typing;
 
     [[nodiscard]] bool is_surface() const {
-        return std::ranges::find(state.surface_rows, statement.id) != state.surface_rows.end();
+        return std::ranges::find(state.shown.reading.surface_rows, statement.id) !=
+               state.shown.reading.surface_rows.end();
     }
     /// Error of the row's current text; nullptr if there is none or it is not read yet.
     [[nodiscard]] const RowError* error() const {
@@ -168,8 +169,9 @@ RowEvent draw_menu(const Row& row) {
 
 void draw_readings(const Row& row, float width) {
     ImGui::PushFont(font(FontRole::SmallFormula));
-    const bool old = row.state.dimmed > 0.0F && row.report->text != row.statement.text;
-    const double dimmed = old ? static_cast<double>(row.state.dimmed) : 0.0;
+    const bool old =
+        row.state.shown.picture.dimmed > 0.0F && row.report->text != row.statement.text;
+    const double dimmed = old ? static_cast<double>(row.state.shown.picture.dimmed) : 0.0;
     ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, 1.0 - old_reading_faded * dimmed));
     const auto& readings = row.report->readings;
     for (std::size_t i = 0; i < std::min(readings.size(), most_readings); ++i) {
@@ -294,8 +296,8 @@ RowEvent draw_parts(Row& row, const char* hint) {
 }  // namespace
 
 RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint) {
-    Statement& statement = state.document.statements[index];
-    const auto report = state.reports.find(statement.id);
+    Statement& statement = state.edited.document.statements[index];
+    const auto report = state.shown.reading.reports.find(statement.id);
     ImGui::PushID(statement.id);
     const ImGuiID id = ImGui::GetID("##height");
     const ImRect place = last_place(id);
@@ -305,12 +307,12 @@ RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint)
                                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     Row row{state,
             statement,
-            report == state.reports.end() ? nullptr : &report->second,
-            palette(state.theme),
+            report == state.shown.reading.reports.end() ? nullptr : &report->second,
+            palette(state.edited.theme),
             place,
             free && place.Contains(ImGui::GetIO().MousePos),
             ImGui::GetActiveID() == ImGui::GetID("##equation")};
-    if (state.focus && state.focus->row == statement.id) {
+    if (state.wishes.focus && state.wishes.focus->row == statement.id) {
         ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place);
     }
     draw_back(row, *ImGui::GetWindowDrawList(), place);

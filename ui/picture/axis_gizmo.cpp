@@ -89,7 +89,8 @@ void follow_pointer(UiState& state, bool clicked, const std::optional<GizmoBall>
         PointerMotion motion;
         motion.orbit =
             glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / static_cast<double>(picture_height());
-        state.document.camera = steer(*state.document.camera, motion, turn_mode_of(state));
+        state.edited.document.camera =
+            steer(*state.edited.document.camera, motion, turn_mode_of(state.edited.document));
     }
     if (clicked && !dragged && under) {
         const glm::dvec3 outward = under->outward();
@@ -121,8 +122,9 @@ glm::vec2 gizmo_place(const GizmoBall& ball) {
 
 void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = window.x - side_panel_width(state);
-    if (!state.document.camera || std::min(width, picture_height()) < em(least_picture_em)) return;
+    const float width = window.x - side_panel_width(state.edited.layout);
+    if (!state.edited.document.camera || std::min(width, picture_height()) < em(least_picture_em))
+        return;
 
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
@@ -136,19 +138,19 @@ void draw_axis_gizmo(UiState& state) {
     if (ImGui::Begin("##gizmo", nullptr, flags)) {
         const bool clicked = ImGui::InvisibleButton("##axes", ImGui::GetContentRegionAvail());
         const bool hovered = ImGui::IsItemHovered();
-        const auto balls = gizmo_balls(*state.document.camera);
+        const auto balls = gizmo_balls(*state.edited.document.camera);
         const auto under =
             hovered ? ball_under(balls, ImGui::GetIO().MousePos) : std::optional<GizmoBall>();
         follow_pointer(state, clicked, under);
-        if (hovered) zoom_by_wheel(state);
+        if (hovered) zoom_by_wheel(state.edited, state.shown.picture);
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),
-                                   faded(palette(state.theme).text, 0.08));
+                                   faded(palette(state.edited.theme).text, 0.08));
         }
         for (const GizmoBall& ball : balls) {
             const bool lit = under && under->axis == ball.axis && under->positive == ball.positive;
-            draw_ball(canvas, ball, lit, state.theme);
+            draw_ball(canvas, ball, lit, state.edited.theme);
         }
     }
     ImGui::End();

@@ -38,19 +38,19 @@ void take_over(Document& document, const Clipping& clipping) {
 }
 
 void follow_drag(UiState& state, const glm::dvec2& cursor) {
-    HandleDrag& drag = *state.handle_drag;
+    HandleDrag& drag = *state.input.handle_drag;
     // Something else has changed it: undo, or a field.
-    if (clipping_of(state.document) != drag.last) drag.given_up = true;
+    if (clipping_of(state.edited.document) != drag.last) drag.given_up = true;
     // A press alone moves nothing.
     const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > 0.0F;
     if (drag.given_up || !moved) return;
     if (is_pressed_once(ImGuiKey_Escape)) {
         drag.given_up = true;
-        return take_over(state.document, drag.start);
+        return take_over(state.edited.document, drag.start);
     }
-    drag.last =
-        dragged(drag, ViewFrame(state.shown.camera), cursor, state.viewport_px.y, keys_held());
-    take_over(state.document, drag.last);
+    drag.last = dragged(drag, ViewFrame(state.shown.picture.camera), cursor,
+                        state.input.viewport_px.y, keys_held());
+    take_over(state.edited.document, drag.last);
 }
 
 /// Across what moves; GLFW has no cursors for slanted directions.
@@ -158,8 +158,8 @@ void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
 }
 
 void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
-    const Clipping clipping = clipping_of(state.document);
-    const std::uint32_t color = color_of(handle, state.theme);
+    const Clipping clipping = clipping_of(state.edited.document);
+    const std::uint32_t color = color_of(handle, state.edited.theme);
     pen.outline(outline_of(handle.id, clipping, pen.view), faded(color, outline_part));
     pen.handle(handle, color, true);
     const auto at = pen.place(handle.at);
@@ -167,20 +167,22 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
     const PictureArea& area = pen.area;
     const glm::dvec2 dot(at->x - area.lo.x, at->y - area.lo.y);
     const glm::dvec2 size(area.hi.x - area.lo.x, area.height());
-    draw_shapes(pen.canvas, area.lo,
-                tag_shapes(handle_text(handle, clipping, pen.view, state.viewport_px.y), dot,
-                           static_cast<double>(em(size_em + 0.5F)), size, card_style(state.theme)));
+    draw_shapes(
+        pen.canvas, area.lo,
+        tag_shapes(handle_text(handle, clipping, pen.view, state.input.viewport_px.y), dot,
+                   static_cast<double>(em(size_em + 0.5F)), size, card_style(state.edited.theme)));
 }
 
 }  // namespace
 
 std::vector<Handle> shown_handles(const UiState& state, float height) {
-    if (!has_clip_handles(state.layout) || state.shown.frame == nullptr || !(height > 0.0F))
+    if (!has_clip_handles(state.edited.layout) || state.shown.picture.frame == nullptr ||
+        !(height > 0.0F))
         return {};
-    const Clipping clipping = clipping_of(state.document);
+    const Clipping clipping = clipping_of(state.edited.document);
     const double stem = std::min(static_cast<double>(em(stem_em) / height), longest_stem);
-    auto handles = clip_handles(clipping, ViewFrame(state.shown.camera), stem);
-    if (state.handle_drag) hold(handles, *state.handle_drag, clipping);
+    auto handles = clip_handles(clipping, ViewFrame(state.shown.picture.camera), stem);
+    if (state.input.handle_drag) hold(handles, *state.input.handle_drag, clipping);
     return handles;
 }
 
@@ -188,22 +190,23 @@ std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& are
                                           const glm::dvec2& cursor) {
     const bool free =
         ImGui::IsItemHovered() && (!ImGui::IsItemActive() || ImGui::IsItemActivated());
-    if (!state.handle_drag && !free) return std::nullopt;
-    const ViewFrame view(state.shown.camera);
-    if (state.handle_drag) follow_drag(state, cursor);
+    if (!state.input.handle_drag && !free) return std::nullopt;
+    const ViewFrame view(state.shown.picture.camera);
+    if (state.input.handle_drag) follow_drag(state, cursor);
     const std::vector<Handle> handles = shown_handles(state, area.height());
     std::optional<Handle> found;
-    if (state.handle_drag) {
-        found = state.handle_drag->handle;
+    if (state.input.handle_drag) {
+        found = state.input.handle_drag->handle;
         const auto now = std::ranges::find(handles, found->id, &Handle::id);
         if (now != handles.end()) found = *now;
-        if (!ImGui::IsItemActive()) state.handle_drag.reset();
+        if (!ImGui::IsItemActive()) state.input.handle_drag.reset();
     } else {
         found =
             handle_under(handles, view, cursor, static_cast<double>(em(reach_em) / area.height()));
         const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         if (found && pressed)
-            state.handle_drag = grabbed(*found, clipping_of(state.document), view, cursor);
+            state.input.handle_drag =
+                grabbed(*found, clipping_of(state.edited.document), view, cursor);
     }
     if (found) ImGui::SetMouseCursor(cursor_of(*found, view));
     return found;
@@ -213,7 +216,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
                        const std::optional<Handle>& lit) {
     std::vector<Handle> handles = shown_handles(state, area.height());
     if (handles.empty()) return;
-    const ViewFrame view(state.shown.camera);
+    const ViewFrame view(state.shown.picture.camera);
     const Pen pen{canvas, area, view};
     canvas.PushClipRect(area.lo, area.hi, true);
     // What is nearer covers what is farther.
@@ -221,10 +224,10 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
                       [&](const Handle& handle) { return view.distance_of(handle.at); });
     for (const Handle& handle : handles) {
         if (lit && lit->id == handle.id) continue;
-        const bool hidden = is_behind(*state.shown.frame, view, handle.at);
-        const std::uint32_t color = color_of(handle, state.theme);
+        const bool hidden = is_behind(*state.shown.picture.frame, view, handle.at);
+        const std::uint32_t color = color_of(handle, state.edited.theme);
         if (handle.id.part == HandlePart::BallCentre) {
-            pen.outline(outline_of(handle.id, clipping_of(state.document), view),
+            pen.outline(outline_of(handle.id, clipping_of(state.edited.document), view),
                         faded(color, faint_part));
         }
         pen.handle(handle, hidden ? faded(color, hidden_part) : color, false);
