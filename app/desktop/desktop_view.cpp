@@ -9,8 +9,6 @@
 
 #include <glm/ext/vector_int2.hpp>
 
-#include <chrono>
-#include <future>
 #include <optional>
 #include <utility>
 
@@ -41,19 +39,14 @@ void Desktop::find_view() {
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
     if (state_.input.gesture != done_gesture_) state_.shown.status.done.clear();
-    if (extent_.valid()) {
-        if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        const Extent extent = extent_.get();
-        const std::optional<PictureRequest> now = wanted_picture();
-        if (now && now->formula == measured_->formula && now->clip == measured_->clip)
-            frame(extent);
+    if (search_.runs()) {
+        if (!search_.done()) return;
+        if (const auto extent = search_.take(wanted_picture())) frame(*extent);
     }
     const std::optional<PictureRequest> wanted = wanted_picture();
-    if (!state_.wishes.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
+    if (!state_.wishes.frame_surfaces || !wanted || feed_.reads()) return;
     state_.wishes.frame_surfaces = false;
-    measured_ = wanted;
-    extent_ =
-        std::async(std::launch::async, [scene = scene_of(*wanted)] { return find_extent(scene); });
+    search_.start(*wanted);
 }
 
 void Desktop::frame(const Extent& extent) {
@@ -69,16 +62,8 @@ void Desktop::frame(const Extent& extent) {
 }
 
 void Desktop::follow_waiting() {
-    WaitNotice::Causes what;
-    what.reading = answered_rows_ != submitted_rows_;
-    what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
-    what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
-    const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
-    const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    what.code = !what.reading && (compiles || deepens);
-    if (what.code) what.nodes = shown_->nodes();
     const double now = now_s();
-    wait_notice_.follow(what, now);
+    wait_notice_.follow(feed_.waits_for(), now);
     state_.shown.picture.dimmed = wait_notice_.dimmed(now);
     state_.shown.figures.hidden = wait_notice_.hides_figures(now);
     state_.shown.status.doing = wait_notice_.text(now);

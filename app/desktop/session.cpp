@@ -71,33 +71,33 @@ void Session::follow(double now_s) {
     follow_question();
     follow_file_choice();
     if (state_.wishes.command || state_.wishes.open_path) follow_command();
-    history_.follow(state_.edited.document, now_s, state_.input.gesture, state_.input.held);
+    history_.follow(current(), now_s, state_.input.gesture, state_.input.held);
     keep(now_s);
     refresh();
 }
 
 void Session::amend(const std::function<void(Document&)>& change) {
     const bool clean = !unsaved();
-    change(state_.edited.document);
+    change(current());
     history_.amend(change);
-    if (clean) saved_ = state_.edited.document;
+    if (clean) saved_ = current();
 }
 
 void Session::played() {
     if (state_.edited.playing.empty()) return;
     history_.amend([this](Document& document) {
-        document.w = state_.edited.document.w;
-        document.parameters = state_.edited.document.parameters;
+        document.w = current().w;
+        document.parameters = current().parameters;
     });
 }
 
 void Session::show(Document document) {
     const bool clean = !unsaved();
-    state_.edited.document = renumbered(std::move(document), unused_id(state_.edited.document));
+    current() = renumbered(std::move(document), unused_id(current()));
     state_.edited.playing.clear();
     history_.end_step();
     path_.clear();
-    if (clean) saved_ = state_.edited.document;
+    if (clean) saved_ = current();
 }
 
 void Session::open(const std::vector<std::string>& paths) {
@@ -105,29 +105,29 @@ void Session::open(const std::vector<std::string>& paths) {
 }
 
 void Session::abandon() {
-    if (unsaved()) autosave_.keep(state_.edited.document);
+    if (unsaved()) autosave_.keep(current());
     autosave_.abandon();
 }
 
 std::optional<double> Session::due_s(double now_s) const {
-    if (!unsaved() || kept_ == state_.edited.document) return std::nullopt;
+    if (!unsaved() || kept_ == current()) return std::nullopt;
     return std::max(kept_s_ + autosave_s - now_s, 0.0);
 }
 
 std::string Session::title() const { return (unsaved() ? "* " : "") + state_.shown.document.name; }
 
 void Session::refresh() {
-    state_.shown.document.name =
-        path_.empty() ? first_text(state_.edited.document) : bare_name(path_);
-    state_.shown.document.unsaved = unsaved();
-    state_.shown.document.can_undo = history_.can_undo();
-    state_.shown.document.can_redo = history_.can_redo();
-    state_.shown.document.recent = recent_.paths();
+    ui::DocumentStatus& status = state_.shown.document;
+    status.name = path_.empty() ? first_text(current()) : bare_name(path_);
+    status.unsaved = unsaved();
+    status.can_undo = history_.can_undo();
+    status.can_redo = history_.can_redo();
+    status.recent = recent_.paths();
 }
 
 void Session::keep(double now_s) {
-    if (kept_ == state_.edited.document || now_s < kept_s_ + autosave_s) return;
-    kept_ = state_.edited.document;
+    if (kept_ == current() || now_s < kept_s_ + autosave_s) return;
+    kept_ = current();
     kept_s_ = now_s;
     if (unsaved()) {
         autosave_.keep(kept_);
@@ -156,26 +156,22 @@ void Session::follow_command() {
 }
 
 void Session::undo(bool back) {
-    state_.edited.document = back ? history_.undo() : history_.redo();
+    current() = back ? history_.undo() : history_.redo();
     if (state_.input.typing_row != 0) state_.wishes.reload = state_.input.typing_row;
 }
 
 void Session::copy() {
-    const Marker* const marker =
-        find_marker(state_.edited.document.markers, state_.edited.selected_marker);
-    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at)
-                                        : text_of(state_.edited.document));
+    const Marker* const marker = find_marker(current().markers, state_.edited.selected_marker);
+    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(current()));
 }
 
 void Session::paste() {
     const std::string text = ui::clipboard();
     if (!looks_like_document(text)) {
-        const bool empty = state_.edited.document.statements.back().text.empty();
-        ui::insert_rows(state_, state_.edited.document.statements.size() - 1, text);
-        const auto last =
-            std::ranges::find(state_.edited.document.statements, std::string(), &Statement::text);
-        if (empty && state_.edited.document.statements.size() > 1)
-            state_.edited.document.statements.erase(last);
+        const bool empty = current().statements.back().text.empty();
+        ui::insert_rows(state_, current().statements.size() - 1, text);
+        const auto last = std::ranges::find(current().statements, std::string(), &Statement::text);
+        if (empty && current().statements.size() > 1) current().statements.erase(last);
         return;
     }
     auto read = document_from(text);
@@ -203,14 +199,14 @@ void Session::perform(const Action& action) {
 }
 
 void Session::begin(Document document, const std::string& path) {
-    state_.edited.document = renumbered(std::move(document), unused_id(state_.edited.document));
+    current() = renumbered(std::move(document), unused_id(current()));
     state_.edited.playing.clear();
-    history_ = History(state_.edited.document);
-    saved_ = kept_ = state_.edited.document;
+    history_ = History(current());
+    saved_ = kept_ = current();
     path_ = path;
     autosave_.forget();
     if (path.empty()) {
-        state_.wishes.focus = ui::RowFocus{state_.edited.document.statements.front().id, {}};
+        state_.wishes.focus = ui::RowFocus{current().statements.front().id, {}};
     }
 }
 
@@ -236,21 +232,22 @@ void Session::save_as() {
 }
 
 void Session::write(const std::string& path) {
-    const auto written = save_document(path, state_.edited.document);
+    const auto written = save_document(path, current());
     if (!written) {
         waiting_.reset();
         return say_failure(written.error().message);
     }
     path_ = path;
-    saved_ = kept_ = state_.edited.document;
+    saved_ = kept_ = current();
     autosave_.forget();
     recent_.add(path);
     if (const auto action = std::exchange(waiting_, std::nullopt)) perform(*action);
 }
 
 void Session::follow_file_choice() {
-    if (!state_.pages.dialogs.file || !state_.pages.dialogs.file->finished) return;
-    const ui::FileChoice choice = *std::exchange(state_.pages.dialogs.file, std::nullopt);
+    std::optional<ui::FileChoice>& file = state_.pages.dialogs.file;
+    if (!file || !file->finished) return;
+    const ui::FileChoice choice = *std::exchange(file, std::nullopt);
     if (choice.path.empty()) {
         waiting_.reset();
     } else if (choice.purpose == Purpose::Open) {
@@ -266,9 +263,10 @@ void Session::ask(Subject what, std::string text, std::vector<std::string> answe
 }
 
 void Session::follow_question() {
-    if (!state_.pages.dialogs.question || !state_.pages.dialogs.question->chosen) return;
-    const std::size_t answer = *state_.pages.dialogs.question->chosen;
-    state_.pages.dialogs.question.reset();
+    std::optional<ui::Question>& question = state_.pages.dialogs.question;
+    if (!question || !question->chosen) return;
+    const std::size_t answer = *question->chosen;
+    question.reset();
     const Subject asked = std::exchange(asked_, Subject::Nothing);
     if (asked == Subject::Restore) answer_restore(answer);
     if (asked == Subject::LoseWork) answer_lose_work(answer);
@@ -277,11 +275,11 @@ void Session::follow_question() {
 void Session::answer_restore(std::size_t answer) {
     if (!lost_) return;
     if (answer == 0) {
-        const Document untouched = state_.edited.document;
+        const Document untouched = current();
         begin(std::move(lost_->document), {});
         saved_ = untouched;
         state_.wishes.focus.reset();
-        autosave_.keep(state_.edited.document);
+        autosave_.keep(current());
     }
     autosave_.discard(*lost_);
     lost_.reset();

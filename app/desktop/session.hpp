@@ -51,7 +51,7 @@ public:
     [[nodiscard]] std::string title() const;
 
 private:
-    /// What to do once no work would be lost by it.
+    /// Action to take once no work would be lost by it.
     enum class Intent { New, ChooseFile, OpenPath, Quit };
     struct Action {
         Intent intent;
@@ -82,7 +82,9 @@ private:
     void answer_restore(std::size_t answer);
     void answer_lose_work(std::size_t answer);
     void refresh();
-    [[nodiscard]] bool unsaved() const { return !same_work(saved_, state_.edited.document); }
+    /// The document that is open.
+    [[nodiscard]] Document& current() const { return state_.edited.document; }
+    [[nodiscard]] bool unsaved() const { return !same_work(saved_, current()); }
 
     ui::UiState& state_;
     History history_;
