@@ -10,7 +10,7 @@
 
 namespace zeroset {
 
-/// What a window takes over from the previous one.
+/// Everything a window takes over from the previous one.
 struct Preferences {
     ui::Layout layout;
     std::optional<ui::Theme> theme;          ///< nothing: the desktop's theme

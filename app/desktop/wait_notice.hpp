@@ -6,14 +6,14 @@
 
 namespace zeroset {
 
-/// What the window says while a text is prepared. It says nothing of what takes less than a tenth
-/// of a second, as the screen would flicker at each key.
+/// Says what the window is doing while a text is prepared, but nothing of what takes less than a
+/// tenth of a second, as the screen would flicker at each key.
 class WaitNotice {
 public:
     static constexpr double delay_s = 0.1;
     static constexpr double fade_s = 0.15;  ///< time over which the picture is dimmed after delay_s
 
-    /// What the window waits for at a moment.
+    /// Causes for which the window waits at a moment.
     struct Causes {
         bool picture = false;   ///< the picture on the screen is of another text
         bool figures = false;   ///< the figures of the last full picture are of another text
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] float dimmed(double now_s) const;
     /// True if the figures of the last full picture are to be left out.
     [[nodiscard]] bool hides_figures(double now_s) const;
-    /// What the window is doing, for the status line; empty: nothing to tell.
+    /// Text of what the window is doing, for the status line; empty: nothing to tell.
     [[nodiscard]] std::string text(double now_s) const;
     /// Seconds until an answer changes even if no event comes; nothing: none will.
     [[nodiscard]] std::optional<double> due_s(double now_s) const;

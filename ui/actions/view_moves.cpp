@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace zeroset::ui {
 namespace {
@@ -20,9 +21,9 @@ const Camera& destination(const UiState& state) {
 }
 
 void step(UiState& state, const PointerMotion& motion) {
-    if (!state.edited.document.camera) return;
-    state.edited.document.camera =
-        steer(destination(state), motion, turn_mode_of(state.edited.document));
+    Document& document = state.edited.document;
+    if (!document.camera) return;
+    document.camera = steer(destination(state), motion, turn_mode_of(document));
     state.input.move.reset();
 }
 
@@ -45,13 +46,14 @@ void move_view(UiState& state, const Camera& camera) {
 void follow_move(UiState& state, double elapsed_s) {
     if (!state.input.move) return;
     ViewMove& move = *state.input.move;
-    if (state.edited.document.camera != move.last) return state.input.move.reset();
+    std::optional<Camera>& camera = state.edited.document.camera;
+    if (camera != move.last) return state.input.move.reset();
     // The elapsed time of the first frame does not count: the window may have slept before it.
     move.elapsed_s += move.begun ? elapsed_s : 0.0;
     move.begun = true;
     const double part = std::min(move.elapsed_s / view_move_s, 1.0);
     move.last = between(move.from, move.to, part * part * (3.0 - 2.0 * part));
-    state.edited.document.camera = move.last;
+    camera = move.last;
     if (part >= 1.0) state.input.move.reset();
 }
 

@@ -29,7 +29,7 @@ inline bool has_clip_handles(const Layout& layout) { return layout.handles && la
 /// The name of w among the sliders; no parameter is called so.
 inline constexpr const char* w_name = "w";
 
-/// What the user edits. Panels change it; the owner follows and keeps it.
+/// Everything the user edits. Panels change it; the owner follows and keeps it.
 struct Edited {
     Document document = empty_document();
     std::map<std::string, PlayState> playing;  ///< the sliders that play, by name

@@ -71,14 +71,14 @@ struct PictureFigures {
     bool hidden = false;  ///< they are of another text than the rows'
 };
 
-/// What is known of the point under the pointer.
+/// Facts of the point under the pointer.
 struct PointedFacts {
     PointFacts facts;
     int row = 0;              ///< of the list, whose surface it is
     double pixel_size = 0.0;  ///< how far apart neighbouring pixels are there, world units
 };
 
-/// What the owner tells; panels only read it.
+/// Everything the owner tells; panels only read it.
 struct Shown {
     std::vector<GalleryEntry> gallery;
     std::map<std::size_t, unsigned int> thumbnails;  ///< OpenGL's names of the gallery's pictures

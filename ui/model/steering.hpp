@@ -10,14 +10,14 @@
 
 namespace zeroset::ui {
 
-/// What the pointer did over the picture during one frame. Lengths in heights of the picture, x to
+/// Motion of the pointer over the picture during one frame. Lengths in heights of the picture, x to
 /// the right, y upwards.
 struct PointerMotion {
     glm::dvec2 orbit{0.0};
     glm::dvec2 pan{0.0};
     double wheel = 0.0;      ///< notches; positive comes nearer
     glm::dvec2 cursor{0.0};  ///< from the picture's centre
-    /// What the picture shows under the cursor, world units; nothing: the background.
+    /// Point that the picture shows under the cursor, world units; nothing: the background.
     std::optional<glm::dvec3> surface = std::nullopt;
 };
 

@@ -18,7 +18,7 @@ struct RowFocus {
     Caret caret = Caret::End;
 };
 
-/// What is done to the document as a whole.
+/// Commands about the document as a whole.
 enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, Paste, Quit };
 
 /// A press of the button over the picture that was no drag.
@@ -35,8 +35,8 @@ struct ThumbnailWish {
     glm::ivec2 size_px{0};
 };
 
-/// What panels ask for. A panel sets a wish; whoever fulfils it clears it: the list of statements
-/// the first two, the owner all others.
+/// Everything panels ask for. A panel sets a wish; whoever fulfils it clears it: the list of
+/// statements the first two, the owner all others.
 struct Wishes {
     std::optional<RowFocus> focus;
     std::optional<int> reload;                ///< a row whose field must show a text set elsewhere

@@ -68,7 +68,7 @@ void draw_ball(ImDrawList& canvas, const GizmoBall& ball, bool lit, Theme theme)
         (dark ? axes_on_dark : axes_on_light).axes[static_cast<std::size_t>(ball.axis)];
     const std::uint32_t ink = dark ? palette(theme).ground : palette(theme).sky;
     const ImVec2 at = place_of(ball);
-    // What is farther is fainter.
+    // Farther balls are fainter.
     const double opacity = lit ? 1.0 : 0.8 + 0.2 * ball.nearness;
     if (ball.positive) {
         canvas.AddLine(middle(), at, faded(color, 0.8 * opacity), em(0.14F));

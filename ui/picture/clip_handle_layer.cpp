@@ -219,7 +219,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
     const ViewFrame view(state.shown.picture.camera);
     const Pen pen{canvas, area, view};
     canvas.PushClipRect(area.lo, area.hi, true);
-    // What is nearer covers what is farther.
+    // Nearer handles cover farther ones.
     std::ranges::sort(handles, std::ranges::greater(),
                       [&](const Handle& handle) { return view.distance_of(handle.at); });
     for (const Handle& handle : handles) {
