@@ -12,12 +12,12 @@ double on_step(const Slider& slider, double value) {
     return slider.lo + std::clamp(steps, 0.0, last) * slider.step;
 }
 
-Playing started(const Slider& slider) {
+PlayState started(const Slider& slider) {
     const double place = (slider.value - slider.lo) / (slider.hi - slider.lo);
     return {std::clamp(place, 0.0, 1.0), true};
 }
 
-void advance(Slider& slider, Playing& playing, double elapsed_s) {
+void advance(Slider& slider, PlayState& playing, double elapsed_s) {
     double way = elapsed_s * slider.speed / seconds_per_range;
     if (slider.repeat == Repeat::Loop) {
         playing.place += way;

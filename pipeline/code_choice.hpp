@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/render/render_job.hpp"
+#include "engine/render/render_request.hpp"
 #include "pipeline/formula.hpp"
 
 #include <atomic>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "document/document.hpp"
-#include "engine/render/render_job.hpp"
+#include "engine/render/render_request.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/view/camera.hpp"
 #include "pipeline/color_formulas.hpp"

@@ -18,37 +18,41 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace zeroset::ui {
 
 namespace {
 
 /// Drops the wish to give a row the keyboard if a dialog is open, the panel folded or the row gone.
-void check_focus(UiState& state, bool asks) {
-    if (!state.focus) return;
-    const auto row = std::ranges::find(state.document.statements, state.focus->row, &Statement::id);
-    const bool there = row != state.document.statements.end();
-    if (asks || state.layout.folded || !there) state.focus.reset();
+void check_focus(std::optional<RowFocus>& focus, const Edited& edited, bool asks) {
+    if (!focus) return;
+    const std::vector<Statement>& rows = edited.document.statements;
+    const bool there = std::ranges::find(rows, focus->row, &Statement::id) != rows.end();
+    if (asks || edited.layout.folded || !there) focus.reset();
 }
 
 }  // namespace
 
 void draw_screen(UiState& state, const Texture& picture) {
-    const bool asks = state.dialogs.question || state.dialogs.file;
-    check_focus(state, asks);
+    Pages& pages = state.pages;
+    const Theme theme = state.edited.theme;
+    const bool asks = pages.dialogs.question || pages.dialogs.file;
+    check_focus(state.wishes.focus, state.edited, asks);
     if (!asks) {
         follow_shortcuts(state);
-        follow_help_keys(state);
+        follow_help_keys(pages.help, state.input);
     }
     follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
     draw_axis_gizmo(state);
     draw_side_panel(state);
-    draw_status_panel(state);
-    draw_help_panel(state);
+    draw_status_panel(state.edited, state.shown);
+    draw_help_panel(pages.help, state.shown.language_help, theme);
     draw_gallery_page(state);
     draw_command_palette(state);
-    draw_dialogs(state);
+    draw_dialogs(pages.dialogs, theme);
 }
 
 std::uint32_t behind_picture(Theme theme) { return palette(theme).sky; }

@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// What to time first pictures with.
+/// Settings for timing first pictures.
 struct FirstPicturePlan {
     std::vector<BenchItem> items;
     TraceSettings settings;  ///< the stop is the window's if none was given

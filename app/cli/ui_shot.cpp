@@ -9,7 +9,7 @@
 #include "pipeline/formula.hpp"
 #include "pipeline/input_error.hpp"
 #include "ui/actions/actions.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/offscreen_window.hpp"
 #include "ui/window/window.hpp"
 
@@ -35,8 +35,7 @@ struct UiShotPlan {
 };
 
 OrInputError<ui::Theme> read_theme(const std::string& text) {
-    if (text == "dark") return ui::Theme::Dark;
-    if (text == "light") return ui::Theme::Light;
+    if (const auto theme = ui::theme_named(text)) return *theme;
     return wrong_input("--theme " + text + ": type dark or light");
 }
 

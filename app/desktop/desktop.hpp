@@ -1,19 +1,18 @@
 #pragma once
 
 #include "app/desktop/desktop_portal.hpp"
-#include "app/desktop/gallery_cards.hpp"
+#include "app/desktop/extent_search.hpp"
 #include "app/desktop/latency_log.hpp"
-#include "app/desktop/pointing.hpp"
+#include "app/desktop/picture_feed.hpp"
+#include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
 #include "app/desktop/session.hpp"
-#include "app/desktop/waiting.hpp"
+#include "app/desktop/wait_notice.hpp"
+#include "app/gallery/gallery_cards.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
-#include "engine/render/render_job.hpp"
-#include "engine/scene/scene.hpp"
+#include "engine/render/render_request.hpp"
 #include "engine/scene/settings.hpp"
-#include "engine/view/camera.hpp"
-#include "pipeline/formula.hpp"
 #include "pipeline/formula_job.hpp"
 #include "pipeline/picture_request.hpp"
 #include "ui/actions/actions.hpp"
@@ -26,7 +25,6 @@
 #include <chrono>
 #include <cstdint>
 #include <expected>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +32,7 @@
 
 namespace zeroset {
 
-/// What the window starts with.
+/// Everything the window starts with.
 struct DesktopOptions {
     Document document;
     std::string path;        ///< of the document's file; empty: it has none
@@ -75,22 +73,27 @@ public:
     [[nodiscard]] std::optional<double> due_s() const;
 
 private:
+    /// The part of the picture's look that the texture has.
+    struct TextureLook {
+        ui::Theme theme = ui::Theme::Dark;
+        bool marks_undecided = false;
+
+        bool operator==(const TextureLook&) const = default;
+    };
+
     /// Finds what the window waits for, for the panels to show.
     void follow_waiting();
     void take_formula();
     void show(const FormulaResult& result);
-    void take_double();
     void take_frame();
+    [[nodiscard]] TextureLook wanted_look() const;
     void upload_frame();
     void show_legend(const RenderResult& result);
-    /// Returns the request of the picture on the screen; nullptr if a newer one is on its way.
-    [[nodiscard]] const PictureRequest* behind_picture() const;
     void follow_edits();
     void show_gallery_item();
     void find_view();
     void find_surfaces();
     void frame(const Extent& extent);
-    void submit_rows();
     void play();
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;
@@ -99,43 +102,25 @@ private:
 
     ui::Window& window_;
     ui::Texture texture_;
+    TextureLook uploaded_;
     ui::UiState state_;
     Session session_;
     TraceSettings settings_;
 
-    std::optional<Sheet> submitted_rows_;
-    ColorChoice submitted_choice_;
-    ColorChoice answered_choice_;
-    std::shared_ptr<const ColorFormulas> colors_;  ///< made for `shown_`
-    Pointing pointing_;
-    std::optional<Sheet> answered_rows_;    ///< rows of the newest reading
-    std::shared_ptr<const Formula> shown_;  ///< the formula of the newest reading that has one
-    std::shared_ptr<const Formula>
-        deepening_;  ///< equals `shown_` while that waits for code in double
-    std::optional<PictureRequest> submitted_;
-    std::uint64_t request_ = 0;
-    std::uint64_t pictured_request_ = 0;  ///< the newest request of which a picture was shown
-    bool pictured_fully_ = false;
-    // Texts of the formulas whose picture, and whose full picture, were shown last.
-    std::string pictured_text_, figures_text_;
-    Waiting waiting_;
-    ui::Theme uploaded_theme_ = ui::Theme::Dark;
-    bool uploaded_marks_ = false;
+    PointInspector inspector_;
+    WaitNotice wait_notice_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    double played_s_ = 0.0;
-
-    /// Extent of the surfaces of `measured_`, while it is being computed.
-    std::future<Extent> extent_;
-    std::optional<PictureRequest> measured_;
-    bool fits_box_;
-    unsigned done_gesture_ =
-        0;  ///< the gesture in which state_.done was set; the next one clears it
+    double played_s_ = 0.0;  ///< when sliders were moved on last
+    ExtentSearch search_;
+    bool fits_box_;  ///< the next search's extent also fits the clip box
+    /// The gesture in which the status line was told what is done; the next one clears that.
+    unsigned done_gesture_ = 0;
     std::unique_ptr<LatencyLog> latency_;  ///< nullptr: latency is not logged
     std::optional<DesktopPortal> portal_;  ///< only for a window on a desktop
 
+    // Their threads wake the window, so that they end first.
     GalleryCards cards_;
-    FormulaJob formulas_;
-    RenderJob pictures_;
+    PictureFeed feed_;
 };
 
 /// Opens the window and runs until it is closed. Returns one sentence as error if there is no

@@ -29,15 +29,15 @@ void take_saved(ui::FileChoice& choice, const std::string& chosen) {
 
 }  // namespace
 
-void DesktopPortal::follow(ui::UiState& state) {
+void DesktopPortal::follow(ui::Edited& edited, ui::Dialogs& dialogs) {
     if (const auto wish = portal_.take_wish()) {
         wish_ = *wish;
         is_wish_known_ = true;
     }
-    if (state.follows_desktop && is_wish_known_) {
-        state.theme = wish_ == ColorWish::Light ? ui::Theme::Light : ui::Theme::Dark;
+    if (edited.follows_desktop && is_wish_known_) {
+        edited.theme = wish_ == ColorWish::Light ? ui::Theme::Light : ui::Theme::Dark;
     }
-    follow_files(state.dialogs);
+    follow_files(dialogs);
 }
 
 void DesktopPortal::follow_files(ui::Dialogs& dialogs) {

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/platform/portal.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/dialog_state.hpp"
+#include "ui/model/edited.hpp"
 
 #include <functional>
 #include <string>
@@ -19,7 +20,7 @@ public:
         : parent_(std::move(parent)), portal_(std::move(wake)) {}
 
     /// To be called before the panels are drawn.
-    void follow(ui::UiState& state);
+    void follow(ui::Edited& edited, ui::Dialogs& dialogs);
 
 private:
     void follow_files(ui::Dialogs& dialogs);

@@ -9,8 +9,6 @@
 
 #include <glm/ext/vector_int2.hpp>
 
-#include <chrono>
-#include <future>
 #include <optional>
 #include <utility>
 
@@ -21,7 +19,7 @@ namespace zeroset {
 
 /// Looks at the whole box if the document has no camera, and on request.
 void Desktop::find_view() {
-    const glm::ivec2 size = state_.viewport_px;
+    const glm::ivec2 size = state_.input.viewport_px;
     if (size.x <= 0 || size.y <= 0) return;
     const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
     const auto look = [aspect](Document& document) {
@@ -29,58 +27,46 @@ void Desktop::find_view() {
         if (document.camera) first.projection = document.camera->projection;
         document.camera = document.home.value_or(first);
     };
-    const bool reset = std::exchange(state_.reset_view, false);
-    if (reset && state_.document.camera) {
-        Document wished = state_.document;
+    const bool reset = std::exchange(state_.wishes.reset_view, false);
+    if (reset && state_.edited.document.camera) {
+        Document wished = state_.edited.document;
         look(wished);
         ui::move_view(state_, *wished.camera);
     }
-    if (!state_.document.camera) session_.amend(look);
+    if (!state_.edited.document.camera) session_.amend(look);
 }
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
-    if (state_.gesture != done_gesture_) state_.done.clear();
-    if (extent_.valid()) {
-        if (extent_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-        const Extent extent = extent_.get();
-        const std::optional<PictureRequest> now = wanted_picture();
-        if (now && now->formula == measured_->formula && now->clip == measured_->clip)
-            frame(extent);
+    if (state_.input.gesture != done_gesture_) state_.shown.status.done.clear();
+    if (search_.runs()) {
+        if (!search_.done()) return;
+        if (const auto extent = search_.take(wanted_picture())) frame(*extent);
     }
     const std::optional<PictureRequest> wanted = wanted_picture();
-    if (!state_.frame_surfaces || !wanted || submitted_rows_ != answered_rows_) return;
-    state_.frame_surfaces = false;
-    measured_ = wanted;
-    extent_ =
-        std::async(std::launch::async, [scene = scene_of(*wanted)] { return find_extent(scene); });
+    if (!state_.wishes.frame_surfaces || !wanted || feed_.reads()) return;
+    state_.wishes.frame_surfaces = false;
+    search_.start(*wanted);
 }
 
 void Desktop::frame(const Extent& extent) {
-    const double aspect = static_cast<double>(state_.viewport_px.x) / state_.viewport_px.y;
+    const double aspect =
+        static_cast<double>(state_.input.viewport_px.x) / state_.input.viewport_px.y;
     const Framing framing =
-        frame_surfaces(state_.document, extent, aspect, std::exchange(fits_box_, true));
-    state_.document.clip = framing.document.clip;
+        frame_surfaces(state_.edited.document, extent, aspect, std::exchange(fits_box_, true));
+    state_.edited.document.clip = framing.document.clip;
     ui::move_view(state_, *framing.document.camera);
-    state_.done = framing.note;
-    done_gesture_ = state_.gesture;
+    state_.shown.status.done = framing.note;
+    done_gesture_ = state_.input.gesture;
     window_.wake();
 }
 
 void Desktop::follow_waiting() {
-    Waiting::For what;
-    what.reading = answered_rows_ != submitted_rows_;
-    what.picture = what.reading || (shown_ != nullptr && shown_->text != pictured_text_);
-    what.figures = what.reading || (shown_ != nullptr && shown_->text != figures_text_);
-    const bool compiles = shown_ != nullptr && shown_->code == CodeState::InterpretedFirst;
-    const bool deepens = shown_ != nullptr && deepening_ == shown_;
-    what.code = !what.reading && (compiles || deepens);
-    if (what.code) what.nodes = shown_->nodes();
     const double now = now_s();
-    waiting_.follow(what, now);
-    state_.dimmed = waiting_.dimmed(now);
-    state_.hides_figures = waiting_.hides_figures(now);
-    state_.doing = waiting_.text(now);
+    wait_notice_.follow(feed_.waits_for(), now);
+    state_.shown.picture.dimmed = wait_notice_.dimmed(now);
+    state_.shown.figures.hidden = wait_notice_.hides_figures(now);
+    state_.shown.status.doing = wait_notice_.text(now);
 }
 
 }  // namespace zeroset

@@ -28,23 +28,23 @@ const char* name_of(ui::InputEvent::Kind kind) {
 LatencyLog::LatencyLog(const std::string& path) : file_(path) {}
 
 void LatencyLog::input(const ui::InputEvent& event) {
-    if (!waiting_) waiting_ = Waiting{event, 0.0, {}, {}};
+    if (!pending_) pending_ = PendingEvent{event, 0.0, {}, {}};
 }
 
 void LatencyLog::add_gl(Clock::time_point from, Clock::time_point to) {
     gl_until_ = to;
-    if (waiting_ && !waiting_->request) waiting_->gl_ms += ms(to - from);
+    if (pending_ && !pending_->request) pending_->gl_ms += ms(to - from);
     if (taken_) taken_->gl_ms += ms(to - from);
 }
 
 void LatencyLog::submitted(std::uint64_t request) {
-    if (!waiting_ || waiting_->request) return;
-    waiting_->request = request;
-    waiting_->submitted = Clock::now();
+    if (!pending_ || pending_->request) return;
+    pending_->request = request;
+    pending_->submitted = Clock::now();
 }
 
 void LatencyLog::nothing_submitted() {
-    if (waiting_ && !waiting_->request) waiting_.reset();
+    if (pending_ && !pending_->request) pending_.reset();
 }
 
 void LatencyLog::picture_ready() {
@@ -55,32 +55,32 @@ void LatencyLog::picture_ready() {
 void LatencyLog::taken(std::uint64_t request, int width, int height, bool complete) {
     const Clock::time_point now = Clock::now();
     const std::scoped_lock lock(mutex_);
-    taken_ = Taken{
+    taken_ = TakenPicture{
         request, width, height, complete, std::exchange(ready_, std::nullopt).value_or(now), now};
 }
 
 void LatencyLog::about_to_swap() {
     if (!taken_) return;
     const Clock::time_point now = Clock::now();
-    const Taken taken = *std::exchange(taken_, std::nullopt);
+    const TakenPicture taken = *std::exchange(taken_, std::nullopt);
     nlohmann::ordered_json line{{"t_s", ms(now - start_) / 1000.0},
                                 {"width", taken.width},
                                 {"height", taken.height},
                                 {"complete", taken.complete}};
-    if (waiting_ && waiting_->request && taken.request >= *waiting_->request) {
-        const Waiting& waiting = *waiting_;
-        const double to_submit = ms(waiting.submitted - waiting.event.at) - waiting.gl_ms;
-        const double to_picture = ms(taken.ready - waiting.submitted);
+    if (pending_ && pending_->request && taken.request >= *pending_->request) {
+        const PendingEvent& pending = *pending_;
+        const double to_submit = ms(pending.submitted - pending.event.at) - pending.gl_ms;
+        const double to_picture = ms(taken.ready - pending.submitted);
         // The picture may have become ready while the thread was in OpenGL.
         const auto free = std::clamp(gl_until_, taken.ready, taken.at);
         const double to_swap = ms(taken.at - free) + ms(now - taken.at) - taken.gl_ms;
-        line["event"] = name_of(waiting.event.kind);
+        line["event"] = name_of(pending.event.kind);
         line["to_submit_ms"] = to_submit;
         line["to_picture_ms"] = to_picture;
         line["to_swap_ms"] = to_swap;
         line["latency_ms"] = to_submit + to_picture + to_swap;
-        line["total_ms"] = ms(now - waiting.event.at);
-        waiting_.reset();
+        line["total_ms"] = ms(now - pending.event.at);
+        pending_.reset();
     }
     file_ << line.dump() << std::endl;
 }

@@ -54,13 +54,13 @@ public:
     void about_to_swap();
 
 private:
-    struct Waiting {
+    struct PendingEvent {
         ui::InputEvent event;
         double gl_ms = 0.0;  ///< time in OpenGL between event and request
         std::optional<std::uint64_t> request;
         Clock::time_point submitted;
     };
-    struct Taken {
+    struct TakenPicture {
         std::uint64_t request;
         int width, height;
         bool complete;
@@ -72,8 +72,8 @@ private:
     std::ofstream file_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point gl_until_ = start_;
-    std::optional<Waiting> waiting_;
-    std::optional<Taken> taken_;
+    std::optional<PendingEvent> pending_;
+    std::optional<TakenPicture> taken_;
     std::mutex mutex_;
     std::optional<Clock::time_point> ready_;  ///< when the first picture not yet taken became ready
 };

@@ -32,13 +32,9 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 8> switches{
      {"edges_open", &ui::Layout::edges_open},
      {"handles", &ui::Layout::handles}}};
 
-const char* name_of(ui::Theme theme) { return theme == ui::Theme::Dark ? "dark" : "light"; }
-
 std::optional<ui::Theme> theme_in(const json& file, const char* name) {
     const json value = file.value(name, json());
-    if (value == "dark") return ui::Theme::Dark;
-    if (value == "light") return ui::Theme::Light;
-    return std::nullopt;
+    return value.is_string() ? ui::theme_named(value.get<std::string>()) : std::nullopt;
 }
 
 bool flag_in(const json& file, const char* name, bool usual) {

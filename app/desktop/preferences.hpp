@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/window.hpp"
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 
 namespace zeroset {
 
-/// What a window takes over from the previous one.
+/// Everything a window takes over from the previous one.
 struct Preferences {
     ui::Layout layout;
     std::optional<ui::Theme> theme;          ///< nothing: the desktop's theme

@@ -48,16 +48,16 @@ std::optional<fs::path> folder_for(const SessionOptions& options) {
 
 Session::Session(ui::UiState& state, const SessionOptions& options)
     : state_(state),
-      history_(state.document),
-      saved_(state.document),
+      history_(state.edited.document),
+      saved_(state.edited.document),
       path_(options.path),
       recent_(folder_for(options)),
       autosave_(folder_for(options)),
       lost_(autosave_.lost()),
-      kept_(state.document) {
+      kept_(state.edited.document) {
     if (!path_.empty()) recent_.add(path_);
     if (lost_) {
-        ask(Asked::Restore,
+        ask(Subject::Restore,
             "Zeroset ended without being closed. Restore what was open?\n\n" +
                 first_text(lost_->document),
             {"Restore", "Discard"});
@@ -70,63 +70,64 @@ Session::Session(ui::UiState& state, const SessionOptions& options)
 void Session::follow(double now_s) {
     follow_question();
     follow_file_choice();
-    if (state_.command || state_.open_path) follow_command();
-    history_.follow(state_.document, now_s, state_.gesture, state_.held);
+    if (state_.wishes.command || state_.wishes.open_path) follow_command();
+    history_.follow(current(), now_s, state_.input.gesture, state_.input.held);
     keep(now_s);
     refresh();
 }
 
 void Session::amend(const std::function<void(Document&)>& change) {
     const bool clean = !unsaved();
-    change(state_.document);
+    change(current());
     history_.amend(change);
-    if (clean) saved_ = state_.document;
+    if (clean) saved_ = current();
 }
 
 void Session::played() {
-    if (state_.playing.empty()) return;
+    if (state_.edited.playing.empty()) return;
     history_.amend([this](Document& document) {
-        document.w = state_.document.w;
-        document.parameters = state_.document.parameters;
+        document.w = current().w;
+        document.parameters = current().parameters;
     });
 }
 
 void Session::show(Document document) {
     const bool clean = !unsaved();
-    state_.document = renumbered(std::move(document), unused_id(state_.document));
-    state_.playing.clear();
+    current() = renumbered(std::move(document), unused_id(current()));
+    state_.edited.playing.clear();
     history_.end_step();
     path_.clear();
-    if (clean) saved_ = state_.document;
+    if (clean) saved_ = current();
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Asked::Nothing) attempt({Intent::OpenPath, paths.front()});
+    if (!paths.empty() && asked_ == Subject::Nothing) attempt({Intent::OpenPath, paths.front()});
 }
 
 void Session::abandon() {
-    if (unsaved()) autosave_.keep(state_.document);
+    if (unsaved()) autosave_.keep(current());
     autosave_.abandon();
 }
 
 std::optional<double> Session::due_s(double now_s) const {
-    if (!unsaved() || kept_ == state_.document) return std::nullopt;
+    if (!unsaved() || kept_ == current()) return std::nullopt;
     return std::max(kept_s_ + autosave_s - now_s, 0.0);
 }
 
-std::string Session::title() const { return (unsaved() ? "* " : "") + state_.name; }
+std::string Session::title() const { return (unsaved() ? "* " : "") + state_.shown.document.name; }
 
 void Session::refresh() {
-    state_.name = path_.empty() ? first_text(state_.document) : bare_name(path_);
-    state_.unsaved = unsaved();
-    state_.can_undo = history_.can_undo();
-    state_.can_redo = history_.can_redo();
-    state_.recent = recent_.paths();
+    ui::DocumentStatus& status = state_.shown.document;
+    status.name = path_.empty() ? first_text(current()) : bare_name(path_);
+    status.unsaved = unsaved();
+    status.can_undo = history_.can_undo();
+    status.can_redo = history_.can_redo();
+    status.recent = recent_.paths();
 }
 
 void Session::keep(double now_s) {
-    if (kept_ == state_.document || now_s < kept_s_ + autosave_s) return;
-    kept_ = state_.document;
+    if (kept_ == current() || now_s < kept_s_ + autosave_s) return;
+    kept_ = current();
     kept_s_ = now_s;
     if (unsaved()) {
         autosave_.keep(kept_);
@@ -136,10 +137,10 @@ void Session::keep(double now_s) {
 }
 
 void Session::follow_command() {
-    if (const auto path = std::exchange(state_.open_path, std::nullopt)) {
+    if (const auto path = std::exchange(state_.wishes.open_path, std::nullopt)) {
         attempt({Intent::OpenPath, *path});
     }
-    const auto command = std::exchange(state_.command, std::nullopt);
+    const auto command = std::exchange(state_.wishes.command, std::nullopt);
     if (!command) return;
     switch (*command) {
         case ui::Command::New: return attempt({Intent::New, {}});
@@ -155,23 +156,22 @@ void Session::follow_command() {
 }
 
 void Session::undo(bool back) {
-    state_.document = back ? history_.undo() : history_.redo();
-    if (state_.typing_row != 0) state_.reload = state_.typing_row;
+    current() = back ? history_.undo() : history_.redo();
+    if (state_.input.typing_row != 0) state_.wishes.reload = state_.input.typing_row;
 }
 
 void Session::copy() {
-    const Marker* const marker = find_marker(state_.document.markers, state_.selected_marker);
-    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(state_.document));
+    const Marker* const marker = find_marker(current().markers, state_.edited.selected_marker);
+    ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(current()));
 }
 
 void Session::paste() {
     const std::string text = ui::clipboard();
     if (!looks_like_document(text)) {
-        const bool empty = state_.document.statements.back().text.empty();
-        ui::insert_rows(state_, state_.document.statements.size() - 1, text);
-        const auto last =
-            std::ranges::find(state_.document.statements, std::string(), &Statement::text);
-        if (empty && state_.document.statements.size() > 1) state_.document.statements.erase(last);
+        const bool empty = current().statements.back().text.empty();
+        ui::insert_rows(state_, current().statements.size() - 1, text);
+        const auto last = std::ranges::find(current().statements, std::string(), &Statement::text);
+        if (empty && current().statements.size() > 1) current().statements.erase(last);
         return;
     }
     auto read = document_from(text);
@@ -182,7 +182,7 @@ void Session::paste() {
 void Session::attempt(Action action) {
     if (!unsaved()) return perform(action);
     waiting_ = std::move(action);
-    ask(Asked::LoseWork, "Save the changes to " + state_.name + "?",
+    ask(Subject::LoseWork, "Save the changes to " + state_.shown.document.name + "?",
         {"Save", "Don't save", "Cancel"});
 }
 
@@ -190,8 +190,8 @@ void Session::perform(const Action& action) {
     switch (action.intent) {
         case Intent::New: return begin(empty_document(), {});
         case Intent::ChooseFile:
-            state_.dialogs.file = ui::FileChoice{};
-            state_.dialogs.file->folder = first_folder(path_);
+            state_.pages.dialogs.file = ui::FileChoice{};
+            state_.pages.dialogs.file->folder = first_folder(path_);
             return;
         case Intent::OpenPath: return load(action.path);
         case Intent::Quit: closed_ = true;
@@ -199,20 +199,20 @@ void Session::perform(const Action& action) {
 }
 
 void Session::begin(Document document, const std::string& path) {
-    state_.document = renumbered(std::move(document), unused_id(state_.document));
-    state_.playing.clear();
-    history_ = History(state_.document);
-    saved_ = kept_ = state_.document;
+    current() = renumbered(std::move(document), unused_id(current()));
+    state_.edited.playing.clear();
+    history_ = History(current());
+    saved_ = kept_ = current();
     path_ = path;
     autosave_.forget();
     if (path.empty()) {
-        state_.focus = ui::RowFocus{state_.document.statements.front().id, {}};
+        state_.wishes.focus = ui::RowFocus{current().statements.front().id, {}};
     }
 }
 
 void Session::load(const std::string& path) {
     auto loaded = load_document(path);
-    if (!loaded) return say("I c" + loaded.error().substr(1) + ".");
+    if (!loaded) return say_failure(loaded.error());
     begin(std::move(loaded->document), path);
     recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
@@ -228,25 +228,26 @@ void Session::save_as() {
     choice.purpose = Purpose::Save;
     choice.folder = first_folder(path_);
     choice.name = path_.empty() ? "untitled" : bare_name(path_);
-    state_.dialogs.file = std::move(choice);
+    state_.pages.dialogs.file = std::move(choice);
 }
 
 void Session::write(const std::string& path) {
-    const auto written = save_document(path, state_.document);
+    const auto written = save_document(path, current());
     if (!written) {
         waiting_.reset();
-        return say("I " + written.error().message + ".");
+        return say_failure(written.error().message);
     }
     path_ = path;
-    saved_ = kept_ = state_.document;
+    saved_ = kept_ = current();
     autosave_.forget();
     recent_.add(path);
     if (const auto action = std::exchange(waiting_, std::nullopt)) perform(*action);
 }
 
 void Session::follow_file_choice() {
-    if (!state_.dialogs.file || !state_.dialogs.file->finished) return;
-    const ui::FileChoice choice = *std::exchange(state_.dialogs.file, std::nullopt);
+    std::optional<ui::FileChoice>& file = state_.pages.dialogs.file;
+    if (!file || !file->finished) return;
+    const ui::FileChoice choice = *std::exchange(file, std::nullopt);
     if (choice.path.empty()) {
         waiting_.reset();
     } else if (choice.purpose == Purpose::Open) {
@@ -256,28 +257,29 @@ void Session::follow_file_choice() {
     }
 }
 
-void Session::ask(Asked what, std::string text, std::vector<std::string> answers) {
+void Session::ask(Subject what, std::string text, std::vector<std::string> answers) {
     asked_ = what;
-    state_.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
+    state_.pages.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
 }
 
 void Session::follow_question() {
-    if (!state_.dialogs.question || !state_.dialogs.question->chosen) return;
-    const std::size_t answer = *state_.dialogs.question->chosen;
-    state_.dialogs.question.reset();
-    const Asked asked = std::exchange(asked_, Asked::Nothing);
-    if (asked == Asked::Restore) answer_restore(answer);
-    if (asked == Asked::LoseWork) answer_lose_work(answer);
+    std::optional<ui::Question>& question = state_.pages.dialogs.question;
+    if (!question || !question->chosen) return;
+    const std::size_t answer = *question->chosen;
+    question.reset();
+    const Subject asked = std::exchange(asked_, Subject::Nothing);
+    if (asked == Subject::Restore) answer_restore(answer);
+    if (asked == Subject::LoseWork) answer_lose_work(answer);
 }
 
 void Session::answer_restore(std::size_t answer) {
     if (!lost_) return;
     if (answer == 0) {
-        const Document untouched = state_.document;
+        const Document untouched = current();
         begin(std::move(lost_->document), {});
         saved_ = untouched;
-        state_.focus.reset();
-        autosave_.keep(state_.document);
+        state_.wishes.focus.reset();
+        autosave_.keep(current());
     }
     autosave_.discard(*lost_);
     lost_.reset();

@@ -51,14 +51,14 @@ public:
     [[nodiscard]] std::string title() const;
 
 private:
-    /// What to do once no work would be lost by it.
+    /// Action to take once no work would be lost by it.
     enum class Intent { New, ChooseFile, OpenPath, Quit };
     struct Action {
         Intent intent;
         std::string path;
     };
     /// The subject of the question on the screen.
-    enum class Asked { Nothing, LoseWork, Restore, Message };
+    enum class Subject { Nothing, LoseWork, Restore, Message };
 
     void follow_command();
     void follow_question();
@@ -75,12 +75,16 @@ private:
     /// Copies the selected marker's coordinates, or else the document.
     void copy();
     void paste();
-    void ask(Asked what, std::string text, std::vector<std::string> answers);
-    void say(const std::string& text) { ask(Asked::Message, text, {"OK"}); }
+    void ask(Subject what, std::string text, std::vector<std::string> answers);
+    void say(const std::string& text) { ask(Subject::Message, text, {"OK"}); }
+    /// Says what the window failed to do: "cannot open 'a.json': it is too large", for example.
+    void say_failure(const std::string& predicate) { say("I " + predicate + "."); }
     void answer_restore(std::size_t answer);
     void answer_lose_work(std::size_t answer);
     void refresh();
-    [[nodiscard]] bool unsaved() const { return !same_work(saved_, state_.document); }
+    /// The document that is open.
+    [[nodiscard]] Document& current() const { return state_.edited.document; }
+    [[nodiscard]] bool unsaved() const { return !same_work(saved_, current()); }
 
     ui::UiState& state_;
     History history_;
@@ -90,7 +94,7 @@ private:
     Autosave autosave_;
     std::optional<LostSession> lost_;
     std::optional<Action> waiting_;  ///< the action that waits for the answer about the work
-    Asked asked_ = Asked::Nothing;
+    Subject asked_ = Subject::Nothing;
     Document kept_;  ///< the document as autosave kept it, or as `saved_` where nothing is kept
     double kept_s_ = 0.0;
     bool closed_ = false;

@@ -19,7 +19,8 @@ struct LoadedDocument {
     std::string note;
 };
 
-/// The document in a file, or one sentence that says why there is none; the file is only read.
+/// The document in a file, or why there is none, as a predicate: "cannot open 'a.json': ...". The
+/// file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
 
 /// Writes the file as a whole or not at all.

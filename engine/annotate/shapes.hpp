@@ -92,7 +92,7 @@ std::array<glm::dvec2, 8> outline_offsets(double em);
 /// Width of one line of UTF-8 at a size of the font, both in pixels, as a painter will draw it.
 using TextWidth = std::function<double(std::string_view words, double em)>;
 
-/// A colour at this part of its opacity, 0 to 1.
+/// The colour with its opacity multiplied by `opacity`, 0 to 1.
 std::uint32_t faded(std::uint32_t color, double opacity);
 
 }  // namespace zeroset

@@ -10,7 +10,7 @@
 namespace zeroset {
 
 struct FileError {
-    std::string message;  ///< names the file and the reason
+    std::string message;  ///< a predicate with the file and the reason: "cannot write 'a.png': ..."
 };
 
 /// Writes all bytes to a new file beside `path`, then renames it: `path` is complete or untouched.

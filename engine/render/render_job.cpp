@@ -1,7 +1,6 @@
 #include "engine/render/render_job.hpp"
 
-#include "engine/render/render.hpp"
-#include "engine/trace/tile_grid.hpp"
+#include "engine/render/growing_picture.hpp"
 #include "engine/trace/tracer.hpp"
 
 #include <algorithm>
@@ -13,133 +12,10 @@
 namespace zeroset {
 namespace {
 
-using Milliseconds = std::chrono::duration<double, std::milli>;
-
 /// The share of a first picture that may be left out.
 constexpr double most_left_out = 0.25;
 
-std::size_t pixels_of(const RenderRequest& request) {
-    return static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height);
-}
-
-/// Copies the pixels of `rect` that are at the same places of a picture of another size.
-void stretch(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
-    for (int row = rect.row; row < rect.row + rect.rows; ++row) {
-        const int from_row = row * from.height / to.height;
-        for (int col = rect.col; col < rect.col + rect.cols; ++col) {
-            const std::size_t source = from.index(col * from.width / to.width, from_row);
-            const std::size_t target = to.index(col, row);
-            to.color[target] = from.color[source];
-            to.depth[target] = from.depth[source];
-            to.certificate[target] = from.certificate[source];
-            to.surface[target] = from.surface[source];
-        }
-    }
-}
-
-void copy(const Framebuffer& from, const PixelRect& rect, Framebuffer& to) {
-    const auto count = static_cast<std::size_t>(rect.cols);
-    for (int row = rect.row; row < rect.row + rect.rows; ++row) {
-        const std::size_t first = from.index(rect.col, row);
-        std::copy_n(&from.color[first], count, &to.color[first]);
-        std::copy_n(&from.depth[first], count, &to.depth[first]);
-        std::copy_n(&from.certificate[first], count, &to.certificate[first]);
-        std::copy_n(&from.surface[first], count, &to.surface[first]);
-    }
-}
-
 }  // namespace
-
-/// A full picture while it is drawn over a coarser one.
-class RenderJob::Growing {
-public:
-    Growing(RenderJob& job, const Work& work, TraceSettings settings,
-            std::shared_ptr<const Framebuffer> first, Clock::time_point until = TimeLimit::never)
-        : job_(job),
-          work_(work),
-          settings_(std::move(settings)),
-          first_(std::move(first)),
-          until_(until),
-          frame_(job.pool_.take(work.request.width, work.request.height)),
-          grid_(work.request.width, work.request.height),
-          done_(grid_.size()) {}
-
-    /// Whether it was not cancelled.
-    bool draw();
-    /// Whether it came to its end before its time ran out.
-    [[nodiscard]] bool complete() const { return complete_; }
-    /// The share of its pixels that were left out when its time ran out.
-    [[nodiscard]] double cut_share() const { return cut_share_; }
-    [[nodiscard]] const std::shared_ptr<Framebuffer>& frame() const { return frame_; }
-    [[nodiscard]] double elapsed_ms() const { return Milliseconds(Clock::now() - start_).count(); }
-    /// Tells what the picture costs; from a good part of it, where it did not come to its end.
-    void tell(ResolutionGovernor& governor, const RenderRequest& request) const;
-
-private:
-    void finish_tile(const PixelRect& rect);
-    /// The tiles that are done, and the coarser picture elsewhere.
-    [[nodiscard]] std::shared_ptr<const Framebuffer> snapshot() const;
-
-    RenderJob& job_;
-    const Work& work_;
-    TraceSettings settings_;
-    std::shared_ptr<const Framebuffer> first_;
-    Clock::time_point until_;
-    bool complete_ = false;
-    double cut_share_ = 0.0;
-    std::shared_ptr<Framebuffer> frame_;
-    TileGrid grid_;
-    std::vector<std::atomic<bool>> done_;  ///< a tile's pixels are written before
-    std::mutex showing_;
-    Clock::time_point start_ = Clock::now();
-    Clock::time_point shown_ = start_;  ///< guarded by showing_
-};
-
-void RenderJob::Growing::tell(ResolutionGovernor& governor, const RenderRequest& request) const {
-    const auto tiles = static_cast<double>(
-        std::ranges::count_if(done_, [](const std::atomic<bool>& tile) { return tile.load(); }));
-    const double part = tiles / static_cast<double>(done_.size());
-    if (part >= 0.25) governor.measured(pixels_of(request), elapsed_ms() / part);
-}
-
-bool RenderJob::Growing::draw() {
-    const RenderRequest& request = work_.request;
-    const Counters counters =
-        render_frame(request.scene, request.camera, settings_, *frame_,
-                     {.limit = {&job_.cancel_, until_},
-                      .first_turn = job_.pace_.first_turn,
-                      .on_tile = [this](const PixelRect& rect) { finish_tile(rect); }});
-    complete_ = !counters.is_cut();
-    cut_share_ = static_cast<double>(counters.cut_pixels) / static_cast<double>(pixels_of(request));
-    return !job_.cancel_;
-}
-
-void RenderJob::Growing::finish_tile(const PixelRect& rect) {
-    done_[grid_.index_of(rect.col, rect.row)] = true;
-    if (first_ == nullptr) return;
-    const std::unique_lock lock(showing_, std::try_to_lock);
-    if (!lock || Clock::now() - shown_ < job_.pace_.growth_shown_after) return;
-    RenderResult result;
-    result.frame = snapshot();
-    result.frame_ms = elapsed_ms();
-    job_.publish(work_, std::move(result));
-    shown_ = Clock::now();
-}
-
-std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
-    auto picture = job_.pool_.take(frame_->width, frame_->height);
-    picture->blank_rows.clear();
-    for (std::size_t i = 0; i < grid_.size(); ++i) {
-        const Tile tile = grid_.tile(i);
-        const PixelRect rect{tile.col, tile.row, tile.cols, tile.rows};
-        if (done_[i]) {
-            copy(*frame_, rect, *picture);
-        } else {
-            stretch(*first_, rect, *picture);
-        }
-    }
-    return picture;
-}
 
 RenderJob::RenderJob(std::function<void()> on_frame, const RenderPace& pace)
     : on_frame_(std::move(on_frame)),
@@ -163,47 +39,53 @@ std::uint64_t RenderJob::submit(RenderRequest request) {
         const std::scoped_lock lock(mutex_);
         const auto now = Clock::now();
         if (!request.again) {
-            pending_in_motion_ = newest_ > 0 && now - submitted_ < pace_.rest_after;
-            submitted_ = now;
+            submissions_.in_motion =
+                submissions_.newest > 0 && now - submissions_.at < pace_.rest_after;
+            submissions_.at = now;
         }
         if (!starving(request, now)) cancel_ = true;
-        pending_ = std::move(request);
-        number = ++newest_;
+        submissions_.pending = std::move(request);
+        number = ++submissions_.newest;
     }
     wake_.notify_one();
     return number;
 }
 
 bool RenderJob::starving(const RenderRequest& next, Clock::time_point now) const {
-    return drawing_ && first_ && have_same_code(next.scene.surfaces, surfaces_) &&
-           now - published_ > pace_.starving_after;
+    return drawing_.phase == Phase::Blank &&
+           have_same_code(next.scene.surfaces, drawing_.surfaces) &&
+           now - drawing_.published > pace_.starving_after;
 }
 
 std::optional<RenderResult> RenderJob::take() {
     const std::scoped_lock lock(mutex_);
-    return std::exchange(finished_, std::nullopt);
+    return std::exchange(drawing_.finished, std::nullopt);
 }
 
 bool RenderJob::busy() const {
     const std::scoped_lock lock(mutex_);
-    return drawing_ || pending_.has_value();
+    return drawing_.phase != Phase::Idle || submissions_.pending.has_value();
 }
 
 std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     std::unique_lock lock(mutex_);
-    drawing_ = false;
-    wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
+    drawing_.phase = Phase::Idle;
+    wake_.wait(lock, [this] { return stop_ || submissions_.pending.has_value(); });
     if (stop_) return std::nullopt;
-    Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_};
+    return begin(std::move(*std::exchange(submissions_.pending, std::nullopt)));
+}
+
+RenderJob::Work RenderJob::begin(RenderRequest request) {
+    Work work{std::move(request), submissions_.newest, submissions_.in_motion};
+    const std::vector<Kernel>& surfaces = work.request.scene.surfaces;
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
-    if (!have_same_code(surfaces_, work.request.scene.surfaces)) {
+    if (!have_same_code(drawing_.surfaces, surfaces)) {
         work.is_new = !work.request.again;
-        governor_.forget(std::ranges::any_of(work.request.scene.surfaces, &Kernel::interpreted));
+        governor_.forget(std::ranges::any_of(surfaces, &Kernel::interpreted));
     }
-    surfaces_ = work.request.scene.surfaces;
-    drawing_ = true;
-    first_ = true;
+    drawing_.surfaces = surfaces;
+    drawing_.phase = Phase::Blank;
     cancel_ = false;
     return work;
 }
@@ -229,7 +111,7 @@ void RenderJob::find_colors(Work& work, bool anew) {
 }
 
 std::shared_ptr<const Framebuffer> RenderJob::draw_firsts(Work& work) {
-    const std::size_t pixels = pixels_of(work.request);
+    const std::size_t pixels = work.request.pixels();
     std::shared_ptr<const Framebuffer> last;
     double scale = governor_.choose(pixels);
     auto within = pace_.first_within;
@@ -252,7 +134,7 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_firsts(Work& work) {
 
 void RenderJob::draw(Work work) {
     find_colors(work, false);
-    const std::size_t pixels = pixels_of(work.request);
+    const std::size_t pixels = work.request.pixels();
     const auto is_quick = [&] {
         const double expected = governor_.expected_ms(pixels);
         return expected > 0 && expected < pace_.at_once_ms;
@@ -277,10 +159,12 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     };
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
-    Growing growing(*this, smaller, stages_of(work.request.settings).front(), nullptr,
-                    Clock::now() + within);
+    GrowingPicture growing(smaller.request, pool_,
+                           {.settings = stages_of(work.request.settings).front(),
+                            .limit = {.cancel = &cancel_, .until = Clock::now() + within},
+                            .first_turn = pace_.first_turn});
     const bool drawn = growing.draw();
-    growing.tell(governor_, smaller.request);
+    growing.tell(governor_);
     if (!drawn) return {nullptr, false};
     // A picture with most of it left out would only hide the one that is there.
     if (work.is_new && growing.cut_share() > most_left_out) return {growing.frame(), false};
@@ -306,12 +190,24 @@ std::vector<TraceSettings> RenderJob::stages_of(const TraceSettings& settings) {
 }
 
 void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture) {
+    const auto show = [this, &work](std::shared_ptr<const Framebuffer> frame, double elapsed_ms) {
+        RenderResult result;
+        result.frame = std::move(frame);
+        result.frame_ms = elapsed_ms;
+        publish(work, std::move(result));
+    };
     const std::vector<TraceSettings> stages = stages_of(work.request.settings);
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i > 0 && !rests(work)) return;
-        Growing growing(*this, work, stages[i], picture);
+        GrowingPicture growing(work.request, pool_,
+                               {.settings = stages[i],
+                                .limit = {.cancel = &cancel_},
+                                .first_turn = pace_.first_turn,
+                                .coarser = picture,
+                                .shown_after = pace_.growth_shown_after,
+                                .show = show});
         const bool drawn = growing.draw();
-        if (i == 0) growing.tell(governor_, work.request);
+        if (i == 0) growing.tell(governor_);
         if (!drawn) return;
         RenderResult result;
         result.frame = growing.frame();
@@ -325,8 +221,9 @@ void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> p
 
 bool RenderJob::rests(const Work& work) {
     std::unique_lock lock(mutex_);
-    const auto until = work.in_motion ? submitted_ + pace_.rest_after : submitted_;
-    return !wake_.wait_until(lock, until, [this] { return stop_ || pending_.has_value(); });
+    const auto until = work.in_motion ? submissions_.at + pace_.rest_after : submissions_.at;
+    return !wake_.wait_until(lock, until,
+                             [this] { return stop_ || submissions_.pending.has_value(); });
 }
 
 void RenderJob::publish(const Work& work, RenderResult result) {
@@ -337,10 +234,9 @@ void RenderJob::publish(const Work& work, RenderResult result) {
     {
         const std::scoped_lock lock(mutex_);
         if (cancel_) return;
-        if (result.complete) drawing_ = false;
-        first_ = false;
-        published_ = Clock::now();
-        finished_ = std::move(result);
+        drawing_.phase = result.complete ? Phase::Idle : Phase::Refining;
+        drawing_.published = Clock::now();
+        drawing_.finished = std::move(result);
     }
     on_frame_();
 }

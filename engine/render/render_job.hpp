@@ -3,6 +3,7 @@
 #include "engine/image/frame_pool.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/color_range.hpp"
+#include "engine/render/render_request.hpp"
 #include "engine/render/resolution.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/scene/scene.hpp"
@@ -20,33 +21,6 @@
 #include <vector>
 
 namespace zeroset {
-
-/// Everything one picture depends on; a snapshot.
-struct RenderRequest {
-    Scene scene;
-    Camera camera;
-    TraceSettings settings;
-    int width = 0;  ///< of the full picture, pixels
-    int height = 0;
-    /// Quicker code is on its way, with which the picture will be asked for again: where the full
-    /// one takes long, only first pictures are drawn.
-    bool preview = false;
-    /// The picture of the request before, by other code: it follows no motion.
-    bool again = false;
-};
-
-/// A picture as far as it has come. It is smaller than the full one, to be shown stretched, or as
-/// large.
-struct RenderResult {
-    std::shared_ptr<const Framebuffer> frame;
-    std::uint64_t request = 0;  ///< what submit() returned
-    bool complete = false;      ///< the full picture, to its last pixel
-    double frame_ms = 0.0;      ///< that tracing it has taken so far
-    CertificateCounts counts;   ///< of a complete one
-    Camera camera;
-    Precision precision = Precision::Float;
-    Coloring coloring = {};  ///< with the range that was found, if there is one
-};
 
 /// When a RenderJob does what.
 struct RenderPace {
@@ -91,6 +65,33 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    /// Phases of the request that the job's thread draws:
+    ///
+    ///   Idle      -> Blank     begin(): a request came
+    ///   Blank     -> Refining  publish(): its first picture is there
+    ///   Blank     -> Idle      publish(): its first picture is the complete one
+    ///   Refining  -> Refining  publish(): a finer picture is there
+    ///   Refining  -> Idle      publish(): the complete picture is there
+    ///   any       -> Idle      wait_for_work(): it was overtaken, or first pictures are enough
+    enum class Phase : std::uint8_t {
+        Idle,      ///< nothing is being drawn
+        Blank,     ///< no picture of the request has come yet
+        Refining,  ///< a picture has come, finer ones follow
+    };
+    /// The requests as they come, guarded by the mutex.
+    struct Submissions {
+        std::optional<RenderRequest> pending;  ///< the newest, until it is drawn
+        std::uint64_t newest = 0;              ///< number of the newest; 0: none came yet
+        bool in_motion = false;                ///< the newest followed another one closely
+        Clock::time_point at;                  ///< when the newest came that was no `again`
+    };
+    /// The pictures as they go, guarded by the mutex.
+    struct Drawing {
+        Phase phase = Phase::Idle;
+        std::vector<Kernel> surfaces;          ///< of the request drawn last
+        Clock::time_point published;           ///< when the last picture came
+        std::optional<RenderResult> finished;  ///< the newest picture, until it is taken
+    };
     /// A request being drawn.
     struct Work {
         RenderRequest request;
@@ -100,7 +101,6 @@ private:
         bool finds_range = false;  ///< of the colours
         bool is_new = false;       ///< no picture of its surfaces was shown yet
     };
-    class Growing;
 
     void run();
     /// The next request; nothing at the end.
@@ -122,6 +122,8 @@ private:
     static std::vector<TraceSettings> stages_of(const TraceSettings& settings);
     /// Whether no other request has come, nor comes for a while if this one was part of a motion.
     bool rests(const Work& work);
+    /// Makes the request the one that is drawn; with the mutex held.
+    Work begin(RenderRequest request);
     void publish(const Work& work, RenderResult result);
     /// Whether the picture in flight is to be finished although another is wanted: else, while
     /// something moves, there might be none at all.
@@ -130,22 +132,15 @@ private:
     std::function<void()> on_frame_;
     RenderPace pace_;
     FramePool pool_;
-    ResolutionGovernor governor_;  ///< the job's thread's
-    SteadyRange range_;            ///< likewise
+    ResolutionGovernor governor_;  ///< used by the job's thread only
+    SteadyRange range_;            ///< used by the job's thread only
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;
-    std::optional<RenderRequest> pending_;
-    std::optional<RenderResult> finished_;
-    std::uint64_t newest_ = 0;
-    Clock::time_point submitted_;  ///< the newest request
-    Clock::time_point published_;  ///< the last picture
-    bool pending_in_motion_ = false;
-    bool drawing_ = false;
-    bool first_ = false;            ///< no picture of the request being drawn has come yet
-    std::vector<Kernel> surfaces_;  ///< of the request being drawn
-    bool stop_ = false;
-    std::atomic<bool> cancel_{false};
+    Submissions submissions_;
+    Drawing drawing_;
+    bool stop_ = false;                ///< guarded by the mutex
+    std::atomic<bool> cancel_{false};  ///< what is being drawn is not wanted any more
     std::thread thread_;
 };
 

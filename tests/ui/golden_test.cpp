@@ -75,8 +75,8 @@ protected:
         Panels::SetUp();
         if (window_ == nullptr) return;
         set_rows(state_, {"a = 0.7", "x^2 + y^2 = a z^2 + w", "x^2 + = 1", "x^2 + y^2 + z^2 = b"});
-        state_.uses_w = true;
-        state_.layout.view_open = false;
+        state_.shown.reading.uses_w = true;
+        state_.edited.layout.view_open = false;
         OffscreenWindow::point({-1, -1}, false);
     }
 
@@ -125,40 +125,41 @@ protected:
 TEST_P(Goldens, OfStatementsAndSliders) { expect_golden("statements"); }
 
 TEST_P(Goldens, OfTheViewsSettings) {
-    state_.layout.view_open = true;
-    state_.document.shadows = true;
+    state_.edited.layout.view_open = true;
+    state_.edited.document.shadows = true;
     expect_golden("view");
 }
 
 TEST_P(Goldens, OfTheAxesOfSpace) {
-    state_.layout.space_open = true;
-    state_.document.axes = true;
+    state_.edited.layout.space_open = true;
+    state_.edited.document.axes = true;
     expect_golden("space");
 }
 
 TEST_P(Goldens, OfColorsWithTheirLegend) {
-    state_.layout.look_open = true;
-    state_.document.coloring = {ColorBy::MeanCurvature, "", ColorMap::Balance, ValueRange{-2, 2}};
+    state_.edited.layout.look_open = true;
+    state_.edited.document.coloring = {ColorBy::MeanCurvature, "", ColorMap::Balance,
+                                       ValueRange{-2, 2}};
     Coloring coloring;
     coloring.by = ColorBy::MeanCurvature;
     coloring.map = ColorMap::Balance;
     coloring.range = ValueRange{-2, 2};
-    state_.legend = legend_of(coloring, "");
+    state_.shown.picture.legend = legend_of(coloring, "");
     expect_golden("colors");
 }
 
 TEST_P(Goldens, OfCuts) {
-    state_.layout.clip_open = true;
-    state_.document.region.ball = Ball{{0.0, 0.0, 0.0}, 1.5};
-    state_.document.region.sections = {make_section({1.0, 0.0, 0.0}, 0.25),
-                                       make_section({1.0, 1.0, 0.0}, 0.5, false)};
+    state_.edited.layout.clip_open = true;
+    state_.edited.document.region.ball = Ball{{0.0, 0.0, 0.0}, 1.5};
+    state_.edited.document.region.sections = {make_section({1.0, 0.0, 0.0}, 0.25),
+                                              make_section({1.0, 1.0, 0.0}, 0.5, false)};
     expect_golden("cuts");
 }
 
 TEST_P(Goldens, OfMarkersAndThePointUnderThePointer) {
-    state_.layout.markers_open = true;
-    state_.document.markers = {{1, {0.5, 0.25, 0.75}}, {2, {-1.0, 0.0, 0.5}}};
-    state_.selected_marker = 2;
+    state_.edited.layout.markers_open = true;
+    state_.edited.document.markers = {{1, {0.5, 0.25, 0.75}}, {2, {-1.0, 0.0, 0.5}}};
+    state_.edited.selected_marker = 2;
     PointedFacts pointed;
     pointed.row = 2;
     pointed.pixel_size = 0.01;
@@ -166,18 +167,19 @@ TEST_P(Goldens, OfMarkersAndThePointUnderThePointer) {
     pointed.facts.distance = 8.125;
     pointed.facts.normal = {0.0, 0.6, 0.8};
     pointed.facts.certificate = Certificate::Certified;
-    state_.pointed = pointed;
+    state_.shown.pointed = pointed;
     expect_golden("markers");
 }
 
 TEST_P(Goldens, OfTheFoldedPanel) {
-    state_.layout.folded = true;
+    state_.edited.layout.folded = true;
     expect_golden("folded");
 }
 
 TEST_P(Goldens, OfTheHelp) {
-    state_.show_help = true;
-    state_.language_help = {{"Numbers", {{"2, 0.5, 1e-3", "numbers"}, {"pi, e", "constants"}}}};
+    state_.pages.help.open = true;
+    state_.shown.language_help = {
+        {"Numbers", {{"2, 0.5, 1e-3", "numbers"}, {"pi, e", "constants"}}}};
     expect_golden("help");
 }
 
@@ -193,7 +195,8 @@ TEST_P(Goldens, OfThePalette) {
 }
 
 TEST_P(Goldens, OfAQuestion) {
-    state_.dialogs.question = Question{"Save the changes?", {"Save", "Don't save", "Cancel"}, {}};
+    state_.pages.dialogs.question =
+        Question{"Save the changes?", {"Save", "Don't save", "Cancel"}, {}};
     expect_golden("question");
 }
 

@@ -68,29 +68,32 @@ inline Framebuffer disc() {
 /// Sets rows with the ids 1, 2, ..., reads them and colours their surfaces.
 inline void set_rows(UiState& state, const std::vector<std::string>& texts) {
     Sheet sheet;
-    state.document.statements.clear();
+    state.edited.document.statements.clear();
     for (const std::string& text : texts) {
         const int id = static_cast<int>(sheet.size()) + 1;
         sheet.push_back({id, text});
-        state.document.statements.push_back({id, text, true, {}});
+        state.edited.document.statements.push_back({id, text, true, {}});
     }
     SheetReading reading = SheetReader().read(sheet);
-    state.reports = std::move(reading.reports);
-    state.surface_rows = reading.surface_rows;
-    state.parameters = reading.program->parameters;
-    choose_colors(state.document, reading.surface_rows);
+    state.shown.reading.reports = std::move(reading.reports);
+    state.shown.reading.surface_rows = reading.surface_rows;
+    state.shown.reading.parameters = reading.program->parameters;
+    choose_colors(state.edited.document, reading.surface_rows);
 }
 
 inline UiState usual_state(Theme theme) {
     UiState state;
     set_rows(state, {"x^2 + y^2 + z^2 = 1"});
-    state.document.camera = default_camera(state.document.clip);
-    state.shown.camera = *state.document.camera;
-    state.theme = theme;
+    state.edited.document.camera = default_camera(state.edited.document.clip);
+    state.shown.picture.camera = *state.edited.document.camera;
+    state.edited.theme = theme;
     for (int i = 0; i < 30; ++i) {
-        state.gallery.push_back({"Surface", "x + " + std::to_string(i) + " = 0", "A plane."});
+        state.shown.gallery.push_back({"Surface", "x + " + std::to_string(i) + " = 0", "A plane."});
     }
-    state.picture = {false, 1280, 800, 1234.5, {1'002'003, 20'021, 1234}};
+    state.shown.figures = {.width_px = 1280,
+                           .height_px = 800,
+                           .frame_ms = 1234.5,
+                           .counts = {1'002'003, 20'021, 1234}};
     return state;
 }
 
@@ -121,7 +124,7 @@ protected:
     }
 
     void draw_frame() {
-        window_->begin_frame(state_.theme);
+        window_->begin_frame(state_.edited.theme);
         draw_screen(state_, *picture_);
         window_->end_frame();
     }
@@ -144,10 +147,10 @@ protected:
         EXPECT_EQ(std::ranges::count(frame.color, 0xFFFF00FFU), 0) << "magenta";
         if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;  // covers the picture
         EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
-        if (state_.show_help) return;  // the help covers the picture of a small window
+        if (state_.pages.help.open) return;  // the help covers the picture of a small window
         const auto middle =
             frame.color.begin() + static_cast<std::ptrdiff_t>(frame.index(0, frame.height / 2));
-        const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_));
+        const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_.edited.layout));
         const std::set<std::uint32_t> shades(middle + left, middle + frame.width);
         EXPECT_GT(shades.size(), 30U) << "no picture";
     }

@@ -11,39 +11,31 @@
 namespace zeroset::ui {
 namespace {
 
+void flip(bool& flag) { flag = !flag; }
+
 template <Command command>
 void give(UiState& state) {
-    state.command = command;
-}
-
-template <bool UiState::* flag>
-void toggle(UiState& state) {
-    state.*flag = !(state.*flag);
-}
-
-template <bool UiState::* flag>
-bool is_set(const UiState& state) {
-    return state.*flag;
+    state.wishes.command = command;
 }
 
 template <bool Layout::* flag>
 void toggle_layout(UiState& state) {
-    state.layout.*flag = !(state.layout.*flag);
+    flip(state.edited.layout.*flag);
 }
 
 template <bool Layout::* flag>
 bool is_layout(const UiState& state) {
-    return state.layout.*flag;
+    return state.edited.layout.*flag;
 }
 
 template <bool Document::* flag>
 void toggle_document(UiState& state) {
-    state.document.*flag = !(state.document.*flag);
+    flip(state.edited.document.*flag);
 }
 
 template <bool Document::* flag>
 bool is_document(const UiState& state) {
-    return state.document.*flag;
+    return state.edited.document.*flag;
 }
 
 bool is_parallel(const std::optional<Camera>& camera) {
@@ -51,15 +43,15 @@ bool is_parallel(const std::optional<Camera>& camera) {
 }
 
 void switch_projection(UiState& state) {
-    std::optional<Camera>& camera = state.document.camera;
-    if (!camera) camera = default_camera(state.document.clip);
+    std::optional<Camera>& camera = state.edited.document.camera;
+    if (!camera) camera = default_camera(state.edited.document.clip);
     const bool parallel = is_parallel(camera);
     camera->projection = parallel ? Projection::Perspective : Projection::Orthographic;
 }
 
 void switch_theme(UiState& state) {
-    state.theme = state.theme == Theme::Dark ? Theme::Light : Theme::Dark;
-    state.follows_desktop = false;
+    state.edited.theme = state.edited.theme == Theme::Dark ? Theme::Light : Theme::Dark;
+    state.edited.follows_desktop = false;
 }
 
 template <Side side>
@@ -74,38 +66,39 @@ void turn(UiState& state) {
 
 template <ColorBy by>
 void color_by(UiState& state) {
-    state.document.coloring = {by, state.document.coloring.expression};
-    if (by == ColorBy::Expression) state.layout.look_open = true;
+    state.edited.document.coloring = {by, state.edited.document.coloring.expression};
+    if (by == ColorBy::Expression) state.edited.layout.look_open = true;
 }
 
 template <ColorBy by>
 bool is_colored_by(const UiState& state) {
-    return state.document.coloring.by == by;
+    return state.edited.document.coloring.by == by;
 }
 
 /// Shows or hides the clip handles. They are shown only while the clip section is open, so that
 /// showing them opens it.
 void switch_handles(UiState& state) {
-    Layout& layout = state.layout;
+    Layout& layout = state.edited.layout;
     layout.handles = !has_clip_handles(layout);
     layout.clip_open = layout.clip_open || layout.handles;
 }
 
 /// Asks for a marker at the pointer or, if that is elsewhere, at the middle of the picture.
 void keep_marker(UiState& state) {
-    state.click = PictureClick{.cursor = state.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
+    state.wishes.click =
+        PictureClick{.cursor = state.input.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
 }
 
 void select_next_marker(UiState& state) {
-    const std::vector<Marker>& markers = state.document.markers;
-    auto next = std::ranges::find(markers, state.selected_marker, &Marker::number);
+    const std::vector<Marker>& markers = state.edited.document.markers;
+    auto next = std::ranges::find(markers, state.edited.selected_marker, &Marker::number);
     if (next != markers.end()) ++next;
-    state.selected_marker = (next == markers.end() ? markers.front() : *next).number;
-    state.layout.markers_open = true;
+    state.edited.selected_marker = (next == markers.end() ? markers.front() : *next).number;
+    state.edited.layout.markers_open = true;
 }
 
-bool has_markers(const UiState& state) { return !state.document.markers.empty(); }
-bool has_selected_marker(const UiState& state) { return state.selected_marker != 0; }
+bool has_markers(const UiState& state) { return !state.edited.document.markers.empty(); }
+bool has_selected_marker(const UiState& state) { return state.edited.selected_marker != 0; }
 
 constexpr const char* picture = "Picture";
 constexpr const char* view = "View";
@@ -118,14 +111,14 @@ constexpr auto table = std::to_array<Action>({
      .name = "Reset the view",
      .keys = "R",
      .about = "look at the whole box again",
-     .run = [](UiState& state) { state.reset_view = true; }},
+     .run = [](UiState& state) { state.wishes.reset_view = true; }},
     {.section = picture,
      .name = "Parallel rays",
      .keys = "5",
      .about = "orthographic or perspective view",
      .run = switch_projection,
-     .enabled = [](const UiState& state) { return state.document.camera.has_value(); },
-     .is_on = [](const UiState& state) { return is_parallel(state.document.camera); }},
+     .enabled = [](const UiState& state) { return state.edited.document.camera.has_value(); },
+     .is_on = [](const UiState& state) { return is_parallel(state.edited.document.camera); }},
     {.section = picture,
      .name = "Mark undecided pixels",
      .keys = "U",
@@ -154,7 +147,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Remove the marker",
      .keys = "Delete",
      .about = "remove the selected marker",
-     .run = [](UiState& state) { remove_marker(state.document.markers, state.selected_marker); },
+     .run =
+         [](UiState& state) {
+             remove_marker(state.edited.document.markers, state.edited.selected_marker);
+         },
      .enabled = has_selected_marker,
      .in_fields = false},
     {.section = picture,
@@ -228,12 +224,12 @@ constexpr auto table = std::to_array<Action>({
      .keys = "H",
      .about = "handles that move the clip box, the sphere and the sections",
      .run = switch_handles,
-     .is_on = [](const UiState& state) { return has_clip_handles(state.layout); }},
+     .is_on = [](const UiState& state) { return has_clip_handles(state.edited.layout); }},
     {.section = view,
      .name = "Frame the surface",
      .keys = "F, Home",
      .about = "find how far the surface reaches, and look at all of it",
-     .run = [](UiState& state) { state.frame_surfaces = true; },
+     .run = [](UiState& state) { state.wishes.frame_surfaces = true; },
      .in_fields = false},
     {.section = view, .name = "View from the front", .keys = "1", .run = look<Side::Front>},
     {.section = view, .name = "View from the right", .keys = "3", .run = look<Side::Right>},
@@ -267,7 +263,7 @@ constexpr auto table = std::to_array<Action>({
      .name = "Turn freely",
      .keys = "T",
      .about = "dragging turns as a ball (trackball), not about what is up",
-     .run = [](UiState& state) { set_trackball(state, !state.document.trackball); },
+     .run = [](UiState& state) { set_trackball(state, !state.edited.document.trackball); },
      .is_on = is_document<&Document::trackball>},
     {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
     {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
@@ -277,13 +273,13 @@ constexpr auto table = std::to_array<Action>({
      .keys = "Ctrl+Z",
      .about = "undo anything, the view included",
      .run = give<Command::Undo>,
-     .enabled = is_set<&UiState::can_undo>,
+     .enabled = [](const UiState& state) { return state.shown.document.can_undo; },
      .repeats = true},
     {.section = document,
      .name = "Redo",
      .keys = "Ctrl+Shift+Z, Ctrl+Y",
      .run = give<Command::Redo>,
-     .enabled = is_set<&UiState::can_redo>,
+     .enabled = [](const UiState& state) { return state.shown.document.can_redo; },
      .repeats = true},
     {.section = document, .name = "New", .keys = "Ctrl+N", .run = give<Command::New>},
     {.section = document,
@@ -336,29 +332,29 @@ constexpr auto table = std::to_array<Action>({
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,
-     .is_on = [](const UiState& state) { return state.theme == Theme::Light; }},
+     .is_on = [](const UiState& state) { return state.edited.theme == Theme::Light; }},
     {.section = window,
      .name = "Theme of the desktop",
-     .run = toggle<&UiState::follows_desktop>,
-     .is_on = is_set<&UiState::follows_desktop>},
+     .run = [](UiState& state) { flip(state.edited.follows_desktop); },
+     .is_on = [](const UiState& state) { return state.edited.follows_desktop; }},
     {.section = window,
      .name = "Gallery",
      .keys = "Ctrl+G",
      .about = "surfaces to begin with; arrows and Enter, or a click",
-     .run = [](UiState& state) { state.gallery_page.open = !state.gallery_page.open; },
-     .is_on = [](const UiState& state) { return state.gallery_page.open; }},
+     .run = [](UiState& state) { flip(state.pages.gallery.open); },
+     .is_on = [](const UiState& state) { return state.pages.gallery.open; }},
     {.section = window,
      .name = "Find a command...",
      .keys = "Ctrl+K",
      .about = "find a command, a surface or a recent file by a part of its name",
-     .run = [](UiState& state) { state.command_palette.open = !state.command_palette.open; },
-     .is_on = [](const UiState& state) { return state.command_palette.open; }},
+     .run = [](UiState& state) { flip(state.pages.commands.open); },
+     .is_on = [](const UiState& state) { return state.pages.commands.open; }},
     {.section = window,
      .name = "Help",
      .keys = "F1",
      .about = "formulas and keys; again closes it",
-     .run = toggle<&UiState::show_help>,
-     .is_on = is_set<&UiState::show_help>},
+     .run = [](UiState& state) { flip(state.pages.help.open); },
+     .is_on = [](const UiState& state) { return state.pages.help.open; }},
     {.section = window, .name = "Quit", .keys = "Ctrl+Q", .run = give<Command::Quit>},
 });
 

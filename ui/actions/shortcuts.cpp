@@ -33,8 +33,9 @@ const std::vector<Binding>& bindings() {
 
 void follow_shortcuts(UiState& state) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (std::ranges::any_of(io.MouseClicked, [](bool clicked) { return clicked; })) ++state.gesture;
-    state.held = ImGui::IsAnyMouseDown();
+    if (std::ranges::any_of(io.MouseClicked, [](bool clicked) { return clicked; }))
+        ++state.input.gesture;
+    state.input.held = ImGui::IsAnyMouseDown();
     const bool typing = io.WantTextInput;
     for (const auto& [action, chord] : bindings()) {
         if (typing && !action->in_fields) continue;

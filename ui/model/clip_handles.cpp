@@ -69,7 +69,7 @@ glm::dvec3 face_middle(const Box& box, std::size_t face) {
     return middle;
 }
 
-/// Of the section, nearest to the middle of the box.
+/// Point of the section nearest to the middle of the box.
 glm::dvec3 section_middle(const Section& section, const Box& box) {
     const glm::dvec3 centre = box.centre();
     return centre + (section.offset - glm::dot(section.normal, centre)) * section.normal;

@@ -36,7 +36,7 @@ struct Handle {
     bool operator==(const Handle&) const = default;
 };
 
-/// What surfaces are clipped to.
+/// Box and region that surfaces are clipped to.
 struct Clipping {
     Box clip;
     Region region;
@@ -61,7 +61,7 @@ struct HandleDrag {
     bool given_up = false;  ///< does nothing more until it is let go
 };
 
-/// What is held down with the pointer's button.
+/// Keys that are held down with the pointer's button.
 struct DragKeys {
     bool shift = false;  ///< the opposite face moves, too; a normal goes to even directions
     bool ctrl = false;   ///< all faces of the box move alike
@@ -70,9 +70,9 @@ struct DragKeys {
 HandleDrag grabbed(const Handle& handle, const Clipping& clipping, const ViewFrame& view,
                    const glm::dvec2& cursor);
 
-/// What the drag makes of `drag.start` with the cursor here: numbers no finer than pixels of a
-/// picture of `height_px`. As it was last where the cursor is beyond the horizon. The box keeps a
-/// thousandth of its size between faces.
+/// Box and region that the drag makes of `drag.start` with the cursor here: numbers no finer than
+/// pixels of a picture of `height_px`. As it was last where the cursor is beyond the horizon. The
+/// box keeps a thousandth of its size between faces.
 Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const glm::dvec2& cursor,
                  int height_px, const DragKeys& keys);
 

@@ -30,7 +30,7 @@ struct FileChoice {
     bool asks_replace = false;  ///< the file exists; another press of Save replaces it
 };
 
-/// What is asked of the user; the owner sets it, acts on the answer and clears it.
+/// Questions to the user; the owner sets it, acts on the answer and clears it.
 struct Dialogs {
     std::optional<Question> question;
     std::optional<FileChoice> file;

@@ -14,9 +14,9 @@ constexpr double zoom_per_notch = 0.88;
 
 }  // namespace
 
-Turning turning_of(const UiState& state) { return {state.document.up, state.document.trackball}; }
+TurnMode turn_mode_of(const Document& document) { return {document.up, document.trackball}; }
 
-Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning) {
+Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning) {
     Camera moved = camera;
     if (motion.orbit != glm::dvec2(0.0)) {
         const glm::dvec2 angles = -orbit_rad * motion.orbit;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "document/document.hpp"
 #include "engine/view/camera.hpp"
-#include "ui/model/ui_state.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
@@ -10,28 +10,28 @@
 
 namespace zeroset::ui {
 
-/// What the pointer did over the picture during one frame. Lengths in heights of the picture, x to
+/// Motion of the pointer over the picture during one frame. Lengths in heights of the picture, x to
 /// the right, y upwards.
 struct PointerMotion {
     glm::dvec2 orbit{0.0};
     glm::dvec2 pan{0.0};
     double wheel = 0.0;      ///< notches; positive comes nearer
     glm::dvec2 cursor{0.0};  ///< from the picture's centre
-    /// What the picture shows under the cursor, world units; nothing: the background.
+    /// Point that the picture shows under the cursor, world units; nothing: the background.
     std::optional<glm::dvec3> surface = std::nullopt;
 };
 
 /// How dragging turns.
-struct Turning {
+struct TurnMode {
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< stays up
     bool freely = false;           ///< unless it turns as a ball does
 };
 
 /// The camera after the motion: what is grabbed follows the pointer. Keeps the camera if the
 /// motion would lead to one that sees nothing.
-Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning);
+Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning);
 
 /// How dragging turns the document's view.
-Turning turning_of(const UiState& state);
+TurnMode turn_mode_of(const Document& document);
 
 }  // namespace zeroset::ui

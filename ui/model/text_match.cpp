@@ -10,7 +10,7 @@ namespace {
 constexpr int for_a_match = 4;
 constexpr int for_a_neighbour = 8;
 constexpr int for_a_beginning = 10;
-/// Of a place where no abbreviation can end; sums with it stay negative.
+/// Score of a place where no abbreviation can end; sums with it stay negative.
 constexpr int impossible = -1'000'000;
 
 char lower(char letter) {

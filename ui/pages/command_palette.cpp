@@ -30,13 +30,13 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
         lines.push_back(
             {action.name, shown_keys(action), is_enabled(action, state), on, action.run});
     }
-    for (std::size_t i = 0; i < state.gallery.size(); ++i) {
-        lines.push_back({state.gallery[i].title, state.gallery[i].group, true, false,
-                         [i](UiState& changed) { changed.surface = i; }});
+    for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
+        lines.push_back({state.shown.gallery[i].title, state.shown.gallery[i].group, true, false,
+                         [i](UiState& changed) { changed.wishes.gallery_item = i; }});
     }
-    for (const std::string& path : state.recent) {
+    for (const std::string& path : state.shown.document.recent) {
         lines.push_back({std::filesystem::path(path).filename().string(), "recent file", true,
-                         false, [path](UiState& changed) { changed.open_path = path; }});
+                         false, [path](UiState& changed) { changed.wishes.open_path = path; }});
     }
     return lines;
 }
@@ -83,11 +83,11 @@ void follow_arrows(CommandPalette& palette, std::size_t count) {
 
 /// Draws all lines; returns the index of the clicked one, if any.
 std::optional<std::size_t> draw_lines(UiState& state, const std::vector<PaletteLine>& lines) {
-    CommandPalette& shown = state.command_palette;
+    CommandPalette& shown = state.pages.commands;
     std::optional<std::size_t> clicked;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (draw_line(lines[i], i == shown.selected, palette(state.theme))) clicked = i;
+        if (draw_line(lines[i], i == shown.selected, palette(state.edited.theme))) clicked = i;
         if (i == shown.selected && std::exchange(shown.follow, false)) {
             const ImRect place(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
             ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place,
@@ -107,7 +107,7 @@ void draw_field(CommandPalette& palette) {
 }
 
 void draw_palette(UiState& state) {
-    CommandPalette& shown = state.command_palette;
+    CommandPalette& shown = state.pages.commands;
     draw_field(shown);
     const std::vector<PaletteLine> lines = palette_lines(state, shown.typed);
     std::optional<std::size_t> picked;
@@ -146,7 +146,7 @@ std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& 
 }
 
 void draw_command_palette(UiState& state) {
-    CommandPalette& shown = state.command_palette;
+    CommandPalette& shown = state.pages.commands;
     if (!follow_popup(shown, popup)) return;
     if (shown.frames == 1) {
         shown.typed.clear();

@@ -1,6 +1,5 @@
 #include "ui/pages/dialogs.hpp"
 
-#include "ui/model/ui_state.hpp"
 #include "ui/pages/file_browser.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
@@ -66,13 +65,13 @@ void draw_waiting(FileChoice& choice, const Palette& colors) {
 
 }  // namespace
 
-void draw_dialogs(UiState& state) {
-    if (state.dialogs.question && !state.dialogs.question->chosen) {
-        draw_question(*state.dialogs.question, palette(state.theme));
-    } else if (state.dialogs.file && !state.dialogs.file->finished) {
-        FileChoice& choice = *state.dialogs.file;
+void draw_dialogs(Dialogs& dialogs, Theme theme) {
+    if (dialogs.question && !dialogs.question->chosen) {
+        draw_question(*dialogs.question, palette(theme));
+    } else if (dialogs.file && !dialogs.file->finished) {
+        FileChoice& choice = *dialogs.file;
         const auto draw = choice.elsewhere ? draw_waiting : draw_file_browser;
-        draw(choice, palette(state.theme));
+        draw(choice, palette(theme));
     }
 }
 

@@ -39,9 +39,9 @@ struct Grid {
     float card_height;
 };
 
-void place_page(const UiState& state) {
+void place_page(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float left = side_panel_width(state);
+    const float left = side_panel_width(layout);
     const bool wide = window.x - left >= em(least_width_em);
     const float margin = wide ? em(0.8F) : em(0.4F);
     const ImVec2 lo((wide ? left : 0.0F) + margin, margin);
@@ -107,26 +107,25 @@ void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
                    colors.quiet, in_one_line(entry.equation).c_str(), nullptr, 0.0F, &clip);
 }
 
-void draw_picture(const GalleryPage& page, std::size_t item, const ImVec2& lo, const ImVec2& hi,
-                  const Palette& colors) {
+/// Draws the picture of this OpenGL name; 0: it is still to come.
+void draw_picture(unsigned int name, const ImVec2& lo, const ImVec2& hi, const Palette& colors) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     canvas.AddRectFilledMultiColor(lo, hi, colors.sky, colors.sky, colors.ground, colors.ground);
-    const auto picture = page.pictures.find(item);
-    if (picture == page.pictures.end()) {
+    if (name == 0) {
         const ImVec2 size = ImGui::CalcTextSize("...");
         canvas.AddText(ImVec2(0.5F * (lo.x + hi.x - size.x), 0.5F * (lo.y + hi.y - size.y)),
                        colors.quiet, "...");
         return;
     }
-    const auto id = static_cast<std::uintptr_t>(picture->second);
+    const auto id = static_cast<std::uintptr_t>(name);
     // ImGui's texture handle is a pointer that the OpenGL renderer uses as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);  // NOLINT
 }
 
 /// Draws a card; true if it was clicked.
 bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
-    const Palette& colors = palette(state.theme);
-    GalleryPage& page = state.gallery_page;
+    const Palette& colors = palette(state.edited.theme);
+    GalleryPage& page = state.pages.gallery;
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const ImVec2 hi(lo.x + grid.card_width, lo.y + grid.card_height);
     ImGui::PushID(static_cast<int>(item));
@@ -142,12 +141,15 @@ bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
         page.follow = false;
     }
     if (!ImGui::IsItemVisible()) return clicked;
-    page.visible.push_back(item);
+    state.wishes.thumbnails.items.push_back(item);
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     canvas.AddRectFilled(lo, hi, selected ? colors.row_active : colors.row_field);
-    draw_picture(page, item, lo, ImVec2(hi.x, lo.y + grid.picture_height), colors);
-    draw_texts(state.gallery[item], lo, grid, colors);
-    if (!has_details()) draw_tooltip(state.gallery[item].about);
+    const auto& thumbnails = state.shown.thumbnails;
+    const auto picture = thumbnails.find(item);
+    draw_picture(picture == thumbnails.end() ? 0 : picture->second, lo,
+                 ImVec2(hi.x, lo.y + grid.picture_height), colors);
+    draw_texts(state.shown.gallery[item], lo, grid, colors);
+    if (!has_details()) draw_tooltip(state.shown.gallery[item].about);
     if (selected) canvas.AddRect(lo, hi, colors.accent, 0.0F, 0, em(0.14F));
     return clicked;
 }
@@ -162,11 +164,11 @@ void draw_group_title(const std::string& group, bool first, const Palette& color
 /// Draws all cards; returns the clicked item, if any.
 std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& cards,
                                       const Grid& grid) {
-    const Palette& colors = palette(state.theme);
+    const Palette& colors = palette(state.edited.theme);
     std::optional<std::size_t> clicked;
     std::string group;
     for (const Card& card : cards) {
-        const GalleryEntry& entry = state.gallery[card.item];
+        const GalleryEntry& entry = state.shown.gallery[card.item];
         const bool begins = card.item == cards.front().item || entry.group != group;
         if (begins) draw_group_title(entry.group, card.item == cards.front().item, colors);
         group = entry.group;
@@ -177,9 +179,7 @@ std::optional<std::size_t> draw_cards(UiState& state, const std::vector<Card>& c
 }
 
 /// Draws equation, description and source of the selected surface.
-void draw_details(const UiState& state) {
-    const Palette& colors = palette(state.theme);
-    const GalleryEntry& entry = state.gallery[state.gallery_page.selected];
+void draw_details(const GalleryEntry& entry, const Palette& colors) {
     ImGui::Separator();
     ImGui::PushFont(font(FontRole::SmallFormula));
     draw_elided(in_one_line(entry.equation), ImGui::GetContentRegionAvail().x);
@@ -196,16 +196,17 @@ void draw_details(const UiState& state) {
 }
 
 void draw_page(UiState& state) {
-    GalleryPage& page = state.gallery_page;
-    draw_head(page, palette(state.theme));
+    GalleryPage& page = state.pages.gallery;
+    const Palette& colors = palette(state.edited.theme);
+    draw_head(page, colors);
     const bool details = has_details();
     const float height = ImGui::GetContentRegionAvail().y - (details ? em(details_em) : 0.0F);
     const float bar = ImGui::GetStyle().ScrollbarSize + em(0.3F);
     const Grid grid = grid_of(ImGui::GetContentRegionAvail().x - bar);
-    const std::vector<Card> cards = cards_of(state.gallery, page.search, grid.columns);
+    const std::vector<Card> cards = cards_of(state.shown.gallery, page.search, grid.columns);
     std::optional<std::size_t> picked;
     ImGui::BeginChild("##cards", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
-    page.visible.clear();
+    state.wishes.thumbnails.items.clear();
     if (cards.empty()) {
         ImGui::TextDisabled("nothing found");
     } else {
@@ -213,25 +214,25 @@ void draw_page(UiState& state) {
         picked = draw_cards(state, cards, grid);
     }
     ImGui::EndChild();
-    if (details && !cards.empty()) draw_details(state);
+    if (details && !cards.empty()) draw_details(state.shown.gallery[page.selected], colors);
     const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
     if (enter && !cards.empty()) picked = page.selected;
-    if (picked) state.surface = picked;
+    if (picked) state.wishes.gallery_item = picked;
     if (picked || is_pressed_once(ImGuiKey_Escape)) page.open = false;
 }
 
 }  // namespace
 
 void draw_gallery_page(UiState& state) {
-    GalleryPage& page = state.gallery_page;
-    if (state.gallery.empty() || !follow_popup(page, popup)) {
-        page.visible.clear();
+    GalleryPage& page = state.pages.gallery;
+    if (state.shown.gallery.empty() || !follow_popup(page, popup)) {
+        state.wishes.thumbnails.items.clear();
         return;
     }
     const float scale = em(1.0F) / 14.0F * ImGui::GetIO().DisplayFramebufferScale.x;
-    page.picture_px = glm::ivec2(glm::round(scale * picture_size));
+    state.wishes.thumbnails.size_px = glm::ivec2(glm::round(scale * picture_size));
     if (page.frames == 1) page.follow = true;
-    place_page(state);
+    place_page(state.edited.layout);
     draw_popup(page, popup, [&] { draw_page(state); });
 }
 

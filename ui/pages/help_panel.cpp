@@ -2,7 +2,6 @@
 
 #include "ui/actions/actions.hpp"
 #include "ui/model/text_match.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/screen_areas.hpp"
@@ -113,12 +112,12 @@ bool draw_sections(const std::vector<HelpSection>& sections, const std::string& 
     return any;
 }
 
-void draw_language(UiState& state) {
-    const Palette& colors = palette(state.theme);
+void draw_language(HelpPage& page, const std::vector<HelpSection>& language,
+                   const Palette& colors) {
     ImGui::SetNextItemWidth(-FLT_MIN);
-    ImGui::InputTextWithHint("##filter", "find a function, for example  root", &state.help_filter);
+    ImGui::InputTextWithHint("##filter", "find a function, for example  root", &page.filter);
     ImGui::BeginChild("##language", ImVec2(0.0F, 0.0F));
-    if (!draw_sections(state.language_help, state.help_filter, FontRole::SmallFormula, colors)) {
+    if (!draw_sections(language, page.filter, FontRole::SmallFormula, colors)) {
         ImGui::TextDisabled("nothing found");
     }
     ImGui::EndChild();
@@ -148,28 +147,29 @@ void place_window() {
 
 }  // namespace
 
-void follow_help_keys(UiState& state) {
+void follow_help_keys(HelpPage& page, const Input& input) {
     const bool is_for_others =
-        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) || state.handle_drag.has_value();
-    if (!state.show_help || is_for_others) return;
+        ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) || input.handle_drag.has_value();
+    if (!page.open || is_for_others) return;
     const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
     if (escape < 0 || !ImGui::IsKeyPressed(escape, false)) return;
-    state.show_help = false;
+    page.open = false;
     // Mark Escape as no longer just pressed: otherwise the text field would discard what was typed.
     ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
 }
 
-void draw_help_panel(UiState& state) {
-    if (!state.show_help) {
-        state.help_filter.clear();
+void draw_help_panel(HelpPage& page, const std::vector<HelpSection>& language, Theme theme) {
+    if (!page.open) {
+        page.filter.clear();
         return;
     }
     constexpr ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    const Palette& colors = palette(theme);
     place_window();
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.theme).popup);
-    const bool open = ImGui::Begin("Help##help", &state.show_help, flags);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.popup);
+    const bool open = ImGui::Begin("Help##help", &page.open, flags);
     ImGui::PopStyleColor();
     if (open) {
         if (ImGui::IsWindowAppearing()) {
@@ -177,11 +177,11 @@ void draw_help_panel(UiState& state) {
         }
         if (ImGui::BeginTabBar("##tabs")) {
             if (ImGui::BeginTabItem("Formulas")) {
-                draw_language(state);
+                draw_language(page, language, colors);
                 ImGui::EndTabItem();
             }
             if (ImGui::BeginTabItem("Keys")) {
-                draw_keys(palette(state.theme));
+                draw_keys(colors);
                 ImGui::EndTabItem();
             }
             ImGui::EndTabBar();

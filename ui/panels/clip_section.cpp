@@ -3,7 +3,6 @@
 #include "document/document.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -65,8 +64,8 @@ void draw_edges(Box& clip) {
     }
 }
 
-void draw_box(UiState& state) {
-    Box& clip = state.document.clip;
+void draw_box(Edited& edited) {
+    Box& clip = edited.document.clip;
     draw_label("box \xC2\xB1", "Half the longest edge of the box that the surface is clipped to.");
     const float button = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
@@ -76,24 +75,24 @@ void draw_box(UiState& state) {
         clip = resized(clip, half);
     }
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
-    bool& open = state.layout.edges_open;
-    if (icon_button("##edges", Icon::More, {button, palette(state.theme).quiet},
+    bool& open = edited.layout.edges_open;
+    if (icon_button("##edges", Icon::More, {button, palette(edited.theme).quiet},
                     open ? "Only one number" : "Each edge by itself")) {
         open = !open;
     }
     if (open) draw_edges(clip);
 }
 
-void draw_ball(UiState& state) {
-    std::optional<Ball>& ball = state.document.region.ball;
+void draw_ball(Edited& edited) {
+    std::optional<Ball>& ball = edited.document.region.ball;
     bool on = ball.has_value();
-    const Box& clip = state.document.clip;
+    const Box& clip = edited.document.clip;
     if (ImGui::Checkbox("Sphere", &on)) {
         ball = on ? std::optional(Ball{clip.centre(), 0.5 * clip.size()}) : std::nullopt;
     }
     draw_tooltip("Shows only what is in a sphere.");
     ImGui::SameLine(0.0F, em(1.2F));
-    ImGui::Checkbox("Handles", &state.layout.handles);
+    ImGui::Checkbox("Handles", &edited.layout.handles);
     draw_tooltip("Handles in the picture that move the box, the sphere and the sections (H).");
     if (!ball) return;
     draw_label("radius", "The sphere's radius.");
@@ -136,10 +135,10 @@ void draw_place(const Box& clip, Section& section) {
 }
 
 /// Draws the settings of one section; false when the user removes it.
-bool draw_section(UiState& state, Section& section) {
-    draw_axis(state.document, section);
+bool draw_section(Edited& edited, Section& section) {
+    draw_axis(edited.document, section);
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
-    draw_place(state.document.clip, section);
+    draw_place(edited.document.clip, section);
     if (axis_of(section) == free_axis) {
         draw_label("normal",
                    "The section is across this direction and takes away what lies there.");
@@ -156,14 +155,14 @@ bool draw_section(UiState& state, Section& section) {
     ImGui::Checkbox("cap", &section.cap);
     draw_tooltip("Fills the solids that the section cuts open.");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
-    return !icon_button("##remove", Icon::Cross, {size, palette(state.theme).quiet}, "Remove");
+    return !icon_button("##remove", Icon::Cross, {size, palette(edited.theme).quiet}, "Remove");
 }
 
-void draw_sections(UiState& state) {
-    std::vector<Section>& sections = state.document.region.sections;
+void draw_sections(Edited& edited) {
+    std::vector<Section>& sections = edited.document.region.sections;
     for (std::size_t i = 0; i < sections.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        const bool keeps = draw_section(state, sections[i]);
+        const bool keeps = draw_section(edited, sections[i]);
         ImGui::PopID();
         if (keeps) continue;
         sections.erase(sections.begin() + static_cast<std::ptrdiff_t>(i));
@@ -171,7 +170,7 @@ void draw_sections(UiState& state) {
     }
     if (sections.size() == max_sections) return;
     if (ImGui::Button("Add a section", ImVec2(-FLT_MIN, 0.0F))) {
-        sections.push_back(section_across(static_cast<int>(sections.size() % 3), state.document));
+        sections.push_back(section_across(static_cast<int>(sections.size() % 3), edited.document));
     }
     draw_tooltip("Cuts by a plane and shows what is inside.");
 }
@@ -196,19 +195,19 @@ Section section_across(int axis, const Document& document) {
     return make_section(normal, glm::dot(normal, document.clip.centre()));
 }
 
-float clip_section_height(const UiState& state) {
-    const Region& region = state.document.region;
-    float rows = 2.0F + (state.layout.edges_open ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
+float clip_section_height(const Edited& edited) {
+    const Region& region = edited.document.region;
+    float rows = 2.0F + (edited.layout.edges_open ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
     for (const Section& section : region.sections)
         rows += axis_of(section) == free_axis ? 3.0F : 2.0F;
     if (region.sections.size() < max_sections) rows += 1.0F;
     return rows * ImGui::GetFrameHeightWithSpacing();
 }
 
-void draw_clip_section(UiState& state) {
-    draw_box(state);
-    draw_ball(state);
-    draw_sections(state);
+void draw_clip_section(Edited& edited) {
+    draw_box(edited);
+    draw_ball(edited);
+    draw_sections(edited);
 }
 
 }  // namespace zeroset::ui

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
 
 namespace zeroset::ui {
 
 /// Draws the settings of the clip region: box, sphere, sections. Edits the document's `clip` and
 /// `region`.
-void draw_clip_section(UiState& state);
+void draw_clip_section(Edited& edited);
 /// Height of the section's contents in window coordinates.
-float clip_section_height(const UiState& state);
+float clip_section_height(const Edited& edited);
 
 /// Returns `box` scaled about its centre so that its longest edge is 2 * half.
 Box resized(const Box& box, double half);

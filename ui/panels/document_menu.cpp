@@ -10,16 +10,17 @@
 #include <filesystem>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
 
-void draw_recent(UiState& state) {
-    if (!ImGui::BeginMenu("Open recent", !state.recent.empty())) return;
-    for (const std::string& path : state.recent) {
+void draw_recent(const std::vector<std::string>& paths, Wishes& wishes) {
+    if (!ImGui::BeginMenu("Open recent", !paths.empty())) return;
+    for (const std::string& path : paths) {
         ImGui::PushID(path.c_str());
         const std::string name = std::filesystem::path(path).filename().string();
-        if (ImGui::MenuItem(name.c_str())) state.open_path = path;
+        if (ImGui::MenuItem(name.c_str())) wishes.open_path = path;
         draw_tooltip(path, 40.0F);
         ImGui::PopID();
     }
@@ -39,13 +40,14 @@ void draw_items(UiState& state, std::initializer_list<const char*> names) {
 }  // namespace
 
 void draw_document_menu(UiState& state, const IconLook& look) {
-    const std::string about = state.name + (state.unsaved ? " (not saved)" : "");
+    const DocumentStatus& document = state.shown.document;
+    const std::string about = document.name + (document.unsaved ? " (not saved)" : "");
     if (icon_button("##document", Icon::Menu, look, about)) ImGui::OpenPopup("##document menu");
     if (!ImGui::BeginPopup("##document menu")) return;
     ImGui::TextDisabled("%s", about.c_str());
     ImGui::Separator();
     draw_items(state, {"New", "Open..."});
-    draw_recent(state);
+    draw_recent(document.recent, state.wishes);
     ImGui::Separator();
     draw_items(state, {"Save", "Save as..."});
     ImGui::Separator();

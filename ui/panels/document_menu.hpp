@@ -6,7 +6,7 @@
 namespace zeroset::ui {
 
 /// Draws the button that opens the document menu: new, open, recent files, save, copy, paste. Sets
-/// `state.command` and `state.open_path`.
+/// `state.wishes.command` and `state.wishes.open_path`.
 void draw_document_menu(UiState& state, const IconLook& look);
 
 }  // namespace zeroset::ui

@@ -3,7 +3,6 @@
 #include "document/look.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/scene/coloring.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
@@ -40,17 +39,16 @@ void draw_color_by(ColorChoice& coloring) {
     ImGui::EndCombo();
 }
 
-void draw_expression(UiState& state) {
+void draw_expression(std::string& expression, const std::string& error, const Palette& colors) {
     draw_label("of", about_expression);
     ImGui::PushFont(font(FontRole::Formula));
-    ImGui::InputTextWithHint("##color_expression", "x^2 + y^2",
-                             &state.document.coloring.expression);
+    ImGui::InputTextWithHint("##color_expression", "x^2 + y^2", &expression);
     ImGui::PopFont();
-    if (state.color_error.empty()) return;
+    if (error.empty()) return;
     draw_label("", "");
-    ImGui::PushStyleColor(ImGuiCol_Text, palette(state.theme).error);
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.error);
     const float room = ImGui::GetContentRegionAvail().x;
-    if (draw_elided(state.color_error, room)) draw_tooltip(state.color_error);
+    if (draw_elided(error, room)) draw_tooltip(error);
     ImGui::PopStyleColor();
 }
 
@@ -98,14 +96,12 @@ bool draw_end(const char* id, double& end, float width) {
     return true;
 }
 
-void draw_range(UiState& state) {
-    ColorChoice& coloring = state.document.coloring;
+void draw_range(ColorChoice& coloring, const std::optional<Legend>& legend) {
     draw_label("range",
                "The numbers at the ends of the colours. By itself the range holds most of "
                "what the picture shows.");
     bool by_itself = !coloring.range;
-    const ValueRange found =
-        state.legend && state.legend->range ? *state.legend->range : ValueRange();
+    const ValueRange found = legend && legend->range ? *legend->range : ValueRange();
     ValueRange range = coloring.range.value_or(found);
     if (ImGui::Checkbox("auto##range", &by_itself)) {
         coloring.range = by_itself ? std::nullopt : std::optional(range);
@@ -119,8 +115,8 @@ void draw_range(UiState& state) {
     if ((lo || hi) && range.lo < range.hi) coloring.range = range;
 }
 
-void draw_undecided(UiState& state) {
-    ImGui::Checkbox("Mark undecided###undecided", &state.document.mark_undecided);
+void draw_undecided(Document& document, Theme theme) {
+    ImGui::Checkbox("Mark undecided###undecided", &document.mark_undecided);
     draw_tooltip(
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
         "place where f jumps or ends. A larger d_stop decides more of them.");
@@ -128,16 +124,16 @@ void draw_undecided(UiState& state) {
     const char* const jumps = "Jumps###jumps";
     if (ImGui::CalcTextSize(jumps, nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <= room) {
         ImGui::SameLine(0.0F, em(1.2F));
-        ImGui::Checkbox(jumps, &state.document.jumps);
+        ImGui::Checkbox(jumps, &document.jumps);
         draw_tooltip(
             "Draw also where f changes its sign in a jump, as floor and if make it, without "
             "a root.");
     }
-    if (!state.document.mark_undecided) return;
+    if (!document.mark_undecided) return;
     constexpr std::array marks{std::pair(PixelMark::UndecidedDrawn, "something is drawn there"),
                                std::pair(PixelMark::UndecidedNotDrawn, "nothing is drawn there"),
                                std::pair(PixelMark::Coarse, "certified in a coarse bracket")};
-    const CardStyle style = card_style(state.theme);
+    const CardStyle style = card_style(theme);
     const float size = ImGui::GetTextLineHeight();
     for (const auto& [mark, words] : marks) {
         ImGui::Dummy(ImVec2(em(1.6F), size));
@@ -152,25 +148,27 @@ void draw_undecided(UiState& state) {
 
 }  // namespace
 
-float look_section_height(const UiState& state) {
-    const ColorChoice& coloring = state.document.coloring;
+float look_section_height(const Document& document, const ReadingFacts& reading) {
+    const ColorChoice& coloring = document.coloring;
     float rows = 2.0F;
-    if (coloring.by == ColorBy::Expression) rows += state.color_error.empty() ? 1.0F : 2.0F;
+    if (coloring.by == ColorBy::Expression) rows += reading.color_error.empty() ? 1.0F : 2.0F;
     if (has_range(coloring.by)) rows += 2.0F;
-    const float lines = state.document.mark_undecided ? 3.0F : 0.0F;
+    const float lines = document.mark_undecided ? 3.0F : 0.0F;
     return rows * ImGui::GetFrameHeightWithSpacing() +
            lines * ImGui::GetTextLineHeightWithSpacing();
 }
 
-void draw_look_section(UiState& state) {
-    ColorChoice& coloring = state.document.coloring;
+void draw_look_section(Edited& edited, const Shown& shown) {
+    ColorChoice& coloring = edited.document.coloring;
     draw_color_by(coloring);
-    if (coloring.by == ColorBy::Expression) draw_expression(state);
+    if (coloring.by == ColorBy::Expression) {
+        draw_expression(coloring.expression, shown.reading.color_error, palette(edited.theme));
+    }
     if (has_range(coloring.by)) {
         draw_map(coloring);
-        draw_range(state);
+        draw_range(coloring, shown.picture.legend);
     }
-    draw_undecided(state);
+    draw_undecided(edited.document, edited.theme);
 }
 
 }  // namespace zeroset::ui

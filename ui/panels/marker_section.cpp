@@ -1,7 +1,6 @@
 #include "ui/panels/marker_section.hpp"
 
 #include "document/look.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -50,8 +49,8 @@ void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float he
 }
 
 /// Draws a line of the list; false when the user removes the marker.
-bool draw_row(UiState& state, const Marker& marker, const Marker* selected) {
-    const Palette& colors = palette(state.theme);
+bool draw_row(Edited& edited, const Marker& marker, const Marker* selected) {
+    const Palette& colors = palette(edited.theme);
     const bool is_selected = selected == &marker;
     const float height = std::ceil(em(row_em));
     const ImVec2 lo = ImGui::GetCursorScreenPos();
@@ -59,7 +58,7 @@ bool draw_row(UiState& state, const Marker& marker, const Marker* selected) {
     const float width = ImGui::GetContentRegionAvail().x;
     if (ImGui::Selectable("##select", is_selected, ImGuiSelectableFlags_AllowItemOverlap,
                           ImVec2(width - 2.0F * height, height))) {
-        state.selected_marker = is_selected ? 0 : marker.number;
+        edited.selected_marker = is_selected ? 0 : marker.number;
     }
     const std::string text = row_text(marker, selected);
     ImFont* const small = font(FontRole::SmallFormula);
@@ -86,31 +85,31 @@ bool draw_row(UiState& state, const Marker& marker, const Marker* selected) {
 
 }  // namespace
 
-float marker_section_height(const UiState& state) {
-    const auto rows = static_cast<float>(state.document.markers.size());
+float marker_section_height(const Document& document) {
+    const auto rows = static_cast<float>(document.markers.size());
     if (rows == 0.0F) return 2.0F * ImGui::GetTextLineHeightWithSpacing();
     const float one = std::ceil(em(row_em)) + em(0.15F);
     return std::clamp(rows, 1.0F, most_rows) * one + ImGui::GetStyle().ItemSpacing.y;
 }
 
-void draw_marker_section(UiState& state) {
-    const std::vector<Marker>& markers = state.document.markers;
+void draw_marker_section(Edited& edited) {
+    const std::vector<Marker>& markers = edited.document.markers;
     if (markers.empty()) {
-        ImGui::PushStyleColor(ImGuiCol_Text, palette(state.theme).quiet);
+        ImGui::PushStyleColor(ImGuiCol_Text, palette(edited.theme).quiet);
         ImGui::TextWrapped("Click on a surface (or M) to keep a point.");
         ImGui::PopStyleColor();
         return;
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, em(0.15F)));
     int removed = 0;
-    const Marker* const selected = find_marker(markers, state.selected_marker);
+    const Marker* const selected = find_marker(markers, edited.selected_marker);
     for (const Marker& marker : markers) {
         ImGui::PushID(marker.number);
-        if (!draw_row(state, marker, selected)) removed = marker.number;
+        if (!draw_row(edited, marker, selected)) removed = marker.number;
         ImGui::PopID();
     }
     ImGui::PopStyleVar();
-    if (removed != 0) remove_marker(state.document.markers, removed);
+    if (removed != 0) remove_marker(edited.document.markers, removed);
 }
 
 }  // namespace zeroset::ui

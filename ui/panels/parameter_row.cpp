@@ -2,7 +2,6 @@
 
 #include "document/document.hpp"
 #include "document/play.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -80,17 +79,17 @@ void draw_settings(const char* id, Slider& slider) {
     ImGui::EndPopup();
 }
 
-void draw_play_button(UiState& state, const std::string& name, const Slider& slider, float size) {
-    const Palette& colors = palette(state.theme);
-    const bool plays = state.playing.contains(name);
+void draw_play_button(Edited& edited, const std::string& name, const Slider& slider, float size) {
+    const Palette& colors = palette(edited.theme);
+    const bool plays = edited.playing.contains(name);
     const IconLook look{size, plays ? colors.accent : colors.quiet};
     if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look, plays ? "Stop" : "Play")) {
         return;
     }
     if (plays) {
-        state.playing.erase(name);
+        edited.playing.erase(name);
     } else {
-        state.playing[name] = started(slider);
+        edited.playing[name] = started(slider);
     }
 }
 
@@ -104,13 +103,13 @@ void draw_name(const std::string& name, const Palette& colors) {
     draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
 }
 
-void draw_row(UiState& state, const std::string& name) {
-    const Palette& colors = palette(state.theme);
+void draw_row(Edited& edited, const std::string& name) {
+    const Palette& colors = palette(edited.theme);
     ImGui::PushID(name.c_str());
-    Slider slider = slider_named(state, name);
+    Slider slider = slider_named(edited.document, name);
     const float size = ImGui::GetFrameHeight();
     const float left = ImGui::GetCursorPosX();
-    draw_play_button(state, name, slider, size);
+    draw_play_button(edited, name, slider, size);
     ImGui::SameLine(0.0F, em(0.3F));
     draw_name(name, colors);
     ImGui::SameLine(left + size + em(2.5F));
@@ -121,9 +120,9 @@ void draw_row(UiState& state, const std::string& name) {
         ImGui::OpenPopup("##settings");
     }
     draw_settings("##settings", slider);
-    if (slider != slider_named(state, name)) {
-        if (state.playing.contains(name)) state.playing[name] = started(slider);
-        set_slider(state, name, slider);
+    if (slider != slider_named(edited.document, name)) {
+        if (edited.playing.contains(name)) edited.playing[name] = started(slider);
+        set_slider(edited.document, name, slider);
     }
     ImGui::PopID();
 }
@@ -132,26 +131,26 @@ void draw_row(UiState& state, const std::string& name) {
 
 Slider first_slider(const std::string& name) { return name == w_name ? Document().w : Slider(); }
 
-Slider slider_named(const UiState& state, const std::string& name) {
-    return name == w_name ? state.document.w : slider_of(state.document, name);
+Slider slider_named(const Document& document, const std::string& name) {
+    return name == w_name ? document.w : slider_of(document, name);
 }
 
-void set_slider(UiState& state, const std::string& name, const Slider& slider) {
+void set_slider(Document& document, const std::string& name, const Slider& slider) {
     if (name == w_name) {
-        state.document.w = slider;
+        document.w = slider;
     } else if (slider == Slider()) {
-        state.document.parameters.erase(name);
+        document.parameters.erase(name);
     } else {
-        state.document.parameters[name] = slider;
+        document.parameters[name] = slider;
     }
 }
 
-void draw_parameter_rows(UiState& state) {
-    if (!state.uses_w && state.parameters.empty()) return;
+void draw_parameter_rows(Edited& edited, const ReadingFacts& reading) {
+    if (!reading.uses_w && reading.parameters.empty()) return;
     ImGui::Separator();
-    if (state.uses_w) draw_row(state, w_name);
-    for (const std::string& name : state.parameters)
-        draw_row(state, name);
+    if (reading.uses_w) draw_row(edited, w_name);
+    for (const std::string& name : reading.parameters)
+        draw_row(edited, name);
 }
 
 }  // namespace zeroset::ui

@@ -1,18 +1,19 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
+#include "ui/model/shown.hpp"
 
 namespace zeroset::ui {
 
-/// Draws a row for w if the text uses it, and for each of `state.parameters`: play button, slider
+/// Draws a row for w if the text uses it, and for each of `reading.parameters`: play button, slider
 /// and a popup for range, step and speed. Edits the document's sliders and `playing`.
-void draw_parameter_rows(UiState& state);
+void draw_parameter_rows(Edited& edited, const ReadingFacts& reading);
 
 /// Returns the slider of w or of a parameter; first_slider returns its initial settings.
-Slider slider_named(const UiState& state, const std::string& name);
+Slider slider_named(const Document& document, const std::string& name);
 Slider first_slider(const std::string& name);
 /// Stores the slider in the document; a parameter's slider with its initial settings is removed
 /// from it.
-void set_slider(UiState& state, const std::string& name, const Slider& slider);
+void set_slider(Document& document, const std::string& name, const Slider& slider);
 
 }  // namespace zeroset::ui

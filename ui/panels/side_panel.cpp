@@ -50,7 +50,7 @@ void draw_gallery_button(UiState& state, const ImVec2& size) {
 }
 
 void draw_header(UiState& state) {
-    const Palette& colors = palette(state.theme);
+    const Palette& colors = palette(state.edited.theme);
     const float size = button_size();
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
     const IconLook look{size, colors.quiet};
@@ -86,8 +86,7 @@ void draw_section_title(const char* title, bool& open, const Palette& colors) {
 }
 
 /// Draws the panel's right edge and lets the user drag it.
-void draw_edge(UiState& state, float width, float height) {
-    const Palette& colors = palette(state.theme);
+void draw_edge(Layout& layout, float width, float height, const Palette& colors) {
     const ImRect grip(ImVec2(width - em(0.5F), 0.0F), ImVec2(width, height));
     const ImGuiID id = ImGui::GetID("##edge");
     bool hovered = false;
@@ -100,7 +99,7 @@ void draw_edge(UiState& state, float width, float height) {
     if (held) {
         const float most = most_of_window * ImGui::GetIO().DisplaySize.x / em(1.0F);
         const float wished = ImGui::GetIO().MousePos.x / em(1.0F);
-        state.layout.panel_em = std::clamp(wished, narrowest_em, std::max(most, narrowest_em));
+        layout.panel_em = std::clamp(wished, narrowest_em, std::max(most, narrowest_em));
     }
     const float thick = em(lit ? 0.15F : 1.0F / 14.0F);
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
@@ -118,18 +117,42 @@ struct FoldedSection {
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
 constexpr std::array<FoldedSection, 5> sections{
-    {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
-     {"Look", "##look", &Layout::look_open, draw_look_section, look_section_height},
-     {"Clip", "##clip", &Layout::clip_open, draw_clip_section, clip_section_height},
-     {"Space", "##space", &Layout::space_open, draw_space_section, space_section_height},
-     {"Markers", "##markers", &Layout::markers_open, draw_marker_section, marker_section_height}}};
+    {{.title = "View",
+      .id = "##view",
+      .open = &Layout::view_open,
+      .draw = draw_view_section,
+      .height = [](const UiState&) { return view_section_height(); }},
+     {.title = "Look",
+      .id = "##look",
+      .open = &Layout::look_open,
+      .draw = [](UiState& state) { draw_look_section(state.edited, state.shown); },
+      .height =
+          [](const UiState& state) {
+              return look_section_height(state.edited.document, state.shown.reading);
+          }},
+     {.title = "Clip",
+      .id = "##clip",
+      .open = &Layout::clip_open,
+      .draw = [](UiState& state) { draw_clip_section(state.edited); },
+      .height = [](const UiState& state) { return clip_section_height(state.edited); }},
+     {.title = "Space",
+      .id = "##space",
+      .open = &Layout::space_open,
+      .draw = draw_space_section,
+      .height = [](const UiState&) { return space_section_height(); }},
+     {.title = "Markers",
+      .id = "##markers",
+      .open = &Layout::markers_open,
+      .draw = [](UiState& state) { draw_marker_section(state.edited); },
+      .height =
+          [](const UiState& state) { return marker_section_height(state.edited.document); }}}};
 
 float sections_height(const UiState& state) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     float height = 0.0F;
     for (const FoldedSection& section : sections) {
         height += std::ceil(em(1.9F)) + 2.0F * gap;
-        if (state.layout.*section.open) height += section.height(state) + gap;
+        if (state.edited.layout.*section.open) height += section.height(state) + gap;
     }
     return height;
 }
@@ -138,8 +161,9 @@ void draw_below(UiState& state, float height) {
     ImGui::BeginChild("##sections", ImVec2(0.0F, height));
     for (const FoldedSection& section : sections) {
         ImGui::Separator();
-        draw_section_title(section.title, state.layout.*section.open, palette(state.theme));
-        if (!(state.layout.*section.open)) continue;
+        draw_section_title(section.title, state.edited.layout.*section.open,
+                           palette(state.edited.theme));
+        if (!(state.edited.layout.*section.open)) continue;
         ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
         section.draw(state);
         ImGui::EndChild();
@@ -153,7 +177,8 @@ void draw_folded(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.2F), em(0.2F)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
-        draw_action(state, "Fold the panel", Icon::Unfold, {size, palette(state.theme).quiet});
+        draw_action(state, "Fold the panel", Icon::Unfold,
+                    {size, palette(state.edited.theme).quiet});
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -179,9 +204,9 @@ void draw_sections(UiState& state) {
 }  // namespace
 
 void draw_side_panel(UiState& state) {
-    if (state.layout.folded) return draw_folded(state);
-    const Palette& colors = palette(state.theme);
-    const float width = side_panel_width(state);
+    if (state.edited.layout.folded) return draw_folded(state);
+    const Palette& colors = palette(state.edited.theme);
+    const float width = side_panel_width(state.edited.layout);
     const float height = ImGui::GetIO().DisplaySize.y - status_bar_height();
     ImGui::SetNextWindowPos(ImVec2(0.0F, 0.0F));
     ImGui::SetNextWindowSize(ImVec2(width, height));
@@ -196,7 +221,7 @@ void draw_side_panel(UiState& state) {
     if (open) {
         draw_header(state);
         draw_sections(state);
-        draw_edge(state, width, height);
+        draw_edge(state.edited.layout, width, height, colors);
     }
     ImGui::End();
 }

@@ -54,15 +54,13 @@ void draw_up(UiState& state) {
         up[axis] = 1.0;
         const char* const name = names[static_cast<std::size_t>(axis)];
         if (axis > 0) ImGui::SameLine(0.0F, em(0.7F));
-        if (ImGui::RadioButton(name, state.document.up == up)) set_up(state, up);
+        if (ImGui::RadioButton(name, state.edited.document.up == up)) set_up(state, up);
     }
 }
 
 }  // namespace
 
-float space_section_height(const UiState& /*state*/) {
-    return 4.0F * ImGui::GetFrameHeightWithSpacing();
-}
+float space_section_height() { return 4.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_space_section(UiState& state) {
     draw_switch(state, "Axes", "Axes");

@@ -8,6 +8,6 @@ namespace zeroset::ui {
 /// how dragging turns the view.
 void draw_space_section(UiState& state);
 /// Height of the section's contents in window coordinates.
-float space_section_height(const UiState& state);
+float space_section_height();
 
 }  // namespace zeroset::ui

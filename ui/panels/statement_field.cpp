@@ -117,9 +117,9 @@ void ask_for_keyboard(ImGuiID field) {
 /// Returns the wished caret position if the keyboard is to go to this field, and asks for the
 /// keyboard.
 std::optional<RowFocus::Caret> wished_caret(const UiState& state, int row, ImGuiID field) {
-    if (!state.focus || state.focus->row != row) return std::nullopt;
+    if (!state.wishes.focus || state.wishes.focus->row != row) return std::nullopt;
     if (!is_active(field)) ask_for_keyboard(field);
-    return state.focus->caret;
+    return state.wishes.focus->caret;
 }
 
 /// Makes Shift+Enter insert a line break while it lives, by pretending that it is ImGui's
@@ -187,24 +187,24 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     }
     const std::string typed = statement.text;
     const std::string reloaded = statement.text;
-    if (state.reload == statement.id) {
+    if (state.wishes.reload == statement.id) {
         edit.reload = &reloaded;
-        state.reload.reset();
+        state.wishes.reload.reset();
     }
     const bool changed = edit_text(id, statement.text, width, edit);
-    if (edit.caret && is_active(field)) state.focus.reset();
+    if (edit.caret && is_active(field)) state.wishes.focus.reset();
     if (changed && came_at_once(typed, statement.text)) event = FieldEvent::Paste;
     // Leave only after the field has taken the characters typed before the key.
     if (is_active(field) && event != FieldEvent::None) leave_field();
-    if (typing || is_active(field)) state.typing_row = statement.id;
+    if (typing || is_active(field)) state.input.typing_row = statement.id;
 
     const auto& children = ImGui::GetCurrentWindow()->DC.ChildWindows;
     if (!children.empty()) {
         const FieldView view = view_of(field, *children.back());
         if (statement.text.empty() && hint != nullptr) {
-            draw_hint(view, hint, palette(state.theme).quiet);
+            draw_hint(view, hint, palette(state.edited.theme).quiet);
         } else if (error != nullptr && !error->unfinished) {
-            draw_error_mark(view, statement.text, error->at, palette(state.theme).error);
+            draw_error_mark(view, statement.text, error->at, palette(state.edited.theme).error);
         }
     }
     ImGui::PopFont();

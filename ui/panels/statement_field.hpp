@@ -28,8 +28,9 @@ enum class FieldEvent : std::uint8_t {
 float statement_field_height(const std::string& text);
 
 /// Draws the text field of a row, with a mark at its error. Shift+Enter inserts a line break;
-/// Escape leaves the field. Edits the statement's text, fulfils `state.focus` and `state.reload`
-/// for this row, and sets `state.typing_row` while the field has the keyboard.
+/// Escape leaves the field. Edits the statement's text, fulfils `state.wishes.focus` and
+/// `state.wishes.reload` for this row, and sets `state.input.typing_row` while the field has the
+/// keyboard.
 FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowError* error,
                                 float width, const char* hint);
 

@@ -26,7 +26,7 @@ using Caret = RowFocus::Caret;
 constexpr const char* hint = "type an equation, such as x^2 + y^2 + z^2 = 1";
 constexpr const char* short_hint = "type an equation";
 
-std::vector<Statement>& rows(UiState& state) { return state.document.statements; }
+std::vector<Statement>& rows(UiState& state) { return state.edited.document.statements; }
 
 auto at(UiState& state, std::size_t index) {
     return rows(state).begin() + static_cast<std::ptrdiff_t>(index);
@@ -35,7 +35,7 @@ auto at(UiState& state, std::size_t index) {
 /// Gives the keyboard to the row at `index`, or to the last row; the list is never empty.
 void focus(UiState& state, std::size_t index, Caret caret) {
     const std::size_t last = rows(state).size() - 1;
-    state.focus = RowFocus{rows(state)[std::min(index, last)].id, caret};
+    state.wishes.focus = RowFocus{rows(state)[std::min(index, last)].id, caret};
 }
 
 /// Gives the keyboard to the row below, with the caret in its first line.
@@ -47,16 +47,16 @@ void focus_down(UiState& state, std::size_t index) {
 
 void insert_row(UiState& state, std::size_t index) {
     Statement statement;
-    statement.id = unused_id(state.document);
+    statement.id = unused_id(state.edited.document);
     rows(state).insert(at(state, index), statement);
     focus(state, index, Caret::End);
 }
 
 void remove_row(UiState& state, std::size_t index, bool back) {
-    const bool typing = state.typing_row == rows(state)[index].id;
+    const bool typing = state.input.typing_row == rows(state)[index].id;
     if (rows(state).size() == 1) {
-        rows(state)[0] =
-            Statement{.id = unused_id(state.document), .text = {}, .visible = true, .color = {}};
+        rows(state)[0] = Statement{
+            .id = unused_id(state.edited.document), .text = {}, .visible = true, .color = {}};
     } else {
         rows(state).erase(at(state, index));
     }
@@ -66,7 +66,7 @@ void remove_row(UiState& state, std::size_t index, bool back) {
 
 void duplicate_row(UiState& state, std::size_t index) {
     Statement copy = rows(state)[index];
-    copy.id = unused_id(state.document);
+    copy.id = unused_id(state.edited.document);
     copy.color.reset();
     rows(state).insert(at(state, index + 1), std::move(copy));
     focus(state, index + 1, Caret::End);
@@ -74,7 +74,7 @@ void duplicate_row(UiState& state, std::size_t index) {
 
 void move_row(UiState& state, std::size_t index, std::ptrdiff_t by) {
     const int id = rows(state)[index].id;
-    if (state.typing_row == id) state.focus = RowFocus{id, Caret::End};
+    if (state.input.typing_row == id) state.wishes.focus = RowFocus{id, Caret::End};
     const auto other = static_cast<std::ptrdiff_t>(index) + by;
     if (other < 0 || other >= std::ssize(rows(state))) return;
     std::iter_swap(at(state, index), rows(state).begin() + other);
@@ -114,7 +114,7 @@ void do_event(UiState& state, std::size_t index, RowEvent event) {
 
 /// Draws the button below the last row that adds a row.
 void draw_adder(UiState& state) {
-    const Palette& colors = palette(state.theme);
+    const Palette& colors = palette(state.edited.theme);
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const float height = em(2.0F);
     if (ImGui::InvisibleButton("##add", ImVec2(ImGui::GetContentRegionAvail().x, height))) {
@@ -133,7 +133,7 @@ void draw_adder(UiState& state) {
 
 /// Returns the hint for an empty field; nullptr if the list has more than one row.
 const char* hint_for(const UiState& state) {
-    if (state.document.statements.size() > 1) return nullptr;
+    if (state.edited.document.statements.size() > 1) return nullptr;
     const bool wide = ImGui::GetContentRegionAvail().x > em(32.0F);
     return wide ? hint : short_hint;
 }
@@ -148,7 +148,7 @@ void insert_rows(UiState& state, std::size_t index, const std::string& text) {
 }
 
 void draw_statement_list(UiState& state) {
-    state.typing_row = 0;
+    state.input.typing_row = 0;
     std::optional<std::pair<std::size_t, RowEvent>> event;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.3F), em(0.25F)));
     for (std::size_t i = 0; i < rows(state).size(); ++i) {
@@ -156,7 +156,7 @@ void draw_statement_list(UiState& state) {
         if (happened != RowEvent::None) event = {i, happened};
     }
     draw_adder(state);
-    draw_parameter_rows(state);
+    draw_parameter_rows(state.edited, state.shown.reading);
     ImGui::PopStyleVar();
     if (event) do_event(state, event->first, event->second);
 }

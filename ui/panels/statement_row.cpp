@@ -1,6 +1,7 @@
 #include "ui/panels/statement_row.hpp"
 
 #include "document/sheet.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"
@@ -29,7 +30,7 @@ constexpr float button_em = 1.5F;
 constexpr std::size_t most_readings = 4;
 constexpr std::size_t most_notes = 4;
 /// Opacity of a reading of an older text, while the new one is not read yet.
-constexpr float old_reading_faded = 0.5F;
+constexpr double old_reading_faded = 0.5;
 
 /// Everything that the parts of a row need for drawing.
 struct Row {
@@ -42,7 +43,8 @@ struct Row {
     bool typing;
 
     [[nodiscard]] bool is_surface() const {
-        return std::ranges::find(state.surface_rows, statement.id) != state.surface_rows.end();
+        return std::ranges::find(state.shown.reading.surface_rows, statement.id) !=
+               state.shown.reading.surface_rows.end();
     }
     /// Error of the row's current text; nullptr if there is none or it is not read yet.
     [[nodiscard]] const RowError* error() const {
@@ -167,9 +169,10 @@ RowEvent draw_menu(const Row& row) {
 
 void draw_readings(const Row& row, float width) {
     ImGui::PushFont(font(FontRole::SmallFormula));
-    const bool old = row.state.dimmed > 0.0F && row.report->text != row.statement.text;
-    const float opacity = old ? 1.0F - old_reading_faded * row.state.dimmed : 1.0F;
-    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, opacity));
+    const bool old =
+        row.state.shown.picture.dimmed > 0.0F && row.report->text != row.statement.text;
+    const double dimmed = old ? static_cast<double>(row.state.shown.picture.dimmed) : 0.0;
+    ImGui::PushStyleColor(ImGuiCol_Text, faded(row.colors.quiet, 1.0 - old_reading_faded * dimmed));
     const auto& readings = row.report->readings;
     for (std::size_t i = 0; i < std::min(readings.size(), most_readings); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -293,8 +296,8 @@ RowEvent draw_parts(Row& row, const char* hint) {
 }  // namespace
 
 RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint) {
-    Statement& statement = state.document.statements[index];
-    const auto report = state.reports.find(statement.id);
+    Statement& statement = state.edited.document.statements[index];
+    const auto report = state.shown.reading.reports.find(statement.id);
     ImGui::PushID(statement.id);
     const ImGuiID id = ImGui::GetID("##height");
     const ImRect place = last_place(id);
@@ -304,12 +307,12 @@ RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint)
                                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     Row row{state,
             statement,
-            report == state.reports.end() ? nullptr : &report->second,
-            palette(state.theme),
+            report == state.shown.reading.reports.end() ? nullptr : &report->second,
+            palette(state.edited.theme),
             place,
             free && place.Contains(ImGui::GetIO().MousePos),
             ImGui::GetActiveID() == ImGui::GetID("##equation")};
-    if (state.focus && state.focus->row == statement.id) {
+    if (state.wishes.focus && state.wishes.focus->row == statement.id) {
         ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place);
     }
     draw_back(row, *ImGui::GetWindowDrawList(), place);

@@ -25,7 +25,7 @@ enum class RowEvent : std::uint8_t {
 
 /// Draws one row of the list: grip, swatch, text, eye, cross, and below them its readings or its
 /// error. `hint` is shown in an empty field; nullptr: no hint. Edits
-/// state.document.statements[index].
+/// state.edited.document.statements[index].
 RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint);
 
 }  // namespace zeroset::ui

@@ -1,7 +1,6 @@
 #include "ui/panels/status_panel.hpp"
 
 #include "document/look.hpp"
-#include "ui/model/ui_state.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -58,45 +57,43 @@ void add_text(std::uint32_t color, const std::string& text, const char* between 
 }
 
 /// Width of the view at the point looked at, and the precision: "view 3.2e-07 wide, double".
-std::string view_scale(const UiState& state) {
-    const PictureStatus& picture = state.picture;
-    const ViewFrame view(state.shown.camera);
+std::string view_scale(const PictureFigures& figures, const Camera& camera) {
+    const ViewFrame view(camera);
     const double height = 2.0 * view.half_height * view.look_distance;
-    const double width = height * picture.width_px / picture.height_px;
+    const double width = height * figures.width_px / figures.height_px;
     std::array<char, 64> text{};
     std::snprintf(text.data(), text.size(), "view %.2g wide, %s", width,
-                  std::string(name_of(picture.precision)).c_str());
+                  std::string(name_of(figures.precision)).c_str());
     return text.data();
 }
 
-void draw_figures(const UiState& state, const Palette& colors) {
-    const PictureStatus& picture = state.picture;
-    if (picture.width_px <= 0) return;
-    const std::size_t undecided = picture.counts.undecided;
-    add_text(colors.quiet, milliseconds(picture.frame_ms));
+void draw_figures(const PictureFigures& figures, const ShownPicture& picture,
+                  const Palette& colors) {
+    if (figures.width_px <= 0) return;
+    const std::size_t undecided = figures.counts.undecided;
+    add_text(colors.quiet, milliseconds(figures.frame_ms));
     add_text(colors.quiet,
-             std::to_string(picture.width_px) + " \xC3\x97 " + std::to_string(picture.height_px));
-    std::string certified_text = grouped(picture.counts.certified) + " certified";
-    if (picture.counts.coarse > 0) {
-        certified_text += ", " + grouped(picture.counts.coarse) + " of them coarse";
+             std::to_string(figures.width_px) + " \xC3\x97 " + std::to_string(figures.height_px));
+    std::string certified_text = grouped(figures.counts.certified) + " certified";
+    if (figures.counts.coarse > 0) {
+        certified_text += ", " + grouped(figures.counts.coarse) + " of them coarse";
     }
     add_text(colors.quiet, certified_text);
     std::string undecided_text = grouped(undecided) + " undecided";
-    if (picture.counts.not_drawn > 0) {
-        undecided_text += ", " + grouped(picture.counts.not_drawn) + " of them not drawn";
+    if (figures.counts.not_drawn > 0) {
+        undecided_text += ", " + grouped(figures.counts.not_drawn) + " of them not drawn";
     }
     add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
-    const std::size_t jumps = picture.counts.jumps;
+    const std::size_t jumps = figures.counts.jumps;
     if (jumps > 0) add_text(colors.quiet, grouped(jumps) + " at jumps");
-    add_text(colors.quiet, view_scale(state));
-    const bool empty = picture.counts.certified + undecided + jumps == 0;
+    add_text(colors.quiet, view_scale(figures, picture.camera));
+    const bool empty = figures.counts.certified + undecided + jumps == 0;
     if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
 }
 
 /// Adds the surface's colour and, if there are several, the number of its row.
-void add_surface(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
-    const std::vector<Statement>& rows = state.document.statements;
-    const auto row = std::ranges::find(rows, pointed.row, &Statement::id);
+void add_surface(const std::vector<Statement>& rows, int id, const Palette& colors) {
+    const auto row = std::ranges::find(rows, id, &Statement::id);
     if (row == rows.end()) return;
     const float size = ImGui::GetTextLineHeight();
     const ImVec2 lo = ImGui::GetCursorScreenPos();
@@ -120,10 +117,11 @@ std::string small_number(const char* format, double number) {
 
 /// Draws the facts of the point under the pointer, with as many digits as distinguish neighbouring
 /// pixels and are certain.
-void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palette& colors) {
+void draw_pointed(const PointedFacts& pointed, const std::vector<Statement>& rows,
+                  const Palette& colors) {
     const PointFacts& facts = pointed.facts;
     const double resolution = std::max(0.1 * pointed.pixel_size, facts.within);
-    add_surface(state, pointed, colors);
+    add_surface(rows, pointed.row, colors);
     const bool certified = is_proved(facts.certificate);
     const bool coarse = facts.certificate == Certificate::Coarse;
     add_text(colors.text, coordinates_text(facts.point, resolution), "");
@@ -139,15 +137,16 @@ void draw_pointed(const UiState& state, const PointedFacts& pointed, const Palet
 }
 
 /// Draws note and news, then facts of the point under the pointer or, without one, of the picture.
-void draw_known(const UiState& state, const Palette& colors) {
-    if (!state.note.empty()) add_text(colors.warning, state.note);
-    if (!state.done.empty()) add_text(colors.accent, state.done);
-    if (state.pointed) {
-        draw_pointed(state, *state.pointed, colors);
-    } else if (!state.hides_figures) {
-        draw_figures(state, colors);
+void draw_known(const Shown& shown, const std::vector<Statement>& rows, const Palette& colors) {
+    const StatusTexts& status = shown.status;
+    if (!status.note.empty()) add_text(colors.warning, status.note);
+    if (!status.done.empty()) add_text(colors.accent, status.done);
+    if (shown.pointed) {
+        draw_pointed(*shown.pointed, rows, colors);
+    } else if (!shown.figures.hidden) {
+        draw_figures(shown.figures, shown.picture, colors);
     }
-    if (state.picture.tracing && state.doing.empty()) {
+    if (shown.picture.tracing && status.doing.empty()) {
         add_text(colors.accent, "tracing\xE2\x80\xA6");
     }
 }
@@ -162,8 +161,8 @@ void draw_keys_hint() {
 
 }  // namespace
 
-void draw_status_panel(const UiState& state) {
-    const Palette& colors = palette(state.theme);
+void draw_status_panel(const Edited& edited, const Shown& shown) {
+    const Palette& colors = palette(edited.theme);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float height = status_bar_height();
     ImGui::SetNextWindowPos(ImVec2(0.0F, window.y - height));
@@ -172,9 +171,9 @@ void draw_status_panel(const UiState& state) {
     if (begin_bar("##status", colors, ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoNav)) {
         ImGui::PushFont(font(FontRole::Small));
         ImGui::SetCursorPosY(0.5F * (height - ImGui::GetTextLineHeight()));
-        if (!state.doing.empty()) add_text(colors.accent, state.doing);
+        if (!shown.status.doing.empty()) add_text(colors.accent, shown.status.doing);
         // Figures of a dimmed picture do not describe the text in the rows.
-        if (state.dimmed == 0.0F) draw_known(state, colors);
+        if (shown.picture.dimmed == 0.0F) draw_known(shown, edited.document.statements, colors);
         draw_keys_hint();
         ImGui::PopFont();
     }

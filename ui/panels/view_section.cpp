@@ -57,10 +57,11 @@ void draw_buttons(UiState& state) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
     const bool wide = half >= ImGui::CalcTextSize("Light theme").x + style.FramePadding.x;
     const ImVec2 size(half, 0.0F);
-    if (ImGui::Button(wide ? "Reset view###reset" : "Reset###reset", size)) state.reset_view = true;
+    if (ImGui::Button(wide ? "Reset view###reset" : "Reset###reset", size))
+        state.wishes.reset_view = true;
     draw_tooltip("Look at the whole box again (R).");
     ImGui::SameLine();
-    const bool dark = state.theme == Theme::Dark;
+    const bool dark = state.edited.theme == Theme::Dark;
     const std::string other = dark ? "Light" : "Dark";
     if (ImGui::Button((other + (wide ? " theme" : "") + "###theme").c_str(), size)) {
         action_named("Light theme").run(state);
@@ -70,14 +71,12 @@ void draw_buttons(UiState& state) {
 
 }  // namespace
 
-float view_section_height(const UiState& /*state*/) {
-    return 4.0F * ImGui::GetFrameHeightWithSpacing();
-}
+float view_section_height() { return 4.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_view_section(UiState& state) {
-    draw_d_stop(state.document.stop);
-    draw_projection(state.document.camera);
-    draw_light(state.document);
+    draw_d_stop(state.edited.document.stop);
+    draw_projection(state.edited.document.camera);
+    draw_light(state.edited.document);
     draw_buttons(state);
 }
 

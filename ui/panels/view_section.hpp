@@ -8,6 +8,6 @@ namespace zeroset::ui {
 /// the document's `stop`, `camera`, `shadows` and `antialias`, and `theme` and `reset_view`.
 void draw_view_section(UiState& state);
 /// Height of the section's contents in window coordinates.
-float view_section_height(const UiState& state);
+float view_section_height();
 
 }  // namespace zeroset::ui

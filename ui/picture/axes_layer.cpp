@@ -3,7 +3,7 @@
 #include "engine/annotate/axes.hpp"
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/axis_shapes.hpp"
-#include "ui/model/ui_state.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/theme.hpp"
 
@@ -13,14 +13,13 @@ namespace zeroset::ui {
 namespace {
 
 /// Opacity of each of a label's outline's eight copies, which lie over one another.
-constexpr float outline_opacity = 0.3F;
+constexpr double outline_opacity = 0.3;
 /// Opacity of a number behind a surface: it must be read, unlike lines, which need only be seen.
 constexpr double hidden_label_opacity = 0.6;
 
-AxesView view_of(const UiState& state, const ImVec2& extent) {
-    const Document& document = state.document;
+AxesView view_of(const Document& document, const Camera& camera, const ImVec2& extent) {
     return {.clip = document.clip,
-            .camera = state.shown.camera,
+            .camera = camera,
             .up = document.up,
             .width = static_cast<int>(extent.x),
             .height = static_cast<int>(extent.y),
@@ -38,13 +37,15 @@ AxisStyle style_of(Theme theme) {
 
 }  // namespace
 
-void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state) {
-    const AxesChoice choice{state.document.axes, state.document.clip_box, state.document.grid};
+void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const Edited& edited,
+               const ShownPicture& picture) {
+    const Document& document = edited.document;
+    const AxesChoice choice{document.axes, document.clip_box, document.grid};
     const ImVec2 extent(hi.x - lo.x, hi.y - lo.y);
-    if (!choice.any() || state.shown.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
-    const Axes axes = make_axes(view_of(state, extent), choice, *state.shown.frame);
+    if (!choice.any() || picture.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
+    const Axes axes = make_axes(view_of(document, picture.camera, extent), choice, *picture.frame);
     canvas.PushClipRect(lo, hi, true);
-    draw_shapes(canvas, lo, axis_shapes(axes, style_of(state.theme)));
+    draw_shapes(canvas, lo, axis_shapes(axes, style_of(edited.theme)));
     canvas.PopClipRect();
 }
 

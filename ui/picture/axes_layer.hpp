@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
+#include "ui/model/shown.hpp"
 
 struct ImDrawList;
 struct ImVec2;
@@ -9,6 +10,7 @@ namespace zeroset::ui {
 
 /// Axes, clip box and grid, as far as they are wanted, over the picture that is shown between `lo`
 /// and `hi` (window coordinates).
-void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state);
+void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const Edited& edited,
+               const ShownPicture& picture);
 
 }  // namespace zeroset::ui

@@ -1,6 +1,7 @@
 #include "ui/picture/axis_gizmo.hpp"
 
 #include "engine/annotate/axis_colors.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/steering.hpp"
@@ -67,15 +68,15 @@ void draw_ball(ImDrawList& canvas, const GizmoBall& ball, bool lit, Theme theme)
         (dark ? axes_on_dark : axes_on_light).axes[static_cast<std::size_t>(ball.axis)];
     const std::uint32_t ink = dark ? palette(theme).ground : palette(theme).sky;
     const ImVec2 at = place_of(ball);
-    // What is farther is fainter.
-    const float opacity = lit ? 1.0F : 0.8F + 0.2F * static_cast<float>(ball.nearness);
+    // Farther balls are fainter.
+    const double opacity = lit ? 1.0 : 0.8 + 0.2 * ball.nearness;
     if (ball.positive) {
-        canvas.AddLine(middle(), at, faded(color, 0.8F * opacity), em(0.14F));
+        canvas.AddLine(middle(), at, faded(color, 0.8 * opacity), em(0.14F));
         canvas.AddCircleFilled(at, em(ball_em), faded(color, opacity));
         draw_letter(canvas, ball, ink);
     } else {
-        canvas.AddCircleFilled(at, em(ball_em), faded(color, lit ? 0.5F : 0.18F));
-        canvas.AddCircle(at, em(ball_em), faded(color, 0.75F * opacity), 0, em(0.1F));
+        canvas.AddCircleFilled(at, em(ball_em), faded(color, lit ? 0.5 : 0.18));
+        canvas.AddCircle(at, em(ball_em), faded(color, 0.75 * opacity), 0, em(0.1F));
         if (lit) draw_letter(canvas, ball, palette(theme).text);
     }
 }
@@ -88,7 +89,8 @@ void follow_pointer(UiState& state, bool clicked, const std::optional<GizmoBall>
         PointerMotion motion;
         motion.orbit =
             glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / static_cast<double>(picture_height());
-        state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+        state.edited.document.camera =
+            steer(*state.edited.document.camera, motion, turn_mode_of(state.edited.document));
     }
     if (clicked && !dragged && under) {
         const glm::dvec3 outward = under->outward();
@@ -120,8 +122,9 @@ glm::vec2 gizmo_place(const GizmoBall& ball) {
 
 void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float width = window.x - side_panel_width(state);
-    if (!state.document.camera || std::min(width, picture_height()) < em(least_picture_em)) return;
+    const float width = window.x - side_panel_width(state.edited.layout);
+    if (!state.edited.document.camera || std::min(width, picture_height()) < em(least_picture_em))
+        return;
 
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |
@@ -135,19 +138,19 @@ void draw_axis_gizmo(UiState& state) {
     if (ImGui::Begin("##gizmo", nullptr, flags)) {
         const bool clicked = ImGui::InvisibleButton("##axes", ImGui::GetContentRegionAvail());
         const bool hovered = ImGui::IsItemHovered();
-        const auto balls = gizmo_balls(*state.document.camera);
+        const auto balls = gizmo_balls(*state.edited.document.camera);
         const auto under =
             hovered ? ball_under(balls, ImGui::GetIO().MousePos) : std::optional<GizmoBall>();
         follow_pointer(state, clicked, under);
-        if (hovered) zoom_by_wheel(state);
+        if (hovered) zoom_by_wheel(state.edited, state.shown.picture);
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),
-                                   faded(palette(state.theme).text, 0.08F));
+                                   faded(palette(state.edited.theme).text, 0.08));
         }
         for (const GizmoBall& ball : balls) {
             const bool lit = under && under->axis == ball.axis && under->positive == ball.positive;
-            draw_ball(canvas, ball, lit, state.theme);
+            draw_ball(canvas, ball, lit, state.edited.theme);
         }
     }
     ImGui::End();

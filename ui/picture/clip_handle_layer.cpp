@@ -3,6 +3,7 @@
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/hidden.hpp"
 #include "engine/annotate/markers.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/clip_outline.hpp"
 #include "ui/picture/draw_shapes.hpp"
@@ -23,9 +24,9 @@ constexpr float stem_em = 6.0F;
 constexpr double longest_stem = 0.15;  ///< in heights of the picture
 constexpr float reach_em = 0.75F;
 constexpr float size_em = 0.36F;  ///< half of a square's edge, a ball's radius
-constexpr float hidden_part = 0.4F;
-constexpr float outline_part = 0.85F;  ///< opacity of what the pointer's handle moves
-constexpr float faint_part = 0.3F;     ///< of a ball's outline otherwise
+constexpr double hidden_part = 0.4;
+constexpr double outline_part = 0.85;  ///< opacity of what the pointer's handle moves
+constexpr double faint_part = 0.3;     ///< of a ball's outline otherwise
 
 Clipping clipping_of(const Document& document) { return {document.clip, document.region}; }
 
@@ -37,19 +38,19 @@ void take_over(Document& document, const Clipping& clipping) {
 }
 
 void follow_drag(UiState& state, const glm::dvec2& cursor) {
-    HandleDrag& drag = *state.handle_drag;
+    HandleDrag& drag = *state.input.handle_drag;
     // Something else has changed it: undo, or a field.
-    if (clipping_of(state.document) != drag.last) drag.given_up = true;
+    if (clipping_of(state.edited.document) != drag.last) drag.given_up = true;
     // A press alone moves nothing.
     const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > 0.0F;
     if (drag.given_up || !moved) return;
     if (is_pressed_once(ImGuiKey_Escape)) {
         drag.given_up = true;
-        return take_over(state.document, drag.start);
+        return take_over(state.edited.document, drag.start);
     }
-    drag.last =
-        dragged(drag, ViewFrame(state.shown.camera), cursor, state.viewport_px.y, keys_held());
-    take_over(state.document, drag.last);
+    drag.last = dragged(drag, ViewFrame(state.shown.picture.camera), cursor,
+                        state.input.viewport_px.y, keys_held());
+    take_over(state.edited.document, drag.last);
 }
 
 /// Across what moves; GLFW has no cursors for slanted directions.
@@ -67,7 +68,7 @@ std::uint32_t color_of(const Handle& handle, Theme theme) {
     return (theme == Theme::Dark ? axes_on_dark : axes_on_light).axes[handle.id.index / 2];
 }
 
-float opacity_of(std::uint32_t color) { return static_cast<float>(color >> 24U) / 255.0F; }
+double opacity_of(std::uint32_t color) { return static_cast<double>(color >> 24U) / 255.0; }
 
 /// As opaque as the colour.
 std::uint32_t white_on(std::uint32_t color) { return faded(0xFFFFFFFFU, opacity_of(color)); }
@@ -97,7 +98,7 @@ void Pen::outline(const std::vector<glm::dvec3>& corners, std::uint32_t color) c
         places.push_back(*at);
     }
     const int count = static_cast<int>(places.size());
-    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3F * opacity_of(color)),
+    canvas.AddPolyline(places.data(), count, faded(0xFF000000U, 0.3 * opacity_of(color)),
                        ImDrawFlags_Closed, em(0.22F));
     canvas.AddPolyline(places.data(), count, color, ImDrawFlags_Closed, em(0.11F));
 }
@@ -111,10 +112,10 @@ void Pen::arrow(const ImVec2& from, const ImVec2& to, std::uint32_t color, float
     const ImVec2 tip(to.x + 1.1F * step.x, to.y + 1.1F * step.y);
     const ImVec2 left(neck.x - step.y, neck.y + step.x);
     const ImVec2 right(neck.x + step.y, neck.y - step.x);
-    canvas.AddLine(from, neck, faded(0xFF000000U, 0.4F), em(0.26F));
+    canvas.AddLine(from, neck, faded(0xFF000000U, 0.4), em(0.26F));
     canvas.AddLine(from, neck, color, em(0.14F));
     canvas.AddTriangleFilled(tip, left, right, color);
-    canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5F), em(0.07F));
+    canvas.AddTriangle(tip, left, right, faded(0xFF000000U, 0.5), em(0.07F));
 }
 
 void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
@@ -124,13 +125,13 @@ void Pen::square(const ImVec2& at, std::uint32_t color, float half) const {
     canvas.AddRect(lo, hi, white_on(color), em(0.12F), 0, em(0.1F));
     const float rim = em(0.07F);
     canvas.AddRect(ImVec2(lo.x - rim, lo.y - rim), ImVec2(hi.x + rim, hi.y + rim),
-                   faded(0xFF000000U, 0.5F), em(0.16F), 0, rim);
+                   faded(0xFF000000U, 0.5), em(0.16F), 0, rim);
 }
 
 void Pen::ball(const ImVec2& at, std::uint32_t color, float radius) const {
     canvas.AddCircleFilled(at, radius, color, 24);
     canvas.AddCircle(at, radius, white_on(color), 24, em(0.1F));
-    canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5F), 24, em(0.07F));
+    canvas.AddCircle(at, radius + em(0.08F), faded(0xFF000000U, 0.5), 24, em(0.07F));
 }
 
 void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
@@ -151,14 +152,14 @@ void Pen::handle(const Handle& handle, std::uint32_t color, bool lit) const {
         case HandlePart::BallRadius: return ball(*at, color, size);
         case HandlePart::SectionPlace: return arrow(*from, *at, color, size);
         case HandlePart::SectionTilt:
-            canvas.AddLine(*from, *at, faded(color, 0.6F), em(0.09F));
+            canvas.AddLine(*from, *at, faded(color, 0.6), em(0.09F));
             return ball(*at, color, 0.85F * size);
     }
 }
 
 void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
-    const Clipping clipping = clipping_of(state.document);
-    const std::uint32_t color = color_of(handle, state.theme);
+    const Clipping clipping = clipping_of(state.edited.document);
+    const std::uint32_t color = color_of(handle, state.edited.theme);
     pen.outline(outline_of(handle.id, clipping, pen.view), faded(color, outline_part));
     pen.handle(handle, color, true);
     const auto at = pen.place(handle.at);
@@ -166,20 +167,22 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
     const PictureArea& area = pen.area;
     const glm::dvec2 dot(at->x - area.lo.x, at->y - area.lo.y);
     const glm::dvec2 size(area.hi.x - area.lo.x, area.height());
-    draw_shapes(pen.canvas, area.lo,
-                tag_shapes(handle_text(handle, clipping, pen.view, state.viewport_px.y), dot,
-                           static_cast<double>(em(size_em + 0.5F)), size, card_style(state.theme)));
+    draw_shapes(
+        pen.canvas, area.lo,
+        tag_shapes(handle_text(handle, clipping, pen.view, state.input.viewport_px.y), dot,
+                   static_cast<double>(em(size_em + 0.5F)), size, card_style(state.edited.theme)));
 }
 
 }  // namespace
 
 std::vector<Handle> shown_handles(const UiState& state, float height) {
-    if (!has_clip_handles(state.layout) || state.shown.frame == nullptr || !(height > 0.0F))
+    if (!has_clip_handles(state.edited.layout) || state.shown.picture.frame == nullptr ||
+        !(height > 0.0F))
         return {};
-    const Clipping clipping = clipping_of(state.document);
+    const Clipping clipping = clipping_of(state.edited.document);
     const double stem = std::min(static_cast<double>(em(stem_em) / height), longest_stem);
-    auto handles = clip_handles(clipping, ViewFrame(state.shown.camera), stem);
-    if (state.handle_drag) hold(handles, *state.handle_drag, clipping);
+    auto handles = clip_handles(clipping, ViewFrame(state.shown.picture.camera), stem);
+    if (state.input.handle_drag) hold(handles, *state.input.handle_drag, clipping);
     return handles;
 }
 
@@ -187,22 +190,23 @@ std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& are
                                           const glm::dvec2& cursor) {
     const bool free =
         ImGui::IsItemHovered() && (!ImGui::IsItemActive() || ImGui::IsItemActivated());
-    if (!state.handle_drag && !free) return std::nullopt;
-    const ViewFrame view(state.shown.camera);
-    if (state.handle_drag) follow_drag(state, cursor);
+    if (!state.input.handle_drag && !free) return std::nullopt;
+    const ViewFrame view(state.shown.picture.camera);
+    if (state.input.handle_drag) follow_drag(state, cursor);
     const std::vector<Handle> handles = shown_handles(state, area.height());
     std::optional<Handle> found;
-    if (state.handle_drag) {
-        found = state.handle_drag->handle;
+    if (state.input.handle_drag) {
+        found = state.input.handle_drag->handle;
         const auto now = std::ranges::find(handles, found->id, &Handle::id);
         if (now != handles.end()) found = *now;
-        if (!ImGui::IsItemActive()) state.handle_drag.reset();
+        if (!ImGui::IsItemActive()) state.input.handle_drag.reset();
     } else {
         found =
             handle_under(handles, view, cursor, static_cast<double>(em(reach_em) / area.height()));
         const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
         if (found && pressed)
-            state.handle_drag = grabbed(*found, clipping_of(state.document), view, cursor);
+            state.input.handle_drag =
+                grabbed(*found, clipping_of(state.edited.document), view, cursor);
     }
     if (found) ImGui::SetMouseCursor(cursor_of(*found, view));
     return found;
@@ -212,18 +216,18 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
                        const std::optional<Handle>& lit) {
     std::vector<Handle> handles = shown_handles(state, area.height());
     if (handles.empty()) return;
-    const ViewFrame view(state.shown.camera);
+    const ViewFrame view(state.shown.picture.camera);
     const Pen pen{canvas, area, view};
     canvas.PushClipRect(area.lo, area.hi, true);
-    // What is nearer covers what is farther.
+    // Nearer handles cover farther ones.
     std::ranges::sort(handles, std::ranges::greater(),
                       [&](const Handle& handle) { return view.distance_of(handle.at); });
     for (const Handle& handle : handles) {
         if (lit && lit->id == handle.id) continue;
-        const bool hidden = is_behind(*state.shown.frame, view, handle.at);
-        const std::uint32_t color = color_of(handle, state.theme);
+        const bool hidden = is_behind(*state.shown.picture.frame, view, handle.at);
+        const std::uint32_t color = color_of(handle, state.edited.theme);
         if (handle.id.part == HandlePart::BallCentre) {
-            pen.outline(outline_of(handle.id, clipping_of(state.document), view),
+            pen.outline(outline_of(handle.id, clipping_of(state.edited.document), view),
                         faded(color, faint_part));
         }
         pen.handle(handle, hidden ? faded(color, hidden_part) : color, false);

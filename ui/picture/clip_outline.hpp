@@ -10,8 +10,8 @@
 
 namespace zeroset::ui {
 
-/// What the handle moves, as a closed line: a face, the ball's outline, where a section cuts the
-/// box.
+/// The part that the handle moves, as a closed line: a face, the ball's outline, where a section
+/// cuts the box.
 std::vector<glm::dvec3> outline_of(const HandleId& id, const Clipping& clipping,
                                    const ViewFrame& view);
 

@@ -2,7 +2,7 @@
 
 #include "engine/annotate/card_style.hpp"
 #include "engine/annotate/shapes.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 
 struct ImDrawList;
 struct ImVec2;

@@ -25,14 +25,14 @@ std::string full_text(const Marker& marker, const ViewFrame& view, const Framebu
     return std::to_string(marker.number) + "  " + coordinates_text(marker.at, resolution);
 }
 
-std::vector<MarkedPoint> marked_points(const UiState& state) {
-    const ViewFrame view(state.shown.camera);
+std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture& picture) {
+    const ViewFrame view(picture.camera);
     std::vector<MarkedPoint> points;
-    for (const Marker& marker : state.document.markers) {
-        const bool selected = marker.number == state.selected_marker;
+    for (const Marker& marker : edited.document.markers) {
+        const bool selected = marker.number == edited.selected_marker;
         points.push_back(
             {marker.at,
-             selected ? full_text(marker, view, *state.shown.frame) : std::to_string(marker.number),
+             selected ? full_text(marker, view, *picture.frame) : std::to_string(marker.number),
              selected});
     }
     return points;
@@ -41,17 +41,18 @@ std::vector<MarkedPoint> marked_points(const UiState& state) {
 }  // namespace
 
 void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
-                        const UiState& state) {
-    const CardStyle style = card_style(state.theme);
+                        const Edited& edited, const Shown& shown) {
+    const ShownPicture& picture = shown.picture;
+    const CardStyle style = card_style(edited.theme);
     const glm::dvec2 size(hi.x - lo.x, hi.y - lo.y);
     Shapes shapes;
-    if (state.shown.frame != nullptr) {
-        shapes = marker_shapes(marked_points(state), {*state.shown.frame, state.shown.camera, size},
-                               style);
+    if (picture.frame != nullptr) {
+        shapes = marker_shapes(marked_points(edited, picture),
+                               {*picture.frame, picture.camera, size}, style);
     }
-    const CornerLegend legend{.legend = state.legend ? &*state.legend : nullptr,
-                              .undecided = state.document.mark_undecided,
-                              .coarse = state.picture.counts.coarse > 0};
+    const CornerLegend legend{.legend = picture.legend ? &*picture.legend : nullptr,
+                              .undecided = edited.document.mark_undecided,
+                              .coarse = shown.figures.counts.coarse > 0};
     const glm::dvec2 margin(style.unit);
     append(shapes, legend_shapes(legend, size - margin, size - 2.0 * margin, style));
     canvas.PushClipRect(lo, hi, true);
@@ -59,13 +60,14 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     canvas.PopClipRect();
 }
 
-int marker_under(const UiState& state, const glm::dvec2& cursor, double reach) {
-    if (state.shown.frame == nullptr) return 0;
-    const ViewFrame view(state.shown.camera);
+int marker_under(const std::vector<Marker>& markers, const ShownPicture& picture,
+                 const glm::dvec2& cursor, double reach) {
+    if (picture.frame == nullptr) return 0;
+    const ViewFrame view(picture.camera);
     int nearest = 0;
-    for (const Marker& marker : state.document.markers) {
+    for (const Marker& marker : markers) {
         const auto seen = place_in_view(view, marker.at);
-        if (!seen || is_behind(*state.shown.frame, view, marker.at)) continue;
+        if (!seen || is_behind(*picture.frame, view, marker.at)) continue;
         const double off = std::hypot(seen->place.x - cursor.x, seen->place.y - cursor.y);
         if (off > reach) continue;
         reach = off;

@@ -1,8 +1,12 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "document/document.hpp"
+#include "ui/model/edited.hpp"
+#include "ui/model/shown.hpp"
 
 #include <glm/ext/vector_double2.hpp>
+
+#include <vector>
 
 struct ImDrawList;
 struct ImVec2;
@@ -12,10 +16,11 @@ namespace zeroset::ui {
 /// Markers and the legend over the picture that is shown between `lo` and `hi` (window
 /// coordinates).
 void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
-                        const UiState& state);
+                        const Edited& edited, const Shown& shown);
 
 /// The number of the marker under a cursor (see PointerMotion), no farther than `reach` in heights
 /// of the picture; 0: none. Those behind surfaces do not count.
-int marker_under(const UiState& state, const glm::dvec2& cursor, double reach);
+int marker_under(const std::vector<Marker>& markers, const ShownPicture& picture,
+                 const glm::dvec2& cursor, double reach);
 
 }  // namespace zeroset::ui

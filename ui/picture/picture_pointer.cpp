@@ -22,7 +22,8 @@ PictureClick click_at(const UiState& state, const glm::dvec2& cursor) {
     click.again = ImGui::GetIO().MouseClickedLastCount[ImGuiMouseButton_Left] > 1;
     const auto height = static_cast<double>(ImGui::GetItemRectSize().y);
     if (height > 0.0)
-        click.marker = marker_under(state, cursor, static_cast<double>(em(reach_em)) / height);
+        click.marker = marker_under(state.edited.document.markers, state.shown.picture, cursor,
+                                    static_cast<double>(em(reach_em)) / height);
     return click;
 }
 
@@ -32,10 +33,10 @@ void follow_picture_pointer(UiState& state, const glm::dvec2& cursor) {
     const bool held = ImGui::IsItemActive();
     const bool pressed_left = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (ImGui::IsItemDeactivated() && pressed_left && !is_drag()) {
-        state.click = click_at(state, cursor);
+        state.wishes.click = click_at(state, cursor);
     }
-    state.pointer.reset();
-    if (ImGui::IsItemHovered() && !(held && is_drag())) state.pointer = cursor;
+    state.input.pointer.reset();
+    if (ImGui::IsItemHovered() && !(held && is_drag())) state.input.pointer = cursor;
 }
 
 }  // namespace zeroset::ui

@@ -1,6 +1,7 @@
 #include "ui/picture/viewport.hpp"
 
 #include "engine/annotate/hidden.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/view/camera.hpp"
 #include "engine/view/navigation.hpp"
 #include "ui/actions/view_moves.hpp"
@@ -22,12 +23,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 
 namespace zeroset::ui {
 namespace {
 
 /// How much of a picture of another text the background hides.
-constexpr float dimmest = 0.6F;
+constexpr double dimmest = 0.6;
 
 glm::ivec2 size_px(const PictureArea& area) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
@@ -36,25 +38,25 @@ glm::ivec2 size_px(const PictureArea& area) {
 }
 
 void draw_picture(const PictureArea& area, const UiState& state, const Texture& picture) {
-    const Palette& colors = palette(state.theme);
+    const Palette& colors = palette(state.edited.theme);
     ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
     canvas.AddRectFilledMultiColor(area.lo, area.hi, colors.sky, colors.sky, colors.ground,
                                    colors.ground);
     if (picture.width() == 0) return;
-    const bool exact =
-        picture.width() == state.viewport_px.x && picture.height() == state.viewport_px.y;
+    const bool exact = picture.width() == state.input.viewport_px.x &&
+                       picture.height() == state.input.viewport_px.y;
     picture.set_filter(exact ? Filter::Nearest : Filter::Linear);
     const auto id = static_cast<std::uintptr_t>(picture.name());
     // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
     canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
-    if (state.dimmed > 0.0F) {
-        const float veil = dimmest * state.dimmed;
+    if (state.shown.picture.dimmed > 0.0F) {
+        const double veil = dimmest * static_cast<double>(state.shown.picture.dimmed);
         const std::uint32_t sky = faded(colors.sky, veil);
         const std::uint32_t ground = faded(colors.ground, veil);
         canvas.AddRectFilledMultiColor(area.lo, area.hi, sky, sky, ground, ground);
     }
-    draw_axes(canvas, area.lo, area.hi, state);
-    draw_picture_marks(canvas, area.lo, area.hi, state);
+    draw_axes(canvas, area.lo, area.hi, state.edited, state.shown.picture);
+    draw_picture_marks(canvas, area.lo, area.hi, state.edited, state.shown);
 }
 
 PointerMotion pointer_motion(const PictureArea& area) {
@@ -74,10 +76,11 @@ PointerMotion pointer_motion(const PictureArea& area) {
 
 /// Right after the item that the picture is.
 void follow_view_pointer(UiState& state, const PointerMotion& motion) {
-    if (!state.document.camera) return;
-    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    if (!state.edited.document.camera) return;
+    state.edited.document.camera =
+        steer(*state.edited.document.camera, motion, turn_mode_of(state.edited.document));
     if (!ImGui::IsItemHovered() || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return;
-    const auto point = surface_under(state.shown, motion.cursor);
+    const auto point = surface_under(state.shown.picture, motion.cursor);
     if (point) centre_on(state, *point);
 }
 
@@ -85,9 +88,10 @@ void follow_view_pointer(UiState& state, const PointerMotion& motion) {
 void follow_pointer(UiState& state, const PictureArea& area) {
     const PointerMotion motion = pointer_motion(area);
     const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
-    if (ImGui::IsItemHovered() && !state.handle_drag) zoom_by_wheel(state);
+    if (ImGui::IsItemHovered() && !state.input.handle_drag)
+        zoom_by_wheel(state.edited, state.shown.picture);
     if (handle) {
-        state.pointer.reset();
+        state.input.pointer.reset();
     } else {
         follow_picture_pointer(state, motion.cursor);
         follow_view_pointer(state, motion);
@@ -97,14 +101,15 @@ void follow_pointer(UiState& state, const PictureArea& area) {
 
 }  // namespace
 
-void zoom_by_wheel(UiState& state) {
+void zoom_by_wheel(Edited& edited, const ShownPicture& shown) {
     const ImGuiIO& io = ImGui::GetIO();
-    if (io.MouseWheel == 0.0F || !state.document.camera) return;
+    std::optional<Camera>& camera = edited.document.camera;
+    if (io.MouseWheel == 0.0F || !camera) return;
     PointerMotion motion;
     motion.wheel = static_cast<double>(io.MouseWheel);
-    motion.cursor = viewport_area(state).place(io.MousePos);
-    motion.surface = surface_under(state.shown, motion.cursor);
-    state.document.camera = steer(*state.document.camera, motion, turning_of(state));
+    motion.cursor = viewport_area(edited.layout).place(io.MousePos);
+    motion.surface = surface_under(shown, motion.cursor);
+    camera = steer(*camera, motion, turn_mode_of(edited.document));
 }
 
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
@@ -120,10 +125,10 @@ std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dv
 }
 
 void draw_viewport(UiState& state, const Texture& picture) {
-    const PictureArea area = viewport_area(state);
-    state.viewport_px = size_px(area);
+    const PictureArea area = viewport_area(state.edited.layout);
+    state.input.viewport_px = size_px(area);
     draw_picture(area, state, picture);
-    if (state.viewport_px.x <= 0 || state.viewport_px.y <= 0) return;
+    if (state.input.viewport_px.x <= 0 || state.input.viewport_px.y <= 0) return;
 
     // A window without looks, behind all others, that takes what the panels do not want.
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |

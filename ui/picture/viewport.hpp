@@ -13,13 +13,13 @@ namespace zeroset::ui {
 
 /// Zooms towards the pointer as the wheel was turned in this frame. For whatever is over the
 /// picture and has no use for the wheel, while the pointer is over it.
-void zoom_by_wheel(UiState& state);
+void zoom_by_wheel(Edited& edited, const ShownPicture& shown);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);
 
 /// Fills the window between the bars with the picture, stretched if it is coarse; the pointer
-/// changes the view. Draw it before the panels. Sets `state.viewport_px`.
+/// changes the view. Draw it before the panels. Sets `state.input.viewport_px`.
 void draw_viewport(UiState& state, const Texture& picture);
 
 }  // namespace zeroset::ui

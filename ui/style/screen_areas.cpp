@@ -6,10 +6,10 @@
 #include <cmath>
 
 namespace zeroset::ui {
-float side_panel_width(const UiState& state) {
-    if (state.layout.folded) return 0.0F;
+float side_panel_width(const Layout& layout) {
+    if (layout.folded) return 0.0F;
     const float most = most_of_window * ImGui::GetIO().DisplaySize.x;
-    return std::ceil(std::min(std::max(em(state.layout.panel_em), em(narrowest_em)),
+    return std::ceil(std::min(std::max(em(layout.panel_em), em(narrowest_em)),
                               std::max(most, em(narrowest_em))));
 }
 
@@ -19,9 +19,9 @@ float picture_height() {
     return std::max(ImGui::GetIO().DisplaySize.y - status_bar_height(), 0.0F);
 }
 
-PictureArea viewport_area(const UiState& state) {
+PictureArea viewport_area(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const float left = std::min(side_panel_width(state), window.x);
+    const float left = std::min(side_panel_width(layout), window.x);
     return {ImVec2(left, 0.0F), ImVec2(window.x, picture_height())};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
 
 #include <glm/ext/vector_double2.hpp>
 #include <imgui/imgui.h>
@@ -36,7 +36,7 @@ inline constexpr float narrowest_em = 17.0F;
 inline constexpr float most_of_window = 0.6F;
 
 /// Width of the side panel in window coordinates; 0 when it is folded.
-float side_panel_width(const UiState& state);
+float side_panel_width(const Layout& layout);
 
 /// Height of the status line along the window's bottom.
 float status_bar_height();
@@ -45,6 +45,6 @@ float status_bar_height();
 float picture_height();
 
 /// The area of the picture: the window without the side panel and the status line.
-PictureArea viewport_area(const UiState& state);
+PictureArea viewport_area(const Layout& layout);
 
 }  // namespace zeroset::ui

@@ -1,6 +1,6 @@
 #include "ui/style/theme.hpp"
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/style/fonts.hpp"
 
 #include <imgui/imgui.h>
@@ -143,11 +143,6 @@ void apply_theme(Theme theme, float scale) {
     set_shape(style);
     set_colors(style, palette(theme));
     style.ScaleAllSizes(scale);
-}
-
-std::uint32_t faded(std::uint32_t color, float opacity) {
-    const auto alpha = static_cast<float>(color >> 24U) * opacity;
-    return (color & 0x00FFFFFFU) | static_cast<std::uint32_t>(alpha + 0.5F) << 24U;
 }
 
 float em(float count) {

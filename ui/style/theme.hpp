@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 
 #include <cstdint>
 
@@ -39,9 +39,6 @@ const Palette& palette(Theme theme);
 
 /// Sets ImGui's style; `scale` is in window coordinates per design unit.
 void apply_theme(Theme theme, float scale);
-
-/// Returns the colour with its opacity multiplied by `opacity` (0 to 1).
-std::uint32_t faded(std::uint32_t color, float opacity);
 
 /// `count` times the size of the text font in window coordinates: the unit of all layout.
 float em(float count);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/shown.hpp"
 
 #include <cstddef>
 #include <string>

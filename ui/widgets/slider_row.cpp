@@ -42,7 +42,7 @@ void type_into(ImGuiID slider) {
 }
 
 /// Formats with three decimals, as the slider does; very large or small numbers as short as "1e9".
-std::string short_number(double value) {
+std::string slider_text(double value) {
     std::array<char, 32> text{};
     const bool fixed = value == 0.0 || (std::abs(value) < 1e4 && std::abs(value) >= 5e-4);
     std::snprintf(text.data(), text.size(), fixed ? "%.3f" : "%.2e", value);
@@ -87,7 +87,7 @@ void draw_slider(const char* id, Slider& slider, const Slider& usual, float righ
         if (moved) slider.value = on_step(slider, slider.value);
         set_value(slider, slider.value);
     }
-    draw_value(short_number(slider.value).c_str(), right);
+    draw_value(slider_text(slider.value).c_str(), right);
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     if (ImGui::IsItemClicked()) type_into(item);
 }

@@ -42,9 +42,8 @@ bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text) {
     return changed;
 }
 
-bool awaits_keyboard(const UiState& state) {
-    return state.focus.has_value() || is_opening(state.gallery_page) ||
-           is_opening(state.command_palette);
+bool awaits_keyboard(const Wishes& wishes, const Pages& pages) {
+    return wishes.focus.has_value() || is_opening(pages.gallery) || is_opening(pages.commands);
 }
 
 }  // namespace zeroset::ui

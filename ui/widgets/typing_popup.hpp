@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/pages.hpp"
+#include "ui/model/wishes.hpp"
 
 #include <functional>
 #include <string>
@@ -20,6 +21,6 @@ void draw_popup(const TypingPopup& popup, const char* name, const std::function<
 bool draw_popup_field(TypingPopup& popup, const char* hint, std::string& text);
 
 /// True while a field is about to get the keyboard; keys must be held back until it has it.
-bool awaits_keyboard(const UiState& state);
+bool awaits_keyboard(const Wishes& wishes, const Pages& pages);
 
 }  // namespace zeroset::ui

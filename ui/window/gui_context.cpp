@@ -1,6 +1,6 @@
 #include "ui/window/gui_context.hpp"
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/gl.hpp"

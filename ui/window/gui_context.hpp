@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/gl.hpp"
 
 namespace zeroset::ui {

@@ -1,7 +1,7 @@
 #include "ui/window/offscreen_window.hpp"
 
 #include "engine/image/framebuffer.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/gl.hpp"
 #include "ui/window/gui_context.hpp"
 #include "ui/window/window.hpp"

@@ -1,4 +1,4 @@
-#include "ui/model/ui_state.hpp"
+#include "ui/model/theme.hpp"
 #include "ui/window/gl.hpp"
 #include "ui/window/gui_context.hpp"
 #include "ui/window/key_queue.hpp"

@@ -3,7 +3,7 @@
 #include "app/desktop/preferences.hpp"
 
 #include "tests/support/test_folder.hpp"
-#include "ui/model/ui_state.hpp"
+#include "ui/model/edited.hpp"
 
 #include <gtest/gtest.h>
 

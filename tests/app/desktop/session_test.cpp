@@ -31,7 +31,7 @@ class Sessions : public testing::Test {
 protected:
     void SetUp() override {
         setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
-        state_.document = with_text("x = 1");
+        state_.edited.document = with_text("x = 1");
     }
 
     static Document with_text(const std::string& text) {
@@ -45,25 +45,27 @@ protected:
     /// Follows one more frame, `after_s` seconds after the last.
     void frame(double after_s = 0.1) { session_->follow(now_s_ += after_s); }
     void give(ui::Command command) {
-        state_.command = command;
+        state_.wishes.command = command;
         frame();
     }
     void answer(std::size_t choice) {
-        ASSERT_TRUE(state_.dialogs.question);
-        state_.dialogs.question->chosen = choice;
+        ASSERT_TRUE(state_.pages.dialogs.question);
+        state_.pages.dialogs.question->chosen = choice;
         frame();
     }
     void choose(const fs::path& path) {
-        ASSERT_TRUE(state_.dialogs.file);
-        state_.dialogs.file->path = path.string();
-        state_.dialogs.file->finished = true;
+        ASSERT_TRUE(state_.pages.dialogs.file);
+        state_.pages.dialogs.file->path = path.string();
+        state_.pages.dialogs.file->finished = true;
         frame();
     }
     void type(const std::string& text, double after_s = 2.0) {
-        state_.document.statements[0].text += text;
+        state_.edited.document.statements[0].text += text;
         frame(after_s);
     }
-    [[nodiscard]] const std::string& text() const { return state_.document.statements[0].text; }
+    [[nodiscard]] const std::string& text() const {
+        return state_.edited.document.statements[0].text;
+    }
     [[nodiscard]] fs::path file(const std::string& name) const { return folder_ / name; }
     static std::string content(const fs::path& path) {
         std::ifstream in(path, std::ios::binary);
@@ -82,22 +84,22 @@ protected:
 TEST_F(Sessions, UndoAndRedo) {
     start();
     type("+y");
-    EXPECT_TRUE(state_.can_undo);
+    EXPECT_TRUE(state_.shown.document.can_undo);
     give(ui::Command::Undo);
     EXPECT_EQ(text(), "x = 1");
-    EXPECT_FALSE(state_.can_undo);
-    EXPECT_FALSE(state_.unsaved);
+    EXPECT_FALSE(state_.shown.document.can_undo);
+    EXPECT_FALSE(state_.shown.document.unsaved);
     give(ui::Command::Redo);
     EXPECT_EQ(text(), "x = 1+y");
-    EXPECT_TRUE(state_.unsaved);
+    EXPECT_TRUE(state_.shown.document.unsaved);
 }
 
 TEST_F(Sessions, ReloadTheFieldUnderEditAfterUndo) {
     start();
     type("+y");
-    state_.typing_row = 1;
+    state_.input.typing_row = 1;
     give(ui::Command::Undo);
-    EXPECT_EQ(state_.reload, 1);
+    EXPECT_EQ(state_.wishes.reload, 1);
 }
 
 TEST_F(Sessions, SaveUnderANameAndAgain) {
@@ -108,21 +110,21 @@ TEST_F(Sessions, SaveUnderANameAndAgain) {
     give(ui::Command::Save);
     choose(file("a.zeroset.json"));
     EXPECT_EQ(session_->title(), "a");
-    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.document);
+    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.edited.document);
     type("+z");
     EXPECT_EQ(session_->title(), "* a");
     give(ui::Command::Save);
-    EXPECT_FALSE(state_.dialogs.file) << "it has a name";
-    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.document);
-    EXPECT_EQ(state_.recent, (std::vector{file("a.zeroset.json").string()}));
+    EXPECT_FALSE(state_.pages.dialogs.file) << "it has a name";
+    EXPECT_EQ(document_from(content(file("a.zeroset.json")))->document, state_.edited.document);
+    EXPECT_EQ(state_.shown.document.recent, (std::vector{file("a.zeroset.json").string()}));
 }
 
 TEST_F(Sessions, SayWhyAFileCannotBeWritten) {
     start();
     give(ui::Command::SaveAs);
     choose(file("missing") / "a.zeroset.json");
-    ASSERT_TRUE(state_.dialogs.question);
-    EXPECT_NE(state_.dialogs.question->text.find("does not exist"), std::string::npos);
+    ASSERT_TRUE(state_.pages.dialogs.question);
+    EXPECT_NE(state_.pages.dialogs.question->text.find("does not exist"), std::string::npos);
     answer(0);
     EXPECT_EQ(session_->title(), "x = 1");
 }
@@ -139,7 +141,7 @@ TEST_F(Sessions, AskBeforeWorkIsLost) {
     give(ui::Command::New);
     answer(1);  // don't save
     EXPECT_EQ(text(), "");
-    EXPECT_FALSE(state_.can_undo);
+    EXPECT_FALSE(state_.shown.document.can_undo);
 }
 
 TEST_F(Sessions, SaveFirstWhenThatIsTheAnswer) {
@@ -159,9 +161,9 @@ TEST_F(Sessions, SaveFirstWhenThatIsTheAnswer) {
 
 TEST_F(Sessions, DoNotAskForTheCameraAlone) {
     start();
-    state_.document.camera = default_camera(state_.document.clip);
+    state_.edited.document.camera = default_camera(state_.edited.document.clip);
     frame();
-    EXPECT_TRUE(state_.can_undo);
+    EXPECT_TRUE(state_.shown.document.can_undo);
     give(ui::Command::Quit);
     EXPECT_TRUE(session_->closed());
 }
@@ -174,9 +176,9 @@ TEST_F(Sessions, OpenAFile) {
     session_->open({file("c.zeroset.json").string()});
     frame();
     EXPECT_EQ(text(), "y = 3");
-    EXPECT_EQ(state_.document.w.value, 0.5);
+    EXPECT_EQ(state_.edited.document.w.value, 0.5);
     EXPECT_EQ(session_->title(), "c");
-    EXPECT_FALSE(state_.can_undo);
+    EXPECT_FALSE(state_.shown.document.can_undo);
 }
 
 TEST_F(Sessions, LeaveADamagedFileAndTheDocumentAlone) {
@@ -186,8 +188,8 @@ TEST_F(Sessions, LeaveADamagedFileAndTheDocumentAlone) {
         start();
         session_->open({file("d.zeroset.json").string()});
         frame();
-        ASSERT_TRUE(state_.dialogs.question) << damage;
-        EXPECT_TRUE(state_.dialogs.question->text.starts_with("I cannot open '"));
+        ASSERT_TRUE(state_.pages.dialogs.question) << damage;
+        EXPECT_TRUE(state_.pages.dialogs.question->text.starts_with("I cannot open '"));
         EXPECT_EQ(text(), "x = 1");
         EXPECT_EQ(content(file("d.zeroset.json")), damage);
         answer(0);
@@ -200,8 +202,8 @@ TEST_F(Sessions, NameWhatInAFileIsNotUnderstood) {
     session_->open({file("e.zeroset.json").string()});
     frame();
     EXPECT_EQ(text(), "y");
-    ASSERT_TRUE(state_.dialogs.question);
-    EXPECT_NE(state_.dialogs.question->text.find("fog"), std::string::npos);
+    ASSERT_TRUE(state_.pages.dialogs.question);
+    EXPECT_NE(state_.pages.dialogs.question->text.find("fog"), std::string::npos);
 }
 
 TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
@@ -209,11 +211,11 @@ TEST_F(Sessions, ShowWhatWasPickedAsAStepWithoutAFile) {
     session_->show(with_text("z = 1"));
     frame();
     EXPECT_EQ(text(), "z = 1");
-    EXPECT_FALSE(state_.unsaved);
+    EXPECT_FALSE(state_.shown.document.unsaved);
     give(ui::Command::Undo);
     EXPECT_EQ(text(), "x = 1");
     give(ui::Command::Save);
-    EXPECT_TRUE(state_.dialogs.file) << "the file is not overwritten by what was picked";
+    EXPECT_TRUE(state_.pages.dialogs.file) << "the file is not overwritten by what was picked";
 }
 
 TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
@@ -227,14 +229,14 @@ TEST_F(Sessions, KeepTheDocumentAgainstACrash) {
     }
     ASSERT_EQ(::waitpid(child, nullptr, 0), child);
     start();
-    ASSERT_TRUE(state_.dialogs.question);
-    EXPECT_NE(state_.dialogs.question->text.find("x = 1 + lost"), std::string::npos);
+    ASSERT_TRUE(state_.pages.dialogs.question);
+    EXPECT_NE(state_.pages.dialogs.question->text.find("x = 1 + lost"), std::string::npos);
     answer(0);
     EXPECT_EQ(text(), "x = 1 + lost");
-    EXPECT_TRUE(state_.unsaved);
+    EXPECT_TRUE(state_.shown.document.unsaved);
     session_.reset();
     start();
-    EXPECT_FALSE(state_.dialogs.question) << "it is offered once";
+    EXPECT_FALSE(state_.pages.dialogs.question) << "it is offered once";
 }
 
 TEST_F(Sessions, LeaveTheDocumentWhereTheWindowCannotGoOn) {
@@ -243,7 +245,7 @@ TEST_F(Sessions, LeaveTheDocumentWhereTheWindowCannotGoOn) {
     session_->abandon();
     type("+z", 10.0);
     session_.reset();
-    state_.document = with_text("x = 2");
+    state_.edited.document = with_text("x = 2");
     start();
     answer(0);
     EXPECT_EQ(text(), "x = 1+y");
@@ -254,7 +256,7 @@ TEST_F(Sessions, DoNotOfferWhatAnotherWindowHas) {
     type(" + open", Session::autosave_s + 1);
     ui::UiState other;
     const Session second(other, {});
-    EXPECT_FALSE(other.dialogs.question);
+    EXPECT_FALSE(other.pages.dialogs.question);
 }
 
 TEST_F(Sessions, KeepWhatIsAsItBeganButNotAsItWasSaved) {

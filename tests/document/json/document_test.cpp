@@ -276,7 +276,7 @@ Slider slider(double value, Repeat repeat) { return {value, 0.0, 4.0, 0.0, 1.0, 
 
 TEST(Play, BouncesBetweenTheEnds) {
     Slider moving = slider(3.0, Repeat::Bounce);
-    Playing playing = started(moving);
+    PlayState playing = started(moving);
     const double range_s = seconds_per_range;
     for (const auto& [elapsed, value] : {std::pair(0.25 * range_s, 4.0),
                                          {0.25 * range_s, 3.0},
@@ -291,14 +291,14 @@ TEST(Play, BouncesBetweenTheEnds) {
 TEST(Play, LoopsFromEndToStart) {
     Slider moving = slider(3.0, Repeat::Loop);
     moving.speed = 2.0;
-    Playing playing = started(moving);
+    PlayState playing = started(moving);
     advance(moving, playing, 0.25 * seconds_per_range);
     EXPECT_NEAR(moving.value, 1.0, 1e-12);
 }
 
 TEST(Play, GoesByStepsAndKeepsItsPlaceBetweenThem) {
     Slider moving{0.0, 0.0, 1.0, 0.25, 1.0, Repeat::Bounce};
-    Playing playing = started(moving);
+    PlayState playing = started(moving);
     for (const double value : {0.0, 0.25, 0.25, 0.5, 0.5}) {
         advance(moving, playing, 0.1 * seconds_per_range);
         EXPECT_DOUBLE_EQ(moving.value, value);

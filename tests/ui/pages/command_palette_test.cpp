@@ -42,10 +42,10 @@ TEST(TextMatch, PrefersBeginningsAndNeighbours) {
 
 UiState some_state() {
     UiState state;
-    state.gallery = {{"Torus", "x = 1", "A ring.", "Algebraic", "Anna"},
-                     {"Undulation", "y = 1", "A wave.", "Periodic", "Berta"}};
-    state.recent = {"/some/where/unduloid.zeroset.json"};
-    state.can_undo = true;
+    state.shown.gallery = {{"Torus", "x = 1", "A ring.", "Algebraic", "Anna"},
+                           {"Undulation", "y = 1", "A wave.", "Periodic", "Berta"}};
+    state.shown.document.recent = {"/some/where/unduloid.zeroset.json"};
+    state.shown.document.can_undo = true;
     return state;
 }
 
@@ -68,24 +68,24 @@ TEST(PaletteLines, AreActionsSurfacesAndRecentFiles) {
 
 TEST(PaletteLines, SayKeysGroupsAndWhatIsOn) {
     UiState state = some_state();
-    state.can_undo = false;
+    state.shown.document.can_undo = false;
     const PaletteLine undo = palette_lines(state, "undo").front();
     EXPECT_EQ(undo.hint, "Ctrl+Z");
     EXPECT_FALSE(undo.enabled);
     EXPECT_EQ(palette_lines(state, "torus").front().hint, "Algebraic");
-    state.document.mark_undecided = true;
+    state.edited.document.mark_undecided = true;
     const PaletteLine mark = palette_lines(state, "mark undecided").front();
     EXPECT_TRUE(mark.is_on);
     mark.run(state);
-    EXPECT_FALSE(state.document.mark_undecided);
+    EXPECT_FALSE(state.edited.document.mark_undecided);
 }
 
 class CommandPalettes : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        state_.gallery = some_state().gallery;
-        state_.recent = some_state().recent;
+        state_.shown.gallery = some_state().shown.gallery;
+        state_.shown.document.recent = some_state().shown.document.recent;
         draw();
         press_with_ctrl(GLFW_KEY_K);
         draw();
@@ -98,46 +98,46 @@ protected:
 };
 
 TEST_P(CommandPalettes, RunWhatEnterChooses) {
-    ASSERT_TRUE(state_.command_palette.open);
+    ASSERT_TRUE(state_.pages.commands.open);
     run("und pix");
-    EXPECT_TRUE(state_.document.mark_undecided);
-    EXPECT_FALSE(state_.command_palette.open);
+    EXPECT_TRUE(state_.edited.document.mark_undecided);
+    EXPECT_FALSE(state_.pages.commands.open);
     press_with_ctrl(GLFW_KEY_K);
     draw();
-    EXPECT_EQ(state_.command_palette.typed, "") << "begins anew";
+    EXPECT_EQ(state_.pages.commands.typed, "") << "begins anew";
     run("torus");
-    EXPECT_EQ(state_.surface, 0U);
+    EXPECT_EQ(state_.wishes.gallery_item, 0U);
     press_with_ctrl(GLFW_KEY_K);
     draw();
     run("unduloid");
-    EXPECT_EQ(state_.open_path, "/some/where/unduloid.zeroset.json");
+    EXPECT_EQ(state_.wishes.open_path, "/some/where/unduloid.zeroset.json");
 }
 
 TEST_P(CommandPalettes, LeaveWhatCannotBeDoneNow) {
     run("undo");
-    EXPECT_FALSE(state_.command);
-    EXPECT_TRUE(state_.command_palette.open);
+    EXPECT_FALSE(state_.wishes.command);
+    EXPECT_TRUE(state_.pages.commands.open);
     press(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(state_.command_palette.open);
+    EXPECT_FALSE(state_.pages.commands.open);
     EXPECT_FALSE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
 }
 
 TEST_P(CommandPalettes, AreWalkedThroughByArrows) {
     press(GLFW_KEY_UP);
-    EXPECT_EQ(state_.command_palette.selected, 0U);
+    EXPECT_EQ(state_.pages.commands.selected, 0U);
     const auto lines = palette_lines(state_, "");
     const auto wanted = std::ranges::find(lines, "Mark undecided pixels", &PaletteLine::text);
     ASSERT_NE(wanted, lines.end());
     for (auto line = lines.begin(); line != wanted; ++line)
         press(GLFW_KEY_DOWN);
     press(GLFW_KEY_ENTER);
-    EXPECT_TRUE(state_.document.mark_undecided);
+    EXPECT_TRUE(state_.edited.document.mark_undecided);
 }
 
 TEST_P(CommandPalettes, OpenThePageTheyName) {
     run("gallery");
     draw();
-    EXPECT_TRUE(state_.gallery_page.open);
+    EXPECT_TRUE(state_.pages.gallery.open);
     EXPECT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
 }
 

@@ -35,20 +35,20 @@ protected:
     }
 
     void ask() {
-        state_.dialogs.question =
+        state_.pages.dialogs.question =
             Question{"Save the changes?", {"Save", "Don't save", "Cancel"}, {}};
         draw();
     }
     [[nodiscard]] std::optional<std::size_t> answer() const {
-        return state_.dialogs.question->chosen;
+        return state_.pages.dialogs.question->chosen;
     }
     void choose(FileChoice::Purpose purpose) {
-        state_.dialogs.file = FileChoice{};
-        state_.dialogs.file->purpose = purpose;
-        state_.dialogs.file->folder = folder_.path().string();
+        state_.pages.dialogs.file = FileChoice{};
+        state_.pages.dialogs.file->purpose = purpose;
+        state_.pages.dialogs.file->folder = folder_.path().string();
         draw();
     }
-    FileChoice& file() { return *state_.dialogs.file; }
+    FileChoice& file() { return *state_.pages.dialogs.file; }
     void type(const std::string& text) {
         OffscreenWindow::type(text);
         draw_frame();
@@ -82,13 +82,13 @@ TEST_P(DialogPanels, AnswerByMouse) {
 }
 
 TEST_P(DialogPanels, KeepTheRowsFromTheKeyboard) {
-    state_.focus = RowFocus{1, RowFocus::Caret::End};
+    state_.wishes.focus = RowFocus{1, RowFocus::Caret::End};
     draw();
     ask();
     type("y");
     press(GLFW_KEY_ENTER);
-    EXPECT_EQ(state_.document.statements.size(), 1U);
-    EXPECT_EQ(state_.document.statements[0].text, "x^2 + y^2 + z^2 = 1");
+    EXPECT_EQ(state_.edited.document.statements.size(), 1U);
+    EXPECT_EQ(state_.edited.document.statements[0].text, "x^2 + y^2 + z^2 = 1");
 }
 
 TEST_P(DialogPanels, CanGiveUpTheDesktopsDialog) {

@@ -74,7 +74,7 @@ class GalleryPages : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        state_.gallery = three_groups();
+        state_.shown.gallery = three_groups();
     }
     static bool is_shown() { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
     static ImRect everywhere() { return {ImVec2(0.0F, 0.0F), ImGui::GetIO().DisplaySize}; }
@@ -90,12 +90,12 @@ TEST_P(GalleryPages, OpenAtTheirButtonAndCloseBesideThem) {
     OffscreenWindow::point({-1, -1}, false);
     draw();
     ASSERT_TRUE(is_shown());
-    EXPECT_TRUE(state_.gallery_page.open);
+    EXPECT_TRUE(state_.pages.gallery.open);
     click(2, 2);
     draw_frame();
-    EXPECT_FALSE(state_.gallery_page.open);
+    EXPECT_FALSE(state_.pages.gallery.open);
     EXPECT_FALSE(is_shown());
-    EXPECT_FALSE(state_.surface);
+    EXPECT_FALSE(state_.wishes.gallery_item);
 }
 
 TEST_P(GalleryPages, OpenASurfaceByOneClick) {
@@ -104,8 +104,8 @@ TEST_P(GalleryPages, OpenASurfaceByOneClick) {
     ASSERT_NE(cards, nullptr);
     const ImRect place = child(std::string(cards->Name) + "/##cards")->Rect();
     click_at({place.Min.x + static_cast<float>(px(60)), place.Min.y + static_cast<float>(px(80))});
-    EXPECT_EQ(state_.surface, 0U);
-    EXPECT_FALSE(state_.gallery_page.open);
+    EXPECT_EQ(state_.wishes.gallery_item, 0U);
+    EXPECT_FALSE(state_.pages.gallery.open);
     draw();
     EXPECT_FALSE(is_shown());
 }
@@ -114,39 +114,39 @@ TEST_P(GalleryPages, AreSearchedByTypingAndOpenedByEnter) {
     open();
     OffscreenWindow::type("periodic");
     draw();
-    EXPECT_EQ(state_.gallery_page.visible, std::vector<std::size_t>{1});
+    EXPECT_EQ(state_.wishes.thumbnails.items, std::vector<std::size_t>{1});
     press(GLFW_KEY_ENTER);
-    EXPECT_EQ(state_.surface, 1U);
-    EXPECT_FALSE(state_.gallery_page.open);
+    EXPECT_EQ(state_.wishes.gallery_item, 1U);
+    EXPECT_FALSE(state_.pages.gallery.open);
 }
 
 TEST_P(GalleryPages, AreWalkedThroughByArrows) {
     open();
     press(GLFW_KEY_RIGHT);
-    EXPECT_EQ(state_.gallery_page.selected, 3U);
+    EXPECT_EQ(state_.pages.gallery.selected, 3U);
     for (int i = 0; i < 6; ++i)
         press(GLFW_KEY_DOWN);
     draw();
-    EXPECT_EQ(state_.gallery_page.selected, 2U);
-    EXPECT_EQ(std::ranges::count(state_.gallery_page.visible, 2U), 1) << "scrolled into sight";
+    EXPECT_EQ(state_.pages.gallery.selected, 2U);
+    EXPECT_EQ(std::ranges::count(state_.wishes.thumbnails.items, 2U), 1) << "scrolled into sight";
     press(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(state_.gallery_page.open);
-    EXPECT_FALSE(state_.surface);
+    EXPECT_FALSE(state_.pages.gallery.open);
+    EXPECT_FALSE(state_.wishes.gallery_item);
 }
 
 TEST_P(GalleryPages, ShowThePicturesOfTheCardsInSight) {
     open();
-    EXPECT_EQ(state_.gallery_page.visible.front(), 0U);
-    EXPECT_EQ(state_.gallery_page.picture_px, glm::ivec2(px(320), px(240)));
+    EXPECT_EQ(state_.wishes.thumbnails.items.front(), 0U);
+    EXPECT_EQ(state_.wishes.thumbnails.size_px, glm::ivec2(px(320), px(240)));
     const int before = count(window_->pixels(), colors().undecided, everywhere());
     Texture texture;
     texture.upload(RgbaImage{2, 2, std::vector<std::uint32_t>(4, colors().undecided)});
-    state_.gallery_page.pictures[0] = texture.name();
+    state_.shown.thumbnails[0] = texture.name();
     const int after = count(draw(), colors().undecided, everywhere());
     EXPECT_GT(after - before, px(100) * px(60));
-    state_.gallery_page.pictures.clear();
+    state_.shown.thumbnails.clear();
     press(GLFW_KEY_ESCAPE);
-    EXPECT_TRUE(state_.gallery_page.visible.empty());
+    EXPECT_TRUE(state_.wishes.thumbnails.items.empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, GalleryPages, testing::ValuesIn(different_looks()),

@@ -21,14 +21,14 @@ class Help : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        state_.language_help = {
+        state_.shown.language_help = {
             {"Statements", {{"x^2 + y^2 = 1", "a surface: where both sides are equal"}}},
             {"Functions", {}}};
         for (int i = 0; i < 40; ++i) {
-            state_.language_help[1].entries.push_back(
+            state_.shown.language_help[1].entries.push_back(
                 {"f" + std::to_string(i) + "(x)", "the function number " + std::to_string(i)});
         }
-        state_.language_help[1].entries.push_back({"sqrt(x)", "the Square root"});
+        state_.shown.language_help[1].entries.push_back({"sqrt(x)", "the Square root"});
     }
 
     static bool is_shown() {
@@ -49,7 +49,7 @@ TEST_P(Help, OpensAndClosesWithF1) {
 
 TEST_P(Help, OpensAtItsButtonAndClosesAtItsCross) {
     draw();
-    const float edge = side_panel_width(state_);
+    const float edge = side_panel_width(state_.edited.layout);
     click_at({edge - static_cast<float>(px(52)), static_cast<float>(px(22))});
     draw();
     ASSERT_TRUE(is_shown());
@@ -61,23 +61,23 @@ TEST_P(Help, OpensAtItsButtonAndClosesAtItsCross) {
 
 TEST_P(Help, LeavesTheKeyboardToTheFormula) {
     set_rows(state_, {""});
-    state_.focus = RowFocus{1, RowFocus::Caret::All};
+    state_.wishes.focus = RowFocus{1, RowFocus::Caret::All};
     draw();
     press(GLFW_KEY_F1);
     OffscreenWindow::type("x + y");
     draw_frame();
     EXPECT_TRUE(is_shown());
-    EXPECT_EQ(state_.document.statements[0].text, "x + y");
+    EXPECT_EQ(state_.edited.document.statements[0].text, "x + y");
     press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(is_shown());
     OffscreenWindow::type(" + z");
     draw_frame();
-    EXPECT_EQ(state_.document.statements[0].text, "x + y + z")
+    EXPECT_EQ(state_.edited.document.statements[0].text, "x + y + z")
         << "Escape closed the help and nothing else";
 }
 
 TEST_P(Help, FitsItsWindow) {
-    state_.show_help = true;
+    state_.pages.help.open = true;
     for (int i = 0; i < frames_to_settle; ++i) {
         draw_frame();
     }
@@ -93,14 +93,14 @@ TEST_P(Help, FitsItsWindow) {
 }
 
 TEST_P(Help, ShowsOnlyWhatTheFilterFinds) {
-    state_.show_help = true;
+    state_.pages.help.open = true;
     draw_frame();
     draw_frame();
     draw_frame();
     const float all = content_height();
     EXPECT_GT(all, static_cast<float>(px(41 * 14)));
     const auto found = [this](const char* filter) {
-        state_.help_filter = filter;
+        state_.pages.help.filter = filter;
         for (int i = 0; i <= frames_to_settle; ++i) {
             draw_frame();
         }
@@ -114,12 +114,12 @@ TEST_P(Help, ShowsOnlyWhatTheFilterFinds) {
 }
 
 TEST_P(Help, ForgetsItsFilterWhenItCloses) {
-    state_.show_help = true;
-    state_.help_filter = "root";
+    state_.pages.help.open = true;
+    state_.pages.help.filter = "root";
     draw_frame();
-    EXPECT_EQ(state_.help_filter, "root");
+    EXPECT_EQ(state_.pages.help.filter, "root");
     press(GLFW_KEY_ESCAPE);
-    EXPECT_EQ(state_.help_filter, "");
+    EXPECT_EQ(state_.pages.help.filter, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Help, testing::ValuesIn(different_looks()),

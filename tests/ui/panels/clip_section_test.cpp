@@ -17,8 +17,8 @@ class ClipSection : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        state_.layout.view_open = false;
-        state_.layout.clip_open = true;
+        state_.edited.layout.view_open = false;
+        state_.edited.layout.clip_open = true;
     }
 
     /// Scrolls a row of the section into sight and clicks it; `along` is 0 left, 1 right.
@@ -34,22 +34,22 @@ protected:
         press(GLFW_KEY_ENTER);
         draw();
     }
-    std::vector<Section>& sections() { return state_.document.region.sections; }
+    std::vector<Section>& sections() { return state_.edited.document.region.sections; }
 };
 
 TEST_P(ClipSection, ShowsASphereAndHidesItAgain) {
     click_row(1, 0.02F);
-    ASSERT_TRUE(state_.document.region.ball);
-    EXPECT_EQ(*state_.document.region.ball, (Ball{{0, 0, 0}, 2.0}));
+    ASSERT_TRUE(state_.edited.document.region.ball);
+    EXPECT_EQ(*state_.edited.document.region.ball, (Ball{{0, 0, 0}, 2.0}));
     click_row(2, 0.5F);
     OffscreenWindow::hold_ctrl(true);
     press(GLFW_KEY_A);
     OffscreenWindow::hold_ctrl(false);
     type("1.25");
-    ASSERT_TRUE(state_.document.region.ball);
-    EXPECT_EQ(state_.document.region.ball->radius, 1.25);
+    ASSERT_TRUE(state_.edited.document.region.ball);
+    EXPECT_EQ(state_.edited.document.region.ball->radius, 1.25);
     click_row(1, 0.02F);
-    EXPECT_FALSE(state_.document.region.ball);
+    EXPECT_FALSE(state_.edited.document.region.ball);
 }
 
 TEST_P(ClipSection, AddsAndTurnsAndRemovesASection) {
@@ -74,8 +74,8 @@ TEST_P(ClipSection, HoldsAsManySectionsAsThereMayBe) {
 }
 
 TEST_P(ClipSection, FitsWithAllItCanHold) {
-    state_.layout.edges_open = true;
-    state_.document.region.ball = Ball{{-123.456, 0, 1e-7}, 0.001};
+    state_.edited.layout.edges_open = true;
+    state_.edited.document.region.ball = Ball{{-123.456, 0, 1e-7}, 0.001};
     sections() = {make_section({1, 2, 3}, 0.5), make_section({0, -1, 0}, -1e6)};
     draw();
     EXPECT_EQ(sections()[0], make_section({1, 2, 3}, 0.5)) << "drawing changes nothing";
@@ -83,7 +83,7 @@ TEST_P(ClipSection, FitsWithAllItCanHold) {
 }
 
 TEST_P(ClipSection, CutsAwayWhatIsBeforeThePointLookedAt) {
-    const Document& document = state_.document;
+    const Document& document = state_.edited.document;
     const glm::dvec3 eye = document.camera->eye;
     for (int axis = 0; axis <= 3; ++axis) {
         const Section section = section_across(axis, document);
@@ -95,14 +95,14 @@ TEST_P(ClipSection, CutsAwayWhatIsBeforeThePointLookedAt) {
 
 TEST_P(ClipSection, SwitchesTheProjectionByItsKey) {
     draw();
-    const Camera before = *state_.document.camera;
+    const Camera before = *state_.edited.document.camera;
     OffscreenWindow::type("5");
     draw();
-    EXPECT_EQ(state_.document.camera->projection, Projection::Orthographic);
-    EXPECT_EQ(state_.document.camera->eye, before.eye);
+    EXPECT_EQ(state_.edited.document.camera->projection, Projection::Orthographic);
+    EXPECT_EQ(state_.edited.document.camera->eye, before.eye);
     OffscreenWindow::type("5");
     draw();
-    EXPECT_EQ(*state_.document.camera, before);
+    EXPECT_EQ(*state_.edited.document.camera, before);
 }
 
 TEST(Resized, KeepsTheCentreAndTheShape) {

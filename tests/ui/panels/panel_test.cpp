@@ -34,28 +34,28 @@ namespace {
 TEST_P(Panels, ShowAPicture) {
     const Framebuffer frame = draw();
     EXPECT_EQ(std::ranges::count(frame.color, colors().error), 0);
-    const auto panel_px = static_cast<int>(side_panel_width(state_));
-    EXPECT_EQ(state_.viewport_px.x, frame.width - panel_px);
-    EXPECT_GT(state_.viewport_px.x, frame.width / 3);
-    EXPECT_GT(state_.viewport_px.y, frame.height / 2);
+    const auto panel_px = static_cast<int>(side_panel_width(state_.edited.layout));
+    EXPECT_EQ(state_.input.viewport_px.x, frame.width - panel_px);
+    EXPECT_GT(state_.input.viewport_px.x, frame.width / 3);
+    EXPECT_GT(state_.input.viewport_px.y, frame.height / 2);
 }
 
 TEST_P(Panels, FoldAtTheirButtonAndUnfold) {
     draw();
-    const float edge = side_panel_width(state_);
+    const float edge = side_panel_width(state_.edited.layout);
     click_at({edge - static_cast<float>(px(22)), static_cast<float>(px(22))});
-    EXPECT_TRUE(state_.layout.folded);
+    EXPECT_TRUE(state_.edited.layout.folded);
     const Framebuffer frame = draw();
-    EXPECT_EQ(state_.viewport_px.x, frame.width);
+    EXPECT_EQ(state_.input.viewport_px.x, frame.width);
     click(22, 22);
-    EXPECT_FALSE(state_.layout.folded);
+    EXPECT_FALSE(state_.edited.layout.folded);
     press_with_ctrl(GLFW_KEY_B);
-    EXPECT_TRUE(state_.layout.folded);
+    EXPECT_TRUE(state_.edited.layout.folded);
 }
 
 TEST_P(Panels, ChangeTheirWidthAtTheEdge) {
     draw();
-    const float edge = side_panel_width(state_) - 2.0F;
+    const float edge = side_panel_width(state_.edited.layout) - 2.0F;
     const float y = static_cast<float>(px(200));
     const float wished = static_cast<float>(px(260));
     OffscreenWindow::point({edge, y}, false);
@@ -66,7 +66,7 @@ TEST_P(Panels, ChangeTheirWidthAtTheEdge) {
     }
     OffscreenWindow::point({wished, y}, false);
     draw();
-    EXPECT_NEAR(side_panel_width(state_), wished, 2.0F);
+    EXPECT_NEAR(side_panel_width(state_.edited.layout), wished, 2.0F);
 }
 
 TEST_P(Panels, SayThatAPictureIsBeingTraced) {
@@ -76,7 +76,7 @@ TEST_P(Panels, SayThatAPictureIsBeingTraced) {
         return text.right - text.left;
     };
     EXPECT_LE(accents(draw()), 0);
-    state_.picture.tracing = true;
+    state_.shown.picture.tracing = true;
     EXPECT_GT(accents(draw()), px(30));
 }
 
@@ -85,9 +85,9 @@ TEST_P(Panels, ShowTheNoteInTheStatusLine) {
         const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
         return bounds(frame, colors().warning, line);
     };
-    state_.picture.counts.undecided = 0;
+    state_.shown.figures.counts.undecided = 0;
     EXPECT_LE(warnings(draw()).right, 0);
-    state_.note = "interpreted until its machine code is ready";
+    state_.shown.status.note = "interpreted until its machine code is ready";
     const Rectangle note = warnings(draw());
     EXPECT_LT(note.left, px(20)) << "the note comes first";
     EXPECT_GT(note.right, px(200));
@@ -99,10 +99,10 @@ TEST_P(Panels, SayHowManyUndecidedPixelsAreNotDrawn) {
         const Rectangle text = bounds(frame, colors().warning, line);
         return text.right - text.left;
     };
-    state_.picture.frame_ms = 1.0;
-    state_.picture.counts = {1, 20, 3};
+    state_.shown.figures.frame_ms = 1.0;
+    state_.shown.figures.counts = {1, 20, 3};
     const int short_text = warnings(draw());
-    state_.picture.counts.not_drawn = 7;
+    state_.shown.figures.counts.not_drawn = 7;
     EXPECT_GT(warnings(draw()), short_text + px(60));
 }
 
@@ -130,11 +130,11 @@ TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
     const auto legend = [this](const Framebuffer& frame) {
         return count(frame, colors().undecided, section("look")->ParentWindow->Rect());
     };
-    state_.layout.view_open = false;
-    state_.layout.look_open = true;
+    state_.edited.layout.view_open = false;
+    state_.edited.layout.look_open = true;
     EXPECT_EQ(legend(draw()), 0);
     click_at(section_line("look", 1));
-    EXPECT_TRUE(state_.document.mark_undecided);
+    EXPECT_TRUE(state_.edited.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
     section_line("look", 2);
     EXPECT_GT(legend(draw()), px(8) * px(8));
@@ -143,11 +143,11 @@ TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
 TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
     click_at(section_line("view", 2));
-    EXPECT_TRUE(state_.document.shadows);
-    EXPECT_FALSE(state_.document.antialias);
+    EXPECT_TRUE(state_.edited.document.shadows);
+    EXPECT_FALSE(state_.edited.document.antialias);
     click_at(section_line("view", 2) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
-    EXPECT_TRUE(state_.document.shadows);
-    EXPECT_TRUE(state_.document.antialias);
+    EXPECT_TRUE(state_.edited.document.shadows);
+    EXPECT_TRUE(state_.edited.document.antialias);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),
@@ -182,7 +182,7 @@ TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
             draw_screen(state, picture);
             window.end_frame();
         }
-        return side_panel_width(state);
+        return side_panel_width(state.edited.layout);
     };
     const float usual = panel_at(1.0F);
     EXPECT_NEAR(panel_at(1.5F), 1.5F * usual, 2.0F);

@@ -22,12 +22,13 @@ namespace {
 class Parameters : public Panels {
 protected:
     void add(int count) {
-        state_.layout.view_open = false;
+        state_.edited.layout.view_open = false;
         for (int i = 0; i < count; ++i)
-            state_.parameters.push_back("p" + std::to_string(i));
+            state_.shown.reading.parameters.push_back("p" + std::to_string(i));
     }
     [[nodiscard]] Slider slider_at(int row) const {
-        return slider_named(state_, state_.parameters[static_cast<std::size_t>(row)]);
+        return slider_named(state_.edited.document,
+                            state_.shown.reading.parameters[static_cast<std::size_t>(row)]);
     }
 
     static const ImGuiWindow& list() { return *child("##side/##list_"); }
@@ -61,14 +62,14 @@ protected:
 
 TEST_P(Parameters, HaveARowForWOnlyWhenThereIsOne) {
     const float without = (draw(), list().ContentSize.y);
-    state_.uses_w = true;
+    state_.shown.reading.uses_w = true;
     draw();
     EXPECT_GT(list().ContentSize.y, without + static_cast<float>(px(20)));
 }
 
 TEST_P(Parameters, KeepTheNumberOffTheSlidersGrab) {
     for (const double value : {4.0, 13.0, 22.0}) {
-        state_.document.stop.value = value;
+        state_.edited.document.stop.value = value;
         section_line("view", 0);
         const Framebuffer frame = draw();
         const ImRect view = section("view")->Rect();
@@ -91,12 +92,12 @@ TEST_P(Parameters, HaveASliderEach) {
     EXPECT_GE(slider_at(1).value, -5.0);
     EXPECT_LE(slider_at(1).value, 5.0);
     EXPECT_EQ(slider_at(0), Slider());
-    EXPECT_EQ(state_.document.parameters.size(), 1U) << "only what is changed is kept";
+    EXPECT_EQ(state_.edited.document.parameters.size(), 1U) << "only what is changed is kept";
 }
 
 TEST_P(Parameters, StayOnTheirSteps) {
     add(1);
-    state_.document.parameters["p0"] = {.value = 0.0, .lo = -4.0, .hi = 4.0, .step = 2.0};
+    state_.edited.document.parameters["p0"] = {.value = 0.0, .lo = -4.0, .hi = 4.0, .step = 2.0};
     draw();
     click_at(slider(0));
     EXPECT_EQ(std::fmod(slider_at(0).value, 2.0), 0.0);
@@ -133,7 +134,7 @@ TEST_P(Parameters, RefuseWhatIsNoNumber) {
 
 TEST_P(Parameters, GoBackAtARightClick) {
     add(1);
-    state_.document.parameters["p0"] = {.value = 30.0, .lo = -40.0, .hi = 50.0};
+    state_.edited.document.parameters["p0"] = {.value = 30.0, .lo = -40.0, .hi = 50.0};
     draw();
     OffscreenWindow::point(slider(0), false);
     for (const bool pressed : {false, true, false}) {
@@ -147,11 +148,11 @@ TEST_P(Parameters, PlayAndStopAtTheirButton) {
     add(2);
     draw();
     click_at(play_button(1));
-    ASSERT_TRUE(state_.playing.contains("p1"));
-    EXPECT_EQ(state_.playing.size(), 1U);
-    EXPECT_DOUBLE_EQ(state_.playing["p1"].place, 0.6);
+    ASSERT_TRUE(state_.edited.playing.contains("p1"));
+    EXPECT_EQ(state_.edited.playing.size(), 1U);
+    EXPECT_DOUBLE_EQ(state_.edited.playing["p1"].place, 0.6);
     click_at(play_button(1));
-    EXPECT_TRUE(state_.playing.empty());
+    EXPECT_TRUE(state_.edited.playing.empty());
 }
 
 TEST_P(Parameters, HaveTheirSettingsBehindAButton) {

@@ -30,12 +30,12 @@ protected:
 
     void SetUp() override {
         Panels::SetUp();
-        state_.layout.view_open = false;
+        state_.edited.layout.view_open = false;
     }
     /// Sets rows with these texts and gives the keyboard to the row with id `row`.
     void begin(const Texts& texts, int row, RowFocus::Caret caret = RowFocus::Caret::End) {
         set_rows(state_, texts);
-        state_.focus = RowFocus{row, caret};
+        state_.wishes.focus = RowFocus{row, caret};
         draw();
         ASSERT_TRUE(is_typing(row));
     }
@@ -55,16 +55,16 @@ protected:
     }
     [[nodiscard]] Texts texts() const {
         Texts texts;
-        for (const Statement& statement : state_.document.statements)
+        for (const Statement& statement : state_.edited.document.statements)
             texts.push_back(statement.text);
         return texts;
     }
     [[nodiscard]] int id_at(std::size_t index) const {
-        return state_.document.statements.at(index).id;
+        return state_.edited.document.statements.at(index).id;
     }
     /// Index of the row that has the keyboard; -1: none.
     [[nodiscard]] int typing() const {
-        for (std::size_t i = 0; i < state_.document.statements.size(); ++i) {
+        for (std::size_t i = 0; i < state_.edited.document.statements.size(); ++i) {
             if (is_typing(id_at(i))) return static_cast<int>(i);
         }
         return -1;
@@ -78,8 +78,8 @@ protected:
                 field(row).Pos.y + static_cast<float>(px(13))};
     }
     void set_error(int row, const std::string& text, std::size_t at, bool unfinished = false) {
-        state_.document.statements[static_cast<std::size_t>(row - 1)].text = text;
-        state_.reports[row] = {text, {}, RowError{"wrong", at, unfinished}};
+        state_.edited.document.statements[static_cast<std::size_t>(row - 1)].text = text;
+        state_.shown.reading.reports[row] = {text, {}, RowError{"wrong", at, unfinished}};
     }
 };
 
@@ -87,7 +87,7 @@ TEST_P(Statements, NotesStandBelowTheirRow) {
     begin({"x = 0,5", "y = 1"}, 2);
     const auto place_with = [&](std::vector<std::string> notes) {
         const Reading reading{StatementKind::Surface, 0, "x = 0,5", std::move(notes)};
-        state_.reports[1] = {"x = 0,5", {reading}, std::nullopt};
+        state_.shown.reading.reports[1] = {"x = 0,5", {reading}, std::nullopt};
         draw();
         draw();
         return field(2).Pos.y;
@@ -203,7 +203,7 @@ TEST_P(Statements, CtrlDDuplicatesTheRow) {
     EXPECT_EQ(texts(), (Texts{"x = 1", "x = 1", "y = 2"}));
     EXPECT_EQ(typing(), 1);
     EXPECT_NE(id_at(0), id_at(1));
-    EXPECT_FALSE(state_.document.statements[1].color) << "it gets one of its own";
+    EXPECT_FALSE(state_.edited.document.statements[1].color) << "it gets one of its own";
 }
 
 TEST_P(Statements, PastedStatementsBecomeRows) {
@@ -216,25 +216,25 @@ TEST_P(Statements, PastedStatementsBecomeRows) {
 
 TEST_P(Statements, ShowATextThatWasSetElsewhereWhileTyping) {
     begin({"x + y"}, 1);
-    state_.document.statements[0].text = "x";
-    state_.reload = 1;
+    state_.edited.document.statements[0].text = "x";
+    state_.wishes.reload = 1;
     draw_frame();
     type("1");
     EXPECT_EQ(texts(), (Texts{"x1"}));
-    EXPECT_FALSE(state_.reload);
+    EXPECT_FALSE(state_.wishes.reload);
 }
 
 TEST_P(Statements, LeaveUndoToTheDocument) {
     begin({"x"}, 1);
     type("1");
-    state_.can_undo = state_.can_redo = true;
+    state_.shown.document.can_undo = state_.shown.document.can_redo = true;
     press_with_ctrl(GLFW_KEY_Z);
-    EXPECT_EQ(state_.command, Command::Undo);
+    EXPECT_EQ(state_.wishes.command, Command::Undo);
     EXPECT_EQ(texts(), (Texts{"x1"})) << "the field itself does not undo";
     OffscreenWindow::hold_shift(true);
     press_with_ctrl(GLFW_KEY_Z);
     OffscreenWindow::hold_shift(false);
-    EXPECT_EQ(state_.command, Command::Redo);
+    EXPECT_EQ(state_.wishes.command, Command::Redo);
 }
 
 TEST_P(Statements, AreAddedBelowTheLast) {
@@ -250,11 +250,11 @@ TEST_P(Statements, AreHiddenByTheirEyeAndRemovedByTheirCross) {
     set_rows(state_, {"a = 2", "x = a"});
     draw();
     click_at(in_row(2, -30));
-    EXPECT_FALSE(state_.document.statements[1].visible);
+    EXPECT_FALSE(state_.edited.document.statements[1].visible);
     click_at(in_row(2, -30));
-    EXPECT_TRUE(state_.document.statements[1].visible);
+    EXPECT_TRUE(state_.edited.document.statements[1].visible);
     click_at(in_row(1, -30));
-    EXPECT_TRUE(state_.document.statements[0].visible) << "a constant has no eye";
+    EXPECT_TRUE(state_.edited.document.statements[0].visible) << "a constant has no eye";
     click_at(in_row(1, -10));
     EXPECT_EQ(texts(), (Texts{"x = a"}));
 }
@@ -280,7 +280,7 @@ TEST_P(Statements, AreReorderedByTheirGrip) {
 
 TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     set_rows(state_, {"a = 2", "x = a"});
-    state_.document.statements[1].color = 0x30C0E0;
+    state_.edited.document.statements[1].color = 0x30C0E0;
     Framebuffer frame = draw();
     const ImRect list = child("##side/##list_")->Rect();
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
@@ -293,12 +293,12 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     ASSERT_TRUE(ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup));
     const ImVec2 popup = child("##Popup_")->Pos;
     click_at({popup.x + static_cast<float>(px(24)), popup.y + static_cast<float>(px(24))});
-    EXPECT_EQ(state_.document.statements[1].color, palette_fronts()[0]);
+    EXPECT_EQ(state_.edited.document.statements[1].color, palette_fronts()[0]);
 }
 
 TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     set_rows(state_, {"x = 2"});
-    state_.document.statements[0].color = 0x30C0E0;
+    state_.edited.document.statements[0].color = 0x30C0E0;
     Framebuffer frame = draw();
     const ImRect list = child("##side/##list_")->Rect();
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
@@ -311,7 +311,7 @@ TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     ASSERT_NE(popup, nullptr);
     const ImRect inside = popup->InnerClipRect;
     const float last_row = inside.Max.y - static_cast<float>(px(20));
-    const auto solid = [&] { return state_.document.statements[0].solid; };
+    const auto solid = [&] { return state_.edited.document.statements[0].solid; };
     EXPECT_EQ(solid(), SolidSide::Automatic);
     // Buttons from right to left: f > 0, then f < 0.
     std::vector<SolidSide> chosen;
@@ -377,7 +377,7 @@ TEST_P(Statements, TakeAndShowMathematicalLetters) {
 
 TEST_P(Statements, ScrollWhenThereAreMany) {
     set_rows(state_, Texts(60, "x = 1"));
-    state_.focus = RowFocus{60, RowFocus::Caret::End};
+    state_.wishes.focus = RowFocus{60, RowFocus::Caret::End};
     draw();
     draw();
     const ImGuiWindow& list = *child("##side/##list_");

@@ -21,8 +21,8 @@ class ClipHandleLayer : public Panels {
 protected:
     void SetUp() override {
         Panels::SetUp();
-        state_.layout.clip_open = true;
-        state_.layout.folded = true;
+        state_.edited.layout.clip_open = true;
+        state_.edited.layout.folded = true;
         show(HUGE_VALF);
         draw_frame();
     }
@@ -31,11 +31,11 @@ protected:
         Framebuffer frame = disc();
         std::ranges::fill(frame.color, 0xFF808080U);
         std::ranges::fill(frame.depth, distance);
-        state_.shown.frame = std::make_shared<const Framebuffer>(frame);
+        state_.shown.picture.frame = std::make_shared<const Framebuffer>(frame);
     }
     [[nodiscard]] glm::vec2 at(const glm::dvec3& point) const {
-        const auto seen = place_in_view(ViewFrame(state_.shown.camera), point);
-        const ImVec2 place = viewport_area(state_).at(seen->place);
+        const auto seen = place_in_view(ViewFrame(state_.shown.picture.camera), point);
+        const ImVec2 place = viewport_area(state_.edited.layout).at(seen->place);
         return {place.x, place.y};
     }
     /// Presses at one point of the window and moves to another in steps; the button stays down.
@@ -65,24 +65,24 @@ protected:
 };
 
 TEST_P(ClipHandleLayer, MovesAFace) {
-    const Camera before = *state_.document.camera;
+    const Camera before = *state_.edited.document.camera;
     drag(at(face_), at({1.25, 0, 0}));
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_ResizeEW);
     // Width of the window's pixels at the point looked at.
     const double wide = ViewFrame(before).pixel_at_look(static_cast<int>(picture_height()));
-    EXPECT_NEAR(state_.document.clip.hi.x, 1.25, 2 * wide);
-    EXPECT_TRUE(state_.handle_drag);
+    EXPECT_NEAR(state_.edited.document.clip.hi.x, 1.25, 2 * wide);
+    EXPECT_TRUE(state_.input.handle_drag);
     let_go(at({1.25, 0, 0}));
-    EXPECT_FALSE(state_.handle_drag);
-    EXPECT_EQ(state_.document.clip.lo, whole_.lo);
-    EXPECT_EQ(state_.document.clip.hi.y, 2);
-    EXPECT_EQ(*state_.document.camera, before);
-    EXPECT_FALSE(state_.click);
+    EXPECT_FALSE(state_.input.handle_drag);
+    EXPECT_EQ(state_.edited.document.clip.lo, whole_.lo);
+    EXPECT_EQ(state_.edited.document.clip.hi.y, 2);
+    EXPECT_EQ(*state_.edited.document.camera, before);
+    EXPECT_FALSE(state_.wishes.click);
 }
 
 TEST_P(ClipHandleLayer, MovesTheSphereAndTurnsASection) {
-    state_.document.region.ball = Ball{{0, 0, 0}, 0.75};
-    state_.document.region.sections = {Section{{-1, 0, 0}, 0.5, true}};
+    state_.edited.document.region.ball = Ball{{0, 0, 0}, 0.75};
+    state_.edited.document.region.sections = {Section{{-1, 0, 0}, 0.5, true}};
     const auto grip = [this](HandlePart part) {
         const auto all = shown_handles(state_, picture_height());
         return at(std::ranges::find(all, HandleId{part, 0}, &Handle::id)->at);
@@ -93,59 +93,59 @@ TEST_P(ClipHandleLayer, MovesTheSphereAndTurnsASection) {
     };
     const glm::vec2 way(static_cast<float>(px(20)), static_cast<float>(px(-10)));
     move(HandlePart::BallCentre, way);
-    EXPECT_GT(glm::length(state_.document.region.ball->centre), 0.05);
-    EXPECT_EQ(state_.document.region.ball->radius, 0.75);
+    EXPECT_GT(glm::length(state_.edited.document.region.ball->centre), 0.05);
+    EXPECT_EQ(state_.edited.document.region.ball->radius, 0.75);
     move(HandlePart::BallRadius, way);
-    EXPECT_GT(state_.document.region.ball->radius, 0.76);
+    EXPECT_GT(state_.edited.document.region.ball->radius, 0.76);
     move(HandlePart::SectionTilt, way);
-    EXPECT_NE(state_.document.region.sections[0].normal, glm::dvec3(-1, 0, 0));
-    EXPECT_EQ(state_.document.clip, whole_);
+    EXPECT_NE(state_.edited.document.region.sections[0].normal, glm::dvec3(-1, 0, 0));
+    EXPECT_EQ(state_.edited.document.clip, whole_);
 }
 
 TEST_P(ClipHandleLayer, LeavesAllElseToTheView) {
-    const Camera before = *state_.document.camera;
+    const Camera before = *state_.edited.document.camera;
     const glm::vec2 beside = at(face_) + glm::vec2(0.0F, static_cast<float>(px(40)));
     drag(beside, beside + glm::vec2(static_cast<float>(px(30)), 0.0F));
     let_go(beside);
-    EXPECT_EQ(state_.document.clip, whole_);
-    EXPECT_NE(state_.document.camera->eye, before.eye) << "orbits";
+    EXPECT_EQ(state_.edited.document.clip, whole_);
+    EXPECT_NE(state_.edited.document.camera->eye, before.eye) << "orbits";
     for (bool Layout::* const gone : {&Layout::handles, &Layout::clip_open}) {
-        state_.layout.*gone = false;
+        state_.edited.layout.*gone = false;
         drag(at(face_), at({1, 0, 0}));
         let_go(at(face_));
-        EXPECT_EQ(state_.document.clip, whole_);
-        state_.layout.*gone = true;
+        EXPECT_EQ(state_.edited.document.clip, whole_);
+        state_.edited.layout.*gone = true;
     }
 }
 
 TEST_P(ClipHandleLayer, GivesADragUpByEsc) {
     drag(at(face_), at({1, 0, 0}));
-    EXPECT_NE(state_.document.clip, whole_);
+    EXPECT_NE(state_.edited.document.clip, whole_);
     press(GLFW_KEY_ESCAPE);
-    EXPECT_EQ(state_.document.clip, whole_);
+    EXPECT_EQ(state_.edited.document.clip, whole_);
     OffscreenWindow::point(at({0.5, 0, 0}), true);
     draw_frame();
-    EXPECT_EQ(state_.document.clip, whole_) << "until it is let go";
+    EXPECT_EQ(state_.edited.document.clip, whole_) << "until it is let go";
     let_go(at(face_));
-    EXPECT_FALSE(state_.handle_drag);
+    EXPECT_FALSE(state_.input.handle_drag);
 }
 
 TEST_P(ClipHandleLayer, LetsGoOfWhatSomethingElseChanges) {
     drag(at(face_), at({1, 0, 0}));
     const Box other = Box::cube(7);
-    state_.document.clip = other;
+    state_.edited.document.clip = other;
     OffscreenWindow::point(at({0.5, 0, 0}), true);
     draw_frame();
-    EXPECT_EQ(state_.document.clip, other);
+    EXPECT_EQ(state_.edited.document.clip, other);
 }
 
 TEST_P(ClipHandleLayer, ChangesNothingByAPressAlone) {
-    state_.document.clip.hi.x = 1.23456789012;
+    state_.edited.document.clip.hi.x = 1.23456789012;
     draw();
-    const Box before = state_.document.clip;
+    const Box before = state_.edited.document.clip;
     click_at(at({1.23456789012, 0, 0}) + glm::vec2(2.0F, 1.0F));
-    EXPECT_EQ(state_.document.clip, before);
-    EXPECT_FALSE(state_.click);
+    EXPECT_EQ(state_.edited.document.clip, before);
+    EXPECT_FALSE(state_.wishes.click);
 }
 
 TEST_P(ClipHandleLayer, IsFaintBehindSurfacesAndReachableThere) {
@@ -156,7 +156,7 @@ TEST_P(ClipHandleLayer, IsFaintBehindSurfacesAndReachableThere) {
     EXPECT_FALSE(is_like(faint, red(), exact));
     drag(middle, at({1, 0, 0}));
     let_go(at({1, 0, 0}));
-    EXPECT_LT(state_.document.clip.hi.x, 1.5);
+    EXPECT_LT(state_.edited.document.clip.hi.x, 1.5);
 }
 
 TEST_P(ClipHandleLayer, LightsUpUnderThePointerWithItsValue) {
@@ -168,18 +168,18 @@ TEST_P(ClipHandleLayer, LightsUpUnderThePointerWithItsValue) {
         changed += before.color[i] != after.color[i] ? 1 : 0;
     EXPECT_GT(changed, px(10) * px(10)) << "a larger square, the face's outline, a tag";
     EXPECT_EQ(pixel(after, at(face_)), red());
-    EXPECT_FALSE(state_.pointer) << "nothing is said of the surface below";
+    EXPECT_FALSE(state_.input.pointer) << "nothing is said of the surface below";
 }
 
 TEST_P(ClipHandleLayer, IsSwitchedByItsKey) {
     OffscreenWindow::type("h");
     draw();
-    EXPECT_FALSE(has_clip_handles(state_.layout));
+    EXPECT_FALSE(has_clip_handles(state_.edited.layout));
     EXPECT_TRUE(shown_handles(state_, picture_height()).empty());
-    state_.layout.clip_open = false;
+    state_.edited.layout.clip_open = false;
     OffscreenWindow::type("h");
     draw();
-    EXPECT_TRUE(state_.layout.clip_open && state_.layout.handles);
+    EXPECT_TRUE(state_.edited.layout.clip_open && state_.edited.layout.handles);
     EXPECT_FALSE(shown_handles(state_, picture_height()).empty());
 }
 

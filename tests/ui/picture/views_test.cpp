@@ -27,11 +27,11 @@ protected:
     int finish_move() {
         constexpr int most = 100;
         int frames = 0;
-        while (state_.move && frames < most) {
+        while (state_.input.move && frames < most) {
             draw_frame();
             ++frames;
         }
-        EXPECT_FALSE(state_.move);
+        EXPECT_FALSE(state_.input.move);
         return frames;
     }
     void type(const std::string& keys) {
@@ -39,7 +39,7 @@ protected:
         draw_frame();
         finish_move();
     }
-    [[nodiscard]] const Camera& camera() const { return *state_.document.camera; }
+    [[nodiscard]] const Camera& camera() const { return *state_.edited.document.camera; }
     [[nodiscard]] glm::dvec3 towards_eye() const {
         return glm::normalize(camera().eye - camera().look_at);
     }
@@ -79,13 +79,13 @@ TEST_P(Views, FromTheAxesByKeys) {
 }
 
 TEST_P(Views, AreLeftAloneWhileARowIsTypedIn) {
-    state_.focus = RowFocus{1, RowFocus::Caret::End};
+    state_.wishes.focus = RowFocus{1, RowFocus::Caret::End};
     draw();
     draw();
     const Camera before = camera();
     type("1");
     EXPECT_EQ(camera(), before);
-    EXPECT_TRUE(state_.document.statements[0].text.ends_with("1"));
+    EXPECT_TRUE(state_.edited.document.statements[0].text.ends_with("1"));
 }
 
 TEST_P(Views, ChangeSmoothlyWithinAFifthOfASecond) {
@@ -109,9 +109,9 @@ TEST_P(Views, StopMovingWhenSomethingElseChangesTheCamera) {
     draw_frame();
     draw_frame();
     const Camera other = default_camera(Box::cube(7));
-    state_.document.camera = other;
+    state_.edited.document.camera = other;
     draw_frame();
-    EXPECT_FALSE(state_.move);
+    EXPECT_FALSE(state_.input.move);
     draw_frame();
     EXPECT_EQ(camera(), other);
 }
@@ -144,7 +144,7 @@ TEST_P(Views, FollowTheBallsOfTheGizmo) {
     click_at(gizmo_place(ball(2, true)));
     finish_move();
     expect_from({0, 0, 1}, "+z");
-    EXPECT_EQ(state_.document.up, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(state_.edited.document.up, glm::dvec3(0, 0, 1));
     click_at(gizmo_place(ball(1, false)));
     finish_move();
     expect_from({0, -1, 0}, "-y");
@@ -200,14 +200,14 @@ TEST_P(Views, SortTheBallsByTheirDepth) {
 }
 
 TEST_P(Views, CentreWhereThePictureIsDoubleClicked) {
-    state_.shown.frame = std::make_shared<const Framebuffer>(disc());
-    state_.shown.camera = camera();
+    state_.shown.picture.frame = std::make_shared<const Framebuffer>(disc());
+    state_.shown.picture.camera = camera();
     draw();
-    const float left = side_panel_width(state_);
+    const float left = side_panel_width(state_.edited.layout);
     const glm::vec2 middle(0.5F * (left + static_cast<float>(px(GetParam().window.width))),
                            0.5F * picture_height());
     const glm::vec2 at = middle + 0.1F * picture_height() * glm::vec2(1.0F, -0.5F);
-    const auto point = surface_under(state_.shown, {0.1, 0.05});
+    const auto point = surface_under(state_.shown.picture, {0.1, 0.05});
     ASSERT_TRUE(point);
     const ViewFrame before(camera());
     click_at(at);
@@ -220,8 +220,8 @@ TEST_P(Views, CentreWhereThePictureIsDoubleClicked) {
 TEST_P(Views, TurnFreelyOrAboutWhatIsUp) {
     draw();
     type("t");
-    EXPECT_TRUE(state_.document.trackball);
-    const float left = side_panel_width(state_);
+    EXPECT_TRUE(state_.edited.document.trackball);
+    const float left = side_panel_width(state_.edited.layout);
     const glm::vec2 edge(left + static_cast<float>(px(30)), 0.5F * picture_height());
     OffscreenWindow::point(edge, false);
     draw_frame();
@@ -234,9 +234,9 @@ TEST_P(Views, TurnFreelyOrAboutWhatIsUp) {
     draw_frame();
     EXPECT_GT(std::abs(ViewFrame(camera()).right.z), 0.05) << "beside the ball it rolls";
     type("t");
-    EXPECT_FALSE(state_.document.trackball);
+    EXPECT_FALSE(state_.edited.document.trackball);
     EXPECT_NEAR(ViewFrame(camera()).right.z, 0.0, 1e-9) << "upright again";
-    EXPECT_EQ(camera().up, state_.document.up);
+    EXPECT_EQ(camera().up, state_.edited.document.up);
 }
 
 TEST_P(Views, StandOnTheAxisThatIsUp) {
@@ -253,9 +253,10 @@ TEST_P(Views, HaveSwitchesForAxesBoxAndGrid) {
     draw();
     for (const char* key : {"a", "b", "g"})
         type(key);
-    EXPECT_TRUE(state_.document.axes && state_.document.clip_box && state_.document.grid);
-    state_.shown.frame = std::make_shared<const Framebuffer>(disc());
-    state_.shown.camera = camera();
+    EXPECT_TRUE(state_.edited.document.axes && state_.edited.document.clip_box &&
+                state_.edited.document.grid);
+    state_.shown.picture.frame = std::make_shared<const Framebuffer>(disc());
+    state_.shown.picture.camera = camera();
     const Framebuffer with = draw();
     for (const char* key : {"a", "b", "g"})
         type(key);
@@ -270,10 +271,10 @@ TEST_P(Views, HaveSwitchesForAxesBoxAndGrid) {
 TEST_P(Views, AskForTheSurfacesExtent) {
     draw();
     type("f");
-    EXPECT_TRUE(state_.frame_surfaces);
-    state_.frame_surfaces = false;
+    EXPECT_TRUE(state_.wishes.frame_surfaces);
+    state_.wishes.frame_surfaces = false;
     press(GLFW_KEY_HOME);
-    EXPECT_TRUE(state_.frame_surfaces);
+    EXPECT_TRUE(state_.wishes.frame_surfaces);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Views, testing::ValuesIn(different_looks()),

@@ -1,4 +1,4 @@
-#include "app/desktop/gallery_cards.hpp"
+#include "app/gallery/gallery_cards.hpp"
 
 #include "app/platform/folders.hpp"
 
@@ -22,29 +22,30 @@ GalleryCards::GalleryCards(bool keeps_files, std::function<void()> wake)
            std::move(wake)) {}
 
 void GalleryCards::show(ui::UiState& state) {
-    ui::GalleryPage& page = state.gallery_page;
-    if (!page.open || page.picture_px != size_px_) {
+    const bool open = state.pages.gallery.open;
+    const glm::ivec2 wanted_px = state.wishes.thumbnails.size_px;
+    if (!open || wanted_px != size_px_) {
         textures_.clear();
-        page.pictures.clear();
-        size_px_ = page.picture_px;
+        state.shown.thumbnails.clear();
+        size_px_ = wanted_px;
     }
     for (const Thumbnail& thumbnail : job_.take()) {
         const glm::ivec2 size(thumbnail.image.width, thumbnail.image.height);
-        if (!page.open || size != size_px_) continue;
+        if (!open || size != size_px_) continue;
         ui::Texture& texture = textures_[thumbnail.item];
         texture.upload(thumbnail.image);
-        page.pictures[thumbnail.item] = texture.name();
+        state.shown.thumbnails[thumbnail.item] = texture.name();
     }
 }
 
 void GalleryCards::follow(const ui::UiState& state) {
-    const ui::GalleryPage& page = state.gallery_page;
+    const ui::ThumbnailWish& wish = state.wishes.thumbnails;
     std::vector<std::size_t> missing;
-    for (const std::size_t item : page.visible) {
-        if (page.open && !textures_.contains(item)) missing.push_back(item);
+    for (const std::size_t item : wish.items) {
+        if (state.pages.gallery.open && !textures_.contains(item)) missing.push_back(item);
     }
-    job_.want(std::move(missing), page.picture_px);
-    job_.hold(state.picture.tracing);
+    job_.want(std::move(missing), wish.size_px);
+    job_.hold(state.shown.picture.tracing);
 }
 
 }  // namespace zeroset

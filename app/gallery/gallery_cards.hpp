@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/desktop/thumbnail_job.hpp"
+#include "app/gallery/thumbnail_job.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/window/texture.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/desktop/thumbnail_cache.hpp"
+#include "app/gallery/thumbnail_cache.hpp"
 #include "engine/image/rgba_image.hpp"
 
 #include <glm/ext/vector_int2.hpp>

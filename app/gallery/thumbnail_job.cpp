@@ -1,4 +1,4 @@
-#include "app/desktop/thumbnail_job.hpp"
+#include "app/gallery/thumbnail_job.hpp"
 
 #include "engine/image/framebuffer.hpp"
 #include "engine/render/render.hpp"

@@ -14,7 +14,7 @@ namespace zeroset {
 /// Follows the pointer over the picture: finds what is under it and keeps a marker for each click.
 /// A click waits a moment for a second one, because double clicks move the view instead. The
 /// window's thread only.
-class Pointing {
+class PointInspector {
 public:
     static constexpr double double_click_s = 0.3;
 
@@ -30,15 +30,15 @@ private:
         double since_s;
     };
     /// The picture, formula and pixel that the facts were looked up for.
-    struct Looked {
+    struct Lookup {
         std::shared_ptr<const Framebuffer> frame;
         std::shared_ptr<const Formula> formula;
         glm::ivec2 pixel{-1};
 
-        bool operator==(const Looked&) const = default;
+        bool operator==(const Lookup&) const = default;
     };
 
-    std::optional<ui::PointedFacts> facts_at(const ui::UiState& state,
+    std::optional<ui::PointedFacts> facts_at(const ui::ShownPicture& shown,
                                              const PictureRequest& request,
                                              const glm::dvec2& cursor);
     const std::vector<Kernel>& typed(const PictureRequest& request);
@@ -46,7 +46,7 @@ private:
     void take_click(ui::UiState& state, const PictureRequest& request, double now_s);
     void keep_marker(ui::UiState& state);
 
-    Looked looked_;
+    Lookup last_lookup_;
     std::optional<Click> click_;
     std::shared_ptr<const Formula> typed_of_;
     std::vector<std::size_t> typed_shown_;

@@ -1,7 +1,7 @@
 // Tests of the gallery's thumbnails: drawing them in the background and caching them.
 
-#include "app/desktop/thumbnail_cache.hpp"
-#include "app/desktop/thumbnail_job.hpp"
+#include "app/gallery/thumbnail_cache.hpp"
+#include "app/gallery/thumbnail_job.hpp"
 #include "pipeline/gallery.hpp"
 #include "tests/support/test_folder.hpp"
 
@@ -76,9 +76,9 @@ TEST_F(Thumbnails, AreNotKeptWithoutAFolder) {
 }
 
 /// A thumbnail job together with means to wait until it has finished a number of pictures.
-class Waiting {
+class WatchedJob {
 public:
-    explicit Waiting(const fs::path& folder)
+    explicit WatchedJob(const fs::path& folder)
         : job_(ThumbnailCache(folder), ThumbnailJob::Priority::Usual, [this] {
               const std::scoped_lock lock(mutex_);
               ++finished_;
@@ -108,14 +108,14 @@ std::size_t item_named(const char* name) {
 }
 
 TEST_F(Thumbnails, ShowTheSurfaceOnNothing) {
-    Waiting waiting(folder_.path());
+    WatchedJob watched(folder_.path());
     const std::size_t sphere = item_named("sphere");
-    waiting.job().want({sphere, item_named("torus")}, {32, 24});
-    EXPECT_TRUE(waiting.job().busy());
-    const auto made = waiting.wait_for(2);
+    watched.job().want({sphere, item_named("torus")}, {32, 24});
+    EXPECT_TRUE(watched.job().busy());
+    const auto made = watched.wait_for(2);
     ASSERT_EQ(made.size(), 2U);
     EXPECT_EQ(made[0].item, sphere);
-    EXPECT_FALSE(waiting.job().busy());
+    EXPECT_FALSE(watched.job().busy());
     const RgbaImage& image = made[0].image;
     EXPECT_EQ(image.width, 32);
     EXPECT_EQ(image.height, 24);
@@ -127,20 +127,20 @@ TEST_F(Thumbnails, ShowTheSurfaceOnNothing) {
 TEST_F(Thumbnails, ComeFromTheCache) {
     const std::size_t item = item_named("sarti_dodecic");
     ThumbnailCache(folder_.path()).keep(thumbnail_key(item, {2, 1}), some_image());
-    Waiting waiting(folder_.path());
-    waiting.job().want({item}, {2, 1});
-    EXPECT_EQ(waiting.wait_for(1).front().image, some_image());
+    WatchedJob watched(folder_.path());
+    watched.job().want({item}, {2, 1});
+    EXPECT_EQ(watched.wait_for(1).front().image, some_image());
 }
 
 TEST_F(Thumbnails, WaitWhileTheyAreHeld) {
-    Waiting waiting(folder_.path());
-    waiting.job().hold(true);
-    waiting.job().want({item_named("sphere")}, {32, 24});
-    EXPECT_EQ(waiting.finished(), 0);
-    EXPECT_TRUE(waiting.job().busy());
-    waiting.job().want({item_named("torus")}, {32, 24});
-    waiting.job().hold(false);
-    EXPECT_EQ(waiting.wait_for(1).front().item, item_named("torus")) << "wanted last";
+    WatchedJob watched(folder_.path());
+    watched.job().hold(true);
+    watched.job().want({item_named("sphere")}, {32, 24});
+    EXPECT_EQ(watched.finished(), 0);
+    EXPECT_TRUE(watched.job().busy());
+    watched.job().want({item_named("torus")}, {32, 24});
+    watched.job().hold(false);
+    EXPECT_EQ(watched.wait_for(1).front().item, item_named("torus")) << "wanted last";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "app/desktop/pointing.hpp"
+#include "app/desktop/point_inspector.hpp"
 
 #include "engine/annotate/hidden.hpp"
 #include "engine/measure/probe.hpp"
@@ -9,36 +9,37 @@
 
 namespace zeroset {
 
-void Pointing::follow(ui::UiState& state, const PictureRequest* shown, double now_s) {
-    if (!state.pointer) {
-        state.pointed.reset();
-        looked_ = {};
+void PointInspector::follow(ui::UiState& state, const PictureRequest* shown, double now_s) {
+    if (!state.input.pointer) {
+        state.shown.pointed.reset();
+        last_lookup_ = {};
     }
     if (shown != nullptr) {
         take_click(state, *shown, now_s);
         look(state, *shown);
     }
     if (click_ && now_s >= click_->since_s + double_click_s) keep_marker(state);
-    const bool there = find_marker(state.document.markers, state.selected_marker) != nullptr;
-    if (!there) state.selected_marker = 0;
+    const bool there =
+        find_marker(state.edited.document.markers, state.edited.selected_marker) != nullptr;
+    if (!there) state.edited.selected_marker = 0;
 }
 
-std::optional<double> Pointing::due_s(double now_s) const {
+std::optional<double> PointInspector::due_s(double now_s) const {
     if (!click_) return std::nullopt;
     return std::max(click_->since_s + double_click_s - now_s, 0.0);
 }
 
-void Pointing::look(ui::UiState& state, const PictureRequest& request) {
-    if (!state.pointer || state.shown.frame == nullptr) return;
-    const glm::ivec2 pixel = pixel_under(*state.shown.frame, *state.pointer);
-    const Looked wanted{state.shown.frame, request.formula, pixel};
-    if (wanted == looked_) return;
-    looked_ = wanted;
-    state.pointed = facts_at(state, request, *state.pointer);
+void PointInspector::look(ui::UiState& state, const PictureRequest& request) {
+    if (!state.input.pointer || state.shown.picture.frame == nullptr) return;
+    const glm::ivec2 pixel = pixel_under(*state.shown.picture.frame, *state.input.pointer);
+    const Lookup wanted{state.shown.picture.frame, request.formula, pixel};
+    if (wanted == last_lookup_) return;
+    last_lookup_ = wanted;
+    state.shown.pointed = facts_at(state.shown.picture, request, *state.input.pointer);
 }
 
-void Pointing::take_click(ui::UiState& state, const PictureRequest& request, double now_s) {
-    const auto click = std::exchange(state.click, std::nullopt);
+void PointInspector::take_click(ui::UiState& state, const PictureRequest& request, double now_s) {
+    const auto click = std::exchange(state.wishes.click, std::nullopt);
     if (!click) return;
     if (click->again) {
         click_.reset();
@@ -47,28 +48,27 @@ void Pointing::take_click(ui::UiState& state, const PictureRequest& request, dou
     // The previous click turns into a marker at once, because a new place was clicked in its
     // waiting time.
     if (click_) keep_marker(state);
-    state.selected_marker = click->marker;
+    state.edited.selected_marker = click->marker;
     if (click->marker != 0) return;
-    const auto facts = facts_at(state, request, click->cursor);
+    const auto facts = facts_at(state.shown.picture, request, click->cursor);
     if (!facts) return;
     click_ = Click{facts->facts.point, click->at_once ? now_s - double_click_s : now_s};
 }
 
-void Pointing::keep_marker(ui::UiState& state) {
+void PointInspector::keep_marker(ui::UiState& state) {
     const Click click = *std::exchange(click_, std::nullopt);
-    const int number = add_marker(state.document.markers, click.at);
+    const int number = add_marker(state.edited.document.markers, click.at);
     if (number == 0) {
-        state.note = "there are " + std::to_string(most_markers) + " markers already";
+        state.shown.status.note = "there are " + std::to_string(most_markers) + " markers already";
         return;
     }
-    state.selected_marker = number;
-    state.layout.markers_open = true;
+    state.edited.selected_marker = number;
+    state.edited.layout.markers_open = true;
 }
 
-std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state,
-                                                   const PictureRequest& request,
-                                                   const glm::dvec2& cursor) {
-    const ui::ShownPicture& shown = state.shown;
+std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture& shown,
+                                                         const PictureRequest& request,
+                                                         const glm::dvec2& cursor) {
     if (shown.frame == nullptr) return std::nullopt;
     const ViewFrame view(shown.camera);
     const StopCriterion& stop = request.settings.stop;
@@ -83,7 +83,7 @@ std::optional<ui::PointedFacts> Pointing::facts_at(const ui::UiState& state,
     return ui::PointedFacts{*facts, request.surfaces[facts->surface].row, pixel_size};
 }
 
-const std::vector<Kernel>& Pointing::typed(const PictureRequest& request) {
+const std::vector<Kernel>& PointInspector::typed(const PictureRequest& request) {
     std::vector<std::size_t> shown = shown_indices(request);
     if (typed_of_ != request.formula || typed_shown_ != shown) {
         typed_ = typed_formulas(*request.formula->program, shown);

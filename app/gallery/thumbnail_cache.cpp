@@ -1,4 +1,4 @@
-#include "app/desktop/thumbnail_cache.hpp"
+#include "app/gallery/thumbnail_cache.hpp"
 
 #include "engine/export/file.hpp"
 #include "engine/export/png.hpp"

@@ -1,4 +1,4 @@
-#include "app/desktop/waiting.hpp"
+#include "app/desktop/wait_notice.hpp"
 
 #include <algorithm>
 
@@ -14,27 +14,27 @@ std::optional<double> since(const std::optional<double>& before, bool goes_on, d
 }
 
 bool lasts(const std::optional<double>& since_s, double now_s) {
-    return since_s && now_s - *since_s >= Waiting::delay_s;
+    return since_s && now_s - *since_s >= WaitNotice::delay_s;
 }
 
 }  // namespace
 
-void Waiting::follow(const For& what, double now_s) {
+void WaitNotice::follow(const Causes& what, double now_s) {
     what_ = what;
     picture_since_s_ = since(picture_since_s_, what.picture, now_s);
     figures_since_s_ = since(figures_since_s_, what.figures, now_s);
     code_since_s_ = since(code_since_s_, what.code, now_s);
 }
 
-float Waiting::dimmed(double now_s) const {
+float WaitNotice::dimmed(double now_s) const {
     if (!picture_since_s_) return 0.0F;
     const double faded = (now_s - *picture_since_s_ - delay_s) / fade_s;
     return static_cast<float>(std::clamp(faded, 0.0, 1.0));
 }
 
-bool Waiting::hides_figures(double now_s) const { return lasts(figures_since_s_, now_s); }
+bool WaitNotice::hides_figures(double now_s) const { return lasts(figures_since_s_, now_s); }
 
-std::string Waiting::text(double now_s) const {
+std::string WaitNotice::text(double now_s) const {
     const bool waits_for_picture = lasts(picture_since_s_, now_s);
     if (waits_for_picture && what_.reading) return "preparing\xE2\x80\xA6";
     if (lasts(code_since_s_, now_s)) {
@@ -43,7 +43,7 @@ std::string Waiting::text(double now_s) const {
     return waits_for_picture ? "drawing\xE2\x80\xA6" : "";
 }
 
-std::optional<double> Waiting::due_s(double now_s) const {
+std::optional<double> WaitNotice::due_s(double now_s) const {
     std::optional<double> due;
     const auto at_least = [&](double seconds) { due = std::min(due.value_or(seconds), seconds); };
     for (const auto& since_s : {picture_since_s_, figures_since_s_, code_since_s_}) {

@@ -1,4 +1,4 @@
-#include "app/desktop/waiting.hpp"
+#include "app/desktop/wait_notice.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 namespace zeroset::test {
 namespace {
 
-constexpr Waiting::For nothing{};
-constexpr Waiting::For reading{.picture = true, .reading = true};
+constexpr WaitNotice::Causes nothing{};
+constexpr WaitNotice::Causes reading{.picture = true, .reading = true};
 
-TEST(Waiting, SaysNothingOfWhatIsDoneAtOnce) {
-    Waiting waiting;
+TEST(WaitNotice, SaysNothingOfWhatIsDoneAtOnce) {
+    WaitNotice waiting;
     waiting.follow(reading, 1.0);
     EXPECT_EQ(waiting.dimmed(1.0), 0.0F);
     EXPECT_EQ(waiting.text(1.0), "");
@@ -23,8 +23,8 @@ TEST(Waiting, SaysNothingOfWhatIsDoneAtOnce) {
     EXPECT_FALSE(waiting.due_s(2.0));
 }
 
-TEST(Waiting, DimsThePictureOfAnotherTextAfterAWhile) {
-    Waiting waiting;
+TEST(WaitNotice, DimsThePictureOfAnotherTextAfterAWhile) {
+    WaitNotice waiting;
     waiting.follow(reading, 1.0);
     waiting.follow(reading, 1.15);
     EXPECT_GT(waiting.dimmed(1.15), 0.1F);
@@ -37,24 +37,24 @@ TEST(Waiting, DimsThePictureOfAnotherTextAfterAWhile) {
     EXPECT_EQ(waiting.dimmed(1.7), 0.0F);
 }
 
-TEST(Waiting, TellsOfCodeWithoutDimmingThePictureThatIsThere) {
-    Waiting waiting;
-    const Waiting::For code{.code = true, .nodes = 812};
+TEST(WaitNotice, TellsOfCodeWithoutDimmingThePictureThatIsThere) {
+    WaitNotice waiting;
+    const WaitNotice::Causes code{.code = true, .nodes = 812};
     waiting.follow(code, 1.0);
     EXPECT_EQ(waiting.text(1.05), "");
     EXPECT_EQ(waiting.text(1.2), "compiling\xE2\x80\xA6 (812 nodes)");
     EXPECT_EQ(waiting.dimmed(1.2), 0.0F);
 }
 
-TEST(Waiting, CountsFromTheFirstOfTextsThatOvertakeOneAnother) {
-    Waiting waiting;
+TEST(WaitNotice, CountsFromTheFirstOfTextsThatOvertakeOneAnother) {
+    WaitNotice waiting;
     for (int key = 0; key <= 5; ++key)
         waiting.follow(reading, 1.0 + 0.05 * key);
     EXPECT_EQ(waiting.dimmed(1.25), 1.0F);
 }
 
-TEST(Waiting, HidesTheFiguresOfAnotherTextsPicture) {
-    Waiting waiting;
+TEST(WaitNotice, HidesTheFiguresOfAnotherTextsPicture) {
+    WaitNotice waiting;
     waiting.follow({.figures = true}, 1.0);
     EXPECT_FALSE(waiting.hides_figures(1.05));
     EXPECT_TRUE(waiting.hides_figures(1.2));
@@ -63,10 +63,10 @@ TEST(Waiting, HidesTheFiguresOfAnotherTextsPicture) {
     EXPECT_FALSE(waiting.hides_figures(1.3));
 }
 
-TEST(Waiting, WantsFramesWhereWhatIsSeenChanges) {
-    Waiting waiting;
+TEST(WaitNotice, WantsFramesWhereWhatIsSeenChanges) {
+    WaitNotice waiting;
     waiting.follow(reading, 1.0);
-    EXPECT_NEAR(waiting.due_s(1.0).value_or(-1.0), Waiting::delay_s, 1e-9);
+    EXPECT_NEAR(waiting.due_s(1.0).value_or(-1.0), WaitNotice::delay_s, 1e-9);
     EXPECT_LT(waiting.due_s(1.15).value_or(9.0), 0.02) << "while it fades";
     EXPECT_FALSE(waiting.due_s(2.0));
 }

@@ -1,0 +1,72 @@
+#include "app/desktop/extent_search.hpp"
+
+#include "pipeline/prepare.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+// The search for how far surfaces reach, as the window follows it.
+
+namespace zeroset::test {
+namespace {
+
+constexpr auto patience = std::chrono::seconds(60);
+
+PictureRequest picture_of(std::string_view text) {
+    ReadDocument read = read_document_text(text);
+    const auto prepared =
+        prepare(read.document, std::move(*read.rows), Preparation::Interpreted).value();
+    return picture_request(prepared.formula, prepared.colors, read.document, {}, {8, 8});
+}
+
+bool comes_to_an_end(const ExtentSearch& search) {
+    const auto end = std::chrono::steady_clock::now() + patience;
+    while (!search.done() && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return search.done();
+}
+
+TEST(ExtentSearch, FindsHowFarTheSurfacesReach) {
+    ExtentSearch search;
+    EXPECT_FALSE(search.runs());
+    EXPECT_FALSE(search.done());
+    const PictureRequest picture = picture_of("x^2 + y^2 + z^2 = 1");
+    search.start(picture);
+    EXPECT_TRUE(search.runs());
+    ASSERT_TRUE(comes_to_an_end(search));
+    const std::optional<Extent> extent = search.take(picture);
+    ASSERT_TRUE(extent && extent->whole);
+    EXPECT_NEAR(extent->whole->hi.x, 1.0, 0.1);
+    EXPECT_FALSE(search.runs());
+}
+
+TEST(ExtentSearch, DropsWhatBelongsToAnotherPicture) {
+    const PictureRequest picture = picture_of("x^2 + y^2 + z^2 = 1");
+    PictureRequest other = picture;
+    other.clip = Box::cube(3);
+    for (const auto& now : {std::optional(other), std::optional<PictureRequest>()}) {
+        ExtentSearch search;
+        search.start(picture);
+        ASSERT_TRUE(comes_to_an_end(search));
+        EXPECT_FALSE(search.take(now));
+        EXPECT_FALSE(search.runs());
+    }
+}
+
+TEST(ExtentSearch, KeepsWhatAnotherViewDoesNotChange) {
+    const PictureRequest picture = picture_of("x^2 + y^2 + z^2 = 1");
+    PictureRequest turned = picture;
+    turned.camera.eye *= 2.0;
+    ExtentSearch search;
+    search.start(picture);
+    ASSERT_TRUE(comes_to_an_end(search));
+    EXPECT_TRUE(search.take(turned));
+}
+
+}  // namespace
+}  // namespace zeroset::test

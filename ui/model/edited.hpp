@@ -1,0 +1,42 @@
+#pragma once
+
+#include "document/document.hpp"
+#include "document/play.hpp"
+#include "ui/model/theme.hpp"
+
+#include <map>
+#include <string>
+
+namespace zeroset::ui {
+
+/// How the window is laid out.
+struct Layout {
+    float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
+    bool folded = false;
+    bool view_open = true;  ///< the section of the view's settings
+    bool look_open = false;
+    bool markers_open = false;
+    bool space_open = false;
+    bool clip_open = false;
+    bool edges_open = false;  ///< of the clip box, each by itself
+    bool handles = true;      ///< in the picture, while the section of the clip box is open
+
+    bool operator==(const Layout&) const = default;
+};
+
+inline bool has_clip_handles(const Layout& layout) { return layout.handles && layout.clip_open; }
+
+/// The name of w among the sliders; no parameter is called so.
+inline constexpr const char* w_name = "w";
+
+/// Everything the user edits. Panels change it; the owner follows and keeps it.
+struct Edited {
+    Document document = empty_document();
+    std::map<std::string, PlayState> playing;  ///< the sliders that play, by name
+    int selected_marker = 0;                   ///< its number; 0: none
+    Layout layout;
+    Theme theme = Theme::Dark;
+    bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one
+};
+
+}  // namespace zeroset::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/view/camera.hpp"
+#include "ui/model/clip_handles.hpp"
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_int2.hpp>
+
+#include <optional>
+
+namespace zeroset::ui {
+
+/// A short smooth move of the document's camera, see ui/actions/view_moves.hpp.
+struct ViewMove {
+    Camera from, to;
+    Camera last;  ///< what it made of the document's camera
+    double elapsed_s = 0.0;
+    bool begun = false;
+};
+
+/// Where pointer and keyboard are and what they are in the middle of. Set by the panels; the owner
+/// reads it.
+struct Input {
+    glm::ivec2 viewport_px{0};          ///< size of the area the picture fills, framebuffer pixels
+    std::optional<glm::dvec2> pointer;  ///< resting over the picture, see PointerMotion
+    std::optional<HandleDrag> handle_drag;  ///< while a handle of the clip region is held
+    std::optional<ViewMove> move;           ///< while one is under way
+    unsigned gesture = 0;                   ///< grows with each press of a button
+    bool held = false;                      ///< a button is down
+    int typing_row = 0;                     ///< the row whose field has the keyboard; 0: none
+};
+
+}  // namespace zeroset::ui

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "document/sheet.hpp"
+#include "engine/annotate/legend.hpp"
+#include "engine/image/framebuffer.hpp"
+#include "engine/language/help.hpp"
+#include "engine/measure/probe.hpp"
+#include "engine/scene/precision.hpp"
+#include "engine/view/camera.hpp"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+
+/// A surface of the gallery.
+struct GalleryEntry {
+    std::string title;
+    std::string equation;
+    std::string about;  ///< one sentence
+    std::string group = {};
+    std::string source = {};
+};
+
+/// How the rows were read.
+struct ReadingFacts {
+    std::map<int, RowReport> reports;     ///< how each row was read, by its id
+    std::vector<int> surface_rows;        ///< the row of each surface
+    std::vector<std::string> parameters;  ///< that have a slider
+    bool uses_w = false;
+    std::string color_error;  ///< what is wrong with the expression of the colours; or empty
+};
+
+/// The document as a file with a history.
+struct DocumentStatus {
+    std::string name;
+    bool unsaved = false;
+    bool can_undo = false;
+    bool can_redo = false;
+    std::vector<std::string> recent;  ///< paths of recent documents, the newest first
+};
+
+/// Texts of the status line, each of which may be empty.
+struct StatusTexts {
+    std::string note;   ///< what is not as it should be
+    std::string done;   ///< what was just done
+    std::string doing;  ///< what is going on with the text
+};
+
+/// The picture on the screen, fine or coarse; no frame before the first.
+struct ShownPicture {
+    std::shared_ptr<const Framebuffer> frame;
+    Camera camera;                 ///< that the frame was taken with
+    std::optional<Legend> legend;  ///< of its colours
+    bool tracing = false;          ///< a finer picture is on its way
+    /// The picture is of another text than the rows', and so little of it is seen: 0 (all) to 1.
+    float dimmed = 0.0F;
+};
+
+/// Figures of the last full picture.
+struct PictureFigures {
+    int width_px = 0;  ///< 0: no full picture yet
+    int height_px = 0;
+    double frame_ms = 0.0;
+    CertificateCounts counts;
+    Precision precision = Precision::Float;
+    bool hidden = false;  ///< they are of another text than the rows'
+};
+
+/// Facts of the point under the pointer.
+struct PointedFacts {
+    PointFacts facts;
+    int row = 0;              ///< of the list, whose surface it is
+    double pixel_size = 0.0;  ///< how far apart neighbouring pixels are there, world units
+};
+
+/// Everything the owner tells; panels only read it.
+struct Shown {
+    std::vector<GalleryEntry> gallery;
+    std::map<std::size_t, unsigned int> thumbnails;  ///< OpenGL's names of the gallery's pictures
+    std::vector<HelpSection> language_help;
+    ReadingFacts reading;
+    DocumentStatus document;
+    StatusTexts status;
+    ShownPicture picture;
+    PictureFigures figures;
+    std::optional<PointedFacts> pointed;
+};
+
+}  // namespace zeroset::ui

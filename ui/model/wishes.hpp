@@ -1,0 +1,52 @@
+#pragma once
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_int2.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+
+/// The keyboard goes to a row.
+struct RowFocus {
+    enum class Caret : std::uint8_t { All, Start, End };
+    int row = 0;  ///< its id
+    Caret caret = Caret::End;
+};
+
+/// Commands about the document as a whole.
+enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, Paste, Quit };
+
+/// A press of the button over the picture that was no drag.
+struct PictureClick {
+    glm::dvec2 cursor{0.0};  ///< see PointerMotion
+    int marker = 0;          ///< number of the one that was clicked; 0: none
+    bool again = false;      ///< the second of a double click
+    bool at_once = false;    ///< no second one follows: it came from the keyboard
+};
+
+/// The pictures that the gallery's page has room for.
+struct ThumbnailWish {
+    std::vector<std::size_t> items;  ///< lines of the gallery whose pictures are in sight
+    glm::ivec2 size_px{0};
+};
+
+/// Everything panels ask for. A panel sets a wish; whoever fulfils it clears it: the list of
+/// statements the first two, the owner all others.
+struct Wishes {
+    std::optional<RowFocus> focus;
+    std::optional<int> reload;                ///< a row whose field must show a text set elsewhere
+    bool frame_surfaces = false;              ///< the camera is to see all of the surfaces
+    bool reset_view = false;                  ///< the camera is to be the first one again
+    std::optional<std::size_t> gallery_item;  ///< a line of the gallery was picked
+    std::optional<std::string> open_path;     ///< a recent file was picked
+    std::optional<Command> command;
+    std::optional<PictureClick> click;
+    ThumbnailWish thumbnails;  ///< lasts while the page is open
+};
+
+}  // namespace zeroset::ui
