@@ -8,6 +8,8 @@
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
 
+#include <ranges>
+
 namespace zeroset {
 
 std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
@@ -238,8 +240,8 @@ SyntaxParser::Parsed SyntaxParser::block() {
     }
     take();
     if (!may_nest(static_cast<int>(locals.size()))) return std::nullopt;
-    for (auto local = locals.rbegin(); local != locals.rend(); ++local) {
-        result = add(SyntaxKind::Let, local->offset, {local->value, *result}, {}, local->name);
+    for (const LocalValue& local : std::views::reverse(locals)) {
+        result = add(SyntaxKind::Let, local.offset, {local.value, *result}, {}, local.name);
     }
     return result;
 }

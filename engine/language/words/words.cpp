@@ -84,7 +84,8 @@ void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
 
 std::string full_name(const Token& token) {
     std::string name(token.text);
-    return token.subscript.empty() ? name : name + "_" + subscript_text(token);
+    if (!token.subscript.empty()) name += "_" + subscript_text(token);
+    return name;
 }
 
 std::string subscript_text(const Token& token) {
