@@ -29,8 +29,9 @@ struct Row {
 };
 
 Row row_of(const Tile& tile, int row, const Canvas& out) {
-    return {out.index(tile.col, tile.row + row), static_cast<std::size_t>(tile.cols),
-            background_color(tile.row + row, out.height)};
+    return {.first = out.index(tile.col, tile.row + row),
+            .count = static_cast<std::size_t>(tile.cols),
+            .background = background_color(tile.row + row, out.height)};
 }
 
 /// A bit for each pixel of a row of a tile, the first one lowest.
@@ -66,7 +67,9 @@ struct RowPixels {
     alignas(64) Certificate certificate[tile_size];
     alignas(64) std::uint8_t surface[tile_size];
 
-    RowTarget target() { return {color, depth, certificate, surface}; }
+    RowTarget target() {
+        return {.color = color, .depth = depth, .certificate = certificate, .surface = surface};
+    }
     /// Copies the first `count` pixels.
     void copy(std::size_t first, std::size_t count, Framebuffer& out) const {
         std::copy_n(color, count, &out.color[first]);
@@ -148,12 +151,13 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
         const V<float> along = hn::Iota(d<float>, static_cast<float>(col));
         const Lit lit{
-            .along = {hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
-                      hn::MulAdd(along, step.z, start.z)},
+            .along = {.x = hn::MulAdd(along, step.x, start.x),
+                      .y = hn::MulAdd(along, step.y, start.y),
+                      .z = hn::MulAdd(along, step.z, start.z)},
             .along_to_key = hn::MulAdd(along, rays.key_by_col, key_start),
-            .gradient = {hn::LoadU(d<float>, &hits.gradient[0][at]),
-                         hn::LoadU(d<float>, &hits.gradient[1][at]),
-                         hn::LoadU(d<float>, &hits.gradient[2][at])},
+            .gradient = {.x = hn::LoadU(d<float>, &hits.gradient[0][at]),
+                         .y = hn::LoadU(d<float>, &hits.gradient[1][at]),
+                         .z = hn::LoadU(d<float>, &hits.gradient[2][at])},
             .lit = hits.any_dark ? hn::LoadU(d<float>, &hits.lit[at]) : hn::Set(d<float>, 1.0F),
             .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
         illuminate(shading, lit, col, light);
@@ -237,8 +241,10 @@ void HitShader::draw_row(bool fresh, int row, RowBits hit, const Row& to, const 
     Framebuffer& pixels = out.pixels;
     if (fresh && to.count == tile_size) {
         return make_row(row, hit, to.background,
-                        {&pixels.color[to.first], &pixels.depth[to.first],
-                         &pixels.certificate[to.first], &pixels.surface[to.first]});
+                        {.color = &pixels.color[to.first],
+                         .depth = &pixels.depth[to.first],
+                         .certificate = &pixels.certificate[to.first],
+                         .surface = &pixels.surface[to.first]});
     }
     make_row(row, hit, to.background, aside_.target());
     if (fresh) {

@@ -106,7 +106,7 @@ bool RenderJob::Growing::draw() {
     const RenderRequest& request = work_.request;
     const Counters counters =
         render_frame(request.scene, request.camera, settings_, *frame_,
-                     {.limit = {&job_.cancel_, until_},
+                     {.limit = {.cancel = &job_.cancel_, .until = until_},
                       .first_turn = job_.pace_.first_turn,
                       .on_tile = [this](const PixelRect& rect) { finish_tile(rect); }});
     complete_ = !counters.is_cut();
@@ -131,7 +131,8 @@ std::shared_ptr<const Framebuffer> RenderJob::Growing::snapshot() const {
     picture->blank_rows.clear();
     for (std::size_t i = 0; i < grid_.size(); ++i) {
         const Tile tile = grid_.tile(i);
-        const PixelRect rect{tile.col, tile.row, tile.cols, tile.rows};
+        const PixelRect rect{
+            .col = tile.col, .row = tile.row, .cols = tile.cols, .rows = tile.rows};
         if (done_[i]) {
             copy(*frame_, rect, *picture);
         } else {
@@ -194,7 +195,9 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
     drawing_ = false;
     wake_.wait(lock, [this] { return stop_ || pending_.has_value(); });
     if (stop_) return std::nullopt;
-    Work work{std::move(*std::exchange(pending_, std::nullopt)), newest_, pending_in_motion_};
+    Work work{.request = std::move(*std::exchange(pending_, std::nullopt)),
+              .number = newest_,
+              .in_motion = pending_in_motion_};
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
     if (!have_same_code(surfaces_, work.request.scene.surfaces)) {
@@ -281,14 +284,15 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
                     Clock::now() + within);
     const bool drawn = growing.draw();
     growing.tell(governor_, smaller.request);
-    if (!drawn) return {nullptr, false};
+    if (!drawn) return {.frame = nullptr, .complete = false};
     // A picture with most of it left out would only hide the one that is there.
-    if (work.is_new && growing.cut_share() > most_left_out) return {growing.frame(), false};
+    if (work.is_new && growing.cut_share() > most_left_out)
+        return {.frame = growing.frame(), .complete = false};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();
     publish(work, std::move(result));
-    return {growing.frame(), growing.complete()};
+    return {.frame = growing.frame(), .complete = growing.complete()};
 }
 
 /// The settings of full pictures, which are drawn one after the other.

@@ -228,8 +228,8 @@ const float* CapFinder::limits(const float* limits) {
 
 void CapFinder::put(TileHits& hits) const {
     for (const Entry& entry : entries_) {
-        const TileHits::Pixel pixel{static_cast<std::int16_t>(entry.pixel % tile_size),
-                                    static_cast<std::int16_t>(entry.pixel / tile_size)};
+        const TileHits::Pixel pixel{.col = static_cast<std::int16_t>(entry.pixel % tile_size),
+                                    .row = static_cast<std::int16_t>(entry.pixel / tile_size)};
         switch (entry.state) {
             case State::Empty: break;
             case State::Unknown:

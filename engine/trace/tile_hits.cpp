@@ -56,7 +56,9 @@ void TileHits::leave_undecided(const Tile& tile) {
     std::ranges::fill(certificate, Certificate::Undecided);
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col)
-            mark_unsettled({static_cast<std::int16_t>(col), static_cast<std::int16_t>(row)}, 0.0F);
+            mark_unsettled(
+                {.col = static_cast<std::int16_t>(col), .row = static_cast<std::int16_t>(row)},
+                0.0F);
     }
 }
 

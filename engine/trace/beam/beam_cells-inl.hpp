@@ -121,8 +121,8 @@ struct CellTile {
     [[nodiscard]] int col() const { return pixel % tile_size; }
     [[nodiscard]] int row() const { return pixel / tile_size; }
     static CellTile at(int col, int row, bool inside) {
-        return {static_cast<std::uint16_t>(row * tile_size + col),
-                static_cast<std::uint16_t>(inside ? 1 : 0)};
+        return {.pixel = static_cast<std::uint16_t>(row * tile_size + col),
+                .inside = static_cast<std::uint16_t>(inside ? 1 : 0)};
     }
 };
 
@@ -301,7 +301,7 @@ HWY_INLINE LaneBits CellJudge<Real>::inside_of(const Cells<Real>& cells, std::si
     const hn::Repartition<std::uint8_t, decltype(words)> bytes;
     const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.tile.data() + i);
     const auto tiles = hn::BitCast(words, hn::LoadU(bytes, from));
-    constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{0, 1});
+    constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{.pixel = 0, .inside = 1});
     return bits_of(words, hn::TestBit(tiles, hn::Set(words, flag)));
 }
 
