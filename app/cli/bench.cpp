@@ -40,10 +40,12 @@ constexpr const char* size_in_window = "902x773";
 /// Returns an error for an option that --first-picture would ignore.
 std::optional<InputError> check_first_picture(const BenchCommand& command) {
     const std::string has = "--first-picture has ";
-    if (command.json) return InputError{has + "no --json; leave it out, the table is printed"};
-    if (command.budget) return InputError{has + "no --budget; leave it out"};
+    if (command.json)
+        return InputError{.reason = has + "no --json; leave it out, the table is printed"};
+    if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
     if (command.tracers && command.tracers->contains(','))
-        return InputError{has + "one --tracer; type " + std::string(tracers().front().name)};
+        return InputError{.reason =
+                              has + "one --tracer; type " + std::string(tracers().front().name)};
     return std::nullopt;
 }
 
@@ -106,11 +108,12 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
-    cell.timing = time_frames(scene, request.camera, settings, frame, {plan.repeats, true}, [&] {
-        const TimeLimit limit{.until =
-                                  until_after(std::chrono::steady_clock::now(), plan.budget_s)};
-        return RenderWatch{.limit = limit, .on_tile = {}};
-    });
+    cell.timing = time_frames(
+        scene, request.camera, settings, frame, {.count = plan.repeats, .warm_up = true}, [&] {
+            const TimeLimit limit{.until =
+                                      until_after(std::chrono::steady_clock::now(), plan.budget_s)};
+            return RenderWatch{.limit = limit, .on_tile = {}};
+        });
     if (cell.timing.counters.is_cut()) {
         std::cerr << "zeroset: " << item.name << ": the budget of " << short_number(plan.budget_s)
                   << " s is spent; --budget SECONDS gives more\n";
@@ -166,8 +169,10 @@ int run_bench(const BenchCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (command.first_picture) {
-        return print_first_pictures(
-            {plan->items, plan->settings.front(), plan->size, plan->repeats});
+        return print_first_pictures({.items = plan->items,
+                                     .settings = plan->settings.front(),
+                                     .size = plan->size,
+                                     .repeats = plan->repeats});
     }
     if (command.json && command.json != "-") {
         if (auto writable = check_writable(*command.json); !writable) {

@@ -69,7 +69,8 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.layout = options.layout;
     state.layout.clip_open = state.layout.clip_open || !state.document.region.is_whole();
     if (options.takes_keyboard) {
-        state.focus = ui::RowFocus{state.document.statements.front().id, ui::RowFocus::Caret::All};
+        state.focus = ui::RowFocus{.row = state.document.statements.front().id,
+                                   .caret = ui::RowFocus::Caret::All};
     }
     state.frame_surfaces = options.fit;
     state.language_help = language_help();
@@ -85,7 +86,8 @@ ui::UiState first_state(const DesktopOptions& options) {
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
-      session_(state_, {options.path, options.note, options.keeps_files}),
+      session_(state_,
+               {.path = options.path, .note = options.note, .keeps_files = options.keeps_files}),
       settings_(options.settings),
       fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr
@@ -101,7 +103,10 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
 
 Preferences Desktop::preferences() const {
     const auto chosen = state_.follows_desktop ? std::nullopt : std::optional(state_.theme);
-    return {state_.layout, chosen, state_.theme, window_.size()};
+    return {.layout = state_.layout,
+            .theme = chosen,
+            .last_theme = state_.theme,
+            .window = window_.size()};
 }
 
 double Desktop::now_s() const {
@@ -217,7 +222,7 @@ void Desktop::show(const FormulaResult& result) {
 void Desktop::take_frame() {
     std::optional<RenderResult> result = pictures_.take();
     if (result) {
-        state_.shown = {result->frame, result->camera};
+        state_.shown = {.frame = result->frame, .camera = result->camera};
         if (latency_ != nullptr) {
             latency_->taken(result->request, result->frame->width, result->frame->height,
                             result->complete);
@@ -234,8 +239,12 @@ void Desktop::take_frame() {
         if (full) {
             figures_text_ = pictured_text_;
             const bool newest = result->request == request_;
-            state_.picture = {!newest,          result->frame->width, result->frame->height,
-                              result->frame_ms, result->counts,       result->precision};
+            state_.picture = {.tracing = !newest,
+                              .width_px = result->frame->width,
+                              .height_px = result->frame->height,
+                              .frame_ms = result->frame_ms,
+                              .counts = result->counts,
+                              .precision = result->precision};
         }
     } else if (state_.shown.frame != nullptr &&
                (state_.theme != uploaded_theme_ ||

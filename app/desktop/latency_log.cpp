@@ -28,7 +28,7 @@ const char* name_of(ui::InputEvent::Kind kind) {
 LatencyLog::LatencyLog(const std::string& path) : file_(path) {}
 
 void LatencyLog::input(const ui::InputEvent& event) {
-    if (!waiting_) waiting_ = Waiting{event, 0.0, {}, {}};
+    if (!waiting_) waiting_ = Waiting{.event = event, .gl_ms = 0.0, .request = {}, .submitted = {}};
 }
 
 void LatencyLog::add_gl(Clock::time_point from, Clock::time_point to) {
@@ -55,8 +55,12 @@ void LatencyLog::picture_ready() {
 void LatencyLog::taken(std::uint64_t request, int width, int height, bool complete) {
     const Clock::time_point now = Clock::now();
     const std::scoped_lock lock(mutex_);
-    taken_ = Taken{
-        request, width, height, complete, std::exchange(ready_, std::nullopt).value_or(now), now};
+    taken_ = Taken{.request = request,
+                   .width = width,
+                   .height = height,
+                   .complete = complete,
+                   .ready = std::exchange(ready_, std::nullopt).value_or(now),
+                   .at = now};
 }
 
 void LatencyLog::about_to_swap() {
@@ -82,7 +86,7 @@ void LatencyLog::about_to_swap() {
         line["total_ms"] = ms(now - waiting.event.at);
         waiting_.reset();
     }
-    file_ << line.dump() << std::endl;
+    file_ << line.dump() << '\n' << std::flush;
 }
 
 }  // namespace zeroset

@@ -101,7 +101,8 @@ void Session::show(Document document) {
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Asked::Nothing) attempt({Intent::OpenPath, paths.front()});
+    if (!paths.empty() && asked_ == Asked::Nothing)
+        attempt({.intent = Intent::OpenPath, .path = paths.front()});
 }
 
 void Session::abandon() {
@@ -137,13 +138,13 @@ void Session::keep(double now_s) {
 
 void Session::follow_command() {
     if (const auto path = std::exchange(state_.open_path, std::nullopt)) {
-        attempt({Intent::OpenPath, *path});
+        attempt({.intent = Intent::OpenPath, .path = *path});
     }
     const auto command = std::exchange(state_.command, std::nullopt);
     if (!command) return;
     switch (*command) {
-        case ui::Command::New: return attempt({Intent::New, {}});
-        case ui::Command::Open: return attempt({Intent::ChooseFile, {}});
+        case ui::Command::New: return attempt({.intent = Intent::New, .path = {}});
+        case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
         case ui::Command::Save: return save();
         case ui::Command::SaveAs: return save_as();
         case ui::Command::Undo: return undo(true);
@@ -206,7 +207,7 @@ void Session::begin(Document document, const std::string& path) {
     path_ = path;
     autosave_.forget();
     if (path.empty()) {
-        state_.focus = ui::RowFocus{state_.document.statements.front().id, {}};
+        state_.focus = ui::RowFocus{.row = state_.document.statements.front().id, .caret = {}};
     }
 }
 
@@ -258,7 +259,8 @@ void Session::follow_file_choice() {
 
 void Session::ask(Asked what, std::string text, std::vector<std::string> answers) {
     asked_ = what;
-    state_.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
+    state_.dialogs.question = ui::Question{
+        .text = std::move(text), .answers = std::move(answers), .chosen = std::nullopt};
 }
 
 void Session::follow_question() {

@@ -74,7 +74,7 @@ void turn(UiState& state) {
 
 template <ColorBy by>
 void color_by(UiState& state) {
-    state.document.coloring = {by, state.document.coloring.expression};
+    state.document.coloring = {.by = by, .expression = state.document.coloring.expression};
     if (by == ColorBy::Expression) state.layout.look_open = true;
 }
 

@@ -38,7 +38,8 @@ void move_view(UiState& state, const Camera& camera) {
     if (camera_defect(camera) != nullptr) return;
     ++state.gesture;  // makes the move an undo step of its own
     const Camera& from = *state.document.camera;
-    state.move = ViewMove{from, camera, from, 0.0, false};
+    state.move =
+        ViewMove{.from = from, .to = camera, .last = from, .elapsed_s = 0.0, .begun = false};
 }
 
 void follow_move(UiState& state, double elapsed_s) {

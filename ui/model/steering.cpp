@@ -14,7 +14,9 @@ constexpr double zoom_per_notch = 0.88;
 
 }  // namespace
 
-Turning turning_of(const UiState& state) { return {state.document.up, state.document.trackball}; }
+Turning turning_of(const UiState& state) {
+    return {.up = state.document.up, .freely = state.document.trackball};
+}
 
 Camera steer(const Camera& camera, const PointerMotion& motion, const Turning& turning) {
     Camera moved = camera;

@@ -83,7 +83,7 @@ void draw_settings(const char* id, Slider& slider) {
 void draw_play_button(UiState& state, const std::string& name, const Slider& slider, float size) {
     const Palette& colors = palette(state.theme);
     const bool plays = state.playing.contains(name);
-    const IconLook look{size, plays ? colors.accent : colors.quiet};
+    const IconLook look{.size = size, .color = plays ? colors.accent : colors.quiet};
     if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look, plays ? "Stop" : "Play")) {
         return;
     }
@@ -117,7 +117,8 @@ void draw_row(UiState& state, const std::string& name) {
     draw_slider("##value", slider, first_slider(name), size);
     ImGui::SameLine(0.0F, 0.0F);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
-    if (icon_button("##more", Icon::More, {size, colors.quiet}, "Range, step and speed")) {
+    if (icon_button("##more", Icon::More, {.size = size, .color = colors.quiet},
+                    "Range, step and speed")) {
         ImGui::OpenPopup("##settings");
     }
     draw_settings("##settings", slider);

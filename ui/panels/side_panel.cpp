@@ -53,7 +53,7 @@ void draw_header(UiState& state) {
     const Palette& colors = palette(state.theme);
     const float size = button_size();
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    const IconLook look{size, colors.quiet};
+    const IconLook look{.size = size, .color = colors.quiet};
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.2F), em(0.4F)));
     draw_document_menu(state, look);
     ImGui::SameLine();
@@ -117,12 +117,31 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
-constexpr std::array<FoldedSection, 5> sections{
-    {{"View", "##view", &Layout::view_open, draw_view_section, view_section_height},
-     {"Look", "##look", &Layout::look_open, draw_look_section, look_section_height},
-     {"Clip", "##clip", &Layout::clip_open, draw_clip_section, clip_section_height},
-     {"Space", "##space", &Layout::space_open, draw_space_section, space_section_height},
-     {"Markers", "##markers", &Layout::markers_open, draw_marker_section, marker_section_height}}};
+constexpr std::array<FoldedSection, 5> sections{{{.title = "View",
+                                                  .id = "##view",
+                                                  .open = &Layout::view_open,
+                                                  .draw = draw_view_section,
+                                                  .height = view_section_height},
+                                                 {.title = "Look",
+                                                  .id = "##look",
+                                                  .open = &Layout::look_open,
+                                                  .draw = draw_look_section,
+                                                  .height = look_section_height},
+                                                 {.title = "Clip",
+                                                  .id = "##clip",
+                                                  .open = &Layout::clip_open,
+                                                  .draw = draw_clip_section,
+                                                  .height = clip_section_height},
+                                                 {.title = "Space",
+                                                  .id = "##space",
+                                                  .open = &Layout::space_open,
+                                                  .draw = draw_space_section,
+                                                  .height = space_section_height},
+                                                 {.title = "Markers",
+                                                  .id = "##markers",
+                                                  .open = &Layout::markers_open,
+                                                  .draw = draw_marker_section,
+                                                  .height = marker_section_height}}};
 
 float sections_height(const UiState& state) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
@@ -153,7 +172,8 @@ void draw_folded(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(em(0.2F), em(0.2F)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
-        draw_action(state, "Fold the panel", Icon::Unfold, {size, palette(state.theme).quiet});
+        draw_action(state, "Fold the panel", Icon::Unfold,
+                    {.size = size, .color = palette(state.theme).quiet});
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -130,7 +130,7 @@ RowEvent draw_buttons(const Row& row, float height) {
     const float left = ImGui::GetCursorPosX();
     const float top = ImGui::GetCursorPosY() + 0.5F * (height - size);
     Statement& statement = row.statement;
-    const IconLook look{size, row.colors.quiet};
+    const IconLook look{.size = size, .color = row.colors.quiet};
     if (row.is_surface()) {
         ImGui::SetCursorPosY(top);
         const bool seen = statement.visible;
@@ -302,13 +302,13 @@ RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint)
                       !ImGui::IsMouseDragging(ImGuiMouseButton_Left) &&
                       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    Row row{state,
-            statement,
-            report == state.reports.end() ? nullptr : &report->second,
-            palette(state.theme),
-            place,
-            free && place.Contains(ImGui::GetIO().MousePos),
-            ImGui::GetActiveID() == ImGui::GetID("##equation")};
+    Row row{.state = state,
+            .statement = statement,
+            .report = report == state.reports.end() ? nullptr : &report->second,
+            .colors = palette(state.theme),
+            .place = place,
+            .hovered = free && place.Contains(ImGui::GetIO().MousePos),
+            .typing = ImGui::GetActiveID() == ImGui::GetID("##equation")};
     if (state.focus && state.focus->row == statement.id) {
         ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place);
     }

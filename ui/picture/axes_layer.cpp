@@ -39,7 +39,9 @@ AxisStyle style_of(Theme theme) {
 }  // namespace
 
 void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const UiState& state) {
-    const AxesChoice choice{state.document.axes, state.document.clip_box, state.document.grid};
+    const AxesChoice choice{.axes = state.document.axes,
+                            .clip_box = state.document.clip_box,
+                            .grid = state.document.grid};
     const ImVec2 extent(hi.x - lo.x, hi.y - lo.y);
     if (!choice.any() || state.shown.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
     const Axes axes = make_axes(view_of(state, extent), choice, *state.shown.frame);

@@ -27,9 +27,11 @@ constexpr float hidden_part = 0.4F;
 constexpr float outline_part = 0.85F;  ///< opacity of what the pointer's handle moves
 constexpr float faint_part = 0.3F;     ///< of a ball's outline otherwise
 
-Clipping clipping_of(const Document& document) { return {document.clip, document.region}; }
+Clipping clipping_of(const Document& document) {
+    return {.clip = document.clip, .region = document.region};
+}
 
-DragKeys keys_held() { return {ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl}; }
+DragKeys keys_held() { return {.shift = ImGui::GetIO().KeyShift, .ctrl = ImGui::GetIO().KeyCtrl}; }
 
 void take_over(Document& document, const Clipping& clipping) {
     document.clip = clipping.clip;
@@ -213,7 +215,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
     std::vector<Handle> handles = shown_handles(state, area.height());
     if (handles.empty()) return;
     const ViewFrame view(state.shown.camera);
-    const Pen pen{canvas, area, view};
+    const Pen pen{.canvas = canvas, .area = area, .view = view};
     canvas.PushClipRect(area.lo, area.hi, true);
     // What is nearer covers what is farther.
     std::ranges::sort(handles, std::ranges::greater(),

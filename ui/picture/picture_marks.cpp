@@ -46,8 +46,9 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     const glm::dvec2 size(hi.x - lo.x, hi.y - lo.y);
     Shapes shapes;
     if (state.shown.frame != nullptr) {
-        shapes = marker_shapes(marked_points(state), {*state.shown.frame, state.shown.camera, size},
-                               style);
+        shapes = marker_shapes(
+            marked_points(state),
+            {.frame = *state.shown.frame, .camera = state.shown.camera, .size = size}, style);
     }
     const CornerLegend legend{.legend = state.legend ? &*state.legend : nullptr,
                               .undecided = state.document.mark_undecided,
