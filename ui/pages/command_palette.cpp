@@ -27,16 +27,21 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
     for (const Action& action : actions()) {
         if (&action == &action_named("Find a command...")) continue;
         const bool on = action.is_on != nullptr && action.is_on(state);
-        lines.push_back(
-            {action.name, shown_keys(action), is_enabled(action, state), on, action.run});
+        lines.push_back({.text = action.name,
+                         .hint = shown_keys(action),
+                         .enabled = is_enabled(action, state),
+                         .is_on = on,
+                         .run = action.run});
     }
     for (std::size_t i = 0; i < state.gallery.size(); ++i) {
-        lines.push_back({state.gallery[i].title, state.gallery[i].group, true, false,
-                         [i](UiState& changed) { changed.surface = i; }});
+        lines.push_back({.text = state.gallery[i].title,
+                         .hint = state.gallery[i].group,
+                         .run = [i](UiState& changed) { changed.surface = i; }});
     }
     for (const std::string& path : state.recent) {
-        lines.push_back({std::filesystem::path(path).filename().string(), "recent file", true,
-                         false, [path](UiState& changed) { changed.open_path = path; }});
+        lines.push_back({.text = std::filesystem::path(path).filename().string(),
+                         .hint = "recent file",
+                         .run = [path](UiState& changed) { changed.open_path = path; }});
     }
     return lines;
 }

@@ -112,7 +112,7 @@ private:
     void write(const Header& header, std::size_t body) {
         if (header.name.empty()) return;
         const auto symbol = [&](std::string_view text, std::size_t offset) {
-            out_.push_back({TokenKind::Symbol, text, {}, offset, 0});
+            out_.push_back({.kind = TokenKind::Symbol, .text = text, .offset = offset});
         };
         out_.push_back(header.name[0]);
         symbol("(", header.name[0].end());

@@ -111,16 +111,15 @@ std::optional<NodeId> with_completed_squares(ExprBuilder& builder, const Analyse
         taken[i] = true;
         const auto partner = partner_of(summand, sum.summands, taken);
         const Summand& other = partner ? sum.summands[*partner] : summand;
+        if (!is_usable(other.factor)) return std::nullopt;
         const bool is_square = !partner || summand.exponent > other.exponent;
         const Summand& leading = is_square ? summand : other;
-        if (!is_usable(leading.factor)) return std::nullopt;
         const bool subtracted = result && leading.factor.hi < 0;
         NodeId term{};
         if (!partner) {
             term = write_summand(builder, now, summand, subtracted);
         } else {
             const Summand& linear = is_square ? other : summand;
-            if (!is_usable(linear.factor)) return std::nullopt;
             taken[*partner] = true;
             term = write_completed(builder, now, leading, linear, subtracted, sum.constant);
             completed = true;
