@@ -132,6 +132,7 @@ NodeId ShapeMaker::add(const Node& node, std::span<const NodeId> added) {
 
 PartShape ShapeMaker::make() {
     std::vector<NodeId> added;
+    added.reserve(first_.nodes.size());
     for (const Node& node : first_.nodes)
         added.push_back(add(node, added));
     const auto varying =
