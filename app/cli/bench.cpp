@@ -43,9 +43,10 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.json)
         return InputError{.reason = has + "no --json; leave it out, the table is printed"};
     if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
-    if (command.tracers && command.tracers->contains(','))
+    if (command.tracers && command.tracers->contains(',')) {
         return InputError{.reason =
                               has + "one --tracer; type " + std::string(tracers().front().name)};
+    }
     return std::nullopt;
 }
 

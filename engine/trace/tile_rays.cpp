@@ -19,11 +19,12 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// the view axis.
 DepthRange between_planes(double eye, double lo, double hi, double d0, double d1) {
     if (d0 <= 0 && d1 >= 0) {
-        if (!(lo < eye && eye < hi))
+        if (!(lo < eye && eye < hi)) {
             return {.enter_lo = -unbounded,
                     .enter_hi = unbounded,
                     .exit_lo = -unbounded,
                     .exit_hi = unbounded};
+        }
         const double steepest = std::max({-d0, d1, std::numeric_limits<double>::min()});
         return {.enter_lo = -unbounded,
                 .enter_hi = 0.0,
@@ -185,11 +186,12 @@ DepthRange TileRays::in_ball(const Ball& ball, const Rays& rays) const {
         return std::sqrt(std::max(radius - gap, 0.0) * (radius + gap) / square);
     };
     const double outer = ball.radius + aside;
-    if (gap > outer)
+    if (gap > outer) {
         return {.enter_lo = unbounded,
                 .enter_hi = unbounded,
                 .exit_lo = -unbounded,
                 .exit_hi = -unbounded};
+    }
     const double inner = ball.radius - aside;
     const bool sure = inner > gap;
     const double at_most = half(outer) + error_of(ball);
