@@ -63,7 +63,7 @@ std::array<double, count> numbers_of(const Json& json, const std::string& place)
         throw Damage{place + " is no list of " + std::to_string(count) + " numbers"};
     }
     std::array<double, count> numbers{};
-    for (std::size_t i = 0; i < Count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
         numbers[i] = number_of(json[i], place);
     return numbers;
 }
