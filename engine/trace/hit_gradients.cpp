@@ -190,6 +190,7 @@ Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) co
 void GradientSearch::take_jumps() {
     if (jumps_.empty()) return;
     std::vector<JumpPlace> places;
+    places.reserve(jumps_.size());
     for (const Seeker& seeker : jumps_)
         places.push_back({seeker.start, seeker.direction, seeker.pixel_size, seeker.trend});
     const auto values = [&](const std::vector<glm::dvec3>& points) {
@@ -211,6 +212,7 @@ void GradientSearch::polish() {
     }
     for (int step = 0; step < most_steps && !open.empty() && !frame_.stopped(); ++step) {
         std::vector<glm::dvec3> points;
+        points.reserve(open.size());
         for (const Seeker* seeker : open)
             points.push_back(seeker->at(seeker->next));
         const std::vector<Sample> samples = ask(points);
@@ -229,6 +231,7 @@ void GradientSearch::polish() {
 
 void GradientSearch::look_before(double pixels) {
     std::vector<glm::dvec3> points;
+    points.reserve(seekers_.size());
     for (const Seeker& seeker : seekers_)
         points.push_back(seeker.at(-pixels * seeker.pixel_size));
     const std::vector<Sample> samples = ask(points);

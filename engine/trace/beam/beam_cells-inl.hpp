@@ -266,9 +266,9 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     // Reject cells on which the form excludes 0, or f is nowhere defined.
     const V<Real> aside = hn::Add(hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
     const V<Real> size_c = hn::Abs(form.c);
-    const V<Real> size_t_ = hn::Abs(form.kt);
+    const V<Real> size_kt = hn::Abs(form.kt);
     const M<Real> rejected =
-        hn::Or(hn::Gt(size_c, hn::Add(aside, size_t_)), mask_at(d<Real>, f.nowhere.data() + i));
+        hn::Or(hn::Gt(size_c, hn::Add(aside, size_kt)), mask_at(d<Real>, f.nowhere.data() + i));
     CellBits& bits = cells.bits[i / lanes<Real>];
     bits.rejected = bits_of(d<Real>, rejected);
     // Find those on which f is monotone along the rays.
