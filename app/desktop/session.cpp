@@ -160,7 +160,7 @@ void Session::undo(bool back) {
     if (state_.typing_row != 0) state_.reload = state_.typing_row;
 }
 
-void Session::copy() {
+void Session::copy() const {
     const Marker* const marker = find_marker(state_.document.markers, state_.selected_marker);
     ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(state_.document));
 }

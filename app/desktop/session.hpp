@@ -73,7 +73,7 @@ private:
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.
-    void copy();
+    void copy() const;
     void paste();
     void ask(Asked what, std::string text, std::vector<std::string> answers);
     void say(const std::string& text) { ask(Asked::Message, text, {"OK"}); }

@@ -145,6 +145,7 @@ std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& 
     std::ranges::stable_sort(scored, std::ranges::greater{},
                              [](const auto& entry) { return entry.first; });
     std::vector<PaletteLine> lines;
+    lines.reserve(scored.size());
     for (auto& [score, line] : scored)
         lines.push_back(std::move(line));
     return lines;

@@ -129,7 +129,7 @@ void draw_place(const Box& clip, Section& section) {
     const glm::dvec3 across = glm::abs(section.normal);
     const double middle = sign * glm::dot(section.normal, clip.centre());
     const double reach = 0.5 * glm::dot(across, clip.hi - clip.lo);
-    Slider usual{.value = middle, .lo = middle - reach, .hi = middle + reach};
+    const Slider usual{.value = middle, .lo = middle - reach, .hi = middle + reach};
     Slider slider = usual;
     set_value(slider, sign * section.offset);
     draw_slider("##place", slider, usual, 0.0F);
