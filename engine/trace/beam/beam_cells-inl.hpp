@@ -278,7 +278,7 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     bits.smooth = bits_of(d<Real>, hn::And(continuous, sloped));
     // Find those on which the form says nothing but its error.
     const V<Real> linear =
-        hn::Add(hn::Add(size_c, size_t_), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
+        hn::Add(hn::Add(size_c, size_kt), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
     bits.flat = bits_of(d<Real>, hn::And(continuous, hn::Eq(linear, zero)));
     // Contract the slab for each quarter of the tile.
     const V<Real> inverse =
