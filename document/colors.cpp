@@ -51,7 +51,8 @@ SurfaceColors surface_colors(std::uint32_t front) {
     if (known != palette_fronts().end()) {
         return colors_of(static_cast<std::size_t>(known - palette_fronts().begin()));
     }
-    SurfaceColors colors{{light(front >> 16U), light(front >> 8U), light(front)}, {}};
+    SurfaceColors colors{.front = {light(front >> 16U), light(front >> 8U), light(front)},
+                         .back = {}};
     const auto farthest = std::ranges::max_element(palette(), {}, [&](const SurfaceColors& pair) {
         return distance(pair.back, colors.front);
     });

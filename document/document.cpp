@@ -97,6 +97,7 @@ std::size_t JoinedRows::row_at(std::size_t offset) const {
 
 JoinedRows joined_rows(const Document& document) {
     std::vector<std::string> rows;
+    rows.reserve(document.statements.size());
     for (const Statement& statement : document.statements)
         rows.push_back(statement.text);
     return JoinedRows(rows);

@@ -31,7 +31,7 @@ Box cube_about(const Box& box) {
         return Box::cube(rounded_up((1.0 + margin) * about_origin));
     }
     const double half = rounded_up((1.0 + margin) * about_centre);
-    return {box.centre() - half, box.centre() + half};
+    return {.lo = box.centre() - half, .hi = box.centre() + half};
 }
 
 bool sticks_out(const Box& box, const Box& clip) {
@@ -47,7 +47,7 @@ std::string half_text(const Box& clip) {
 }
 
 Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
-    Framing framing{document, std::move(note), true};
+    Framing framing{.document = document, .note = std::move(note), .found = true};
     const Camera usual = default_camera(document.clip, aspect, document.up);
     framing.document.camera = framed(document.camera.value_or(usual), seen, aspect);
     return framing;
@@ -79,10 +79,10 @@ Framing frame_surfaces(const Document& document, const Extent& extent, double as
             "enlarged the clip box until it meets the surface: \u00B1" + half_text(wished.clip));
     }
     const bool somewhere = extent.whole || extent.reached;
-    return {document,
-            somewhere ? "the clip box holds nothing of the surface"
-                      : "no surface: f vanishes nowhere near the clip box",
-            false};
+    return {.document = document,
+            .note = somewhere ? "the clip box holds nothing of the surface"
+                              : "no surface: f vanishes nowhere near the clip box",
+            .found = false};
 }
 
 }  // namespace zeroset

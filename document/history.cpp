@@ -8,6 +8,7 @@ namespace {
 
 std::vector<int> ids_of(const Document& document) {
     std::vector<int> ids;
+    ids.reserve(document.statements.size());
     for (const Statement& statement : document.statements)
         ids.push_back(statement.id);
     return ids;

@@ -54,7 +54,8 @@ std::string number_text(double number, double resolution) {
     const int length = std::snprintf(text.data(), text.size(), fixed ? "%.*f" : "%.*g",
                                      fixed ? static_cast<int>(decimals) : 9, number);
     std::string digits = shortened({text.data(), static_cast<std::size_t>(length)});
-    return digits == "-0" ? "0" : digits;
+    if (digits == "-0") return "0";
+    return digits;
 }
 
 std::string coordinates_text(const glm::dvec3& at, double resolution) {

@@ -14,7 +14,7 @@ double on_step(const Slider& slider, double value) {
 
 PlayState started(const Slider& slider) {
     const double place = (slider.value - slider.lo) / (slider.hi - slider.lo);
-    return {std::clamp(place, 0.0, 1.0), true};
+    return {.place = std::clamp(place, 0.0, 1.0), .forward = true};
 }
 
 void advance(Slider& slider, PlayState& playing, double elapsed_s) {
@@ -26,7 +26,7 @@ void advance(Slider& slider, PlayState& playing, double elapsed_s) {
         // Forth and back make a round of length 2.
         way += playing.forward ? playing.place : 2.0 - playing.place;
         way -= 2.0 * std::floor(0.5 * way);
-        playing = {way <= 1.0 ? way : 2.0 - way, way <= 1.0};
+        playing = {.place = way <= 1.0 ? way : 2.0 - way, .forward = way <= 1.0};
     }
     slider.value = on_step(slider, std::lerp(slider.lo, slider.hi, playing.place));
 }

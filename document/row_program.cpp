@@ -18,6 +18,7 @@ std::string_view stripped(std::string_view text) {
 /// Offsets at which the statements of a program begin, in ascending order.
 std::vector<std::size_t> statement_begins(const Program& program) {
     std::vector<std::size_t> begins;
+    begins.reserve(program.readings.size());
     for (const Reading& reading : program.readings)
         begins.push_back(reading.offset);
     std::ranges::sort(begins);
@@ -85,23 +86,26 @@ std::expected<RowProgram, ParseError> read_rows(const Document& document) {
     if (!program) return std::unexpected(program.error());
     std::vector<int> rows = rows_of_surfaces(
         document, *program, [&joined](std::size_t offset) { return joined.row_at(offset); });
-    return RowProgram{std::move(joined.text), std::make_shared<const Program>(std::move(*program)),
-                      std::move(rows)};
+    return RowProgram{.text = std::move(joined.text),
+                      .program = std::make_shared<const Program>(std::move(*program)),
+                      .surface_rows = std::move(rows)};
 }
 
 TextDocument read_text(std::string_view text) {
     auto program = read_program(text);
     const std::vector<TextRow> rows = cut_rows(text, program ? &*program : nullptr);
     Document document = document_of(rows);
-    if (!program) return {std::move(document), std::unexpected(program.error())};
+    if (!program)
+        return {.document = std::move(document), .rows = std::unexpected(program.error())};
     const auto row_at = [&rows](std::size_t offset) {
         const auto after = std::ranges::upper_bound(rows, offset, {}, &TextRow::begin);
         return static_cast<std::size_t>(after - rows.begin()) - 1;
     };
     std::vector<int> surface_rows = rows_of_surfaces(document, *program, row_at);
-    return {std::move(document),
-            RowProgram{std::string(text), std::make_shared<const Program>(std::move(*program)),
-                       std::move(surface_rows)}};
+    return {.document = std::move(document),
+            .rows = RowProgram{.text = std::string(text),
+                               .program = std::make_shared<const Program>(std::move(*program)),
+                               .surface_rows = std::move(surface_rows)}};
 }
 
 std::vector<std::string> rows_of(std::string_view text) {

@@ -26,18 +26,22 @@ struct TriedRows {
 std::expected<TriedRows, ParseError> try_rows(const std::vector<std::string>& rows) {
     JoinedRows joined(rows);
     auto program = read_program(joined.text);
-    if (program) return TriedRows{std::move(joined), std::move(*program)};
+    if (program) return TriedRows{.joined = std::move(joined), .program = std::move(*program)};
     const ParseError error = program.error();
     joined.text += stand_in;
     program = read_program(joined.text);
-    if (program) return TriedRows{std::move(joined), std::move(*program), false};
+    if (program)
+        return TriedRows{
+            .joined = std::move(joined), .program = std::move(*program), .has_surface = false};
     return std::unexpected(error);
 }
 
 RowError row_error(const ParseError& error, std::size_t begin, const std::string& row) {
     const auto of = [&](const ParseError& found, std::size_t offset) {
         const std::string hint = found.hint.empty() ? "" : "; " + found.hint;
-        return RowError{found.reason + hint, std::min(offset, row.size()), found.unfinished};
+        return RowError{.reason = found.reason + hint,
+                        .at = std::min(offset, row.size()),
+                        .unfinished = found.unfinished};
     };
     const std::size_t at = error.offset - std::min(begin, error.offset);
     if (at >= row.size()) {

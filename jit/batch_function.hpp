@@ -94,8 +94,8 @@ public:
             llvm::Constant::getNullValue(emitter_.vector_of(emitter_.integer())), room,
             alignment());
         llvm::Value* const there = builder_.CreateIsNotNull(given);
-        return {builder_.CreateSelect(there, given, room),
-                builder_.CreateZExt(there, builder_.getInt64Ty())};
+        return {.start = builder_.CreateSelect(there, given, room),
+                .step = builder_.CreateZExt(there, builder_.getInt64Ty())};
     }
     /// Loads a std::size_t of the batch; call before go_to_body.
     llvm::Value* size_member(std::size_t offset) {
@@ -103,7 +103,7 @@ public:
     }
     llvm::IRBuilder<>& builder() { return builder_; }
     [[nodiscard]] bool is_float() const { return emitter_.is_float(); }
-    LaneMask mask(llvm::Value* value) { return {&emitter_, value}; }
+    LaneMask mask(llvm::Value* value) { return {.emitter = &emitter_, .value = value}; }
     /// The integer `value`, as wide as the vectors' numbers, in all lanes.
     llvm::Value* splat_integer(std::uint64_t value) {
         return llvm::ConstantInt::get(emitter_.vector_of(emitter_.integer()), value);
@@ -122,15 +122,16 @@ public:
     }
     Lanes load(llvm::Value* array) {
         llvm::Value* const address = builder_.CreateGEP(emitter_.real(), array, item_);
-        return {&emitter_,
-                builder_.CreateAlignedLoad(emitter_.real_vector(), address, alignment())};
+        return {.emitter = &emitter_,
+                .value = builder_.CreateAlignedLoad(emitter_.real_vector(), address, alignment())};
     }
     /// Loads the number `array[index]` into all lanes.
     Lanes load_uniform(llvm::Value* array, std::size_t index) {
         llvm::Value* const address = builder_.CreateConstGEP1_64(emitter_.real(), array, index);
         llvm::Value* const one = builder_.CreateLoad(emitter_.real(), address);
-        return {&emitter_,
-                builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.kind.lanes), one)};
+        return {
+            .emitter = &emitter_,
+            .value = builder_.CreateVectorSplat(static_cast<unsigned>(emitter_.kind.lanes), one)};
     }
     void store(llvm::Value* array, const Lanes& lanes) { store_vector(array, lanes.value); }
     /// Stores a mask: all bits of a number are 1 where it holds, else 0.
@@ -145,9 +146,10 @@ public:
         llvm::Value* const address = builder_.CreateGEP(builder_.getFloatTy(), array, item_);
         llvm::Value* const numbers =
             builder_.CreateAlignedLoad(narrow, address, llvm::Align(sizeof(float)));
-        return {&emitter_, emitter_.is_float()
-                               ? numbers
-                               : builder_.CreateFPExt(numbers, emitter_.real_vector())};
+        return {.emitter = &emitter_,
+                .value = emitter_.is_float()
+                             ? numbers
+                             : builder_.CreateFPExt(numbers, emitter_.real_vector())};
     }
     /// Loads a number of the batch itself into all lanes; call before go_to_body.
     Lanes member_uniform(std::size_t offset) { return load_uniform(member(offset), 0); }
@@ -167,7 +169,8 @@ public:
         llvm::PHINode* const left = builder_.CreatePHI(builder_.getInt32Ty(), 2, "left");
         s->addIncoming(start.value, before);
         left->addIncoming(more, before);
-        return {{&emitter_, s}, head, s, left};
+        return {
+            .s = {.emitter = &emitter_, .value = s}, .head = head, .s_in = s, .steps_left = left};
     }
     /// Ends the loop's step: goes on with `next` where `again` holds in any lane and steps are
     /// left.
@@ -185,10 +188,10 @@ public:
     }
 
     /// The number `value` in all lanes.
-    Lanes splat(double value) { return like(Lanes{&emitter_, nullptr}, value); }
+    Lanes splat(double value) { return like(Lanes{.emitter = &emitter_, .value = nullptr}, value); }
     LaneMask everywhere() {
-        return {&emitter_,
-                llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
+        return {.emitter = &emitter_,
+                .value = llvm::Constant::getAllOnesValue(emitter_.vector_of(builder_.getInt1Ty()))};
     }
 
 private:

@@ -48,7 +48,8 @@ std::expected<Vectors, CompileError> usable_vectors(const CompileOptions& option
                                             std::to_string(lanes) + " floats; its widest are of " +
                                             std::to_string(host_lanes())});
     }
-    return Vectors{{RealType::Float, lanes}, {RealType::Double, lanes / 2}};
+    return Vectors{.in_float = {.type = RealType::Float, .lanes = lanes},
+                   .in_double = {.type = RealType::Double, .lanes = lanes / 2}};
 }
 
 constexpr std::size_t functions_kept = 256;
@@ -96,6 +97,7 @@ Code cached_code(const Expr& expr, const Piece& piece) {
 
 template <class Batch>
 void put_in(KernelFunction<Batch>& function, std::shared_ptr<const MachineCode> code) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the linker gives an address
     function.call = reinterpret_cast<void (*)(const void*, const Batch*)>(code->entry());
     function.code = std::move(code);
 }
@@ -120,9 +122,8 @@ class OnCall {
 public:
     /// `patience`: number of items for which `otherwise` does the work, giving the same bits as the
     /// code; 0 where its results differ.
-    OnCall(const Expr& expr, const Piece& piece, KernelFunction<Batch> otherwise,
-           std::size_t patience)
-        : expr_(expr),
+    OnCall(Expr expr, const Piece& piece, KernelFunction<Batch> otherwise, std::size_t patience)
+        : expr_(std::move(expr)),
           piece_(piece),
           otherwise_(std::move(otherwise)),
           patience_(patience),
@@ -189,7 +190,8 @@ void make_later(KernelFunction<Batch>& function, const Expr& expr, const Piece& 
 /// The functions made at once for these options, those that the beam tracer needs; longest first.
 std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& options) {
     const bool hasty = options.hasty;
-    std::vector<Piece> pieces{{vectors.in_float, KernelKind::Form, hasty}};
+    std::vector<Piece> pieces{
+        {.vector = vectors.in_float, .kind = KernelKind::Form, .hasty = hasty}};
     if (!options.quick) pieces.push_back({vectors.in_float, KernelKind::RayForm, hasty});
     pieces.push_back({vectors.in_float, KernelKind::Newton, hasty});
     pieces.push_back({vectors.in_double, KernelKind::RayValue, hasty});
@@ -226,11 +228,13 @@ void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vector
     later(kernel.in_double.value, vectors.in_double, KernelKind::Value);
     if (options.with_double) later(kernel.in_double.range, vectors.in_double, KernelKind::Range);
     if (!options.quick) return;
-    make_on_call(kernel.in_float.ray_form, expr, {vectors.in_float, KernelKind::RayForm, hasty},
+    make_on_call(kernel.in_float.ray_form, expr,
+                 {.vector = vectors.in_float, .kind = KernelKind::RayForm, .hasty = hasty},
                  kernel.in_float.form, 0);
     if (options.with_double) {
         make_on_call(kernel.in_double.ray_form, expr,
-                     {vectors.in_double, KernelKind::RayForm, hasty}, kernel.in_double.form, 0);
+                     {.vector = vectors.in_double, .kind = KernelKind::RayForm, .hasty = hasty},
+                     kernel.in_double.form, 0);
     }
 }
 
@@ -247,7 +251,7 @@ std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
         for (const KernelKind kind : kernel_kinds) {
             const bool always_double = kind == KernelKind::RayValue;
             if (always_double && vector.type == RealType::Float) continue;
-            const Piece piece{vector, kind};
+            const Piece piece{.vector = vector, .kind = kind};
             const auto code = on_large_stack([&] { return print(piece.lowering(expr)); });
             if (!code) return code;
             text += *code;
@@ -300,7 +304,7 @@ bool is_compiled(const Expr& expr, const CompileOptions& options) {
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {
     const auto vectors = usable_vectors({});
     if (!vectors) return std::unexpected(vectors.error());
-    auto code = cached_code(expr, {vectors->in_double, KernelKind::Points});
+    auto code = cached_code(expr, {.vector = vectors->in_double, .kind = KernelKind::Points});
     if (!code) return std::unexpected(code.error());
     PointFunction function;
     put_in(function, std::move(*code));

@@ -32,7 +32,7 @@ std::array<llvm::Value*, 3> unordered_pair(llvm::Value* a, llvm::Value* b,
 
 Lanes intrinsic(llvm::Intrinsic::ID id, const Lanes& a) {
     const auto make = [&] { return a.emitter->builder.CreateUnaryIntrinsic(id, a.value); };
-    return {a.emitter, a.emitter->once(id, {a.value}, make)};
+    return {.emitter = a.emitter, .value = a.emitter->once(id, {a.value}, make)};
 }
 
 /// An operation that rounds in the mode set when it runs. `key`: the operands for Emitter::once.
@@ -45,7 +45,7 @@ Lanes rounded(llvm::Intrinsic::ID id, const Lanes& a, llvm::ArrayRef<llvm::Value
         return builder.CreateConstrainedFPCall(function, operands, "", llvm::RoundingMode::Dynamic,
                                                llvm::fp::ExceptionBehavior::ebIgnore);
     };
-    return {a.emitter, a.emitter->once(id, key, make)};
+    return {.emitter = a.emitter, .value = a.emitter->once(id, key, make)};
 }
 
 /// Whether `a` is this number in all lanes.
@@ -63,9 +63,10 @@ LaneMask logical(Operation operation, const LaneMask& a, const LaneMask& b, auto
 
 LaneMask compare(llvm::CmpInst::Predicate predicate, const Lanes& a, const Lanes& b) {
     const auto make = [&] { return a.emitter->builder.CreateFCmp(predicate, a.value, b.value); };
-    return {a.emitter,
-            a.emitter->once(static_cast<unsigned>(Comparison) + static_cast<unsigned>(predicate),
-                            {a.value, b.value}, make)};
+    return {.emitter = a.emitter,
+            .value = a.emitter->once(
+                static_cast<unsigned>(Comparison) + static_cast<unsigned>(predicate),
+                {a.value, b.value}, make)};
 }
 
 Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> arguments) {
@@ -89,7 +90,7 @@ Lanes call(const Lanes& kind, Elementary function, llvm::ArrayRef<llvm::Value*> 
     std::array<llvm::Value*, 3> key{};
     std::ranges::copy(arguments, key.begin());
     const auto operation = static_cast<unsigned>(LibraryCall) + static_cast<unsigned>(function);
-    return {kind.emitter, kind.emitter->once(operation, key, make)};
+    return {.emitter = kind.emitter, .value = kind.emitter->once(operation, key, make)};
 }
 
 }  // namespace
@@ -117,7 +118,7 @@ Lanes operator/(const Lanes& a, const Lanes& b) {
 }
 Lanes operator-(const Lanes& a) {
     const auto make = [&] { return a.emitter->builder.CreateFNeg(a.value); };
-    return {a.emitter, a.emitter->once(Negation, {a.value}, make)};
+    return {.emitter = a.emitter, .value = a.emitter->once(Negation, {a.value}, make)};
 }
 
 LaneMask operator>(const Lanes& a, const Lanes& b) {
@@ -150,7 +151,8 @@ LaneMask no(const LaneMask& a) {
 }
 
 Lanes like(const Lanes& kind, double value) {
-    return {kind.emitter, llvm::ConstantFP::get(kind.emitter->real_vector(), value)};
+    return {.emitter = kind.emitter,
+            .value = llvm::ConstantFP::get(kind.emitter->real_vector(), value)};
 }
 
 Lanes maximum(const Lanes& a, const Lanes& b) { return select(a > b, a, b); }
@@ -161,7 +163,8 @@ Lanes select(const LaneMask& condition, const Lanes& if_true, const Lanes& if_fa
     const auto make = [&] {
         return emitter->builder.CreateSelect(condition.value, if_true.value, if_false.value);
     };
-    return {emitter, emitter->once(Choice, {condition.value, if_true.value, if_false.value}, make)};
+    return {.emitter = emitter,
+            .value = emitter->once(Choice, {condition.value, if_true.value, if_false.value}, make)};
 }
 
 Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear) {
@@ -173,7 +176,8 @@ Lanes select_negative(const Lanes& x, const Lanes& if_set, const Lanes& if_clear
             builder.CreateICmpSLT(bits, llvm::Constant::getNullValue(integers));
         return builder.CreateSelect(is_set, if_set.value, if_clear.value);
     };
-    return {x.emitter, x.emitter->once(SignChoice, {x.value, if_set.value, if_clear.value}, make)};
+    return {.emitter = x.emitter,
+            .value = x.emitter->once(SignChoice, {x.value, if_set.value, if_clear.value}, make)};
 }
 
 Lanes square_root(const Lanes& a) {

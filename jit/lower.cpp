@@ -44,13 +44,14 @@ void lower_range(const Expr& expr, std::span<const Facts> facts, const VectorKin
     const auto leaf = [&](const Node& node, const Facts& fact) -> Enclosure<Lanes> {
         if (fact.constant) {
             const auto box = fact.constant_box<Real>();
-            return {{function.splat(static_cast<double>(box.neg_lo)),
-                     function.splat(static_cast<double>(box.hi))}};
+            return {.range = {.neg_lo = function.splat(static_cast<double>(box.neg_lo)),
+                              .hi = function.splat(static_cast<double>(box.hi))}};
         }
         const auto v = static_cast<std::size_t>(node.number);
-        if (v < 3) return {{function.load(neg_lo[v]), function.load(hi[v])}};
-        return {{function.load_uniform(uniforms, 2 * (v - 3)),
-                 function.load_uniform(uniforms, 2 * (v - 3) + 1)}};
+        if (v < 3)
+            return {.range = {.neg_lo = function.load(neg_lo[v]), .hi = function.load(hi[v])}};
+        return {.range = {.neg_lo = function.load_uniform(uniforms, 2 * (v - 3)),
+                          .hi = function.load_uniform(uniforms, 2 * (v - 3) + 1)}};
     };
     auto switches = switch_lanes<Batch>(function, expr, facts);
     IntervalAlgebra<Lanes> algebra(&switches);
@@ -94,8 +95,8 @@ void lower_form(const Expr& expr, std::span<const Facts> facts, const VectorKind
         }
         const auto v = static_cast<std::size_t>(node.number);
         if (v >= 3) {
-            return uniform_form<Lanes>({function.load_uniform(uniforms, 2 * (v - 3)),
-                                        function.load_uniform(uniforms, 2 * (v - 3) + 1)});
+            return uniform_form<Lanes>({.neg_lo = function.load_uniform(uniforms, 2 * (v - 3)),
+                                        .hi = function.load_uniform(uniforms, 2 * (v - 3) + 1)});
         }
         return part == KernelKind::RayForm ? coordinate_on_rays(view, *cell, v)
                                            : coordinate(view, *cell, v);
@@ -144,11 +145,12 @@ void lower_value(const Expr& expr, std::span<const Facts> facts, const VectorKin
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
         if (fact.constant) {
-            return {function.splat(static_cast<double>(fact.constant_point<Real>())), {}};
+            return {.value = function.splat(static_cast<double>(fact.constant_point<Real>())),
+                    .slope = {}};
         }
         const auto v = static_cast<std::size_t>(node.number);
-        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
-        Dual<Lanes> variable{function.load(x[v]), {}};
+        if (v >= 3) return {.value = function.load_uniform(uniforms, v - 3), .slope = {}};
+        Dual<Lanes> variable{.value = function.load(x[v]), .slope = {}};
         if (with_gradient) variable.slope.set(v, function.splat(1.0));
         return variable;
     };
@@ -193,7 +195,8 @@ public:
             return line(offsetof(Layout, direction) + i, offsetof(Layout, direction_by_col) + i,
                         offsetof(Layout, direction_by_row) + i);
         };
-        return {{origin(0), origin(1), origin(2)}, {direction(0), direction(1), direction(2)}};
+        return {.origin = {origin(0), origin(1), origin(2)},
+                .direction = {direction(0), direction(1), direction(2)}};
     }
 
 private:
@@ -224,11 +227,12 @@ void lower_newton(const Expr& expr, std::span<const Facts> facts, const VectorKi
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
         if (fact.constant) {
-            return {function.splat(static_cast<double>(fact.constant_point<Real>())), {}};
+            return {.value = function.splat(static_cast<double>(fact.constant_point<Real>())),
+                    .slope = {}};
         }
         const auto v = static_cast<std::size_t>(node.number);
-        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
-        Dual<Lanes> variable{(*x)[v], {}};
+        if (v >= 3) return {.value = function.load_uniform(uniforms, v - 3), .slope = {}};
+        Dual<Lanes> variable{.value = (*x)[v], .slope = {}};
         variable.slope.set(v, function.splat(1.0));
         return variable;
     };
@@ -276,10 +280,11 @@ void lower_ray_value(const Expr& expr, std::span<const Facts> facts, const Vecto
     std::optional<std::array<Lanes, 3>> x;
 
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<Lanes> {
-        if (fact.constant) return {function.splat(fact.constant_point<double>()), {}};
+        if (fact.constant)
+            return {.value = function.splat(fact.constant_point<double>()), .slope = {}};
         const auto v = static_cast<std::size_t>(node.number);
-        if (v >= 3) return {function.load_uniform(uniforms, v - 3), {}};
-        return {(*x)[v], {}};
+        if (v >= 3) return {.value = function.load_uniform(uniforms, v - 3), .slope = {}};
+        return {.value = (*x)[v], .slope = {}};
     };
     const auto varying = [&] {
         function.go_to_body();

@@ -38,7 +38,7 @@ const char* symbol_of(KernelKind kind);
 
 /// A module with one batch function over vectors of this kind: a loop over the items, with all that
 /// depends only on w and the parameters computed before it.
-std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& vector, KernelKind kind,
+std::unique_ptr<llvm::Module> lower(const Expr& expr, const VectorKind& kind, KernelKind part,
                                     llvm::LLVMContext& context);
 
 }  // namespace zeroset::jit

@@ -26,9 +26,9 @@ std::optional<HeldAt<Lanes>> SwitchLanes::held(SwitchIndex index) {
     const auto either_of = [&](llvm::Value* a, llvm::Value* b) { return builder.CreateOr(a, b); };
     const Lanes above = select(mask(either_of(second_of_two, second_of_three)),
                                function_.splat(1.0), function_.splat(0.0));
-    return HeldAt<Lanes>{mask(either_of(is(0, 2), second_of_two)),
-                         mask(either_of(either_of(is(0, 3), second_of_three), third)),
-                         select(mask(third), function_.splat(2.0), above)};
+    return HeldAt<Lanes>{.of_two = mask(either_of(is(0, 2), second_of_two)),
+                         .of_three = mask(either_of(either_of(is(0, 3), second_of_three), third)),
+                         .outcome = select(mask(third), function_.splat(2.0), above)};
 }
 
 void SwitchLanes::add(llvm::Value* bits) {
@@ -64,7 +64,7 @@ void SwitchLanes::report_cut(const LaneMask& open, const Lanes& at, const Lanes&
 
 Cut<Lanes> SwitchLanes::no_cut() const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    return {function_.splat(infinity), function_.splat(-infinity)};
+    return {.from = function_.splat(infinity), .to = function_.splat(-infinity)};
 }
 
 void SwitchLanes::store() {

@@ -27,8 +27,9 @@ public:
           loaded_((switches + per_word() - 1) / per_word(), nullptr) {}
     /// Lets cuts be made, too, for the batch's members at these offsets; call before go_to_body.
     void make_cuts(std::size_t from_offset, std::size_t to_offset) {
-        cuts_ =
-            Cuts{function_.optional_array(from_offset), function_.optional_array(to_offset), {}};
+        cuts_ = Cuts{.from = function_.optional_array(from_offset),
+                     .to = function_.optional_array(to_offset),
+                     .cut = {}};
     }
 
     std::optional<HeldAt<Lanes>> held(SwitchIndex index) override;

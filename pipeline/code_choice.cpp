@@ -35,7 +35,8 @@ std::optional<CodeUse> code_for_one(const RenderRequest& picture, const Formula&
     if (is_made_of_parts(formula)) return CodeUse::OnePicture;
     Framebuffer small(std::max(1, picture.width / reduction),
                       std::max(1, picture.height / reduction));
-    const TimeLimit limit{cancel, std::chrono::steady_clock::now() + longest_trial};
+    const TimeLimit limit{.cancel = cancel,
+                          .until = std::chrono::steady_clock::now() + longest_trial};
     const Counters counters = render_frame(picture.scene, picture.camera, picture.settings, small,
                                            RenderWatch{.limit = limit, .on_tile = {}});
     const double pixels = static_cast<double>(picture.width) * picture.height;

@@ -42,7 +42,7 @@ PointFunction code_of(const Expr& expr) {
 
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice) {
-    ColorFormulas formulas{choice.by, choice.expression, {}};
+    ColorFormulas formulas{.by = choice.by, .expression = choice.expression, .values = {}};
     if (!has_formula(choice.by)) return formulas;
     if (choice.by == ColorBy::Expression) {
         const auto expression = expression_of(choice, rows);

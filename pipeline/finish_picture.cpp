@@ -15,7 +15,7 @@ namespace zeroset {
 namespace {
 
 AxesChoice axes_choice(const Document& document) {
-    return {document.axes, document.clip_box, document.grid};
+    return {.axes = document.axes, .clip_box = document.clip_box, .grid = document.grid};
 }
 
 bool needs_legend(const FrameSubject& subject) {
@@ -36,10 +36,11 @@ Shapes axes_over(const Framebuffer& frame, const FrameSubject& subject) {
 
 Shapes markers_over(const Framebuffer& frame, const FrameSubject& subject, const CardStyle& style) {
     std::vector<MarkedPoint> points;
+    points.reserve(subject.document.markers.size());
     for (const Marker& marker : subject.document.markers)
         points.push_back({marker.at, std::to_string(marker.number)});
     const glm::dvec2 size(frame.width, frame.height);
-    return marker_shapes(points, {frame, subject.camera, size}, style);
+    return marker_shapes(points, {.frame = frame, .camera = subject.camera, .size = size}, style);
 }
 
 Shapes legend_over(const Framebuffer& frame, const FrameSubject& subject, const CardStyle& style) {

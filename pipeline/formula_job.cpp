@@ -11,7 +11,10 @@ class Preparer {
 public:
     FormulaResult prepare(Sheet sheet, const Box& region, const ColorChoice& choice) {
         SheetReading reading = reader_.read(sheet);
-        FormulaResult result{std::move(sheet), std::move(reading), last_, choice};
+        FormulaResult result{.sheet = std::move(sheet),
+                             .reading = std::move(reading),
+                             .formula = last_,
+                             .choice = choice};
         const RowProgram& rows = result.reading;
         if (last_ == nullptr || last_->text != rows.text || region_ != region) {
             auto formula = prepare_formula(rows, region, Preparation::Quickest);
@@ -94,7 +97,7 @@ void FormulaJob::submit(Sheet sheet, const Box& region, const ColorChoice& choic
         const std::scoped_lock lock(mutex_);
         newest_ = sheet;
         newest_choice_ = choice;
-        pending_ = Request{std::move(sheet), region, choice};
+        pending_ = Request{.sheet = std::move(sheet), .region = region, .choice = choice};
         interpreted_.reset();
     }
     wake_.notify_all();

@@ -22,12 +22,14 @@ glm::dvec3 vector_of(const json& array) {
 Box box_of(const json& box) {
     if (box.is_number()) return Box::cube(box.get<double>());
     const auto at = [&](std::size_t i) { return box.at(i).get<double>(); };
-    return {{at(0), at(2), at(4)}, {at(1), at(3), at(5)}};
+    return {.lo = {at(0), at(2), at(4)}, .hi = {at(1), at(3), at(5)}};
 }
 
 Camera camera_of(const json& camera) {
-    return {vector_of(camera.at("eye")), vector_of(camera.at("look_at")),
-            vector_of(camera.at("up")), glm::radians(camera.at("fov").get<double>())};
+    return {.eye = vector_of(camera.at("eye")),
+            .look_at = vector_of(camera.at("look_at")),
+            .up = vector_of(camera.at("up")),
+            .fov_rad = glm::radians(camera.at("fov").get<double>())};
 }
 
 /// Reads an item. `group`: used for an item that names none.

@@ -6,8 +6,11 @@ namespace zeroset {
 
 InputError input_error(const ParseError& error, std::string_view text) {
     const std::string hint = error.hint.empty() ? "" : "; " + error.hint;
-    return {error.reason + hint, column_of(text, error.offset),
-            std::string(line_at(text, error.offset)), error.offset, error.unfinished};
+    return {.reason = error.reason + hint,
+            .column = column_of(text, error.offset),
+            .line = std::string(line_at(text, error.offset)),
+            .offset = error.offset,
+            .unfinished = error.unfinished};
 }
 
 std::string describe(const InputError& error) {

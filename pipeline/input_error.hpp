@@ -20,7 +20,7 @@ struct InputError {
 };
 
 inline std::unexpected<InputError> wrong_input(std::string reason) {
-    return std::unexpected(InputError{std::move(reason)});
+    return std::unexpected(InputError{.reason = std::move(reason)});
 }
 
 template <class Value>

@@ -64,6 +64,7 @@ bool differs_in_code_only(const PictureRequest& last, const PictureRequest& next
 
 std::vector<std::size_t> shown_indices(const PictureRequest& request) {
     std::vector<std::size_t> indices;
+    indices.reserve(request.surfaces.size());
     for (const ShownSurface& surface : request.surfaces)
         indices.push_back(surface.index);
     return indices;

@@ -6,15 +6,16 @@ namespace zeroset {
 
 ReadDocument read_document(Document document) {
     auto rows = read_rows(document);
-    if (rows) return {std::move(document), std::move(*rows)};
+    if (rows) return {.document = std::move(document), .rows = std::move(*rows)};
     InputError error = input_error(rows.error(), joined_rows(document).text);
-    return {std::move(document), std::unexpected(std::move(error))};
+    return {.document = std::move(document), .rows = std::unexpected(std::move(error))};
 }
 
 ReadDocument read_document_text(std::string_view text) {
     TextDocument read = read_text(text);
-    if (read.rows) return {std::move(read.document), std::move(*read.rows)};
-    return {std::move(read.document), std::unexpected(input_error(read.rows.error(), text))};
+    if (read.rows) return {.document = std::move(read.document), .rows = std::move(*read.rows)};
+    return {.document = std::move(read.document),
+            .rows = std::unexpected(input_error(read.rows.error(), text))};
 }
 
 std::expected<PreparedDocument, InputError> prepare(const Document& document, RowProgram rows,
@@ -23,8 +24,8 @@ std::expected<PreparedDocument, InputError> prepare(const Document& document, Ro
     if (!formula) return std::unexpected(formula.error());
     auto colors = color_formulas(*formula, document.coloring);
     if (!colors) return std::unexpected(colors.error());
-    return PreparedDocument{std::make_shared<const Formula>(std::move(*formula)),
-                            std::make_shared<const ColorFormulas>(std::move(*colors))};
+    return PreparedDocument{.formula = std::make_shared<const Formula>(std::move(*formula)),
+                            .colors = std::make_shared<const ColorFormulas>(std::move(*colors))};
 }
 
 }  // namespace zeroset

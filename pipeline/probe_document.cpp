@@ -6,6 +6,7 @@
 namespace zeroset {
 std::vector<Kernel> typed_formulas(const Program& program, const std::vector<std::size_t>& shown) {
     std::vector<Kernel> formulas;
+    formulas.reserve(shown.size());
     for (const std::size_t surface : shown)
         formulas.push_back(interpret(program.surfaces[surface]));
     return formulas;

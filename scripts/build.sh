@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Functions that run.sh and test.sh share: packages and the build. Sourced under set -euo pipefail.
-# Everything goes to stderr, so that stdout belongs to the program.
+# Functions that run.sh, test.sh and .ci/run share: packages and the build. Sourced under
+# set -euo pipefail. Everything goes to stderr, so that stdout belongs to the program.
 
 root=$(realpath -- "$(dirname -- "${BASH_SOURCE[0]}")/..")
 build=$root/build/release  # of both: the tests use the libraries that the program is made of

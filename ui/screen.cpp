@@ -58,7 +58,9 @@ void draw_screen(UiState& state, const Texture& picture) {
 std::uint32_t behind_picture(Theme theme) { return palette(theme).sky; }
 
 Texture::Tint undecided_tint(Theme theme) {
-    return {palette(theme).undecided, palette(theme).undecided_pale, palette(theme).coarse};
+    return {.solid = palette(theme).undecided,
+            .pale = palette(theme).undecided_pale,
+            .coarse = palette(theme).coarse};
 }
 
 }  // namespace zeroset::ui

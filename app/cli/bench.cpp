@@ -40,10 +40,13 @@ constexpr const char* size_in_window = "902x773";
 /// Returns an error for an option that --first-picture would ignore.
 std::optional<InputError> check_first_picture(const BenchCommand& command) {
     const std::string has = "--first-picture has ";
-    if (command.json) return InputError{has + "no --json; leave it out, the table is printed"};
-    if (command.budget) return InputError{has + "no --budget; leave it out"};
-    if (command.tracers && command.tracers->contains(','))
-        return InputError{has + "one --tracer; type " + std::string(tracers().front().name)};
+    if (command.json)
+        return InputError{.reason = has + "no --json; leave it out, the table is printed"};
+    if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
+    if (command.tracers && command.tracers->contains(',')) {
+        return InputError{.reason =
+                              has + "one --tracer; type " + std::string(tracers().front().name)};
+    }
     return std::nullopt;
 }
 
@@ -63,7 +66,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;
-    std::string names = command.tracers.value_or(std::string(tracers().front().name));
+    const std::string names = command.tracers.value_or(std::string(tracers().front().name));
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
         TraceText text;
@@ -106,11 +109,12 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;
-    cell.timing = time_frames(scene, request.camera, settings, frame, {plan.repeats, true}, [&] {
-        const TimeLimit limit{.until =
-                                  until_after(std::chrono::steady_clock::now(), plan.budget_s)};
-        return RenderWatch{.limit = limit, .on_tile = {}};
-    });
+    cell.timing = time_frames(
+        scene, request.camera, settings, frame, {.count = plan.repeats, .warm_up = true}, [&] {
+            const TimeLimit limit{.until =
+                                      until_after(std::chrono::steady_clock::now(), plan.budget_s)};
+            return RenderWatch{.limit = limit, .on_tile = {}};
+        });
     if (cell.timing.counters.is_cut()) {
         std::cerr << "zeroset: " << item.name << ": the budget of " << short_number(plan.budget_s)
                   << " s is spent; --budget SECONDS gives more\n";
@@ -160,14 +164,38 @@ void print_cell(const BenchCell& cell) {
                 cell.range_per_ray + cell.form_per_ray, cell.compile_ms);
 }
 
+/// Geometric means over `count` items, from the sums of logarithms, for each tracer.
+std::vector<double> means_of(std::vector<double> log_sums, std::size_t count) {
+    for (double& sum : log_sums)
+        sum = std::exp(sum / static_cast<double>(count));
+    return log_sums;
+}
+
+void print_means(const std::vector<double>& means, const std::vector<double>& times_floor) {
+    std::printf("%-20s", "geometric mean");
+    for (std::size_t i = 0; i < means.size(); ++i)
+        std::printf(" %17.3f %8.1f %6.1f %19s", means[i], 1000.0 / means[i], times_floor[i], "");
+    std::printf("\n");
+}
+
+/// Numbers of the plan's tracers, by their names.
+Json by_tracer(const BenchPlan& plan, const std::vector<double>& numbers) {
+    Json json = Json::object();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        json[plan.settings[i].tracer] = numbers[i];
+    return json;
+}
+
 }  // namespace
 
 int run_bench(const BenchCommand& command) {
     const auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (command.first_picture) {
-        return print_first_pictures(
-            {plan->items, plan->settings.front(), plan->size, plan->repeats});
+        return print_first_pictures({.items = plan->items,
+                                     .settings = plan->settings.front(),
+                                     .size = plan->size,
+                                     .repeats = plan->repeats});
     }
     if (command.json && command.json != "-") {
         if (auto writable = check_writable(*command.json); !writable) {
@@ -194,26 +222,17 @@ int run_bench(const BenchCommand& command) {
         std::fflush(stdout);
         surfaces.push_back(std::move(row));
     }
-    Json means = Json::object();
-    Json floors = Json::object();
-    if (table) std::printf("%-20s", "geometric mean");
-    for (std::size_t i = 0; i < plan->settings.size(); ++i) {
-        const double mean = std::exp(log_sums[i] / static_cast<double>(plan->items.size()));
-        means[plan->settings[i].tracer] = mean;
-        const double times_floor =
-            std::exp(log_floors[i] / static_cast<double>(plan->items.size()));
-        floors[plan->settings[i].tracer] = times_floor;
-        if (table) std::printf(" %17.3f %8.1f %6.1f %19s", mean, 1000.0 / mean, times_floor, "");
-    }
-    if (table) std::printf("\n");
+    const std::vector<double> means = means_of(std::move(log_sums), plan->items.size());
+    const std::vector<double> floors = means_of(std::move(log_floors), plan->items.size());
+    if (table) print_means(means, floors);
     if (!command.json) return exit_ok;
     const int threads = plan->settings.front().threads;
     const std::string text = Json{{"width", plan->size.width},
                                   {"height", plan->size.height},
                                   {"threads", threads > 0 ? threads : core_count()},
                                   {"d_stop", plan->settings.front().stop.value},
-                                  {"geometric_mean_ms", means},
-                                  {"geometric_mean_times_floor", floors},
+                                  {"geometric_mean_ms", by_tracer(*plan, means)},
+                                  {"geometric_mean_times_floor", by_tracer(*plan, floors)},
                                   {"surfaces", surfaces}}
                                  .dump(2) +
                              "\n";

@@ -48,7 +48,7 @@ OrInputError<std::optional<std::array<double, 4>>> point_of(const ExplainCommand
 
 ValueAt value_of(const Expr& expr, const Explanation& explanation) {
     const Dual<double> f = value_at(expr, explanation.point, explanation.parameters);
-    ValueAt result{f.value, {}};
+    ValueAt result{.value = f.value, .gradient = {}};
     for (std::size_t i = 0; i < 3; ++i)
         result.gradient[i] = f.slope[i].value_or(0.0);
     return result;
@@ -62,11 +62,14 @@ OrInputError<Explanation> explained(const ExplainCommand& command) {
     if (!input->rows) return std::unexpected(input->rows.error());
     const auto point = point_of(command);
     if (!point) return std::unexpected(point.error());
-    Explanation result{input->rows->program, {}, point->value_or(std::array<double, 4>{}), {}};
+    Explanation result{.program = input->rows->program,
+                       .surfaces = {},
+                       .point = point->value_or(std::array<double, 4>{}),
+                       .parameters = {}};
     for (const std::string& name : result.program->parameters)
         result.parameters.push_back(slider_of(input->document, name).value);
     for (const Expr& expr : result.program->surfaces) {
-        Explained surface{&expr, traceable(expr), std::nullopt};
+        Explained surface{.expr = &expr, .drawn = traceable(expr), .at = std::nullopt};
         if (*point) surface.at = value_of(expr, result);
         result.surfaces.push_back(std::move(surface));
     }
@@ -178,7 +181,8 @@ int print_code(const Expr& expr, const ExplainCommand& command) {
 
 int run_explain(const ExplainCommand& command) {
     if (command.json && (command.ir || command.assembly)) {
-        return report({"--json excludes --ir and --asm; ask for them one after the other"});
+        return report(
+            {.reason = "--json excludes --ir and --asm; ask for them one after the other"});
     }
     const auto explanation = explained(command);
     if (!explanation) return fail(explanation.error(), command.json);

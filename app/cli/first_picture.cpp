@@ -227,7 +227,7 @@ int print_first_pictures(const FirstPicturePlan& plan) {
         plan.size.width, plan.size.height, plan.repeats, "surface", "nodes", "ready ms", "first ms",
         "size", "machine ms", "number ms");
     Editor editor(plan);
-    const BenchItem warm_up{"", read_document_text("x^2 + y^2 + z^2 = 1.25")};
+    const BenchItem warm_up{.name = "", .read = read_document_text("x^2 + y^2 + z^2 = 1.25")};
     if (const auto warm = measure(editor, warm_up, 1); !warm) return report(warm.error());
     std::vector<double> texts, numbers;
     for (const BenchItem& item : plan.items) {

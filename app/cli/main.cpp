@@ -250,7 +250,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& answer) {  // --help and --version
         return app.exit(answer);
     } catch (const CLI::ParseError& error) {
-        return report({std::string(error.what()) + " (zeroset --help lists what there is)"});
+        return report(
+            {.reason = std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     if (*render_app) return run_render(render);

@@ -166,7 +166,11 @@ void print_probes(const RenderedPicture& picture) {
     const Precision precision = frame_precision(scene, ViewFrame(request.camera), stop);
     const double tolerance = depth_tolerance(scene.clip, stop, precision);
     for (const glm::ivec2& pixel : plan.probes) {
-        const auto facts = probe({picture.frame, request.camera, typed, scene.uniforms, tolerance},
+        const auto facts = probe({.frame = picture.frame,
+                                  .camera = request.camera,
+                                  .formulas = typed,
+                                  .uniforms = scene.uniforms,
+                                  .tolerance = tolerance},
                                  pixel.x, pixel.y);
         const std::size_t surface = facts ? shown[facts->surface] : 0;
         std::cout << json_line(pixel.x, pixel.y, facts, surface + 1, readings[surface]);

@@ -84,9 +84,9 @@ void find_color_range(Drawing& drawing) {
     Scene& scene = drawing.picture.scene;
     if (!has_range(scene.coloring.by) || scene.coloring.range) return;
     drawing.progress.enter(Progress::Stage::Coloring);
-    scene.coloring.range =
-        find_range(scene, drawing.picture.request.camera, plan.settings, plan.size.width,
-                   plan.size.height, {&drawing.cancel, after_share(drawing, coloring_share)});
+    scene.coloring.range = find_range(
+        scene, drawing.picture.request.camera, plan.settings, plan.size.width, plan.size.height,
+        {.cancel = &drawing.cancel, .until = after_share(drawing, coloring_share)});
 }
 
 /// Returns the formula with the code that draws one frame soonest.
@@ -116,7 +116,8 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
     if (!prepared) return prepared.error();
     if (plan.fits) {
         drawing.progress.enter(Progress::Stage::Fitting);
-        const TimeLimit limit{&drawing.cancel, after_share(drawing, fitting_share)};
+        const TimeLimit limit{.cancel = &drawing.cancel,
+                              .until = after_share(drawing, fitting_share)};
         drawing.picture.note = fit(plan, *prepared, limit);
     }
     PictureRequest request = request_for(plan, *prepared);
@@ -144,7 +145,7 @@ void draw(Drawing& drawing) {
     Clock::time_point until = drawing.until;
     const auto next_watch = [&] {
         drawing.progress.enter(Progress::Stage::Drawing, pixels);
-        const TimeLimit limit{&drawing.cancel, until};
+        const TimeLimit limit{.cancel = &drawing.cancel, .until = until};
         until =
             until_after(Clock::now(), plan.budget_s);  // each further frame has a budget of its own
         return RenderWatch{.limit = limit, .on_tile = [&drawing](const PixelRect& rect) {
@@ -152,8 +153,9 @@ void draw(Drawing& drawing) {
                                                     static_cast<std::uint64_t>(rect.rows));
                            }};
     };
-    picture.timing = time_frames(picture.scene, picture.request.camera, picture.request.settings,
-                                 picture.frame, {plan.repeats, plan.warms_up}, next_watch);
+    picture.timing =
+        time_frames(picture.scene, picture.request.camera, picture.request.settings, picture.frame,
+                    {.count = plan.repeats, .warm_up = plan.warms_up}, next_watch);
     picture.in_time = !picture.timing.counters.is_cut();
 }
 
@@ -187,10 +189,10 @@ RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
     drawing->until = until_after(start, plan.budget_s);
     const auto last = is_one_frame(plan) ? drawing->until + patience : TimeLimit::never;
     if (finish_until(last, drawing->progress, [drawing] { draw(*drawing); })) {
-        return {std::shared_ptr<const RenderedPicture>(drawing, &drawing->picture)};
+        return {.picture = std::shared_ptr<const RenderedPicture>(drawing, &drawing->picture)};
     }
     drawing->cancel = true;
-    return {stuck_picture(*drawing, plan), true};
+    return {.picture = stuck_picture(*drawing, plan), .stuck = true};
 }
 
 std::string budget_note(const RenderedPicture& picture) {

@@ -33,6 +33,7 @@ FrameTiming timing_of(std::vector<double> times) {
 
 FrameTiming time_repeats(int repeats, const std::function<void()>& work) {
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(repeats));
     for (int i = 0; i < repeats; ++i)
         times.push_back(time_of(work));
     return timing_of(std::move(times));

@@ -54,7 +54,8 @@ OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
         return wrong_input("--size " + command.size + ": at --scale " + command.scale +
                            " each side must be at most " + std::to_string(largest_side / *scale));
     }
-    return ui::OffscreenOptions{size->width, size->height, static_cast<float>(*scale)};
+    return ui::OffscreenOptions{
+        .width = size->width, .height = size->height, .scale = static_cast<float>(*scale)};
 }
 
 OrInputError<std::optional<glm::vec2>> read_pointer(const std::optional<std::string>& text,
@@ -103,7 +104,7 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (command.mark_undecided) desktop->document.mark_undecided = true;
     const auto pointer = read_pointer(command.pointer, window->scale);
     if (!pointer) return std::unexpected(pointer.error());
-    return UiShotPlan{*desktop, *window, *pointer};
+    return UiShotPlan{.desktop = *desktop, .window = *window, .pointer = *pointer};
 }
 
 /// Returns the window's pixels once nothing in the window changes any more.

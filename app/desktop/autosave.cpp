@@ -94,7 +94,8 @@ std::optional<LostSession> Autosave::lost() const {
         const auto saved = fs::last_write_time(file, error);
         if (error || (newest && newest->saved >= saved)) continue;
         if (auto loaded = load_document(file)) {
-            newest = LostSession{file, std::move(loaded->document), saved};
+            newest =
+                LostSession{.file = file, .document = std::move(loaded->document), .saved = saved};
         }
     }
     return newest;

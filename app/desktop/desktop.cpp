@@ -71,7 +71,8 @@ ui::UiState first_state(const DesktopOptions& options) {
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
-      session_(state_, {options.path, options.note, options.keeps_files}),
+      session_(state_,
+               {.path = options.path, .note = options.note, .keeps_files = options.keeps_files}),
       settings_(options.settings),
       fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr

@@ -49,10 +49,12 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
     ui::FileChoice& choice = *dialogs.file;
     if (choice.begins && has_dialogs_) {
         const bool saves = choice.purpose == Purpose::Save;
-        portal_.ask(
-            {saves, choice.folder,
-             choice.name.ends_with(".json") ? choice.name : choice.name + ui::document_ending,
-             ui::document_ending, parent_});
+        portal_.ask({.saves = saves,
+                     .folder = choice.folder,
+                     .name = choice.name.ends_with(".json") ? choice.name
+                                                            : choice.name + ui::document_ending,
+                     .ending = ui::document_ending,
+                     .parent = parent_});
         choice.elsewhere = true;
         asks_ = true;
     }

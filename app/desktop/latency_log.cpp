@@ -82,7 +82,7 @@ void LatencyLog::about_to_swap() {
         line["total_ms"] = ms(now - pending.event.at);
         pending_.reset();
     }
-    file_ << line.dump() << std::endl;
+    file_ << line.dump() << '\n' << std::flush;
 }
 
 }  // namespace zeroset

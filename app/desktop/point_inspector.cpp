@@ -52,7 +52,8 @@ void PointInspector::take_click(ui::UiState& state, const PictureRequest& reques
     if (click->marker != 0) return;
     const auto facts = facts_at(state.shown.picture, request, click->cursor);
     if (!facts) return;
-    click_ = Click{facts->facts.point, click->at_once ? now_s - double_click_s : now_s};
+    click_ =
+        Click{.at = facts->facts.point, .since_s = click->at_once ? now_s - double_click_s : now_s};
 }
 
 void PointInspector::keep_marker(ui::UiState& state) {
@@ -75,12 +76,17 @@ std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture&
     const double tolerance =
         depth_tolerance(request.clip, stop, wanted_precision(request.clip, view, stop));
     const Uniforms uniforms = uniforms_of(request);
-    const ProbedPicture picture{*shown.frame, shown.camera, typed(request), uniforms, tolerance};
+    const ProbedPicture picture{.frame = *shown.frame,
+                                .camera = shown.camera,
+                                .formulas = typed(request),
+                                .uniforms = uniforms,
+                                .tolerance = tolerance};
     const glm::ivec2 pixel = pixel_under(*shown.frame, cursor);
     const auto facts = probe(picture, pixel.x, pixel.y);
     if (!facts || facts->surface >= request.surfaces.size()) return std::nullopt;
     const double pixel_size = view.pixel_width(shown.frame->height, facts->distance);
-    return ui::PointedFacts{*facts, request.surfaces[facts->surface].row, pixel_size};
+    return ui::PointedFacts{
+        .facts = *facts, .row = request.surfaces[facts->surface].row, .pixel_size = pixel_size};
 }
 
 const std::vector<Kernel>& PointInspector::typed(const PictureRequest& request) {

@@ -52,7 +52,8 @@ double number_in(const json& file, const char* name, double lo, double hi, doubl
 json read(const fs::path& path) {
     std::ifstream file(path);
     json read = json::parse(file, nullptr, false);
-    return read.is_object() ? read : json::object();
+    if (!read.is_object()) read = json::object();
+    return read;
 }
 
 }  // namespace

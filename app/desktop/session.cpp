@@ -143,8 +143,8 @@ void Session::follow_command() {
     const auto command = std::exchange(state_.wishes.command, std::nullopt);
     if (!command) return;
     switch (*command) {
-        case ui::Command::New: return attempt({Intent::New, {}});
-        case ui::Command::Open: return attempt({Intent::ChooseFile, {}});
+        case ui::Command::New: return attempt({.intent = Intent::New, .path = {}});
+        case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
         case ui::Command::Save: return save();
         case ui::Command::SaveAs: return save_as();
         case ui::Command::Undo: return undo(true);

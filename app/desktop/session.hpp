@@ -40,7 +40,7 @@ public:
     /// Opens files that were dropped on the window.
     void open(const std::vector<std::string>& paths);
     /// Closes the window; asks first if that would lose work.
-    void close() { attempt({Intent::Quit, {}}); }
+    void close() { attempt({.intent = Intent::Quit, .path = {}}); }
     [[nodiscard]] bool closed() const { return closed_; }
     /// Ends as after a crash: the document is left to be restored.
     void abandon();
@@ -73,7 +73,7 @@ private:
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.
-    void copy();
+    void copy() const;
     void paste();
     void ask(Subject what, std::string text, std::vector<std::string> answers);
     void say(const std::string& text) { ask(Subject::Message, text, {"OK"}); }

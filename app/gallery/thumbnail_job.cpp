@@ -120,7 +120,7 @@ std::optional<ThumbnailJob::Work> ThumbnailJob::wait_for_work() {
     wake_.wait(lock, [this] { return stop_ || (!held_ && !wanted_.empty()); });
     if (stop_) return std::nullopt;
     cancel_ = false;
-    return Work{wanted_.front(), size_px_};
+    return Work{.item = wanted_.front(), .size_px = size_px_};
 }
 
 std::optional<RgbaImage> ThumbnailJob::picture_of(const Work& work) const {

@@ -86,8 +86,9 @@ private:
 };
 
 void Portal::Thread::run() {
-    PortalBus bus({[this](ColorWish wish) { tell([&] { wish_ = wish; }); },
-                   [this](FileAnswer answer) { tell([&] { answer_ = std::move(answer); }); }});
+    PortalBus bus(
+        {.on_wish = [this](ColorWish wish) { tell([&] { wish_ = wish; }); },
+         .on_answer = [this](FileAnswer answer) { tell([&] { answer_ = std::move(answer); }); }});
     while (follow(bus)) {
         bus.process();
         bus.wait(wake_);

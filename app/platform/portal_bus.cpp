@@ -115,11 +115,14 @@ void PortalBus::process() {
 }
 
 void PortalBus::wait(int wake_fd) const {
-    std::array<pollfd, 2> places{{{wake_fd, POLLIN, 0}, {-1, 0, 0}}};
+    std::array<pollfd, 2> places{
+        {{.fd = wake_fd, .events = POLLIN, .revents = 0}, {.fd = -1, .events = 0, .revents = 0}}};
     int timeout_ms = -1;
     if (bus_ != nullptr) {
         const int events = sd_bus_get_events(bus_.get());
-        places[1] = {sd_bus_get_fd(bus_.get()), static_cast<short>(std::max(events, 0)), 0};
+        places[1] = {.fd = sd_bus_get_fd(bus_.get()),
+                     .events = static_cast<short>(std::max(events, 0)),
+                     .revents = 0};
         std::uint64_t deadline_us = UINT64_MAX;
         if (sd_bus_get_timeout(bus_.get(), &deadline_us) >= 0) {
             timeout_ms = milliseconds_until(deadline_us);
@@ -217,7 +220,7 @@ int PortalBus::on_response(sd_bus_message* message, void* self, sd_bus_error* /*
     std::uint32_t how = 0;
     if (sd_bus_message_read(message, "u", &how) <= 0 || bus.request_.empty()) return 0;
     const std::string uri = how == 0 ? read_first_uri(message) : std::string();
-    bus.answer({true, path_of_uri(uri).value_or("")});
+    bus.answer({.asked = true, .path = path_of_uri(uri).value_or("")});
     return 0;
 }
 

@@ -45,7 +45,7 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     if (!file) return cannot_read(path, std::generic_category().message(errno));
     auto read = document_from(text);
     if (!read) return cannot_read(path, read.error());
-    return LoadedDocument{std::move(read->document), note_of(read->unknown)};
+    return LoadedDocument{.document = std::move(read->document), .note = note_of(read->unknown)};
 }
 
 std::expected<void, FileError> save_document(const fs::path& path, const Document& document) {

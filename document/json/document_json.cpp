@@ -157,7 +157,7 @@ Camera camera_of(const Json& json, const std::string& place, std::vector<std::st
 
 Box box_of(const Json& json) {
     const auto n = numbers_of<6>(json, "box");
-    const Box box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
+    const Box box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
     for (int i = 0; i < 3; ++i) {
         if (!(box.lo[i] < box.hi[i])) throw Damage{"box is empty"};
     }
@@ -173,7 +173,7 @@ StopCriterion stop_of(const Json& json, std::vector<std::string>& unknown) {
     if (!(value > 0) || (is_depth && (value > max_d_stop || value != std::floor(value)))) {
         throw Damage{"stop.value is out of range"};
     }
-    return {*rule, value};
+    return {.rule = *rule, .value = value};
 }
 
 std::vector<Statement> statements_of(const Json& json, std::vector<std::string>& unknown) {

@@ -57,13 +57,13 @@ glm::dvec3 vector_of(const Json& json, const std::string& place);
 /// The list [x, y, z].
 Json array_of(const glm::dvec3& v);
 
-template <std::size_t Count>
-std::array<double, Count> numbers_of(const Json& json, const std::string& place) {
-    if (!json.is_array() || json.size() != Count) {
-        throw Damage{place + " is no list of " + std::to_string(Count) + " numbers"};
+template <std::size_t count>
+std::array<double, count> numbers_of(const Json& json, const std::string& place) {
+    if (!json.is_array() || json.size() != count) {
+        throw Damage{place + " is no list of " + std::to_string(count) + " numbers"};
     }
-    std::array<double, Count> numbers{};
-    for (std::size_t i = 0; i < Count; ++i)
+    std::array<double, count> numbers{};
+    for (std::size_t i = 0; i < count; ++i)
         numbers[i] = number_of(json[i], place);
     return numbers;
 }

@@ -10,7 +10,7 @@ constexpr std::int64_t largest_marker = 1'000'000;
 ValueRange range_of(const Json& json) {
     const auto [lo, hi] = numbers_of<2>(json, "color.range");
     if (!(lo < hi)) throw Damage{"color.range is empty"};
-    return {lo, hi};
+    return {.lo = lo, .hi = hi};
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unkno
         const bool whole = number.is_number_integer() && number.get<std::int64_t>() >= 1 &&
                            number.get<std::int64_t>() <= largest_marker;
         if (!whole) throw Damage{fields.at("number") + " is no whole number from 1 to 1000000"};
-        Marker marker{number.get<int>(), {}};
+        Marker marker{.number = number.get<int>(), .at = {}};
         if (find_marker(markers, marker.number) != nullptr) {
             throw Damage{fields.at("number") + " is that of another marker"};
         }

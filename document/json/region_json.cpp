@@ -21,7 +21,7 @@ Section section_of(const Json& json, const std::string& place, std::vector<std::
     const glm::dvec3 normal = vector_of(fields.get("normal"), fields.at("normal"));
     if (!(glm::length(normal) > shortest)) throw Damage{fields.at("normal") + " has no direction"};
     const double offset = number_of(fields.get("offset"), fields.at("offset"));
-    Section section{normal, offset};
+    Section section{.normal = normal, .offset = offset};
     // Keep a normal of length 1 to the bit, as this program writes it.
     if (std::abs(glm::length(normal) - 1.0) > 1e-15) section = make_section(normal, offset);
     if (const Json* cap = fields.find("cap")) section.cap = flag_of(*cap, fields.at("cap"));

@@ -31,15 +31,15 @@ public:
         const Real angle = elementary(Elementary::Atan2, y.value.f.f.c, x.value.f.f.c);
         const Box at = widened(Elementary::Atan2, angle, angle);
         const auto around_origin = angle_cases(box(y), box(x)).around_origin;
-        const Turn<Real> turn = this->turn(y, x);
+        const Turn<Real> turned = turn(y, x);
         // A convex cell beside the origin is seen under less than a half turn.
         const Real most = number(x, format(x).pi_hi);
         const Real far = minimum(
-            largest(turn.by_y) * y.value.f.spread() + largest(turn.by_x) * x.value.f.spread(),
+            largest(turned.by_y) * y.value.f.spread() + largest(turned.by_x) * x.value.f.spread(),
             most);
         const Box beside = at + within<Real>(far);
         const Box range = select(around_origin, within<Real>(most), beside);
-        return turning({range, {}, no(around_origin), no(around_origin)}, at, turn, y, x);
+        return turning({range, {}, no(around_origin), no(around_origin)}, at, turned, y, x);
     }
     Value angle_sin(In y, In x, int n) {
         return wave(y, x, n, [n](const PolarBeam<Real>& p) { return multiple_sin_at(p, n); });

@@ -71,11 +71,12 @@ bool nonnegative(const Node& node, const Facts& a, const Facts& b, const Facts& 
 /// The enclosure of a node whose operands are constant.
 Enclosure<double> folded(const Node& node, const Facts& a, const Facts& b, const Facts& c) {
     const UpwardRounding upward;
-    const Enclosure<double> x{*a.constant};
-    const Enclosure<double> y{*b.constant};
-    const Enclosure<double> z{*c.constant};
+    const Enclosure<double> x{.range = *a.constant};
+    const Enclosure<double> y{.range = *b.constant};
+    const Enclosure<double> z{.range = *c.constant};
     IntervalAlgebra<double> algebra;
-    return apply(algebra, node, {x, a}, {y, b}, {z, c});
+    return apply(algebra, node, {.value = x, .facts = a}, {.value = y, .facts = b},
+                 {.value = z, .facts = c});
 }
 
 /// Proved defined, on one smooth piece and finite.
@@ -122,7 +123,7 @@ Facts facts_of_node(const Node& node, std::span<const Facts> before) {
     if (node.op == Op::Constant) {
         facts = {.nonnegative = node.lo >= 0,
                  .uniform = true,
-                 .constant = Interval<double>{-node.lo, node.hi}};
+                 .constant = Interval<double>{.neg_lo = -node.lo, .hi = node.hi}};
     } else if (node.op == Op::Variable) {
         facts = {.uniform = node.number >= variable_w, .constant = std::nullopt};
     } else {

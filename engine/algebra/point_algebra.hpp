@@ -12,18 +12,22 @@ public:
     using In = const Operand<Value>&;
 
 #define ZEROSET_POINT_1(method) \
-    Value method(In a) { return duals_.method(Plain(a)).value; }
+    Value method(In a) { return duals_.method(Plain(a).operand()).value; }
 #define ZEROSET_POINT_2(method) \
-    Value method(In a, In b) { return duals_.method(Plain(a), Plain(b)).value; }
-#define ZEROSET_POINT_3(method) \
-    Value method(In a, In b, In c) { return duals_.method(Plain(a), Plain(b), Plain(c)).value; }
+    Value method(In a, In b) { return duals_.method(Plain(a).operand(), Plain(b).operand()).value; }
+#define ZEROSET_POINT_3(method)                                                                 \
+    Value method(In a, In b, In c) {                                                            \
+        return duals_.method(Plain(a).operand(), Plain(b).operand(), Plain(c).operand()).value; \
+    }
 #define ZEROSET_OP_Prefix(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Infix(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Power(method, arity) \
-    Value method(In a, int n) { return duals_.method(Plain(a), n).value; }
+    Value method(In a, int n) { return duals_.method(Plain(a).operand(), n).value; }
 #define ZEROSET_OP_Root(method, arity) ZEROSET_OP_Power(method, arity)
-#define ZEROSET_OP_Wave(method, arity) \
-    Value method(In a, In b, int n) { return duals_.method(Plain(a), Plain(b), n).value; }
+#define ZEROSET_OP_Wave(method, arity)                                         \
+    Value method(In a, In b, int n) {                                          \
+        return duals_.method(Plain(a).operand(), Plain(b).operand(), n).value; \
+    }
 #define ZEROSET_OP_Call(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Compare(method, arity) ZEROSET_POINT_##arity(method)
 #define ZEROSET_OP_Logic(method, arity) ZEROSET_POINT_##arity(method)
@@ -53,7 +57,7 @@ private:
         Plain(const Plain&) = delete;
         Plain& operator=(const Plain&) = delete;
         ~Plain() = default;
-        operator const Operand<Dual<Real>>&() const { return operand_; }
+        [[nodiscard]] const Operand<Dual<Real>>& operand() const { return operand_; }
 
     private:
         Dual<Real> value_;

@@ -114,7 +114,7 @@ bool AxesMaker::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) cons
 void AxesMaker::add_line(const Segment& segment, LineKind kind) {
     const Part part = visible_part(segment);
     if (part.empty()) return;
-    const Segment seen{segment.at(part.from), segment.at(part.to)};
+    const Segment seen{.from = segment.at(part.from), .to = segment.at(part.to)};
     const glm::dvec3 start = plane_.homogeneous(seen.from);
     const glm::dvec3 end = plane_.homogeneous(seen.to);
     const glm::dvec2 from = plane_.pixel(start);
@@ -145,7 +145,8 @@ void AxesMaker::add_clip_box() {
         };
         for (int axis = 0; axis < 3; ++axis) {
             const int other = corner | 1 << axis;
-            if (other != corner) add_line({place(corner), place(other)}, LineKind::ClipBox);
+            if (other != corner)
+                add_line({.from = place(corner), .to = place(other)}, LineKind::ClipBox);
         }
     }
 }
@@ -166,7 +167,7 @@ void AxesMaker::add_grid() {
     const double step = tick_step(view_.clip.size() / most_squares);
     for (const int across : {(axis + 1) % 3, (axis + 2) % 3}) {
         for (const double value : stops(view_.clip.lo[across], view_.clip.hi[across], step)) {
-            Segment line{view_.clip.lo, view_.clip.hi};
+            Segment line{.from = view_.clip.lo, .to = view_.clip.hi};
             line.from[axis] = line.to[axis] = level;
             line.from[across] = line.to[across] = value;
             add_line(line, LineKind::Grid);
@@ -176,7 +177,7 @@ void AxesMaker::add_grid() {
 
 Segment AxesMaker::axis_segment(int axis) const {
     const glm::dvec3 through = glm::clamp(glm::dvec3(0.0), view_.clip.lo, view_.clip.hi);
-    Segment segment{through, through};
+    Segment segment{.from = through, .to = through};
     segment.from[axis] = view_.clip.lo[axis];
     segment.to[axis] = view_.clip.hi[axis];
     return segment;
@@ -208,8 +209,10 @@ void AxesMaker::add_name(int axis, const Segment& segment, const Part& part) {
     if (part.empty() || part.to < 1.0) return;
     const glm::dvec2 end = plane_.pixel(plane_.homogeneous(segment.to));
     const glm::dvec2 away = name_offset_em * view_.em * direction_at(segment, segment.to);
-    add_label({end + away, std::string(1, static_cast<char>('x' + axis)), kind_of_axis(axis),
-               is_hidden(segment.to, end)});
+    add_label({.middle = end + away,
+               .text = std::string(1, static_cast<char>('x' + axis)),
+               .kind = kind_of_axis(axis),
+               .hidden = is_hidden(segment.to, end)});
 }
 
 void AxesMaker::add_ticks(int axis, const Segment& segment, const Part& part) {
@@ -242,7 +245,10 @@ void AxesMaker::add_tick(int axis, const Segment& segment, double value, double 
     const std::string text = tick_text(value, step);
     const double reach =
         label_offset_em + std::abs(aside.x) * 0.5 * std::max(label_width_em(text) - 1.0, 0.0);
-    add_label({*pixel + reach * view_.em * aside, text, kind, hidden});
+    add_label({.middle = *pixel + reach * view_.em * aside,
+               .text = text,
+               .kind = kind,
+               .hidden = hidden});
 }
 
 /// Adds the label unless there is no room for it.
@@ -250,7 +256,7 @@ void AxesMaker::add_label(AxisLabel label) {
     const glm::dvec2 half =
         0.5 * view_.em *
         glm::dvec2(label_width_em(label.text) + label_gap_em, label_height_em + label_gap_em);
-    const Rectangle place{label.middle - half, label.middle + half};
+    const Rectangle place{.lo = label.middle - half, .hi = label.middle + half};
     const bool inside = place.lo.x >= 0 && place.lo.y >= 0 && place.hi.x <= view_.width &&
                         place.hi.y <= view_.height;
     const auto meets = [&](const Rectangle& other) { return place.meets(other); };

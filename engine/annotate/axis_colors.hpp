@@ -14,8 +14,8 @@ struct AxisColors {
 };
 
 inline constexpr AxisColors axes_on_dark{
-    {0xFF5C66F2U, 0xFF4FC072U, 0xFFF79E5CU}, 0xA0DCD0C8U, 0x50C9B9AEU};
+    .axes = {0xFF5C66F2U, 0xFF4FC072U, 0xFFF79E5CU}, .clip_box = 0xA0DCD0C8U, .grid = 0x50C9B9AEU};
 inline constexpr AxisColors axes_on_light{
-    {0xFF2F2FC4U, 0xFF228238U, 0xFFC8601FU}, 0xA042342AU, 0x4042342AU};
+    .axes = {0xFF2F2FC4U, 0xFF228238U, 0xFFC8601FU}, .clip_box = 0xA042342AU, .grid = 0x4042342AU};
 
 }  // namespace zeroset

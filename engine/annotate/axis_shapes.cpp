@@ -32,8 +32,10 @@ Shapes axis_shapes(const Axes& axes, const AxisStyle& style) {
     for (const AxisLine& line : axes.lines) {
         const double width = std::max(line_width_em(line.kind) * style.em, style.least_width);
         const std::uint32_t color = color_of(line.kind, style.colors);
-        shapes.emplace_back(
-            Line{line.from, line.to, width, line.hidden ? faded(color, hidden_opacity) : color});
+        shapes.emplace_back(Line{.from = line.from,
+                                 .to = line.to,
+                                 .width = width,
+                                 .color = line.hidden ? faded(color, hidden_opacity) : color});
     }
     for (const AxisLabel& label : axes.labels) {
         const double opacity = label.hidden ? style.hidden_label : 1.0;

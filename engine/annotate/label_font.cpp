@@ -119,7 +119,7 @@ void LabelFont::paint_letters(Framebuffer& picture, const glm::dvec2& start, std
         int bottom = 0;
         stbtt_GetCodepointBitmapBoxSubpixel(&face_->info, point, scale, scale, shift, 0.0F, &left,
                                             &top, &right, &bottom);
-        Glyphs glyph{{}, right - left, bottom - top};
+        Glyphs glyph{.coverage = {}, .width = right - left, .height = bottom - top};
         glyph.coverage.resize(static_cast<std::size_t>(glyph.width * glyph.height));
         stbtt_MakeCodepointBitmapSubpixel(&face_->info, glyph.coverage.data(), glyph.width,
                                           glyph.height, glyph.width, scale, scale, shift, 0.0F,

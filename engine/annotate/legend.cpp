@@ -82,7 +82,8 @@ private:
 /// Adds the map's colours with the numbers at its ends and, where there is room, in its middle.
 void Card::add_scale(const ValueRange& range, ColorMap map) {
     const double unit = style_.unit;
-    shapes_.emplace_back(MapBar{at_, at_ + glm::dvec2(width_, bar_height * unit), map});
+    shapes_.emplace_back(
+        MapBar{.lo = at_, .hi = at_ + glm::dvec2(width_, bar_height * unit), .map = map});
     at_.y += (bar_height + below_bar) * unit;
     const std::string lo = end_text(range.lo);
     const std::string hi = end_text(range.hi);
@@ -165,7 +166,8 @@ const char* shown_name(ColorBy by) {
 }
 
 Legend legend_of(const Coloring& coloring, const std::string& expression) {
-    Legend legend{shown_name(coloring.by), coloring.by, coloring.map, {}};
+    Legend legend{
+        .title = shown_name(coloring.by), .by = coloring.by, .map = coloring.map, .range = {}};
     if (has_range(coloring.by)) legend.range = coloring.range;
     if (coloring.by == ColorBy::Height) legend.title = height_title(coloring.up);
     if (coloring.by == ColorBy::Expression) legend.title = expression;
@@ -188,7 +190,8 @@ Shapes swatch_shapes(const glm::dvec2& lo, double size, PixelMark mark, const Ca
         const double middle = lo.x + lo.y + at;
         std::vector<glm::dvec2> corners =
             cut(cut(square, middle - half, true), middle + half, false);
-        if (corners.size() >= 3) shapes.emplace_back(ConvexPolygon{std::move(corners), solid});
+        if (corners.size() >= 3)
+            shapes.emplace_back(ConvexPolygon{.corners = std::move(corners), .color = solid});
     }
     return shapes;
 }

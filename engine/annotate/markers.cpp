@@ -27,10 +27,11 @@ Shapes dot_shapes(const glm::dvec2& at, bool hidden, bool selected, const CardSt
     const double opacity = hidden ? hidden_dot : 1.0;
     // Rims lie half a pixel within, so that they cover the smooth edge of what they surround.
     const auto rim = [&](double about, double thickness, std::uint32_t color) {
-        return Circle{at, about - 0.5, color, thickness * unit};
+        return Circle{
+            .middle = at, .radius = about - 0.5, .color = color, .line = thickness * unit};
     };
     Shapes shapes;
-    if (!hidden) shapes.emplace_back(Circle{at, radius, accent});
+    if (!hidden) shapes.emplace_back(Circle{.middle = at, .radius = radius, .color = accent});
     shapes.emplace_back(rim(radius, 0.12, faded(hidden ? accent : white, opacity)));
     shapes.emplace_back(rim(radius + 0.1 * unit, 0.07, faded(black, 0.5 * opacity)));
     if (selected) shapes.emplace_back(rim(radius + 0.3 * unit, 0.12, accent));

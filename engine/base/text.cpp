@@ -29,7 +29,7 @@ std::size_t column_of(std::string_view text, std::size_t offset) {
 Excerpt excerpt(std::string_view line, std::size_t caret) {
     constexpr std::size_t context = 50;
     const std::size_t first = caret > context ? caret - context : 0;
-    Excerpt part{first > 0 ? "..." : "", caret - first};
+    Excerpt part{.text = first > 0 ? "..." : "", .caret = caret - first};
     part.caret += part.text.size();
     std::size_t index = 0;
     for (const char c : line) {

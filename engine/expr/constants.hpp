@@ -14,9 +14,12 @@ struct NamedConstant {
     NumberEnclosure value;
 };
 
-inline constexpr NamedConstant pi{"pi", {0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1}};
-inline constexpr NamedConstant tau{"tau", {0x1.921fb54442d18p+2, 0x1.921fb54442d19p+2}};
-inline constexpr NamedConstant euler{"e", {0x1.5bf0a8b145769p+1, 0x1.5bf0a8b14576ap+1}};
+inline constexpr NamedConstant pi{
+    .name = "pi", .value = {.lo = 0x1.921fb54442d18p+1, .hi = 0x1.921fb54442d19p+1}};
+inline constexpr NamedConstant tau{
+    .name = "tau", .value = {.lo = 0x1.921fb54442d18p+2, .hi = 0x1.921fb54442d19p+2}};
+inline constexpr NamedConstant euler{
+    .name = "e", .value = {.lo = 0x1.5bf0a8b145769p+1, .hi = 0x1.5bf0a8b14576ap+1}};
 inline constexpr std::array named_constants{pi, tau, euler};
 
 inline bool is_named(const Node& node, const NamedConstant& constant) {

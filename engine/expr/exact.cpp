@@ -23,7 +23,7 @@ std::optional<long long> product(long long a, long long b) {
 std::optional<Fraction> fraction(std::optional<long long> p, std::optional<long long> q) {
     if (!p || !q || *q == 0) return std::nullopt;
     const long long divisor = std::gcd(*p, *q) * (*q < 0 ? -1 : 1);
-    return Fraction{*p / divisor, *q / divisor};
+    return Fraction{.p = *p / divisor, .q = *q / divisor};
 }
 
 std::optional<Fraction> sum(const Fraction& a, const Fraction& b) {
@@ -48,9 +48,9 @@ std::optional<Fraction> power(const Fraction& a, int n) {
 std::optional<Fraction> literal(const Node& node) {
     if (node.lo == node.hi && node.lo == std::floor(node.lo)) {
         if (std::abs(node.lo) > static_cast<double>(largest)) return std::nullopt;
-        return Fraction{static_cast<long long>(node.lo), 1};
+        return Fraction{.p = static_cast<long long>(node.lo), .q = 1};
     }
-    const std::string text = number_text({node.lo, node.hi});
+    const std::string text = number_text({.lo = node.lo, .hi = node.hi});
     const std::size_t end = std::min(text.find('e'), text.size());
     const std::size_t point = std::min(text.find('.'), end);
     const std::string decimals = text.substr(point, end - point);
@@ -59,9 +59,9 @@ std::optional<Fraction> literal(const Node& node) {
     if (digits.size() > sign_and_digits) return std::nullopt;
     const int exponent = end < text.size() ? std::atoi(text.c_str() + end + 1) : 0;
     const int places = static_cast<int>(digits.size() - point) - exponent;
-    const auto scale = power({10, 1}, std::abs(places));
+    const auto scale = power({.p = 10, .q = 1}, std::abs(places));
     if (!scale) return std::nullopt;
-    const Fraction number{std::strtoll(digits.c_str(), nullptr, 10), 1};
+    const Fraction number{.p = std::strtoll(digits.c_str(), nullptr, 10), .q = 1};
     if (places < 0) return fraction(product(number.p, scale->p), 1);
     return fraction(number.p, scale->p);
 }
@@ -78,11 +78,11 @@ std::optional<Fraction> exact_fraction(const ExprBuilder& builder, NodeId id, in
     const std::optional<Fraction> a = exact_fraction(builder, node.a, visits);
     if (!a) return std::nullopt;
     if (node.op == Op::IntPower) return power(*a, node.number);
-    if (node.op == Op::Negate) return Fraction{-a->p, a->q};
+    if (node.op == Op::Negate) return Fraction{.p = -a->p, .q = a->q};
     const std::optional<Fraction> b = exact_fraction(builder, node.b, visits);
     if (!b) return std::nullopt;
     if (node.op == Op::Add) return sum(*a, *b);
-    if (node.op == Op::Subtract) return sum(*a, {-b->p, b->q});
+    if (node.op == Op::Subtract) return sum(*a, {.p = -b->p, .q = b->q});
     if (node.op == Op::Multiply) return fraction(product(a->p, b->p), product(a->q, b->q));
     return fraction(product(a->p, b->q), product(a->q, b->p));
 }

@@ -43,9 +43,9 @@ NumberEnclosure enclose_number(std::string_view digits) {
     const char* const end = digits.data() + digits.size();
     const bool is_whole =
         digits.size() <= exact_digits && std::from_chars(digits.data(), end, whole).ptr == end;
-    if (is_whole) return {static_cast<double>(whole), static_cast<double>(whole)};
+    if (is_whole) return {.lo = static_cast<double>(whole), .hi = static_cast<double>(whole)};
     const std::string text(digits);
-    return {parse_downward(text), parse_upward(text)};
+    return {.lo = parse_downward(text), .hi = parse_upward(text)};
 }
 
 std::string number_text(const NumberEnclosure& number) {

@@ -6,6 +6,7 @@
 #include "engine/expr/spelling.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,7 +44,7 @@ public:
         : nodes_(nodes), parameters_(parameters), longest_(longest) {}
 
     std::string text(NodeId root) {
-        pending_.push_back({{}, root, Or, true});
+        pending_.push_back(operand(root, Or));
         while (!pending_.empty()) {
             const Piece piece = std::move(pending_.back());
             pending_.pop_back();
@@ -74,11 +75,15 @@ private:
         std::vector<Piece> pieces;
         const int precedence = pieces_of(id, pieces);
         if (precedence < least) {
-            pieces.insert(pieces.begin(), Piece{"("});
+            pieces.insert(pieces.begin(), Piece{.text = "("});
             pieces.push_back({")"});
         }
-        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
-            pending_.push_back(std::move(*piece));
+        for (Piece& piece : std::views::reverse(pieces))
+            pending_.push_back(std::move(piece));
+    }
+
+    static Piece operand(NodeId node, int least) {
+        return {.text = {}, .node = node, .least = least, .is_node = true};
     }
 
     /// The pieces of a node, and how tightly they bind.
@@ -97,15 +102,15 @@ private:
         }
         const OpInfo& info = op_info(node.op);
         switch (info.notation) {
-            case Notation::Prefix: pieces = {{"-"}, {{}, node.a, Sign, true}}; return Sign;
+            case Notation::Prefix: pieces = {{.text = "-"}, operand(node.a, Sign)}; return Sign;
             case Notation::Infix:
             case Notation::Compare: return infix(node, pieces);
             case Notation::Logic:
                 if (node.op != Op::Not) return infix(node, pieces);
-                pieces = {{"not "}, {{}, node.a, Relation, true}};
+                pieces = {{.text = "not "}, operand(node.a, Relation)};
                 return Not;
             case Notation::Power:
-                pieces = {{{}, node.a, Atom, true}, {"^" + std::to_string(node.number)}};
+                pieces = {operand(node.a, Atom), {.text = "^" + std::to_string(node.number)}};
                 return Power;
             case Notation::Root: return root(node, pieces);
             case Notation::Internal:
@@ -128,18 +133,18 @@ private:
         // Left-associative: a right operand of the same precedence keeps its parentheses, and a
         // comparison is no operand of a comparison.
         const int left = precedence == Relation ? Sum : precedence;
-        pieces = {{{}, node.a, left, true},
-                  {precedence == Product ? spelling : " " + spelling + " "},
-                  {{}, node.b, precedence + 1, true}};
+        pieces = {operand(node.a, left),
+                  {.text = precedence == Product ? spelling : " " + spelling + " "},
+                  operand(node.b, precedence + 1)};
         return precedence;
     }
 
     static int root(const Node& node, std::vector<Piece>& pieces) {
         if (node.number == 3) {
-            pieces = {{"cbrt("}, {{}, node.a, Or, true}, {")"}};
+            pieces = {{.text = "cbrt("}, operand(node.a, Or), {.text = ")"}};
             return Atom;
         }
-        pieces = {{{}, node.a, Atom, true}, {"^(1/" + std::to_string(node.number) + ")"}};
+        pieces = {operand(node.a, Atom), {.text = "^(1/" + std::to_string(node.number) + ")"}};
         return Power;
     }
 
@@ -154,7 +159,7 @@ private:
         legs.push_back(inner->b);
         for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
             pieces.push_back({leg == legs.rbegin() ? "sqrt(" : "^2 + "});
-            pieces.push_back({{}, *leg, Atom, true});
+            pieces.push_back(operand(*leg, Atom));
         }
         pieces.push_back({"^2)"});
         return Atom;
@@ -162,45 +167,52 @@ private:
 
     /// sin(a)/a
     static int cardinal(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
-        pieces = {{std::string(info.spelling) + "("},
-                  {{}, node.a, Or, true},
-                  {")/"},
-                  {{}, node.a, Sign, true}};
+        pieces = {{.text = std::string(info.spelling) + "("},
+                  operand(node.a, Or),
+                  {.text = ")/"},
+                  operand(node.a, Sign)};
         return Product;
     }
 
     static int fold(const Node& node, std::vector<Piece>& pieces) {
-        pieces = {{"abs(mod("}, {{}, node.a, Sum, true}, {" + 1, 2) - 1)"}};
+        pieces = {{.text = "abs(mod("}, operand(node.a, Sum), {.text = " + 1, 2) - 1)"}};
         return Atom;
     }
 
     static int smooth_min(const Node& node, std::vector<Piece>& pieces) {
-        pieces = {{"smin("}, {{}, node.a, Or, true}, {", "}, {{}, node.b, Or, true}, {", 1)"}};
+        pieces = {{.text = "smin("},
+                  operand(node.a, Or),
+                  {.text = ", "},
+                  operand(node.b, Or),
+                  {.text = ", 1)"}};
         return Atom;
     }
 
     static int log_sum(const Node& node, std::vector<Piece>& pieces) {
-        pieces = {
-            {"ln(exp("}, {{}, node.a, Or, true}, {") + exp("}, {{}, node.b, Or, true}, {"))"}};
+        pieces = {{.text = "ln(exp("},
+                  operand(node.a, Or),
+                  {.text = ") + exp("},
+                  operand(node.b, Or),
+                  {.text = "))"}};
         return Atom;
     }
 
     static int wave(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
         const std::string times = node.number == 1 ? "" : std::to_string(node.number) + "*";
-        pieces = {{std::string(info.spelling) + "(" + times + "atan2("},
-                  {{}, node.a, Or, true},
-                  {", "},
-                  {{}, node.b, Or, true},
-                  {"))"}};
+        pieces = {{.text = std::string(info.spelling) + "(" + times + "atan2("},
+                  operand(node.a, Or),
+                  {.text = ", "},
+                  operand(node.b, Or),
+                  {.text = "))"}};
         return Atom;
     }
 
     static int call(const Node& node, const OpInfo& info, std::vector<Piece>& pieces) {
-        pieces = {{std::string(info.spelling) + "("}, {{}, node.a, Or, true}};
+        pieces = {{.text = std::string(info.spelling) + "("}, operand(node.a, Or)};
         for (const NodeId further : {node.b, node.c}) {
             if (static_cast<int>(pieces.size()) >= 2 * info.arity) break;
             pieces.push_back({", "});
-            pieces.push_back({{}, further, Or, true});
+            pieces.push_back(operand(further, Or));
         }
         pieces.push_back({")"});
         return Atom;
@@ -212,7 +224,7 @@ private:
             if (node.lo == -known.value.hi && node.hi == -known.value.lo)
                 return "-" + std::string(known.name);
         }
-        return number_text({node.lo, node.hi});
+        return number_text({.lo = node.lo, .hi = node.hi});
     }
 
     std::span<const Node> nodes_;
@@ -231,9 +243,9 @@ std::string with_restriction(const Expr& expr, const std::string& between, std::
     };
     const Node& root = expr.node(expr.root());
     const bool restricted = root.op == Op::Where;
-    const std::string f = text(restricted ? root.a : expr.root());
-    if (f.ends_with("...")) return f;
-    return restricted ? f + between + ", " + text(root.b) : f + between;
+    std::string f = text(restricted ? root.a : expr.root());
+    if (!f.ends_with("...")) f += restricted ? between + ", " + text(root.b) : between;
+    return f;
 }
 
 }  // namespace

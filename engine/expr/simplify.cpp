@@ -27,8 +27,8 @@ struct Power {
 
 Power as_power(const ExprBuilder& builder, NodeId id) {
     const Node& node = builder.node(id);
-    if (node.op == Op::IntPower) return {node.a, node.number};
-    return {id, 1};
+    if (node.op == Op::IntPower) return {.base = node.a, .exponent = node.number};
+    return {.base = id, .exponent = 1};
 }
 
 /// a * b for powers of the same base.
@@ -217,7 +217,7 @@ NodeId make_power(ExprBuilder& builder, NodeId a, NodeId b) {
     if (exponent && std::abs(exponent->p) <= largest_exponent) {
         if (exponent->q == 1) return make_int_power(builder, a, static_cast<int>(exponent->p));
         const bool negative = exponent->p < 0;
-        const auto root = power_of_root(builder, a, {std::abs(exponent->p), exponent->q});
+        const auto root = power_of_root(builder, a, {.p = std::abs(exponent->p), .q = exponent->q});
         if (root) return negative ? make_divide(builder, builder.constant(1.0), *root) : *root;
     }
     const Node base = builder.node(a);

@@ -52,17 +52,23 @@ double bent(double t, double bend, double first, double middle, double last) {
 Lch path(ColorMap map, double t) {
     switch (map) {
         case ColorMap::Aurora:
-            return {std::lerp(0.30, 0.93, t), bent(t, 0.45, 0.13, 0.098, 0.175),
-                    std::lerp(300.0, 105.0, t)};
+            return {.lightness = std::lerp(0.30, 0.93, t),
+                    .chroma = bent(t, 0.45, 0.13, 0.098, 0.175),
+                    .hue_deg = std::lerp(300.0, 105.0, t)};
         case ColorMap::Ember:
-            return {std::lerp(0.28, 0.95, t), bent(t, 0.4, 0.11, 0.165, 0.07),
-                    std::lerp(-10.0, 95.0, t)};
+            return {.lightness = std::lerp(0.28, 0.95, t),
+                    .chroma = bent(t, 0.4, 0.11, 0.165, 0.07),
+                    .hue_deg = std::lerp(-10.0, 95.0, t)};
         case ColorMap::Balance: {
             const double off = std::abs(2.0 * t - 1.0);
-            return {std::lerp(0.95, 0.42, off), 0.118 * off, t < 0.5 ? 252.0 : 35.0};
+            return {.lightness = std::lerp(0.95, 0.42, off),
+                    .chroma = 0.118 * off,
+                    .hue_deg = t < 0.5 ? 252.0 : 35.0};
         }
-        case ColorMap::Gray: return {std::lerp(0.15, 0.97, t), 0.0, 0.0};
-        case ColorMap::Cycle: return {0.72, 0.11, 30.0 + 360.0 * t};
+        case ColorMap::Gray:
+            return {.lightness = std::lerp(0.15, 0.97, t), .chroma = 0.0, .hue_deg = 0.0};
+        case ColorMap::Cycle:
+            return {.lightness = 0.72, .chroma = 0.11, .hue_deg = 30.0 + 360.0 * t};
     }
     return {};
 }

@@ -71,7 +71,7 @@ void spread_colors(RgbaImage& image) {
 }  // namespace
 
 RgbaImage halved(const Framebuffer& frame) {
-    RgbaImage image{frame.width / 2, frame.height / 2, {}};
+    RgbaImage image{.width = frame.width / 2, .height = frame.height / 2, .pixels = {}};
     for (int row = 0; row < image.height; ++row) {
         for (int col = 0; col < image.width; ++col)
             image.pixels.push_back(pixel_of(frame, col, row));

@@ -9,16 +9,16 @@ namespace zeroset {
 struct Band {
     double lo, hi;
 
-    static constexpr Band everything() { return {-infinity, infinity}; }
+    static constexpr Band everything() { return {.lo = -infinity, .hi = infinity}; }
     /// The band of a value that nobody asks for.
-    static constexpr Band nothing() { return {everything().hi, everything().lo}; }
+    static constexpr Band nothing() { return {.lo = everything().hi, .hi = everything().lo}; }
     [[nodiscard]] constexpr bool empty() const { return lo > hi; }
 };
 
 /// The band of an operand that min, max or a smooth minimum may take, from that of the result: an
 /// operand above hi + 1 has no part in a smooth minimum of at most hi.
 constexpr Band band_of_alternative(Op op, const Band& band) {
-    return op == Op::SmoothMin ? Band{band.lo, band.hi + 1} : band;
+    return op == Op::SmoothMin ? Band{.lo = band.lo, .hi = band.hi + 1} : band;
 }
 
 }  // namespace zeroset

@@ -17,7 +17,8 @@ namespace zeroset {
 inline unsigned bits_of(const std::optional<BlockMask>& mask) { return mask ? mask->bits : ~0U; }
 
 inline ChoiceBits choice_bits(unsigned first, unsigned second) {
-    return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
+    return {.first = static_cast<std::uint16_t>(first),
+            .second = static_cast<std::uint16_t>(second)};
 }
 
 inline ChoiceBits joined(const ChoiceBits& a, const ChoiceBits& b) {
@@ -122,8 +123,9 @@ template <class Lanes>
     if (copied(bits, a, b, place)) return bits;
     if (op == Op::SmoothMin) {
         const unsigned only_second = bits.second & ~unsigned{bits.first};
-        const BlendSides<BlockMask> sides{BlockMask{bits.first},
-                                          BlockMask{static_cast<std::uint16_t>(only_second)}};
+        const BlendSides<BlockMask> sides{
+            .first = BlockMask{bits.first},
+            .second = BlockMask{static_cast<std::uint16_t>(only_second)}};
         new (place) BeamValue<Lanes>(algebra.blend(a, b, difference, sides));
         return bits;
     }

@@ -126,6 +126,28 @@ void interpret_range(const void* code, const RangeBatchOf<Real>* batch) {
         BlockBoard<Real, bytes>(batch->held, batch->branches), leaf, of_part, finish);
 }
 
+/// Stores the results of the block of cells from i on.
+template <class Lanes, class Real>
+void store_form(const FormResult<Lanes>& result, const FormBatchOf<Real>& batch, std::size_t i) {
+    store(batch.c + i, result.c);
+    for (std::size_t k = 0; k < 3; ++k)
+        store(batch.k[k] + i, result.k[k]);
+    store(batch.e + i, result.e);
+    store(batch.r + i, result.r);
+    store(batch.slope_neg_lo + i, result.slope.neg_lo);
+    store(batch.slope_hi + i, result.slope.hi);
+    store<Real>(batch.continuous + i, result.continuous, true);
+    std::optional<BlockMask> nowhere = result.somewhere;
+    if (nowhere) nowhere = no(*nowhere);
+    store<Real>(batch.nowhere + i, nowhere, false);
+}
+
+/// How a choice by conditions falls; `of` returns its operands.
+ChoiceBits choice_of_condition(Op op, const auto& of) {
+    if (op == Op::And || op == Op::Or) return choice_by_logic(op, of(0).value, of(1).value);
+    return choice_by_condition(op, of(op == Op::If ? 0 : 1).value);
+}
+
 /// `record`: of how choices fall; then the form may be that of a function with the same signs and
 /// zeros.
 template <class Real, std::size_t bytes>
@@ -155,18 +177,7 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
         return value;
     };
     const auto finish = [&](const BeamValue<Lanes>& f, std::size_t i) {
-        const FormResult<Lanes> result = form_result(f);
-        store(batch->c + i, result.c);
-        for (std::size_t k = 0; k < 3; ++k)
-            store(batch->k[k] + i, result.k[k]);
-        store(batch->e + i, result.e);
-        store(batch->r + i, result.r);
-        store(batch->slope_neg_lo + i, result.slope.neg_lo);
-        store(batch->slope_hi + i, result.slope.hi);
-        store<Real>(batch->continuous + i, result.continuous, true);
-        std::optional<BlockMask> nowhere = result.somewhere;
-        if (nowhere) nowhere = no(*nowhere);
-        store<Real>(batch->nowhere + i, nowhere, false);
+        store_form(form_result(f), *batch, i);
     };
     const auto choose = [&](BeamAlgebra<Lanes>& algebra, const Tape::Step& step, std::size_t i,
                             const auto& of, BeamValue<Lanes>* place) {
@@ -176,12 +187,7 @@ void interpret_cells(const Tape& tape, const FormBatchOf<Real>* batch, bool on_r
             record->bits[i / Lanes::lanes * record->choices + choice] = bits;
         };
         if (!extreme) {
-            if (record == nullptr) return false;
-            if (op == Op::And || op == Op::Or) {
-                tell(step.choice, choice_by_logic(op, of(0).value, of(1).value));
-            } else {
-                tell(step.choice, choice_by_condition(op, of(op == Op::If ? 0 : 1).value));
-            }
+            if (record != nullptr) tell(step.choice, choice_of_condition(op, of));
             return false;
         }
         ChoiceBits left_out{};

@@ -152,11 +152,11 @@ Dual<double> value_at(const Expr& expr, const std::array<double, 4>& at,
     const std::vector<Facts> facts = facts_of(expr);
     DualAlgebra<double> algebra;
     const auto leaf = [&](const Node& node, const Facts& fact) -> Dual<double> {
-        if (fact.constant) return {fact.middle, {}};
+        if (fact.constant) return {.value = fact.middle, .slope = {}};
         const auto v = static_cast<std::size_t>(node.number);
         const std::size_t p = v - at.size();
         const double given = p < parameters.size() ? parameters[p] : 1.0;
-        Dual<double> variable{v < at.size() ? at[v] : given, {}};
+        Dual<double> variable{.value = v < at.size() ? at[v] : given, .slope = {}};
         if (v < 3) variable.slope.set(v, 1.0);
         return variable;
     };

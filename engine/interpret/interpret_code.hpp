@@ -21,6 +21,7 @@ struct InterpreterCode {
     /// The functions in one type, of the names of KernelsOf.
     template <class Real>
     struct In {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declared name, and a template
 #define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) Function<Batch<Real>> name;
 #include "engine/kernel/kernel_functions.def"
         Record<Real> record;

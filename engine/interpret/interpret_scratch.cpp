@@ -37,17 +37,25 @@ private:
     std::size_t size_ = 0;
 };
 
-thread_local std::vector<Room> rooms;
-thread_local std::size_t rooms_in_use = 0;
+struct Rooms {
+    std::vector<Room> rooms;
+    std::size_t in_use = 0;
+};
+
+Rooms& rooms_of_thread() {
+    thread_local Rooms rooms;
+    return rooms;
+}
 
 }  // namespace
 
 Scratch::Scratch(std::size_t bytes) {
-    if (rooms.size() <= rooms_in_use) rooms.emplace_back();
-    data_ = rooms[rooms_in_use].with(bytes);
-    ++rooms_in_use;
+    auto& [rooms, in_use] = rooms_of_thread();
+    if (rooms.size() <= in_use) rooms.emplace_back();
+    data_ = rooms[in_use].with(bytes);
+    ++in_use;
 }
 
-Scratch::~Scratch() { --rooms_in_use; }
+Scratch::~Scratch() { --rooms_of_thread().in_use; }
 
 }  // namespace zeroset

@@ -23,7 +23,7 @@ struct OwnPartCode {
     ~OwnPartCode() = default;
 
     ShapedGraph graph;
-    PartCode code{&graph.shape, &graph.part};
+    PartCode code{.shape = &graph.shape, .part = &graph.part};
 };
 
 template <class Batch>
@@ -93,7 +93,8 @@ Kernel kernel_of_shape(const Expr& expr, ShapedGraph graph) {
 Kernel kernel_of_part(const Parts& parts, std::uint32_t part) {
     const Part& of = parts.parts[part];
     Kernel kernel;
-    set_code(kernel, std::make_shared<const PartCode>(PartCode{&parts.shapes[of.shape], &of}));
+    set_code(kernel, std::make_shared<const PartCode>(
+                         PartCode{.shape = &parts.shapes[of.shape], .part = &of}));
     return kernel;
 }
 

@@ -35,7 +35,9 @@ std::vector<std::optional<ShapedGraph>> ShapeMemory::shape(std::span<const Expr>
         if (!known->varying.any()) continue;
         ShapeMaker maker(known->first, known->varying);
         PartShape shape = maker.make();
-        shaped = ShapedGraph{std::move(shape), {skeleton.root, 0, maker.uniforms_of(skeleton)}};
+        shaped = ShapedGraph{
+            .shape = std::move(shape),
+            .part = {.root = skeleton.root, .shape = 0, .uniforms = maker.uniforms_of(skeleton)}};
     }
     while (known_.size() > most_shapes)
         known_.pop_back();

@@ -132,15 +132,20 @@ NodeId ShapeMaker::add(const Node& node, std::span<const NodeId> added) {
 
 PartShape ShapeMaker::make() {
     std::vector<NodeId> added;
+    added.reserve(first_.nodes.size());
     for (const Node& node : first_.nodes)
         added.push_back(add(node, added));
     const auto varying =
         std::ranges::count_if(uniform_of_place_, [](const auto& item) { return item.has_value(); });
     std::vector<std::string> names;
     const std::size_t items = shared_.size() + static_cast<std::size_t>(varying);
+    names.reserve(items);
     for (std::size_t item = 1; item < items; ++item)
         names.push_back(std::to_string(item));
-    PartShape shape{builder_.finish(added.back(), std::move(names)), {}, shared_, {}};
+    PartShape shape{.expr = builder_.finish(added.back(), std::move(names)),
+                    .facts = {},
+                    .shared = shared_,
+                    .kernel = {}};
     shape.facts = facts_of(shape.expr).back();
     return shape;
 }

@@ -38,7 +38,7 @@ private:
     using Index = std::uint32_t;
     static constexpr Index unplaced = ~Index{0};
 
-    bool is_constant(NodeId id) const { return facts_[id].constant.has_value(); }
+    [[nodiscard]] bool is_constant(NodeId id) const { return facts_[id].constant.has_value(); }
     Index append(const Node& node) {
         part_.nodes.push_back(node);
         return static_cast<Index>(part_.nodes.size() - 1);

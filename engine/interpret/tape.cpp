@@ -26,7 +26,7 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
         NodeId id;
         std::size_t next;  ///< operand
     };
-    std::vector<Visit> stack{{root, 0}};
+    std::vector<Visit> stack{{.id = root, .next = 0}};
     std::vector<NodeId> order;
     seen[root] = true;
     while (!stack.empty()) {
@@ -162,7 +162,7 @@ void Tape::mark_blend(Index sum) {
     hat.height = blend->height;
 }
 
-Tape::Tape(std::shared_ptr<const TapeGraph> graph) : Tape(graph, graph->expr.root()) {}
+Tape::Tape(const std::shared_ptr<const TapeGraph>& graph) : Tape(graph, graph->expr.root()) {}
 
 Tape::Tape(std::shared_ptr<const TapeGraph> graph, NodeId root) {
     const std::vector<NodeId> order = in_order(*graph, root);

@@ -48,7 +48,7 @@ public:
         Band band = Band::everything();
     };
 
-    explicit Tape(std::shared_ptr<const TapeGraph> graph);
+    explicit Tape(const std::shared_ptr<const TapeGraph>& graph);
     /// The tape of what one node of the graph computes.
     Tape(std::shared_ptr<const TapeGraph> graph, NodeId root);
 

@@ -9,20 +9,23 @@ namespace {
 
 using Step = Tape::Step;
 
-Band negative(const Band& band) { return {-band.hi, -band.lo}; }
-Band hull(const Band& a, const Band& b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
+Band negative(const Band& band) { return {.lo = -band.hi, .hi = -band.lo}; }
+Band hull(const Band& a, const Band& b) {
+    return {.lo = std::min(a.lo, b.lo), .hi = std::max(a.hi, b.hi)};
+}
 /// The band of x, from that of c x with c > 0 in the interval.
 Band divided(const Band& band, const Interval<double>& c) {
     const double least = -c.neg_lo;
     const double most = c.hi;
     const auto far = [](double end, double by) { return end / by + 0x1p-50 * std::abs(end / by); };
-    return {-far(-band.lo, band.lo < 0 ? least : most), far(band.hi, band.hi > 0 ? least : most)};
+    return {.lo = -far(-band.lo, band.lo < 0 ? least : most),
+            .hi = far(band.hi, band.hi > 0 ? least : most)};
 }
 /// The band of x, from that of x + c with c in the interval.
 Band moved_back(const Band& band, const Interval<double>& c) {
     const double lo = band.lo - c.hi;
     const double hi = band.hi + c.neg_lo;
-    return {lo - 0x1p-50 * std::abs(lo), hi + 0x1p-50 * std::abs(hi)};
+    return {.lo = lo - 0x1p-50 * std::abs(lo), .hi = hi + 0x1p-50 * std::abs(hi)};
 }
 
 /// The bands of operands, from that of a step.
@@ -54,8 +57,8 @@ Band Bands::of_operand(const Step& step, std::size_t k) const {
     const Step& other = steps_[step.operands[1 - k]];
     if (step.reach > 0) {
         if (operand.tells == Tape::no_choice) return Band::nothing();
-        return node(operand).op == Op::Min ? Band{band.lo, band.hi + step.reach}
-                                           : Band{band.lo - step.reach, band.hi};
+        return node(operand).op == Op::Min ? Band{.lo = band.lo, .hi = band.hi + step.reach}
+                                           : Band{.lo = band.lo - step.reach, .hi = band.hi};
     }
     if (!facts(other).constant) return Band::everything();
     const Interval<double>& c = *facts(other).constant;
@@ -75,7 +78,7 @@ void mark_bands(const TapeGraph& graph, std::span<Tape::Step> steps) {
     const Bands bands(graph, steps);
     for (Step& step : steps)
         step.band = Band::nothing();
-    steps.back().band = {0, 0};
+    steps.back().band = {.lo = 0, .hi = 0};
     for (std::size_t i = steps.size(); i-- > 0;) {
         Step& step = steps[i];
         if (step.band.empty()) continue;  // the q of a smooth minimum

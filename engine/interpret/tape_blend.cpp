@@ -95,7 +95,8 @@ std::optional<Blend> Finder::find(const Step& sum) {
         const std::array of{extreme.operands[0], extreme.operands[1]};
         if (between_ != of && std::array{between_[1], between_[0]} != of) continue;
         const double reach = (width_ + *bound) * (1.0 + 0x1p-20);
-        if (std::isfinite(reach)) return Blend{sum.operands[k], hat_, width_, reach};
+        if (std::isfinite(reach))
+            return Blend{.extreme = sum.operands[k], .hat = hat_, .height = width_, .reach = reach};
     }
     return std::nullopt;
 }

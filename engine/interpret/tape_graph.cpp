@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-TapeGraph::TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code)
-    : expr(graph), facts(std::move(known)), parts(std::move(with_code)) {
+TapeGraph::TapeGraph(Expr graph, std::vector<Facts> known, Parts with_code)
+    : expr(std::move(graph)), facts(std::move(known)), parts(std::move(with_code)) {
     parts.of_node.resize(expr.nodes().size(), Parts::none);
     // The code of parts does not know their constants.
     const std::vector<Facts> whole = std::exchange(facts, {});

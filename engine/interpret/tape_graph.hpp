@@ -15,7 +15,7 @@ namespace zeroset {
 /// A graph with what is known of its nodes and with its parts that have code of their own, shared
 /// by all tapes made of it.
 struct TapeGraph {
-    TapeGraph(const Expr& graph, std::vector<Facts> known, Parts with_code);
+    TapeGraph(Expr graph, std::vector<Facts> known, Parts with_code);
     TapeGraph(const TapeGraph&) = delete;
     TapeGraph& operator=(const TapeGraph&) = delete;
     ~TapeGraph() = default;

@@ -45,6 +45,7 @@ using PointFunction = KernelFunction<ValueBatchOf<double>>;
 /// The functions of a kernel in one type; engine/kernel/kernel_functions.def says what each does.
 template <class Real>
 struct KernelsOf {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a declared name, and a template
 #define ZEROSET_KERNEL_FUNCTION(name, kind, Batch) KernelFunction<Batch<Real>> name;
 #include "engine/kernel/kernel_functions.def"
 };

@@ -50,9 +50,10 @@ std::expected<Program, ParseError> Elaborator::program() {
     if (surfaces_.empty() && !without_surface_.empty())
         return std::unexpected(no_place_error(without_surface_.front()));
     if (surfaces_.empty()) {
-        return std::unexpected(ParseError{tree_.statements.back().offset,
-                                          "there is no surface yet, only definitions",
-                                          hint_without_surface(), true});
+        return std::unexpected(ParseError{.offset = tree_.statements.back().offset,
+                                          .reason = "there is no surface yet, only definitions",
+                                          .hint = hint_without_surface(),
+                                          .unfinished = true});
     }
     return result();
 }
@@ -119,9 +120,10 @@ std::optional<ParseError> Elaborator::error_for_parametric() {
     }
     const auto all = [](const auto& flags) { return std::ranges::all_of(flags, std::identity{}); };
     if (!all(given) || !all(used)) return std::nullopt;
-    return ParseError{tree_.statements.front().offset,
-                      "x, y and z given by u and v are a parametric surface, which is not read",
-                      "type one equation in x, y and z"};
+    return ParseError{
+        .offset = tree_.statements.front().offset,
+        .reason = "x, y and z given by u and v are a parametric surface, which is not read",
+        .hint = "type one equation in x, y and z"};
 }
 
 bool Elaborator::build_statements() {
@@ -150,8 +152,9 @@ bool Elaborator::note_unreadable(const Definition& definition) {
                                (error_->hint.empty() ? "" : "; " + error_->hint));
     }
     readings_[definition.statement] = {
-        definition.is_function ? StatementKind::Function : StatementKind::Value, offset,
-        definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
+        .kind = definition.is_function ? StatementKind::Function : StatementKind::Value,
+        .offset = offset,
+        .text = definition.name + (definition.is_function ? "(...) = ..." : " = ...")};
     error_.reset();
     return true;
 }
@@ -188,9 +191,10 @@ bool Elaborator::keep_without_surface(std::size_t statement) {
     const Syntax& relation = tree_[tree_.statements[statement].relation];
     const Number value = number(relation.operands[1], nullptr);
     if (!value) return false;
-    readings_[statement] = {StatementKind::Value, tree_.statements[statement].offset,
-                            tree_[relation.operands[0]].text + " = " +
-                                builder_.text(*value, parameters_, longest_definition())};
+    readings_[statement] = {.kind = StatementKind::Value,
+                            .offset = tree_.statements[statement].offset,
+                            .text = tree_[relation.operands[0]].text + " = " +
+                                    builder_.text(*value, parameters_, longest_definition())};
     return true;
 }
 
@@ -264,7 +268,9 @@ ParseError Elaborator::no_place_error(std::size_t statement) const {
     if (parameter_index_.contains("p")) hint = "write the point p as x, y, z: length(x, y, z)";
     if (syntax.leading_sign != '\0')
         hint = std::string("to go on with the line above end that with ") + syntax.leading_sign;
-    return {syntax.offset, "there is no x, y or z in it, so it is no surface", hint};
+    return {.offset = syntax.offset,
+            .reason = "there is no x, y or z in it, so it is no surface",
+            .hint = hint};
 }
 
 bool Elaborator::add_surface(std::size_t statement, NodeId root) {
@@ -297,8 +303,9 @@ bool Elaborator::build_definition(Definition& definition) {
     const auto text = definition.is_function ? function_text(definition) : value_text(definition);
     if (!text) return false;
     readings_[definition.statement] = {
-        definition.is_function ? StatementKind::Function : StatementKind::Value,
-        tree_.statements[definition.statement].offset, *text};
+        .kind = definition.is_function ? StatementKind::Function : StatementKind::Value,
+        .offset = tree_.statements[definition.statement].offset,
+        .text = *text};
     return true;
 }
 
@@ -353,9 +360,9 @@ std::expected<Program, ParseError> Elaborator::result() {
                      " operations");
             return std::unexpected(*error_);
         }
-        readings_[surface.statement] = {StatementKind::Surface,
-                                        tree_.statements[surface.statement].offset,
-                                        equation_text(expr, longest)};
+        readings_[surface.statement] = {.kind = StatementKind::Surface,
+                                        .offset = tree_.statements[surface.statement].offset,
+                                        .text = equation_text(expr, longest)};
         program.surfaces.push_back(std::move(expr));
     }
     for (auto& [statement, reading] : readings_)

@@ -55,7 +55,7 @@ private:
 
     // elaborator.cpp: statements
     bool build_statements();
-    bool build_surface(std::size_t statement);
+    bool build_surface(std::size_t index);
     [[nodiscard]] std::optional<ParseError> error_for_parametric();
     [[nodiscard]] bool defines_nothing_else(std::size_t statement, NodeId root) const;
     bool keep_without_surface(std::size_t statement);
@@ -85,7 +85,7 @@ private:
     void note_capital(const std::string& name, std::size_t offset);
     Built defined_value(Definition& definition, const Syntax& syntax);
     bool settle(Definition& definition);
-    Built unknown(const Syntax& name);
+    Built unknown(const Syntax& syntax);
     Built negated(const Syntax& syntax, const Binding* scope);
     Built power(const Syntax& syntax, const Binding* scope);
     Built sum(const Syntax& syntax, const Binding* scope);

@@ -15,6 +15,13 @@ namespace {
 constexpr double max_terms = 10'000;
 constexpr double largest_bound = 1e15;  // up to here i + 1 is exact and differs from i
 
+/// One term more of a sum, a product, the least or the greatest.
+NodeId joined(ExprBuilder& builder, Composed kind, NodeId a, NodeId b) {
+    if (kind == Composed::Sum) return make_add(builder, a, b);
+    if (kind == Composed::Product) return make_multiply(builder, a, b);
+    return make_call(builder, kind == Composed::Least ? Op::Min : Op::Max, a, b);
+}
+
 }  // namespace
 
 Elaborator::Built Elaborator::call(const Syntax& syntax, const Binding* scope) {
@@ -82,7 +89,8 @@ Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* sc
     const std::string name(syntax.function->name);
     const auto index =
         whole_number(syntax.operands[0], scope,
-                     {"the first argument of " + name + " is a whole number", "type 0, 1, ..."});
+                     {.reason = "the first argument of " + name + " is a whole number",
+                      .hint = "type 0, 1, ..."});
     if (!index) return std::nullopt;
     if (syntax.function->composed == Composed::Keep) {
         const Number value = number(syntax.operands[1], scope);
@@ -122,29 +130,25 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
                                                  : "the bounds of " + name + " are whole numbers";
         const std::string hint =
             library_offset_ ? "type one, such as 8" : "for example " + name + "(x^i, i, 1, 5)";
-        bounds[i] = whole_number(syntax.operands[2 + i], scope, {rule, hint});
+        bounds[i] = whole_number(syntax.operands[2 + i], scope, {.reason = rule, .hint = hint});
         if (!bounds[i]) return std::nullopt;
     }
     if (*bounds[1] - *bounds[0] >= max_terms) {
         return fail(syntax.offset, name + " has more than 10 000 terms", "use fewer");
     }
     const Composed kind = *syntax.function->composed;
-    const auto joined = [&](NodeId a, NodeId b) {
-        if (kind == Composed::Sum) return make_add(builder_, a, b);
-        if (kind == Composed::Product) return make_multiply(builder_, a, b);
-        return make_call(builder_, kind == Composed::Least ? Op::Min : Op::Max, a, b);
-    };
     const bool is_empty = *bounds[1] < *bounds[0];
     if (is_empty && (kind == Composed::Least || kind == Composed::Greatest))
         return fail(syntax.offset, name + " has no terms", "let m be at most n");
     NodeId total = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0);
     for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
-        const Binding binding{index.text, {builder_.constant(i), false}, scope};
+        const Binding binding{
+            .name = index.text, .value = {builder_.constant(i), false}, .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
         const Number term = number(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
         const bool first = i == *bounds[0];
-        total = first ? *term : joined(total, *term);
+        total = first ? *term : joined(builder_, kind, total, *term);
         if (!done(total, syntax.offset)) return std::nullopt;
     }
     return done(total, syntax.offset);

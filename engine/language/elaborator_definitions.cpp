@@ -60,7 +60,9 @@ bool DefinitionTable::read_definitions() {
         for (const SyntaxId argument : left.operands) {
             const Syntax& name = tree_[argument];
             if (names.insert(name.text).second) continue;
-            error_ = {name.offset, "two arguments are called " + quoted(name.text), {}};
+            error_ = {.offset = name.offset,
+                      .reason = "two arguments are called " + quoted(name.text),
+                      .hint = {}};
             return false;
         }
         const auto index = static_cast<std::uint32_t>(definitions_.size());

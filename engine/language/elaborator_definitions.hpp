@@ -76,7 +76,7 @@ private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     bool read_definitions();
-    [[nodiscard]] std::optional<Definition> definition_in(std::size_t statement) const;
+    [[nodiscard]] std::optional<Definition> definition_in(std::size_t index) const;
     [[nodiscard]] bool is_level_of_function(const Definition& definition) const;
     [[nodiscard]] bool mentions_any_of(const Definition& definition) const;
     void read_uses();

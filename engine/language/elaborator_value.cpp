@@ -37,7 +37,8 @@ bool Elaborator::divides_by_zero(const Node& node) const {
 
 std::nullopt_t Elaborator::fail(std::size_t offset, std::string reason, std::string hint) {
     offset = library_offset_.value_or(offset);
-    if (!error_) error_ = ParseError{offset, std::move(reason), std::move(hint)};
+    if (!error_)
+        error_ = ParseError{.offset = offset, .reason = std::move(reason), .hint = std::move(hint)};
     return std::nullopt;
 }
 
@@ -209,7 +210,7 @@ bool Elaborator::settle(Definition& definition) {
         Definition* of;
         std::size_t next;
     };
-    std::vector<Visit> stack{{&definition, 0}};
+    std::vector<Visit> stack{{.of = &definition, .next = 0}};
     definition.settled = true;
     while (!stack.empty()) {
         const auto uses = table_.uses(stack.back().of->statement);
@@ -293,7 +294,7 @@ bool Elaborator::is_zero_by_name(SyntaxId id, NodeId divisor) {
 Elaborator::Built Elaborator::with_local_value(const Syntax& syntax, const Binding* scope) {
     const Built value = build(syntax.operands[0], scope);
     if (!value) return value;
-    const Binding binding{syntax.text, *value, scope};
+    const Binding binding{.name = syntax.text, .value = *value, .outer = scope};
     return build(syntax.operands[1], &binding);
 }
 

@@ -11,6 +11,8 @@ namespace {
 struct Line {
     std::string_view typed;
     std::string_view meaning;
+
+    constexpr Line(std::string_view what, std::string_view about) : typed(what), meaning(about) {}
 };
 
 constexpr Line statements[] = {
@@ -48,7 +50,7 @@ constexpr Line expressions[] = {
     {"x\u00b2  x^(1/3)  x^-2", "powers; a root of odd degree takes negative numbers, too"},
     {"sin x  sin 2x  ln xy", "a function without parentheses takes the product behind it"},
     {"sin^2 x  sin^-1 x", "(sin x)^2, but the inverse function asin x"},
-    {"\\frac{a}{b}  \\sqrt{x}  \\sin", "LaTeX as copied from a paper"},
+    {R"(\frac{a}{b}  \sqrt{x}  \sin)", "LaTeX as copied from a paper"},
     {"x < y <= z  x == y  x != y", "conditions, for if, { } and behind a comma"},
     {"and or not  & | !  && ||", "join conditions; | | around a value stay its absolute value"},
     {"(x < 1)*y  if(x, 1, 2)",
@@ -95,9 +97,9 @@ bare      = signed { power of a name }
 part      = operand | digit
 )grammar";
 
-template <std::size_t Size>
-HelpSection section(std::string title, const Line (&lines)[Size]) {
-    HelpSection result{std::move(title), {}};
+template <std::size_t size>
+HelpSection section(std::string title, const Line (&lines)[size]) {
+    HelpSection result{.title = std::move(title), .entries = {}};
     for (const Line& line : lines)
         result.entries.push_back({std::string(line.typed), std::string(line.meaning)});
     return result;
@@ -110,8 +112,8 @@ std::vector<HelpSection> language_help() {
                                   section("Names", names),
                                   section("Expressions", expressions),
                                   section("Texts from elsewhere", elsewhere),
-                                  {"Functions", {}},
-                                  {"Functions of POV-Ray and MathMod", {}}};
+                                  {.title = "Functions", .entries = {}},
+                                  {.title = "Functions of POV-Ray and MathMod", .entries = {}}};
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";

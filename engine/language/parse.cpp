@@ -14,7 +14,7 @@ ParseError unknown_parameter(const std::string& name, std::span<const std::strin
     if (!parameters.empty()) known = "the formula's are";
     for (const std::string& parameter : parameters)
         known += " " + parameter;
-    return {0, "there is no parameter '" + name + "'", known};
+    return {.offset = 0, .reason = "there is no parameter '" + name + "'", .hint = known};
 }
 
 /// The graph with its parameters renumbered to their places in `parameters`.
@@ -51,8 +51,9 @@ std::expected<Expr, ParseError> read_value(std::string_view expression, std::str
     const auto alone = read_syntax(expression);
     if (!alone) return std::unexpected(alone.error());
     if (alone->statements.size() > 1) {
-        return std::unexpected(ParseError{alone->statements[1].offset,
-                                          "there is a second expression", "type one of them"});
+        return std::unexpected(ParseError{.offset = alone->statements[1].offset,
+                                          .reason = "there is a second expression",
+                                          .hint = "type one of them"});
     }
     std::string text(program);
     text += "\n;\n";

@@ -23,8 +23,9 @@ struct V3 {
 };
 
 HWY_INLINE V3 splat(const glm::dvec3& v) {
-    return {hn::Set(d<float>, static_cast<float>(v.x)), hn::Set(d<float>, static_cast<float>(v.y)),
-            hn::Set(d<float>, static_cast<float>(v.z))};
+    return {.x = hn::Set(d<float>, static_cast<float>(v.x)),
+            .y = hn::Set(d<float>, static_cast<float>(v.y)),
+            .z = hn::Set(d<float>, static_cast<float>(v.z))};
 }
 
 HWY_INLINE V<float> dot(const V3& a, const V3& b) {
@@ -32,7 +33,7 @@ HWY_INLINE V<float> dot(const V3& a, const V3& b) {
 }
 
 HWY_INLINE V3 scaled(const V3& a, V<float> s) {
-    return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+    return {.x = hn::Mul(a.x, s), .y = hn::Mul(a.y, s), .z = hn::Mul(a.z, s)};
 }
 
 /// 2 / sqrt(x) to float's last digits but one.
@@ -56,7 +57,7 @@ HWY_INLINE M<float> is_moderate(V<float> x) {
 HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<float> wanted) {
     const V<float> square = dot(a, a);
     if (hn::AllFalse(d<float>, hn::AndNot(is_moderate(square), wanted))) {
-        return {a, twice_per_root(square)};
+        return {.along = a, .scale = twice_per_root(square)};
     }
     // Scaled by the largest component first, so that squares neither overflow nor vanish.
     const V<float> size = hn::Max(hn::Max(hn::Abs(a.x), hn::Abs(a.y)), hn::Abs(a.z));
@@ -67,8 +68,8 @@ HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<flo
         return hn::IfThenElse(usable, usual, rare);
     };
     const V3& c = otherwise.along;
-    return {{pick(b.x, c.x), pick(b.y, c.y), pick(b.z, c.z)},
-            pick(twice_per_root(dot(b, b)), otherwise.scale)};
+    return {.along = {.x = pick(b.x, c.x), .y = pick(b.y, c.y), .z = pick(b.z, c.z)},
+            .scale = pick(twice_per_root(dot(b, b)), otherwise.scale)};
 }
 
 /// Numbers that all pixels of a surface share, in all lanes: half the directions of the lights,
@@ -115,7 +116,8 @@ HWY_INLINE void illuminate(const Shading& shading, const HitVector& at, std::siz
     const V<float> two = hn::Set(d<float>, 2.0F);
     const V3& along = at.along;
     const V<float> twice_towards_viewer = hn::Neg(twice_per_root(dot(along, along)));
-    const Direction outward = direction_of(at.gradient, {along, twice_towards_viewer}, at.is_hit);
+    const Direction outward =
+        direction_of(at.gradient, {.along = along, .scale = twice_towards_viewer}, at.is_hit);
     const V<float> twice_facing = hn::Mul(dot(outward.along, along), twice_towards_viewer);
     const V<float> to_side = hn::CopySign(outward.scale, twice_facing);
     const V<float> to_key = hn::Mul(dot(outward.along, shading.half_key), to_side);

@@ -23,7 +23,7 @@ struct LightPath {
     LitLayer* layer;
     std::size_t pixel;
     double u, v;                         ///< of the light's ray through the hit
-    double from, end;                    ///< depths, from the light
+    double from = 0.0, end = 0.0;        ///< depths, from the light
     double to = end;                     ///< not searched yet: from `from` to here
     double step = 0.125 * (end - from);  ///< of the next cell, at `to`
 

@@ -13,6 +13,7 @@ std::vector<double> formula_at(const PointFunction& formula, const Uniforms& uni
     batch.pad();
     formula(batch.batch(uniforms.points<double>()));
     std::vector<double> values;
+    values.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         values.push_back(batch.f(i));
     return values;

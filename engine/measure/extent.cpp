@@ -151,7 +151,7 @@ std::optional<Box> enclosing_box(const Scene& scene, const Box& domain, const Ti
 Extent find_extent(const Scene& scene, const TimeLimit& limit) {
     const double half = 0.5 * extent_reach * scene.clip.size();
     const glm::dvec3 centre = scene.clip.centre();
-    const Box domain{centre - half, centre + half};
+    const Box domain{.lo = centre - half, .hi = centre + half};
     Extent extent;
     const std::optional<Box> all = enclosing_box(scene, domain, limit);
     if (!all) return extent;

@@ -51,7 +51,8 @@ Sample RayFormula::at(double t) const {
     batch.pad();
     const UpwardRounding upward;
     kernel_.value(batch.batch(uniforms_.points<double>()));
-    return {batch.f(0), {batch.gradient(0, 0), batch.gradient(1, 0), batch.gradient(2, 0)}};
+    return {.f = batch.f(0),
+            .gradient = {batch.gradient(0, 0), batch.gradient(1, 0), batch.gradient(2, 0)}};
 }
 
 RayFormula::Ranges RayFormula::ranges(const Columns& a, const Columns& b) const {

@@ -38,7 +38,7 @@ struct Coefficients {
     consteval explicit Coefficients(const std::array<double, count>& values)
         : exact(values), floats() {
         for (std::size_t i = 0; i < count; ++i)
-            floats[i] = static_cast<float>(values[i]);
+            floats[i] = static_cast<double>(static_cast<float>(values[i]));
     }
     [[nodiscard]] constexpr double at(std::size_t i, RealType type) const {
         return type == RealType::Float ? floats[i] : exact[i];

@@ -30,16 +30,16 @@ constexpr unsigned control_word(int mode) {
 
 }  // namespace detail
 
-/// Sets the rounding mode `Mode` (FE_UPWARD, FE_TONEAREST, FE_DOWNWARD) on this thread while it
+/// Sets the rounding mode `mode` (FE_UPWARD, FE_TONEAREST, FE_DOWNWARD) on this thread while it
 /// lives, with denormals; then restores what was set before. Keeps the compiler from moving
 /// floating-point work across its two ends only if that work happens in a function that is not
 /// inlined here: guard whole batches.
-template <int Mode>
+template <int mode>
 class RoundingGuard {
 public:
     RoundingGuard() {
-        std::fesetround(Mode);
-        _mm_setcsr(detail::control_word(Mode));
+        std::fesetround(mode);
+        _mm_setcsr(detail::control_word(mode));
     }
     ~RoundingGuard() {
         std::fesetround(mode_);

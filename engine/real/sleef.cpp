@@ -44,13 +44,13 @@ private:
     mpfr_exp_t emax_ = mpfr_get_emax();
 };
 
-template <int (*Function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)>
+template <int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t)>
 int call(mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr /*b*/) {
-    return Function(result, a, MPFR_RNDN);
+    return function(result, a, MPFR_RNDN);
 }
-template <int (*Function)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t)>
+template <int (*function)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t)>
 int call(mpfr_ptr result, mpfr_srcptr a, mpfr_srcptr b) {
-    return Function(result, a, b, MPFR_RNDN);
+    return function(result, a, b, MPFR_RNDN);
 }
 
 /// Writes the function's value and returns MPFR's ternary value.

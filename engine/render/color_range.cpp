@@ -47,7 +47,8 @@ std::vector<double> values_in(const Framebuffer& frame, const Scene& scene, cons
 /// The range as a person would choose it: to a tenth of its power of ten, outward.
 ValueRange rounded(const ValueRange& range) {
     const double step = std::pow(10.0, std::floor(std::log10(range.hi - range.lo)) - 1.0);
-    const ValueRange wider{std::floor(range.lo / step) * step, std::ceil(range.hi / step) * step};
+    const ValueRange wider{.lo = std::floor(range.lo / step) * step,
+                           .hi = std::ceil(range.hi / step) * step};
     const bool usable = std::isfinite(wider.lo) && std::isfinite(wider.hi) && wider.lo < wider.hi;
     return usable ? wider : range;
 }
@@ -64,14 +65,14 @@ bool fits(const ValueRange& range, const ValueRange& found) {
 
 ValueRange fitting_range(std::vector<double> values, bool symmetric) {
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    if (values.empty()) return symmetric ? ValueRange{-1.0, 1.0} : ValueRange{};
+    if (values.empty()) return symmetric ? ValueRange{.lo = -1.0, .hi = 1.0} : ValueRange{};
     const auto at = [&values](double part) {
         const auto index =
             static_cast<std::ptrdiff_t>(std::lround(part * static_cast<double>(values.size() - 1)));
         std::ranges::nth_element(values, values.begin() + index);
         return values[static_cast<std::size_t>(index)];
     };
-    ValueRange range{at(outliers), at(1.0 - outliers)};
+    ValueRange range{.lo = at(outliers), .hi = at(1.0 - outliers)};
     if (symmetric) {
         range.hi = std::max(std::abs(range.lo), std::abs(range.hi));
         range.lo = -range.hi;
@@ -80,7 +81,7 @@ ValueRange fitting_range(std::vector<double> values, bool symmetric) {
     const double size = std::max(std::abs(range.lo), std::abs(range.hi));
     if (range.hi - range.lo <= 1e-6 * size || size == 0.0) {
         const double room = size == 0.0 ? 1.0 : 0.5 * size;
-        range = {range.lo - room, range.hi + room};
+        range = {.lo = range.lo - room, .hi = range.hi + room};
     }
     return rounded(range);
 }

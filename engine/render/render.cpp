@@ -242,7 +242,7 @@ TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspac
         .pixels = out_, .col = 0, .row = 0, .height = out_.height, .blank_rows = &blank_rows};
     const TileState state = painter_.paint(tile, limit, workspace, canvas, counters);
     if (state != TileState::Finished) return state;
-    const PixelRect pixels{tile.col, tile.row, tile.cols, tile.rows};
+    const PixelRect pixels{.col = tile.col, .row = tile.row, .cols = tile.cols, .rows = tile.rows};
     if (fine_painter_) {
         if (!paint_fine(tile, limit, workspace, counters)) return TileState::Rough;
         blank_rows = 0;

@@ -167,12 +167,13 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     growing.tell(governor_);
     if (!drawn) return {nullptr, false};
     // A picture with most of it left out would only hide the one that is there.
-    if (work.is_new && growing.cut_share() > most_left_out) return {growing.frame(), false};
+    if (work.is_new && growing.cut_share() > most_left_out)
+        return {.frame = growing.frame(), .complete = false};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();
     publish(work, std::move(result));
-    return {growing.frame(), growing.complete()};
+    return {.frame = growing.frame(), .complete = growing.complete()};
 }
 
 /// The settings of full pictures, which are drawn one after the other.

@@ -49,7 +49,8 @@ public:
         mark();
         if (!has_divisions_) return std::nullopt;
         for (NodeId id = 0; id <= expr_.root(); ++id) {
-            quotients_[id] = opened_[id] ? quotient_of(id) : Quotient{copied(id), {}};
+            quotients_[id] =
+                opened_[id] ? quotient_of(id) : Quotient{.top = copied(id), .bottom = {}};
             if (too_large_ || builder_.size() > 3 * expr_.nodes().size() + 100) return std::nullopt;
         }
         if (!cleared_) return std::nullopt;
@@ -120,7 +121,7 @@ private:
     Quotient quotient_of(NodeId id) {
         const Node& node = expr_.node(id);
         const Quotient& a = *quotients_[node.a];
-        if (node.op == Op::Negate) return {make_negate(builder_, a.top), a.bottom};
+        if (node.op == Op::Negate) return {.top = make_negate(builder_, a.top), .bottom = a.bottom};
         if (node.op == Op::IntPower) return power(a, node.number);
         if (node.op == Op::Tan || node.op == Op::Cot) return tangent(node);
         const Quotient& b = *quotients_[node.b];
@@ -128,14 +129,14 @@ private:
             std::vector<Power> bottom = product(a.bottom, b.bottom);
             const NodeId left = without_common(a.top, bottom);
             const NodeId right = without_common(b.top, bottom);
-            return {make_multiply(builder_, left, right), std::move(bottom)};
+            return {.top = make_multiply(builder_, left, right), .bottom = std::move(bottom)};
         }
         if (node.op == Op::Divide) return quotient(a, b);
         return sum(node.op, a, b);
     }
 
     Quotient power(const Quotient& a, int n) {
-        Quotient result{make_int_power(builder_, a.top, n), a.bottom};
+        Quotient result{.top = make_int_power(builder_, a.top, n), .bottom = a.bottom};
         for (Power& power : result.bottom) {
             if (power.exponent > max_exponent / n) too_large_ = true;
             power.exponent *= too_large_ ? 1 : n;
@@ -149,9 +150,9 @@ private:
         const NodeId cosine = make_call(builder_, Op::Cos, a);
         const bool tan = node.op == Op::Tan;
         const NodeId base = tan ? cosine : sine;
-        if (!vanishes_on_surface(base)) return {builder_.apply(node.op, a), {}};
+        if (!vanishes_on_surface(base)) return {.top = builder_.apply(node.op, a), .bottom = {}};
         cleared_ = true;
-        return {tan ? sine : cosine, {{base, 1}}};
+        return {.top = tan ? sine : cosine, .bottom = {{.base = base, .exponent = 1}}};
     }
 
     Quotient quotient(const Quotient& a, const Quotient& b) {
@@ -178,7 +179,7 @@ private:
         }
         if (!vanishes_on_surface(id)) return make_int_power(builder_, id, exponent);
         cleared_ = true;
-        a.bottom = product(a.bottom, std::array{Power{id, exponent}});
+        a.bottom = product(a.bottom, std::array{Power{.base = id, .exponent = exponent}});
         return builder_.constant(1.0);
     }
     /// The factor without the powers that it has in common with the bottom, which loses them, too.
@@ -201,9 +202,9 @@ private:
         const std::vector<Power> bottom = common(a.bottom, b.bottom);
         const NodeId left = over(a, bottom);
         const NodeId right = over(b, bottom);
-        return {
-            op == Op::Add ? make_add(builder_, left, right) : make_subtract(builder_, left, right),
-            bottom};
+        return {.top = op == Op::Add ? make_add(builder_, left, right)
+                                     : make_subtract(builder_, left, right),
+                .bottom = bottom};
     }
     /// The top of the same quotient over a multiple of its bottom.
     NodeId over(const Quotient& a, std::span<const Power> bottom) {

@@ -24,7 +24,7 @@ std::optional<Remainder> remainder(const ExprBuilder& builder, NodeId id) {
     if (node.op != Op::Mod) return std::nullopt;
     const auto d = exact_fraction(builder, node.b);
     if (!d || d->p <= 0) return std::nullopt;
-    return Remainder{node.a, node.b};
+    return Remainder{.value = node.a, .d = node.b};
 }
 
 /// Whether 2 a is b.
@@ -65,7 +65,7 @@ NodeId below_two(ExprBuilder& builder, NodeId constant) {
     const auto value = exact_fraction(builder, constant);
     if (!value || value->q > std::numeric_limits<int>::max()) return constant;
     const long long turn = 2 * value->q;
-    return constant_of(builder, {(value->p % turn + turn) % turn, value->q});
+    return constant_of(builder, {.p = (value->p % turn + turn) % turn, .q = value->q});
 }
 
 /// |mod(x + c, d) - d/2| = d/2 fold(2 x/d + 2 c/d + 1)

@@ -126,7 +126,8 @@ void Mover::hand_down(NodeId id) {
     if (!hole || !takes_[of[*hole]]) return;
     const std::size_t outer = around_[id];
     const bool turned = outer != nothing && wrappers_[outer].falls;
-    wrappers_.push_back({id, *hole, falls(id, *hole) != turned, outer});
+    wrappers_.push_back(
+        {.node = id, .hole = *hole, .falls = falls(id, *hole) != turned, .outer = outer});
     around_[of[*hole]] = wrappers_.size() - 1;
 }
 

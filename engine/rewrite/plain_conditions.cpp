@@ -171,7 +171,10 @@ std::optional<Comparison> PlainConditions::moved(const Comparison& comparison, O
     const NodeId right = turned && op == Op::Subtract ? limit : by;
     const auto value = exact(builder_.apply(op, left, right));
     if (!value) return std::nullopt;
-    return Comparison{inner, *value, comparison.above != turned, comparison.strict};
+    return Comparison{.value = inner,
+                      .limit = *value,
+                      .above = comparison.above != turned,
+                      .strict = comparison.strict};
 }
 
 std::optional<Comparison> PlainConditions::inside(const Comparison& comparison) {
@@ -217,7 +220,10 @@ std::optional<NodeId> PlainConditions::of_choice(const Comparison& comparison) {
     const bool of_numbers = node.op == Op::If && exact(node.b) && exact(node.c);
     if (!of_numbers || !is_condition(builder_.node(node.a).op)) return std::nullopt;
     const auto holds = [&](NodeId value) {
-        return known(plain({value, comparison.limit, comparison.above, comparison.strict}));
+        return known(plain({.value = value,
+                            .limit = comparison.limit,
+                            .above = comparison.above,
+                            .strict = comparison.strict}));
     };
     const auto if_true = holds(node.b);
     const auto if_false = holds(node.c);
@@ -231,9 +237,13 @@ std::optional<NodeId> PlainConditions::of_absolute_value(const Comparison& compa
     const Node node = builder_.node(comparison.value);
     if (node.op != Op::Abs || comparison.limit.p < 0) return std::nullopt;
     if (comparison.limit.p == 0 && comparison.above == comparison.strict) return std::nullopt;
-    const Fraction below{-comparison.limit.p, comparison.limit.q};
-    const NodeId high = plain({node.a, comparison.limit, comparison.above, comparison.strict});
-    const NodeId low = plain({node.a, below, !comparison.above, comparison.strict});
+    const Fraction below{.p = -comparison.limit.p, .q = comparison.limit.q};
+    const NodeId high = plain({.value = node.a,
+                               .limit = comparison.limit,
+                               .above = comparison.above,
+                               .strict = comparison.strict});
+    const NodeId low = plain(
+        {.value = node.a, .limit = below, .above = !comparison.above, .strict = comparison.strict});
     return comparison.above ? either_holds(low, high) : both_hold(low, high);
 }
 
@@ -244,8 +254,14 @@ std::optional<NodeId> PlainConditions::of_terms(const Comparison& comparison) {
     const bool sum = node.op == Op::Add;
     if (!sum && node.op != Op::Multiply) return std::nullopt;
     if (!facts_.is_nonnegative(node.a) || !facts_.is_nonnegative(node.b)) return std::nullopt;
-    const NodeId a = plain({node.a, comparison.limit, comparison.above, comparison.strict});
-    const NodeId b = plain({node.b, comparison.limit, comparison.above, comparison.strict});
+    const NodeId a = plain({.value = node.a,
+                            .limit = comparison.limit,
+                            .above = comparison.above,
+                            .strict = comparison.strict});
+    const NodeId b = plain({.value = node.b,
+                            .limit = comparison.limit,
+                            .above = comparison.above,
+                            .strict = comparison.strict});
     return sum == comparison.above ? either_holds(a, b) : both_hold(a, b);
 }
 
@@ -274,7 +290,7 @@ Comparison with_whole_limit(Comparison comparison) {
     const long long floor = p >= 0 ? p / q : -((-p + q - 1) / q);
     const bool whole = floor * q == p;
     const bool below_it = whole && comparison.strict != comparison.above;
-    comparison.limit = {below_it ? floor - 1 : floor, 1};
+    comparison.limit = {.p = below_it ? floor - 1 : floor, .q = 1};
     comparison.strict = comparison.above;
     return comparison;
 }
@@ -293,8 +309,10 @@ NodeId PlainConditions::plain(Comparison comparison) {
 NodeId PlainConditions::compared(const Node& node, NodeId a, NodeId b) {
     const bool strict = node.op == Op::Less;
     steps_ = 0;
-    if (const auto limit = exact(b)) return plain({a, *limit, false, strict});
-    if (const auto limit = exact(a)) return plain({b, *limit, true, strict});
+    if (const auto limit = exact(b))
+        return plain({.value = a, .limit = *limit, .above = false, .strict = strict});
+    if (const auto limit = exact(a))
+        return plain({.value = b, .limit = *limit, .above = true, .strict = strict});
     return builder_.apply(node.op, a, b);
 }
 

@@ -95,7 +95,7 @@ struct Multiple {
 
 std::optional<Multiple> multiple_of_angle(const ExprBuilder& builder, NodeId id, int depth = 0) {
     const Node& node = builder.node(id);
-    if (node.op == Op::Angle || node.op == Op::Atan2) return Multiple{id, 1};
+    if (node.op == Op::Angle || node.op == Op::Atan2) return Multiple{.angle = id, .factor = 1};
     if (depth > max_depth) return std::nullopt;
     const auto times = [&](NodeId operand, long long factor) {
         auto inner = multiple_of_angle(builder, operand, depth + 1);

@@ -67,6 +67,7 @@ std::vector<Expr> root_witnesses(const Expr& f) {
     }
     std::vector<Expr> witnesses;
     const auto names = f.parameters();
+    witnesses.reserve(found.size());
     for (const NodeId id : found)
         witnesses.push_back(nodes.finish(id, {names.begin(), names.end()}));
     return witnesses;

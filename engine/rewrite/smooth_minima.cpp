@@ -22,7 +22,7 @@ struct Term {
     bool operator==(const Term&) const = default;
 };
 
-Term operator-(Term term) { return {!term.negative, term.core}; }
+Term operator-(Term term) { return {.negative = !term.negative, .core = term.core}; }
 
 /// A constant times other factors.
 struct Product {
@@ -126,14 +126,14 @@ bool Finder::multiply_into(Product& product, NodeId id) {
 
 std::optional<Product> Finder::product(NodeId id) {
     left_ = most_factors;
-    Product result{number(1), {}};
+    Product result{.constant = number(1), .factors = {}};
     return multiply_into(result, id) ? std::optional(result) : std::nullopt;
 }
 
 Term Finder::term(NodeId id) {
-    Term result{false, id};
+    Term result{.negative = false, .core = id};
     while (builder_.node(result.core).op == Op::Negate)
-        result = {!result.negative, builder_.node(result.core).a};
+        result = {.negative = !result.negative, .core = builder_.node(result.core).a};
     return result;
 }
 
@@ -145,9 +145,9 @@ std::optional<Pair> Finder::pair(NodeId id) {
     const Term whole = term(id);
     const Node node = builder_.node(whole.core);
     if (node.op != Op::Add && node.op != Op::Subtract) return std::nullopt;
-    Pair sum{term(node.a), term(node.b)};
+    Pair sum{.first = term(node.a), .second = term(node.b)};
     if (node.op == Op::Subtract) sum.second = -sum.second;
-    return whole.negative ? Pair{-sum.first, -sum.second} : sum;
+    return whole.negative ? Pair{.first = -sum.first, .second = -sum.second} : sum;
 }
 
 bool Finder::is_difference(const Pair& sum, NodeId a, NodeId b) {
@@ -182,7 +182,7 @@ std::optional<Ramp> Finder::ramp(NodeId id) {
     const auto sum = pair(rest->factors[0]);
     if (!sum) return std::nullopt;
     const double sign = node.op == Op::Add ? 1 : -1;
-    return Ramp{times(rest->constant, number(sign)), *sum};
+    return Ramp{.slope = times(rest->constant, number(sign)), .sum = *sum};
 }
 
 NodeId Finder::scaled(NodeId x, NodeId k) {

@@ -18,7 +18,8 @@ SearchDepth search_depth(const Box& clip, const ViewFrame& view, const StopCrite
     const double share = clip.size() / view.look_distance;
     const double deeper = share > 1.0 ? std::min(std::floor(std::log2(share)), deepest) : 0.0;
     const double own = stop.rule == StopRule::DStop ? stop.value : max_d_stop;
-    return {static_cast<int>(own) + static_cast<int>(deeper), static_cast<int>(deeper)};
+    return {.wanted = static_cast<int>(own) + static_cast<int>(deeper),
+            .deeper = static_cast<int>(deeper)};
 }
 
 int deepest_halving(const Box& clip, double reach, int digits) {

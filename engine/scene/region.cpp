@@ -10,7 +10,7 @@ double size_of(const Ball& ball) { return glm::length(ball.centre) + ball.radius
 
 Section make_section(const glm::dvec3& normal, double offset, bool cap) {
     const double length = glm::length(normal);
-    return {normal / length, offset / length, cap};
+    return {.normal = normal / length, .offset = offset / length, .cap = cap};
 }
 
 bool cuts(const Section& section, const Box& box) {

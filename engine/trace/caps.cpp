@@ -55,9 +55,11 @@ bool is_mostly_negative(const Scene& scene, const KernelFunction<ValueBatchOf<fl
     const int axis = face / 2;
     for (std::size_t i = 0; i < points; ++i) {
         glm::dvec3 share(0.0);
+        const std::size_t col = i % side;
+        const std::size_t row = i / side;
         share[axis] = face % 2;
-        share[(axis + 1) % 3] = (static_cast<double>(i % side) + 0.5) / side;
-        share[(axis + 2) % 3] = (static_cast<double>(i / side) + 0.5) / side;
+        share[(axis + 1) % 3] = (static_cast<double>(col) + 0.5) / side;
+        share[(axis + 2) % 3] = (static_cast<double>(row) + 0.5) / side;
         const glm::dvec3 point = glm::mix(scene.clip.lo, scene.clip.hi, share);
         batch.set(i, static_cast<float>(point.x), static_cast<float>(point.y),
                   static_cast<float>(point.z));
@@ -207,8 +209,8 @@ const float* CapFinder::limits(const float* limits) {
 
 void CapFinder::put(TileHits& hits) const {
     for (const Entry& entry : entries_) {
-        const TileHits::Pixel pixel{static_cast<std::int16_t>(entry.pixel % tile_size),
-                                    static_cast<std::int16_t>(entry.pixel / tile_size)};
+        const TileHits::Pixel pixel{.col = static_cast<std::int16_t>(entry.pixel % tile_size),
+                                    .row = static_cast<std::int16_t>(entry.pixel / tile_size)};
         switch (entry.state) {
             case State::Empty: break;
             case State::Unknown:

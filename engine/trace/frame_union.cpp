@@ -25,7 +25,7 @@ ReachBox around(const Box& box) {
 }
 
 Box box_of(const ReachBox& box) {
-    return {{box.lo[0], box.lo[1], box.lo[2]}, {box.hi[0], box.hi[1], box.hi[2]}};
+    return {.lo = {box.lo[0], box.lo[1], box.lo[2]}, .hi = {box.hi[0], box.hi[1], box.hi[2]}};
 }
 
 /// Whether the clip box's faces are in the layers under those of the box that holds it.

@@ -59,7 +59,9 @@ private:
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double f = batch_.f(i);
             if (!(f <= samples[i].f) && std::isfinite(samples[i].f)) continue;
-            samples[i] = {f, {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}};
+            samples[i] = {
+                .f = f,
+                .gradient = {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}};
         }
     }
 
@@ -101,7 +103,7 @@ bool Seeker::narrow(const Sample& sample, double tiny) {
 }
 
 TileHits::PointErrors errors_in(const TileRays& rays) {
-    return {rays.tolerance(), rays.depth_error()};
+    return {.bracket = rays.tolerance(), .depth = rays.depth_error()};
 }
 
 class GradientSearch {
@@ -188,6 +190,7 @@ Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) co
 void GradientSearch::take_jumps() {
     if (jumps_.empty()) return;
     std::vector<JumpPlace> places;
+    places.reserve(jumps_.size());
     for (const Seeker& seeker : jumps_)
         places.push_back({seeker.start, seeker.direction, seeker.pixel_size, seeker.trend});
     const auto values = [&](const std::vector<glm::dvec3>& points) {
@@ -209,6 +212,7 @@ void GradientSearch::polish() {
     }
     for (int step = 0; step < most_steps && !open.empty() && !frame_.stopped(); ++step) {
         std::vector<glm::dvec3> points;
+        points.reserve(open.size());
         for (const Seeker* seeker : open)
             points.push_back(seeker->at(seeker->next));
         const std::vector<Sample> samples = ask(points);
@@ -227,6 +231,7 @@ void GradientSearch::polish() {
 
 void GradientSearch::look_before(double pixels) {
     std::vector<glm::dvec3> points;
+    points.reserve(seekers_.size());
     for (const Seeker& seeker : seekers_)
         points.push_back(seeker.at(-pixels * seeker.pixel_size));
     const std::vector<Sample> samples = ask(points);
@@ -261,7 +266,8 @@ void GradientSearch::take_differences() {
         const auto difference = [&](std::size_t axis) {
             return samples[6 * i + 2 * axis].f - samples[6 * i + 2 * axis + 1].f;
         };
-        const Sample over_pixel{0.0, {difference(0), difference(1), difference(2)}};
+        const Sample over_pixel{.f = 0.0,
+                                .gradient = {difference(0), difference(1), difference(2)}};
         const double way = seekers_[i].trend == Trend::Rising ? 1.0 : -1.0;
         const bool fits = seekers_[i].fits(over_pixel);
         take(seekers_[i], fits ? over_pixel.gradient : way * seekers_[i].direction);

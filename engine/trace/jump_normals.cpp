@@ -48,6 +48,7 @@ std::vector<Side> sides_of(std::span<const JumpPlace> places) {
 /// The values at one offset of each side.
 std::vector<double> ask(const std::vector<Side>& all, const PointAsker& f, auto offset) {
     std::vector<glm::dvec3> points;
+    points.reserve(all.size());
     for (const Side& side : all)
         points.push_back(side.at(offset(side)));
     return f(points);

@@ -48,8 +48,11 @@ void TileHits::mark_unsettled(Pixel at, float distance) {
 void TileHits::leave_undecided(const Tile& tile) {
     std::ranges::fill(certificate, Certificate::Undecided);
     for (int row = 0; row < tile.rows; ++row) {
-        for (int col = 0; col < tile.cols; ++col)
-            mark_unsettled({static_cast<std::int16_t>(col), static_cast<std::int16_t>(row)}, 0.0F);
+        for (int col = 0; col < tile.cols; ++col) {
+            const Pixel at{.col = static_cast<std::int16_t>(col),
+                           .row = static_cast<std::int16_t>(row)};
+            mark_unsettled(at, 0.0F);
+        }
     }
 }
 

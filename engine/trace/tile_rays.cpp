@@ -19,15 +19,23 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// the view axis.
 DepthRange between_planes(double eye, double lo, double hi, double d0, double d1) {
     if (d0 <= 0 && d1 >= 0) {
-        if (!(lo < eye && eye < hi)) return {-unbounded, unbounded, -unbounded, unbounded};
+        if (!(lo < eye && eye < hi)) {
+            return {.enter_lo = -unbounded,
+                    .enter_hi = unbounded,
+                    .exit_lo = -unbounded,
+                    .exit_hi = unbounded};
+        }
         const double steepest = std::max({-d0, d1, std::numeric_limits<double>::min()});
-        return {-unbounded, 0.0, std::min(hi - eye, eye - lo) / steepest, unbounded};
+        return {.enter_lo = -unbounded,
+                .enter_hi = 0.0,
+                .exit_lo = std::min(hi - eye, eye - lo) / steepest,
+                .exit_hi = unbounded};
     }
     const double near = (d0 > 0 ? lo : hi) - eye;
     const double far = (d0 > 0 ? hi : lo) - eye;
     const auto [enter_lo, enter_hi] = std::minmax({near / d0, near / d1});
     const auto [exit_lo, exit_hi] = std::minmax({far / d0, far / d1});
-    return {enter_lo, enter_hi, exit_lo, exit_hi};
+    return {.enter_lo = enter_lo, .enter_hi = enter_hi, .exit_lo = exit_lo, .exit_hi = exit_hi};
 }
 
 /// The width wanted of brackets, but no finer than double tells apart: somewhat coarser only, or
@@ -46,8 +54,10 @@ double tolerance_of(const TraceFrame& frame) {
 }  // namespace
 
 DepthRange both(const DepthRange& a, const DepthRange& b) {
-    return {std::max(a.enter_lo, b.enter_lo), std::max(a.enter_hi, b.enter_hi),
-            std::min(a.exit_lo, b.exit_lo), std::min(a.exit_hi, b.exit_hi)};
+    return {.enter_lo = std::max(a.enter_lo, b.enter_lo),
+            .enter_hi = std::max(a.enter_hi, b.enter_hi),
+            .exit_lo = std::min(a.exit_lo, b.exit_lo),
+            .exit_hi = std::min(a.exit_hi, b.exit_hi)};
 }
 
 TileRays::TileRays(const TraceFrame& frame, const Tile& tile, int side)
@@ -120,10 +130,15 @@ auto TileRays::height(const glm::dvec3& normal, double offset, double error, con
     const double aside = std::abs(right) * rays.u_radius + std::abs(up) * rays.v_radius;
     const double forward = glm::dot(normal, view_.forward);
     if (view_.parallel()) {
-        return {glm::dot(normal, base_) - offset + distance_ * across, distance_ * aside + error,
-                forward, 0.0};
+        return {.a = glm::dot(normal, base_) - offset + distance_ * across,
+                .a_radius = distance_ * aside + error,
+                .b = forward,
+                .b_radius = 0.0};
     }
-    return {glm::dot(normal, view_.eye) - offset, error, forward + across, aside + 0x1p-48};
+    return {.a = glm::dot(normal, view_.eye) - offset,
+            .a_radius = error,
+            .b = forward + across,
+            .b_radius = aside + 0x1p-48};
 }
 
 DepthRange TileRays::below(const Height& height) const {
@@ -133,23 +148,27 @@ DepthRange TileRays::below(const Height& height) const {
     const double b0 = height.b - height.b_radius;
     const double b1 = height.b + height.b_radius;
     constexpr double flat = 1e-270;  // rays less steep than this stay where they are
-    DepthRange range{-unbounded, unbounded, -unbounded, unbounded};
+    DepthRange range{
+        .enter_lo = -unbounded, .enter_hi = unbounded, .exit_lo = -unbounded, .exit_hi = unbounded};
     if (b0 >= 0) {
         const auto [lo, hi] = std::minmax({-a0 / std::max(b0, flat), -a0 / std::max(b1, flat),
                                            -a1 / std::max(b0, flat), -a1 / std::max(b1, flat)});
-        range = {-unbounded, -unbounded, lo, hi};
+        range = {.enter_lo = -unbounded, .enter_hi = -unbounded, .exit_lo = lo, .exit_hi = hi};
     } else if (b1 <= 0) {
         const auto [lo, hi] = std::minmax({-a0 / std::min(b0, -flat), -a0 / std::min(b1, -flat),
                                            -a1 / std::min(b0, -flat), -a1 / std::min(b1, -flat)});
-        range = {lo, hi, unbounded, unbounded};
+        range = {.enter_lo = lo, .enter_hi = hi, .exit_lo = unbounded, .exit_hi = unbounded};
     } else if (a1 < 0) {
         // Below it at the eye, where the rays begin.
-        range = {-unbounded, 0.0, -a1 / b1, unbounded};
+        range = {
+            .enter_lo = -unbounded, .enter_hi = 0.0, .exit_lo = -a1 / b1, .exit_hi = unbounded};
     } else if (a0 > 0) {
         range.enter_lo = a0 / -b0;
     }
-    return {range.enter_lo - shift - depth_error_, range.enter_hi - shift + depth_error_,
-            range.exit_lo - shift - depth_error_, range.exit_hi - shift + depth_error_};
+    return {.enter_lo = range.enter_lo - shift - depth_error_,
+            .enter_hi = range.enter_hi - shift + depth_error_,
+            .exit_lo = range.exit_lo - shift - depth_error_,
+            .exit_hi = range.exit_hi - shift + depth_error_};
 }
 
 /// By the middle of the rays: the others are no farther from it, at the same depth, than `aside`.
@@ -167,19 +186,29 @@ DepthRange TileRays::in_ball(const Ball& ball, const Rays& rays) const {
         return std::sqrt(std::max(radius - gap, 0.0) * (radius + gap) / square);
     };
     const double outer = ball.radius + aside;
-    if (gap > outer) return {unbounded, unbounded, -unbounded, -unbounded};
+    if (gap > outer) {
+        return {.enter_lo = unbounded,
+                .enter_hi = unbounded,
+                .exit_lo = -unbounded,
+                .exit_hi = -unbounded};
+    }
     const double inner = ball.radius - aside;
     const bool sure = inner > gap;
     const double at_most = half(outer) + error_of(ball);
     const double at_least = sure ? half(inner) - error_of(ball) : 0.0;
-    return {nearest - at_most, sure ? nearest - at_least : unbounded,
-            sure ? nearest + at_least : -unbounded, nearest + at_most};
+    return {.enter_lo = nearest - at_most,
+            .enter_hi = sure ? nearest - at_least : unbounded,
+            .exit_lo = sure ? nearest + at_least : -unbounded,
+            .exit_hi = nearest + at_most};
 }
 
 DepthRange TileRays::in_box(const Rays& rays) const {
     const double from_eye = view_.look_distance;
     if (view_.parallel()) {
-        DepthRange all{nearest_ - from_eye, -unbounded, unbounded, farthest_ - from_eye};
+        DepthRange all{.enter_lo = nearest_ - from_eye,
+                       .enter_hi = -unbounded,
+                       .exit_lo = unbounded,
+                       .exit_hi = farthest_ - from_eye};
         for (int i = 0; i < 3; ++i) {
             glm::dvec3 axis(0.0);
             axis[i] = 1.0;
@@ -188,7 +217,10 @@ DepthRange TileRays::in_box(const Rays& rays) const {
         }
         return all;
     }
-    DepthRange all{std::max(0.0, nearest_), 0.0, unbounded, farthest_};
+    DepthRange all{.enter_lo = std::max(0.0, nearest_),
+                   .enter_hi = 0.0,
+                   .exit_lo = unbounded,
+                   .exit_hi = farthest_};
     for (int i = 0; i < 3; ++i) {
         const double d = view_.forward[i] + rays.u * view_.right[i] + rays.v * view_.up[i];
         const double across = std::abs(view_.right[i]) * rays.u_radius +
@@ -196,18 +228,20 @@ DepthRange TileRays::in_box(const Rays& rays) const {
         all = both(all,
                    between_planes(view_.eye[i], clip_.lo[i], clip_.hi[i], d - across, d + across));
     }
-    return {all.enter_lo - from_eye - depth_error_, all.enter_hi - from_eye + depth_error_,
-            all.exit_lo - from_eye - depth_error_, all.exit_hi - from_eye + depth_error_};
+    return {.enter_lo = all.enter_lo - from_eye - depth_error_,
+            .enter_hi = all.enter_hi - from_eye + depth_error_,
+            .exit_lo = all.exit_lo - from_eye - depth_error_,
+            .exit_hi = all.exit_hi - from_eye + depth_error_};
 }
 
 DepthRange TileRays::depths_kept(const Section& section, double u, double v, double u_radius,
                                  double v_radius) const {
-    return below(
-        height(section.normal, section.offset, error_of(section), {u, v, u_radius, v_radius}));
+    return below(height(section.normal, section.offset, error_of(section),
+                        {.u = u, .v = v, .u_radius = u_radius, .v_radius = v_radius}));
 }
 
 DepthRange TileRays::depths_uncut(double u, double v, double u_radius, double v_radius) const {
-    const Rays rays{u, v, u_radius, v_radius};
+    const Rays rays{.u = u, .v = v, .u_radius = u_radius, .v_radius = v_radius};
     const DepthRange all = in_box(rays);
     return region_.ball ? both(all, in_ball(*region_.ball, rays)) : all;
 }

@@ -35,7 +35,7 @@ public:
         const auto now = TimeLimit::Clock::now();
         if (limit_.until == TimeLimit::never) {
             had_[tile] = std::max(first_turn_, 4 * had_[tile]);
-            return TimeLimit{limit_.cancel, now + had_[tile]};
+            return TimeLimit{.cancel = limit_.cancel, .until = now + had_[tile]};
         }
         const Duration left = std::max<Duration>(limit_.until - now, Duration::zero());
         const Duration fair = left * threads_ / static_cast<long>(waiting);
@@ -44,7 +44,8 @@ public:
         if (!first && left <= had) return std::nullopt;
         const Duration share = std::min(left, std::max(fair, 2 * had));
         had = std::max(share, Duration(1));
-        return TimeLimit{limit_.cancel, share == left ? limit_.until : now + share};
+        return TimeLimit{.cancel = limit_.cancel,
+                         .until = share == left ? limit_.until : now + share};
     }
 
 private:

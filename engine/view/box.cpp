@@ -11,7 +11,7 @@ double Box::size() const {
 
 Box scaled(const Box& box, double factor) {
     const glm::dvec3 centre = box.centre();
-    return {centre + factor * (box.lo - centre), centre + factor * (box.hi - centre)};
+    return {.lo = centre + factor * (box.lo - centre), .hi = centre + factor * (box.hi - centre)};
 }
 
 }  // namespace zeroset

@@ -12,7 +12,7 @@ struct Box {
     bool operator==(const Box&) const = default;
 
     /// The cube [-half, half]^3.
-    static Box cube(double half) { return {glm::dvec3(-half), glm::dvec3(half)}; }
+    static Box cube(double half) { return {.lo = glm::dvec3(-half), .hi = glm::dvec3(half)}; }
     [[nodiscard]] glm::dvec3 centre() const { return 0.5 * (lo + hi); }
     /// Longest edge: the "domain" that d_stop divides.
     [[nodiscard]] double size() const;

@@ -20,8 +20,8 @@ struct PixelRay {
 /// (i + 0.5, j + 0.5).
 inline PixelRay pixel_ray(const ViewFrame& view, double col, double row, int width_px,
                           int height_px) {
-    return {view.origin(col, row, width_px, height_px),
-            glm::normalize(view.direction(col, row, width_px, height_px))};
+    return {.origin = view.origin(col, row, width_px, height_px),
+            .direction = glm::normalize(view.direction(col, row, width_px, height_px))};
 }
 
 /// The place at which a point shows in the image, in heights of it from its centre, x to the right,
@@ -34,7 +34,8 @@ struct PlaceInView {
 inline std::optional<PlaceInView> place_in_view(const ViewFrame& view, const glm::dvec3& point) {
     const glm::dvec3 shown = view.homogeneous(point);
     if (!(shown.z > 0.0)) return std::nullopt;
-    return PlaceInView{0.5 / shown.z * glm::dvec2(shown), view.distance_of(point)};
+    return PlaceInView{.place = 0.5 / shown.z * glm::dvec2(shown),
+                       .distance = view.distance_of(point)};
 }
 
 }  // namespace zeroset

@@ -123,7 +123,7 @@ Samples<float> plain_samples(const GalleryItem& item) {
 using RangeCode = void (*)(const void* code, const RangeBatch* batch);
 
 /// A kernel of either kind with its boxes and its rounding mode, timed turn by turn.
-template <int Mode>
+template <int mode>
 class Side {
 public:
     Side(RangeCode code, Samples<float> samples) : code_(code), samples_(std::move(samples)) {}
@@ -132,7 +132,7 @@ public:
     void run() {
         constexpr int times = 16;
         const RangeBatch batch = samples_.range_batch(f_neg_lo_, f_hi_, continuous_);
-        const RoundingGuard<Mode> guard;
+        const RoundingGuard<mode> guard;
         const auto start = Clock::now();
         for (int i = 0; i < times; ++i) {
             code_(nullptr, &batch);

@@ -129,7 +129,7 @@ TEST(SubdivisionOracle, AgreesWithExactRoots) {
         const Expr expr = parsed(text);
         const auto exact = PolynomialOracle::of(expr, no_w);
         ASSERT_TRUE(exact) << text;
-        Camera camera = suite_camera(2);
+        const Camera camera = suite_camera(2);
         const ViewFrame view(camera);
         const auto ray = ray_question(view, Box::cube(2), {}, random.between(8, 24),
                                       random.between(8, 24), 32, 32);

@@ -69,14 +69,14 @@ enum Group : std::uint8_t {
     FormsFloat,
     FormsDouble,
     FormsOfCode,
-    group_count
+    GroupCount
 };
-constexpr std::array<const char*, group_count> group_names{
+constexpr std::array<const char*, GroupCount> group_names{
     "operators in float", "operators in double", "helpers in float",
     "helpers in double",  "formulas in float",   "formulas in double",
     "forms in float",     "forms in double",     "forms of machine code"};
 
-using Tallies = std::array<InclusionTally, group_count>;
+using Tallies = std::array<InclusionTally, GroupCount>;
 
 template <class Real>
 void check_operators(OperatorRange<Real> range, int boxes, RandomNumbers& random,
@@ -181,7 +181,7 @@ private:
         }
     }
     void add(const Tallies& found) {
-        for (std::size_t group = 0; group < group_count; ++group)
+        for (std::size_t group = 0; group < GroupCount; ++group)
             tallies_.at(group) += found.at(group);
         const std::uint64_t checks = total(tallies_);
         if (finished_ % 1000 == 999) {
@@ -202,7 +202,7 @@ private:
 
 int report(const Tallies& tallies) {
     std::uint64_t failures = 0;
-    for (std::size_t group = 0; group < group_count; ++group) {
+    for (std::size_t group = 0; group < GroupCount; ++group) {
         const InclusionTally& tally = tallies.at(group);
         failures += tally.failures;
         std::printf("%-20s %12llu checks, %llu failures\n", group_names.at(group),

@@ -5,8 +5,11 @@
 #include "tests/support/op_names.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 
@@ -21,7 +24,8 @@ Input<Real> constant_input(RandomNumbers& random) {
     const double lo =
         random.one_in(2) ? random.number<double>() : static_cast<double>(random.number<float>());
     const double hi = random.one_in(2) ? lo : std::nextafter(lo, infinity);
-    Facts facts{.nonnegative = lo >= 0, .uniform = true, .constant = Interval<double>{-lo, hi}};
+    const Facts facts{
+        .nonnegative = lo >= 0, .uniform = true, .constant = Interval<double>{-lo, hi}};
     return {{enclosing(Real{}, -lo), enclosing(Real{}, hi)}, facts};
 }
 
@@ -130,13 +134,15 @@ std::vector<std::array<double, 3>> Inputs<Real>::points(const OpInfo& info,
                                                         RandomNumbers& random) const {
     using Point = std::array<double, 3>;
     std::vector<Point> result;
+    // Zeros of either sign differ, and a NaN is itself.
+    const auto bits_of = [](const Point& point) {
+        return std::bit_cast<std::array<std::uint64_t, 3>>(point);
+    };
     for (int i = 0; i < points_a_box; ++i) {
         Point point{};
         for (std::size_t k = 0; k < static_cast<std::size_t>(info.arity); ++k)
             point.at(k) = of.at(k).point(random);
-        const auto is_same = [&](const Point& other) {
-            return std::memcmp(&point, &other, sizeof point) == 0;
-        };
+        const auto is_same = [&](const Point& other) { return bits_of(point) == bits_of(other); };
         if (std::ranges::none_of(result, is_same)) result.push_back(point);
     }
     return result;

@@ -79,6 +79,7 @@ template <class Real>
 using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Real* out);
 
 // Defines a Caller for registers of `bytes` bytes, compiled for a machine that has them.
+// NOLINTBEGIN(bugprone-macro-parentheses): attributes of a function
 #define ZEROSET_CALLER(name, bytes, attributes)                                                  \
     template <class Real>                                                                        \
     attributes void name(void* code, int arity, const Real* a, const Real* b, Real* out) {       \
@@ -91,6 +92,7 @@ using Caller = void (*)(void* code, int arity, const Real* a, const Real* b, Rea
                                         : reinterpret_cast<Lanes (*)(Lanes, Lanes)>(code)(x, y); \
         std::memcpy(out, &result, bytes);                                                        \
     }
+// NOLINTEND(bugprone-macro-parentheses)
 ZEROSET_CALLER(call_128, 16, )
 ZEROSET_CALLER(call_256, 32, __attribute__((target("avx2"))))
 ZEROSET_CALLER(call_512, 64, __attribute__((target("avx512f"))))

@@ -207,6 +207,7 @@ double enneper(Arguments a) {
         return f;                                                         \
     }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 References polynomials() {
     return {
         {"f_bicorn", field(ZEROSET_TERMS(y2 * (p[1] * p[1] - (x2 + z2)) -

@@ -156,6 +156,7 @@ MpfrNumber pi() {
     return result;
 }
 
+// NOLINTNEXTLINE(readability-function-size): one switch over all operators
 Reference reference(Op op, int n, const MpfrNumber& a, const MpfrNumber& b, const MpfrNumber& c) {
     if (!a.is_finite() || !b.is_finite() || !c.is_finite()) return unknown();
     switch (op) {

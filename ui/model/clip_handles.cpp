@@ -79,8 +79,8 @@ void add_ball(std::vector<Handle>& handles, const Ball& ball, const ViewFrame& v
     // Off the axes, so that no face's handle stands there.
     const glm::dvec3 outward = std::numbers::sqrt2 / 2 * (view.right + view.up);
     const glm::dvec3 rim = ball.centre + ball.radius * outward;
-    handles.push_back({{HandlePart::BallCentre}, ball.centre, ball.centre});
-    handles.push_back({{HandlePart::BallRadius}, rim, rim});
+    handles.push_back({{.part = HandlePart::BallCentre}, ball.centre, ball.centre});
+    handles.push_back({{.part = HandlePart::BallRadius}, rim, rim});
 }
 
 void add_section(std::vector<Handle>& handles, std::size_t index, const Clipping& clipping,
@@ -89,10 +89,12 @@ void add_section(std::vector<Handle>& handles, std::size_t index, const Clipping
     const glm::dvec3 from = section_middle(section, clipping.clip);
     const glm::dvec3 reach = stem * height_at(view, from) * section.normal;
     if (!is_end_on(view, from, section.normal)) {
-        handles.push_back(
-            {{HandlePart::SectionPlace, index}, from, from + arrow_part * reach, section.normal});
+        handles.push_back({{.part = HandlePart::SectionPlace, .index = index},
+                           from,
+                           from + arrow_part * reach,
+                           section.normal});
     }
-    handles.push_back({{HandlePart::SectionTilt, index}, from, from + reach});
+    handles.push_back({{.part = HandlePart::SectionTilt, .index = index}, from, from + reach});
 }
 
 double distance_to_stem(const glm::dvec2& from, const glm::dvec2& at, const glm::dvec2& cursor) {
@@ -237,7 +239,7 @@ std::vector<Handle> clip_handles(const Clipping& clipping, const ViewFrame& view
         const glm::dvec3 at = face_middle(clipping.clip, face);
         const glm::dvec3 along = face_normal(face);
         if (is_end_on(view, at, along)) continue;
-        handles.push_back({{HandlePart::BoxFace, face}, at, at, along});
+        handles.push_back({{.part = HandlePart::BoxFace, .index = face}, at, at, along});
     }
     if (clipping.region.ball) add_ball(handles, *clipping.region.ball, view);
     for (std::size_t i = 0; i < clipping.region.sections.size(); ++i)
@@ -265,12 +267,17 @@ std::optional<Handle> handle_under(std::span<const Handle> handles, const ViewFr
 HandleDrag grabbed(const Handle& handle, const Clipping& clipping, const ViewFrame& view,
                    const glm::dvec2& cursor) {
     const auto seen = place_in_view(view, handle.at);
-    return {handle, clipping, clipping, seen ? seen->place - cursor : glm::dvec2(0.0)};
+    return {.handle = handle,
+            .start = clipping,
+            .last = clipping,
+            .off = seen ? seen->place - cursor : glm::dvec2(0.0)};
 }
 
 Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const glm::dvec2& cursor,
                  int height_px, const DragKeys& keys) {
-    const Aim aim{view, cursor + drag.off, height_at(view, drag.handle.at) / height_px};
+    const Aim aim{.view = view,
+                  .place = cursor + drag.off,
+                  .pixel = height_at(view, drag.handle.at) / height_px};
     switch (drag.handle.id.part) {
         case HandlePart::BoxFace: return with_face(drag, aim, keys);
         case HandlePart::BallCentre: return with_centre(drag, aim);
@@ -288,7 +295,8 @@ void hold(std::vector<Handle>& handles, const HandleDrag& drag, const Clipping& 
     const double stem = glm::distance(drag.handle.at, drag.handle.from);
     for (Handle& handle : handles) {
         const bool tilts = handle.id == id;
-        if (!tilts && handle.id != HandleId{HandlePart::SectionPlace, id.index}) continue;
+        if (!tilts && handle.id != HandleId{.part = HandlePart::SectionPlace, .index = id.index})
+            continue;
         handle.from = drag.handle.from;
         handle.at = handle.from + (tilts ? stem : arrow_part * stem) * normal;
     }

@@ -27,8 +27,11 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
     for (const Action& action : actions()) {
         if (&action == &action_named("Find a command...")) continue;
         const bool on = action.is_on != nullptr && action.is_on(state);
-        lines.push_back(
-            {action.name, shown_keys(action), is_enabled(action, state), on, action.run});
+        lines.push_back({.text = action.name,
+                         .hint = shown_keys(action),
+                         .enabled = is_enabled(action, state),
+                         .is_on = on,
+                         .run = action.run});
     }
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
         lines.push_back({state.shown.gallery[i].title, state.shown.gallery[i].group, true, false,
@@ -140,6 +143,7 @@ std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& 
     std::ranges::stable_sort(scored, std::ranges::greater{},
                              [](const auto& entry) { return entry.first; });
     std::vector<PaletteLine> lines;
+    lines.reserve(scored.size());
     for (auto& [score, line] : scored)
         lines.push_back(std::move(line));
     return lines;

@@ -58,7 +58,8 @@ void draw_question(Question& question, const Palette& colors) {
 
 /// Draws a question that cancels the desktop's file dialog, while that is open.
 void draw_waiting(FileChoice& choice, const Palette& colors) {
-    Question question{"Choose the file in the desktop's dialog.", {"Cancel"}, {}};
+    Question question{
+        .text = "Choose the file in the desktop's dialog.", .answers = {"Cancel"}, .chosen = {}};
     draw_question(question, colors);
     if (question.chosen) choice.finished = true;
 }

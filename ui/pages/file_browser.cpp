@@ -79,7 +79,7 @@ void accept(FileChoice& choice) {
 
 void draw_places(FileChoice& choice, const Palette& colors) {
     const float size = ImGui::GetFrameHeight();
-    if (icon_button("##up", Icon::Up, {size, colors.quiet}, "The folder above")) {
+    if (icon_button("##up", Icon::Up, {.size = size, .color = colors.quiet}, "The folder above")) {
         go_to(choice, fs::path(choice.folder).parent_path());
     }
     ImGui::SameLine();

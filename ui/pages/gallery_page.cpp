@@ -63,7 +63,7 @@ void draw_head(GalleryPage& page, const Palette& colors) {
         page.follow = true;
     }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
-    if (icon_button("##close", Icon::Cross, {size, colors.quiet}, "Close (Esc)")) {
+    if (icon_button("##close", Icon::Cross, {.size = size, .color = colors.quiet}, "Close (Esc)")) {
         page.open = false;
     }
 }
@@ -74,7 +74,10 @@ Grid grid_of(float width) {
     const float card = std::floor((width - (columns - 1.0F) * gap) / columns);
     const float picture = std::floor(picture_aspect * card);
     const float texts = 2.0F * ImGui::GetTextLineHeight() + em(0.9F);
-    return {static_cast<int>(columns), card, picture, picture + texts};
+    return {.columns = static_cast<int>(columns),
+            .card_width = card,
+            .picture_height = picture,
+            .card_height = picture + texts};
 }
 
 void follow_arrows(GalleryPage& page, const std::vector<Card>& cards) {

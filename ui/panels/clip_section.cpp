@@ -29,16 +29,16 @@ constexpr const char* about_free = "free: at first across the view, through the 
 
 /// Draws input fields for numbers side by side on the rest of the line; true when a finite one was
 /// typed.
-template <std::size_t Count>
-bool draw_numbers(const char* id, const std::array<double*, Count>& numbers) {
+template <std::size_t count>
+bool draw_numbers(const char* id, const std::array<double*, count>& numbers) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
-    const float width = (room - gap * static_cast<float>(Count - 1)) / static_cast<float>(Count);
+    const float width = (room - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
     bool typed = false;
     ImGui::PushID(id);
-    for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0.0F, gap);
-        ImGui::SetNextItemWidth(i + 1 == Count ? -FLT_MIN : width);
+        ImGui::SetNextItemWidth(i + 1 == count ? -FLT_MIN : width);
         ImGui::PushID(static_cast<int>(i));
         double number = *numbers[i];
         if (ImGui::InputDouble("##number", &number, 0.0, 0.0, "%.6g") &&
@@ -88,7 +88,8 @@ void draw_ball(Edited& edited) {
     bool on = ball.has_value();
     const Box& clip = edited.document.clip;
     if (ImGui::Checkbox("Sphere", &on)) {
-        ball = on ? std::optional(Ball{clip.centre(), 0.5 * clip.size()}) : std::nullopt;
+        ball = on ? std::optional(Ball{.centre = clip.centre(), .radius = 0.5 * clip.size()})
+                  : std::nullopt;
     }
     draw_tooltip("Shows only what is in a sphere.");
     ImGui::SameLine(0.0F, em(1.2F));
@@ -127,7 +128,7 @@ void draw_place(const Box& clip, Section& section) {
     const glm::dvec3 across = glm::abs(section.normal);
     const double middle = sign * glm::dot(section.normal, clip.centre());
     const double reach = 0.5 * glm::dot(across, clip.hi - clip.lo);
-    Slider usual{.value = middle, .lo = middle - reach, .hi = middle + reach};
+    const Slider usual{.value = middle, .lo = middle - reach, .hi = middle + reach};
     Slider slider = usual;
     set_value(slider, sign * section.offset);
     draw_slider("##place", slider, usual, 0.0F);
@@ -149,7 +150,8 @@ bool draw_section(Edited& edited, Section& section) {
         }
     }
     const float size = ImGui::GetFrameHeight();
-    if (ImGui::Button("Flip")) section = {-section.normal, -section.offset, section.cap};
+    if (ImGui::Button("Flip"))
+        section = {.normal = -section.normal, .offset = -section.offset, .cap = section.cap};
     draw_tooltip("Keeps the other side.");
     ImGui::SameLine();
     ImGui::Checkbox("cap", &section.cap);

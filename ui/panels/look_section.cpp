@@ -34,7 +34,7 @@ void draw_color_by(ColorChoice& coloring) {
     for (const ColorBy by : color_modes()) {
         if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
         // Settings of the old quantity mean nothing for the new one.
-        coloring = {by, coloring.expression};
+        coloring = {.by = by, .expression = coloring.expression};
     }
     ImGui::EndCombo();
 }
@@ -54,7 +54,7 @@ void draw_expression(std::string& expression, const std::string& error, const Pa
 
 void draw_map_preview(ImDrawList& canvas, const ImVec2& lo, ColorMap map) {
     const float height = ImGui::GetTextLineHeight();
-    draw_shapes(canvas, lo, {MapBar{{0.0, 0.0}, {em(6.0F), height}, map}});
+    draw_shapes(canvas, lo, {MapBar{.lo = {0.0, 0.0}, .hi = {em(6.0F), height}, .map = map}});
 }
 
 void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {

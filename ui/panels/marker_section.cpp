@@ -74,7 +74,7 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected) {
         text.c_str(), nullptr, 0.0F, &clip);
     ImGui::PopFont();
     draw_number(marker, is_selected, lo, height, colors);
-    const IconLook look{height, colors.quiet};
+    const IconLook look{.size = height, .color = colors.quiet};
     ImGui::SameLine(left + width - 2.0F * height, 0.0F);
     if (icon_button("##copy", Icon::Copy, look, "Copy the coordinates")) {
         set_clipboard(coordinates_text(marker.at));

@@ -116,7 +116,8 @@ void draw_row(Edited& edited, const std::string& name) {
     draw_slider("##value", slider, first_slider(name), size);
     ImGui::SameLine(0.0F, 0.0F);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
-    if (icon_button("##more", Icon::More, {size, colors.quiet}, "Range, step and speed")) {
+    if (icon_button("##more", Icon::More, {.size = size, .color = colors.quiet},
+                    "Range, step and speed")) {
         ImGui::OpenPopup("##settings");
     }
     draw_settings("##settings", slider);

@@ -53,7 +53,7 @@ void draw_header(UiState& state) {
     const Palette& colors = palette(state.edited.theme);
     const float size = button_size();
     const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    const IconLook look{size, colors.quiet};
+    const IconLook look{.size = size, .color = colors.quiet};
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(em(0.2F), em(0.4F)));
     draw_document_menu(state, look);
     ImGui::SameLine();

@@ -70,11 +70,11 @@ void draw_space_section(UiState& state) {
     draw_switch(state, "Grid", "Grid");
     draw_up(state);
     draw_switch(state, "Turn freely", "Turn freely");
-    constexpr std::array<Button, 5> views{{{"Front", "View from the front"},
-                                           {"Right", "View from the right"},
-                                           {"Top", "View from above"},
-                                           {"Corner", "Isometric view"},
-                                           {"Frame", "Frame the surface"}}};
+    constexpr std::array<Button, 5> views{{{.label = "Front", .action = "View from the front"},
+                                           {.label = "Right", .action = "View from the right"},
+                                           {.label = "Top", .action = "View from above"},
+                                           {.label = "Corner", .action = "Isometric view"},
+                                           {.label = "Frame", .action = "Frame the surface"}}};
     draw_buttons(state, views);
 }
 

@@ -101,7 +101,7 @@ CaretLines caret_lines(ImGuiID field, const std::string& text) {
     const ImWchar* const begin = typing->TextW.Data;
     const ImWchar* const caret = begin + std::min(typing->Stb.cursor, typing->CurLenW);
     const auto before = std::count(begin, caret, static_cast<ImWchar>('\n'));
-    return {before == 0, before == lines_of(text) - 1};
+    return {.first = before == 0, .last = before == lines_of(text) - 1};
 }
 
 /// Asks ImGui for the keyboard, which it gives in the next frame. A second request in that frame

@@ -132,7 +132,7 @@ RowEvent draw_buttons(const Row& row, float height) {
     const float left = ImGui::GetCursorPosX();
     const float top = ImGui::GetCursorPosY() + 0.5F * (height - size);
     Statement& statement = row.statement;
-    const IconLook look{size, row.colors.quiet};
+    const IconLook look{.size = size, .color = row.colors.quiet};
     if (row.is_surface()) {
         ImGui::SetCursorPosY(top);
         const bool seen = statement.visible;

@@ -32,7 +32,7 @@ void draw_d_stop(StopCriterion& stop) {
                        : stop.rule == StopRule::Delta ? "delta"
                                                       : nullptr;
     if (draw_integer_slider("##d_stop", depth, min_d_stop, max_d_stop, rule)) {
-        stop = {StopRule::DStop, static_cast<double>(depth)};
+        stop = {.rule = StopRule::DStop, .value = static_cast<double>(depth)};
     }
 }
 

@@ -28,9 +28,11 @@ constexpr double hidden_part = 0.4;
 constexpr double outline_part = 0.85;  ///< opacity of what the pointer's handle moves
 constexpr double faint_part = 0.3;     ///< of a ball's outline otherwise
 
-Clipping clipping_of(const Document& document) { return {document.clip, document.region}; }
+Clipping clipping_of(const Document& document) {
+    return {.clip = document.clip, .region = document.region};
+}
 
-DragKeys keys_held() { return {ImGui::GetIO().KeyShift, ImGui::GetIO().KeyCtrl}; }
+DragKeys keys_held() { return {.shift = ImGui::GetIO().KeyShift, .ctrl = ImGui::GetIO().KeyCtrl}; }
 
 void take_over(Document& document, const Clipping& clipping) {
     document.clip = clipping.clip;

@@ -64,6 +64,7 @@ public:
     }
     void operator()(const ConvexPolygon& polygon) {
         std::vector<ImVec2> corners;
+        corners.reserve(polygon.corners.size());
         for (const glm::dvec2& corner : polygon.corners)
             corners.push_back(place(corner));
         list_.AddConvexPolyFilled(corners.data(), static_cast<int>(corners.size()), polygon.color);

@@ -22,10 +22,10 @@ struct FontChoice {
 };
 
 /// File and size of each FontRole, indexed by it.
-constexpr std::array<FontChoice, 4> choices{{{"DejaVuSans.ttf", 14.0F},
-                                             {"DejaVuSans.ttf", 12.0F},
-                                             {"DejaVuSansMono.ttf", 15.0F},
-                                             {"DejaVuSansMono.ttf", 12.0F}}};
+constexpr std::array<FontChoice, 4> choices{{{.file = "DejaVuSans.ttf", .size = 14.0F},
+                                             {.file = "DejaVuSans.ttf", .size = 12.0F},
+                                             {.file = "DejaVuSansMono.ttf", .size = 15.0F},
+                                             {.file = "DejaVuSansMono.ttf", .size = 12.0F}}};
 
 /// Ranges of characters (first, last) that formulas and their explanations use; ends with 0.
 constexpr std::array<ImWchar, 17> glyph_ranges{

@@ -74,9 +74,10 @@ FieldView view_of(ImGuiID field, ImGuiWindow& window) {
     ImRect inside = window.Rect();
     inside.Max.x -= window.ScrollbarSizes.x;
     const float scroll_x = state != nullptr ? state->ScrollX : 0.0F;
-    return {
-        &window, inside,
-        ImVec2(inside.Min.x + padding.x - scroll_x, inside.Min.y + padding.y - window.Scroll.y)};
+    return {.window = &window,
+            .inside = inside,
+            .text_pos = ImVec2(inside.Min.x + padding.x - scroll_x,
+                               inside.Min.y + padding.y - window.Scroll.y)};
 }
 
 void draw_error_mark(const FieldView& view, const std::string& text, std::size_t at,

@@ -28,7 +28,8 @@ GuiContext::~GuiContext() {
 }
 
 void GuiContext::begin_frame(Theme theme, float content_scale, float pixels_per_point) {
-    const Look look{theme, content_scale, pixels_per_point};
+    const Look look{
+        .theme = theme, .content_scale = content_scale, .pixels_per_point = pixels_per_point};
     if (look != look_) {
         const bool same_fonts = look_.content_scale == content_scale;
         look_ = look;

@@ -88,7 +88,8 @@ void OffscreenWindow::begin_frame(Theme theme) {
 void OffscreenWindow::end_frame() { GuiContext::end_frame(size_px_.x, size_px_.y); }
 
 WindowSize OffscreenWindow::size() const {
-    return {scaled(size_px_.x, 1.0F / scale_), scaled(size_px_.y, 1.0F / scale_)};
+    return {.width = scaled(size_px_.x, 1.0F / scale_),
+            .height = scaled(size_px_.y, 1.0F / scale_)};
 }
 
 void OffscreenWindow::point(glm::vec2 at, bool pressed) {

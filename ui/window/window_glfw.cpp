@@ -126,7 +126,7 @@ private:
     static GlfwWindow& of(GLFWwindow* handle, InputEvent::Kind kind) {
         GlfwWindow& window = of(handle);
         if (!window.events_.input) {
-            window.events_.input = InputEvent{kind, std::chrono::steady_clock::now()};
+            window.events_.input = InputEvent{.kind = kind, .at = std::chrono::steady_clock::now()};
         }
         return window;
     }
@@ -218,11 +218,16 @@ int key_of(int key, int scancode) {
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     of(handle, InputEvent::Kind::Key)
-        .keys_.push({key_of(key, scancode), scancode, action, mods, 0});
+        .keys_.push({.key = key_of(key, scancode),
+                     .scancode = scancode,
+                     .action = action,
+                     .mods = mods,
+                     .character = 0});
 }
 
 void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
-    of(handle, InputEvent::Kind::Key).keys_.push({0, 0, 0, 0, character});
+    of(handle, InputEvent::Kind::Key)
+        .keys_.push({.key = 0, .scancode = 0, .action = 0, .mods = 0, .character = character});
 }
 
 void GlfwWindow::feed_keys() {
@@ -276,7 +281,7 @@ WindowSize GlfwWindow::size() const {
     const auto at_scale_1 = [scale = content_scale()](int length) {
         return static_cast<int>(std::lround(static_cast<float>(length) / scale));
     };
-    return {at_scale_1(size.width), at_scale_1(size.height), false};
+    return {.width = at_scale_1(size.width), .height = at_scale_1(size.height), .maximized = false};
 }
 
 void GlfwWindow::begin_frame(Theme theme) {

@@ -19,7 +19,8 @@ std::optional<InputError> read_map(const std::string& text, ColorChoice& colorin
     std::string names;
     for (const ColorMap map : color_maps())
         names += " " + std::string(name_of(map));
-    return InputError{"--color-map " + text + ": there is no such map; type one of:" + names};
+    return InputError{.reason =
+                          "--color-map " + text + ": there is no such map; type one of:" + names};
 }
 
 std::optional<InputError> read_range(const std::string& text, ColorChoice& coloring) {
@@ -29,10 +30,10 @@ std::optional<InputError> read_range(const std::string& text, ColorChoice& color
     }
     const auto numbers = read_numbers("--color-range", text, 2);
     if (!numbers) return numbers.error();
-    const ValueRange range{(*numbers)[0], (*numbers)[1]};
+    const ValueRange range{.lo = (*numbers)[0], .hi = (*numbers)[1]};
     if (!(range.lo < range.hi)) {
-        return InputError{"--color-range " + text +
-                          ": the first number must be below the second, for example 0,1"};
+        return InputError{.reason = "--color-range " + text +
+                                    ": the first number must be below the second, for example 0,1"};
     }
     coloring.range = range;
     return std::nullopt;
@@ -53,8 +54,8 @@ std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
         const auto at = read_numbers("--mark", mark, 3);
         if (!at) return at.error();
         if (add_marker(markers, {(*at)[0], (*at)[1], (*at)[2]}) == 0) {
-            return InputError{"--mark " + mark + ": there are " + std::to_string(most_markers) +
-                              " markers already"};
+            return InputError{.reason = "--mark " + mark + ": there are " +
+                                        std::to_string(most_markers) + " markers already"};
         }
     }
     return std::nullopt;

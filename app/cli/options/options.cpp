@@ -50,7 +50,8 @@ OrInputError<Box> read_box(const std::string& text) {
     const auto numbers = read_numbers("--box", text, cube ? 1 : 6);
     if (!numbers) return std::unexpected(numbers.error());
     const std::vector<double>& n = *numbers;
-    const Box box = cube ? Box::cube(n[0]) : Box{{n[0], n[2], n[4]}, {n[1], n[3], n[5]}};
+    const Box box =
+        cube ? Box::cube(n[0]) : Box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
     for (int i = 0; i < 3; ++i) {
         if (!(box.lo[i] < box.hi[i])) {
             return wrong_input(
@@ -101,7 +102,8 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
         const auto degrees = read_number("--fov", *view.fov);
         if (!degrees) return degrees.error();
         if (!(*degrees >= 0.01 && *degrees <= 170)) {
-            return InputError{"--fov " + *view.fov + ": type an angle from 0.01 to 170 degrees"};
+            return InputError{.reason = "--fov " + *view.fov +
+                                        ": type an angle from 0.01 to 170 degrees"};
         }
         camera.fov_rad = glm::radians(*degrees);
     }
@@ -110,7 +112,7 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
         if (!projection) return projection.error();
         camera.projection = *projection;
     }
-    if (const char* defect = camera_defect(camera)) return InputError{defect};
+    if (const char* defect = camera_defect(camera)) return InputError{.reason = defect};
     document.camera = camera;
     return std::nullopt;
 }
@@ -164,7 +166,7 @@ std::optional<InputError> check_parameters(const Program& program,
             for (const std::string& parameter : program.parameters)
                 known += " " + parameter;
         }
-        return InputError{"--set " + name + ": there is no such parameter; " + known};
+        return InputError{.reason = "--set " + name + ": there is no such parameter; " + known};
     }
     return std::nullopt;
 }
@@ -259,7 +261,7 @@ OrInputError<Size> read_size(const std::string& option, const std::string& text)
     if (static_cast<long long>(*width) * *height > most_pixels) {
         return wrong_input(option + " " + text + ": more than 100 million pixels");
     }
-    return Size{*width, *height};
+    return Size{.width = *width, .height = *height};
 }
 
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view) {
@@ -315,7 +317,7 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
     if (text.d_stop) {
         const auto depth = read_integer("--dstop", *text.d_stop, 1, max_d_stop);
         if (!depth) return std::unexpected(depth.error());
-        settings.stop = {StopRule::DStop, static_cast<double>(*depth)};
+        settings.stop = {.rule = StopRule::DStop, .value = static_cast<double>(*depth)};
     }
     for (const auto& [option, typed, rule] :
          {std::tuple{"--epsilon", &text.epsilon, StopRule::Epsilon},
@@ -325,7 +327,7 @@ OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {
         if (!value) return std::unexpected(value.error());
         if (!(*value > 0))
             return wrong_input(std::string(option) + " " + **typed + ": must be above 0");
-        settings.stop = {rule, *value};
+        settings.stop = {.rule = rule, .value = *value};
     }
     if (text.threads) {
         const auto threads = read_integer("--threads", *text.threads, 1, 1024);

@@ -16,7 +16,8 @@ OrInputError<Ball> read_ball(const std::string& text) {
     const auto numbers = read_numbers("--sphere", text, centred ? 1 : 4);
     if (!numbers) return std::unexpected(numbers.error());
     const std::vector<double>& n = *numbers;
-    const Ball ball = centred ? Ball{glm::dvec3(0.0), n[0]} : Ball{{n[0], n[1], n[2]}, n[3]};
+    const Ball ball = centred ? Ball{.centre = glm::dvec3(0.0), .radius = n[0]}
+                              : Ball{.centre = {n[0], n[1], n[2]}, .radius = n[3]};
     if (!(ball.radius > 0)) return wrong_input("--sphere " + text + ": the radius must be above 0");
     if (std::ranges::any_of(n, [](double x) { return std::abs(x) > largest; }))
         return wrong_input("--sphere " + text + ": stay between -1e9 and 1e9");
@@ -40,7 +41,7 @@ OrInputError<Section> read_axis_section(const std::string& text, std::size_t sig
     const auto i = static_cast<int>(axis);
     const bool keeps_above = text[sign] == '>' || (text[sign] == '=' && eye[i] < *place);
     normal[i] = keeps_above ? -1.0 : 1.0;
-    return Section{normal, normal[i] * *place};
+    return Section{.normal = normal, .offset = normal[i] * *place};
 }
 
 OrInputError<Section> read_section(const std::string& text, const glm::dvec3& eye) {

@@ -49,9 +49,9 @@ std::optional<InputError> check_solids(const Program& program,
     const auto count = static_cast<int>(program.surfaces.size());
     for (const SolidChoice& choice : choices) {
         if (choice.surface && *choice.surface > count) {
-            return InputError{"--solid " + std::to_string(*choice.surface) +
-                              ": there is no such surface; the formula has " +
-                              std::to_string(count)};
+            return InputError{.reason = "--solid " + std::to_string(*choice.surface) +
+                                        ": there is no such surface; the formula has " +
+                                        std::to_string(count)};
         }
     }
     return std::nullopt;

@@ -188,7 +188,8 @@ void MarkReader::end_part() {
     Frame& here = frame();
     const std::size_t comparisons = here.comparisons + here.equals;
     if (!here.bars.empty()) {
-        const BarPlace place{comparisons - here.part_begin, wants_condition()};
+        const BarPlace place{.comparisons = comparisons - here.part_begin,
+                             .is_condition = wants_condition()};
         for (const std::size_t bar : bars_that_mean_or(tokens_, here.bars, place, notes_)) {
             marks_[bar] = Mark::Or;
             ++here.comparisons;

@@ -301,7 +301,7 @@ SyntaxParser::Parsed SyntaxParser::bare_argument() {
         goes_on = false;
     }
     if (operands.size() == 1) return first;
-    std::string marks(operands.size() - 1, '*');
+    const std::string marks(operands.size() - 1, '*');
     return add(SyntaxKind::Product, offset, std::move(operands), marks);
 }
 
@@ -312,7 +312,7 @@ SyntaxParser::Parsed SyntaxParser::call(const Token& token, const Function& func
         if (!raised) take();
         const Parsed power_of = raised ? superscript() : signed_power();
         if (!power_of) return power_of;
-        exponent = *power_of;
+        exponent = power_of;
     }
     const bool square = next_is("[");
     List values = arguments_of(token, function);

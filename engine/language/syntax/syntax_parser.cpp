@@ -185,7 +185,9 @@ bool SyntaxParser::is_derivative() const {
 bool SyntaxParser::may_nest(int further) {
     if (depth_ + further <= max_depth) return true;
     const std::string most = std::to_string(max_depth);
-    refuse({next().offset, "the formula is nested more than " + most + " deep", {}});
+    refuse({.offset = next().offset,
+            .reason = "the formula is nested more than " + most + " deep",
+            .hint = {}});
     return false;
 }
 

@@ -8,14 +8,18 @@
 #include "engine/language/words/words.hpp"
 #include "engine/language/words/words_candidates.hpp"
 
+#include <ranges>
+
 namespace zeroset {
 
 std::expected<SyntaxTree, ParseError> SyntaxParser::text() {
     while (next().kind == TokenKind::Break)
         take();
     if (next().kind == TokenKind::End) {
-        ParseError error{next().offset, "there is no formula yet",
-                         "type one, for example x^2 + y^2 + z^2 = 1", true};
+        ParseError error{.offset = next().offset,
+                         .reason = "there is no formula yet",
+                         .hint = "type one, for example x^2 + y^2 + z^2 = 1",
+                         .unfinished = true};
         return std::unexpected(std::move(error));
     }
     while (next().kind != TokenKind::End) {
@@ -69,7 +73,9 @@ bool SyntaxParser::part_of_statement(bool is_certain, std::size_t offset) {
     statement_start_ = at_;
     if (tree_.statements.size() == ProgramLimits::statements) {
         const std::string most = std::to_string(ProgramLimits::statements);
-        refuse({next().offset, "there are more than " + most + " statements", {}});
+        refuse({.offset = next().offset,
+                .reason = "there are more than " + most + " statements",
+                .hint = {}});
         return false;
     }
     StatementSyntax statement{
@@ -233,13 +239,15 @@ SyntaxParser::Parsed SyntaxParser::block() {
         take();
     if (!next_is("}")) {
         const bool unfinished = next().kind == TokenKind::End;
-        return refuse(
-            {opener.offset, "this '{' is not closed behind 'return'", "add a '}'", unfinished});
+        return refuse({.offset = opener.offset,
+                       .reason = "this '{' is not closed behind 'return'",
+                       .hint = "add a '}'",
+                       .unfinished = unfinished});
     }
     take();
     if (!may_nest(static_cast<int>(locals.size()))) return std::nullopt;
-    for (auto local = locals.rbegin(); local != locals.rend(); ++local) {
-        result = add(SyntaxKind::Let, local->offset, {local->value, *result}, {}, local->name);
+    for (const LocalValue& local : std::views::reverse(locals)) {
+        result = add(SyntaxKind::Let, local.offset, {local.value, *result}, {}, local.name);
     }
     return result;
 }
@@ -268,8 +276,9 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
 std::expected<SyntaxTree, ParseError> read_syntax(std::string_view text, std::size_t counted_end) {
     if (text.size() > ProgramLimits::text) {
         const std::string most = std::to_string(ProgramLimits::text);
-        return std::unexpected(
-            ParseError{ProgramLimits::text, "the text is longer than " + most + " bytes", {}});
+        return std::unexpected(ParseError{.offset = ProgramLimits::text,
+                                          .reason = "the text is longer than " + most + " bytes",
+                                          .hint = {}});
     }
     Notes notes;
     Notes unused;

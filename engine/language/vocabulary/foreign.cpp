@@ -20,8 +20,9 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     };
     if (is_one_of({"vec", "vec2", "vec3", "vec4", "mat2", "mat3", "mat4", "float2", "float3",
                    "float4", "vector", "ivec2", "ivec3", "dvec2", "dvec3"})) {
-        return ParseError{offset, "vectors are not read: " + quoted(name),
-                          "write their components as numbers of their own"};
+        return ParseError{.offset = offset,
+                          .reason = "vectors are not read: " + quoted(name),
+                          .hint = "write their components as numbers of their own"};
     }
     constexpr std::array parts = {"noise", "perlin", "turbulence", "simplex", "fbm"};
     const bool is_noise =
@@ -30,34 +31,41 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
                    "f_hetero_mf", "f_ridge", "f_ridged_mf", "f_ripples", "f_spotted", "f_waves",
                    "f_wrinkles"});
     if (is_noise) {
-        return ParseError{offset, "there is no noise here: " + quoted(name) + " is not known",
-                          "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
+        return ParseError{.offset = offset,
+                          .reason = "there is no noise here: " + quoted(name) + " is not known",
+                          .hint = "leave it out, or type waves such as sin(5x) sin(5y) sin(5z)"};
     }
     if (is_one_of({"mandelfractal", "juliafractal", "mandelbulb", "f_mandel"})) {
-        return ParseError{offset, "iterations are not read: " + quoted(name) + " repeats a step",
-                          "type a formula that does without it"};
+        return ParseError{.offset = offset,
+                          .reason = "iterations are not read: " + quoted(name) + " repeats a step",
+                          .hint = "type a formula that does without it"};
     }
     if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
-        return ParseError{offset, quoted(name) + " of POV-Ray gives a colour or a vector",
-                          "type a formula that gives a number"};
+        return ParseError{.offset = offset,
+                          .reason = quoted(name) + " of POV-Ray gives a colour or a vector",
+                          .hint = "type a formula that gives a number"};
     }
     if (word == "for") {
-        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
-                          "put a condition behind a comma: z = x^2, x > 0"};
+        return ParseError{.offset = offset,
+                          .reason = quoted(name) + " belongs to a program, which is not read",
+                          .hint = "put a condition behind a comma: z = x^2, x > 0"};
     }
     if (word == "def" || word == "lambda") {
-        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
-                          "define the function as f(x, y, z) = x^2 + y^2 - z"};
+        return ParseError{.offset = offset,
+                          .reason = quoted(name) + " belongs to a program, which is not read",
+                          .hint = "define the function as f(x, y, z) = x^2 + y^2 - z"};
     }
     if (is_one_of({"while", "return", "void", "else", "struct", "uniform", "import"})) {
-        return ParseError{offset, quoted(name) + " belongs to a program, which is not read",
-                          "type its formulas, each on a line of its own"};
+        return ParseError{.offset = offset,
+                          .reason = quoted(name) + " belongs to a program, which is not read",
+                          .hint = "type its formulas, each on a line of its own"};
     }
     if (is_one_of({"contourplot3d", "plot3d", "implicitplot3d", "implicitplot", "implicit_plot3d",
                    "fimplicit3", "fimplicit", "isosurface", "parametricplot3d", "show",
                    "manipulate"})) {
-        return ParseError{offset, quoted(name) + " is a command of another program",
-                          "type only the equation in it"};
+        return ParseError{.offset = offset,
+                          .reason = quoted(name) + " is a command of another program",
+                          .hint = "type only the equation in it"};
     }
     return std::nullopt;
 }
@@ -106,11 +114,13 @@ ParseError error_for_part(std::string_view part, std::size_t offset) {
     constexpr std::array<std::string_view, 8> colours{"hf",    "gray", "grey",   "red",
                                                       "green", "blue", "filter", "transmit"};
     if (std::ranges::find(colours, part) != colours.end()) {
-        return {offset, "." + std::string(part) + " is a part of a colour, which is not read",
-                "type a formula that gives a number"};
+        return {.offset = offset,
+                .reason = "." + std::string(part) + " is a part of a colour, which is not read",
+                .hint = "type a formula that gives a number"};
     }
-    return {offset, "vectors and their parts are not read",
-            "write the components as numbers of their own"};
+    return {.offset = offset,
+            .reason = "vectors and their parts are not read",
+            .hint = "write the components as numbers of their own"};
 }
 
 }  // namespace zeroset

@@ -87,19 +87,36 @@ std::vector<Function> make_table() {
     for (const OpInfo& info : operators()) {
         if (info.notation != Notation::Call) continue;
         const bool folds = info.op == Op::Min || info.op == Op::Max;
-        table.push_back({info.spelling, info.arity, folds ? -1 : info.arity,
-                         arguments_of(info.op, info.arity), info.about, info.op, std::nullopt});
+        table.push_back({.name = info.spelling,
+                         .least = info.arity,
+                         .most = folds ? -1 : info.arity,
+                         .arguments = arguments_of(info.op, info.arity),
+                         .meaning = info.about,
+                         .op = info.op,
+                         .composed = std::nullopt});
     }
-#define ZEROSET_FUNCTION(id, name, least, most, arguments, meaning) \
-    table.push_back({name, least, most, arguments, meaning, std::nullopt, Composed::id});
+#define ZEROSET_FUNCTION(id, word, fewest, greatest, list, about) \
+    table.push_back({.name = (word),                              \
+                     .least = (fewest),                           \
+                     .most = (greatest),                          \
+                     .arguments = (list),                         \
+                     .meaning = (about),                          \
+                     .op = std::nullopt,                          \
+                     .composed = Composed::id});
 #include "engine/language/vocabulary/functions.def"
 #undef ZEROSET_FUNCTION
     const auto count = [](std::string_view arguments) {
         return 1 + static_cast<int>(std::ranges::count(arguments, ','));
     };
-#define ZEROSET_LIBRARY(name, arguments, meaning, body)                                          \
-    table.push_back({name, count(arguments), count(arguments), arguments, meaning, std::nullopt, \
-                     std::nullopt, body});
+#define ZEROSET_LIBRARY(word, list, about, formula) \
+    table.push_back({.name = (word),                \
+                     .least = count(list),          \
+                     .most = count(list),           \
+                     .arguments = (list),           \
+                     .meaning = (about),            \
+                     .op = std::nullopt,            \
+                     .composed = std::nullopt,      \
+                     .body = (formula)});
 #include "engine/language/vocabulary/library.def"
 #undef ZEROSET_LIBRARY
     return table;

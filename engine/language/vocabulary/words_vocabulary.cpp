@@ -69,6 +69,10 @@ bool Vocabulary::knows_word(std::string_view word) const {
     return !is_logic_word(word) && (is_built_in(word) || words_.contains(word));
 }
 
+bool Vocabulary::knows(std::string_view name) const {
+    return name.size() == 1 ? knows_letter(name[0]) : may_know(name) && knows_word(name);
+}
+
 std::vector<std::size_t> Vocabulary::pieces(std::string_view run, bool subscript) const {
     const auto unknown = std::ranges::count_if(run, [&](char c) { return !knows_letter(c); });
     const auto known_places =
@@ -92,9 +96,7 @@ std::vector<std::size_t> Vocabulary::pieces(std::string_view run, bool subscript
             const std::string_view piece = run.substr(start, length);
             if (piece == "e" && find_function(run.substr(start - last[start], last[start])))
                 continue;  // "sine" is not sin(e)
-            const bool known = length == 1 ? only_letter || knows_letter(piece[0])
-                                           : may_know(piece) && knows_word(piece);
-            if (!known) continue;
+            if (!only_letter && !knows(piece)) continue;
             best[end] = best[start] + 1;
             last[end] = length;
         }

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> pieces(std::string_view run, bool subscript) const;
 
 private:
+    /// A letter or a word.
+    [[nodiscard]] bool knows(std::string_view name) const;
     [[nodiscard]] bool may_know(std::string_view word) const;
     void expect_word(std::string_view word);
 

@@ -102,8 +102,10 @@ Done Lexer::remark() {
     if (peek() == '/' && peek(1) == '*') {
         const std::size_t end = text_.find("*/", at_ + 2);
         if (end == std::string_view::npos) {
-            return std::unexpected(
-                ParseError{at_, "this remark is not closed", "add */ where it ends", true});
+            return std::unexpected(ParseError{.offset = at_,
+                                              .reason = "this remark is not closed",
+                                              .hint = "add */ where it ends",
+                                              .unfinished = true});
         }
         const bool has_lines = text_.substr(at_, end - at_).contains('\n');
         at_ = end + 2;
@@ -222,7 +224,8 @@ Done Lexer::other_character() {
     const std::string shown =
         printable ? quoted(text_.substr(at_, point.length))
                   : "the byte " + std::to_string(static_cast<unsigned char>(peek()));
-    return std::unexpected(ParseError{at_, shown + " has no meaning here", hint});
+    return std::unexpected(
+        ParseError{.offset = at_, .reason = shown + " has no meaning here", .hint = hint});
 }
 
 Done Lexer::command() {
@@ -257,8 +260,10 @@ Done Lexer::command() {
     const std::optional<Sign> sign = sign_of_command(word);
     if (!sign) {
         return std::unexpected(ParseError{
-            at_, "the LaTeX command " + quoted(text_.substr(at_, length)) + " is not known here",
-            "leave it out or type its meaning"});
+            .offset = at_,
+            .reason =
+                "the LaTeX command " + quoted(text_.substr(at_, length)) + " is not known here",
+            .hint = "leave it out or type its meaning"});
     }
     if (sign->text.empty() && word_in_braces(at_ + length)) return {};
     push_sign(*sign, length);

@@ -61,7 +61,7 @@ private:
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
     void push(TokenKind kind, std::string_view text, std::size_t length) {
-        tokens_.push_back({kind, text, {}, at_, length});
+        tokens_.push_back({.kind = kind, .text = text, .offset = at_, .length = length});
         at_ += length;
     }
 

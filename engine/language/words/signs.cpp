@@ -7,10 +7,10 @@
 namespace zeroset {
 namespace {
 
-constexpr Sign space{TokenKind::Symbol, ""};
-constexpr Sign symbol(std::string_view text) { return {TokenKind::Symbol, text}; }
-constexpr Sign name(std::string_view text) { return {TokenKind::Name, text}; }
-constexpr Sign number(std::string_view text) { return {TokenKind::Number, text}; }
+constexpr Sign space{.kind = TokenKind::Symbol, .text = ""};
+constexpr Sign symbol(std::string_view text) { return {.kind = TokenKind::Symbol, .text = text}; }
+constexpr Sign name(std::string_view text) { return {.kind = TokenKind::Name, .text = text}; }
+constexpr Sign number(std::string_view text) { return {.kind = TokenKind::Number, .text = text}; }
 
 constexpr std::array operator_signs{
     std::pair{U'×', symbol("*")},    std::pair{U'·', symbol("*")},
@@ -35,6 +35,9 @@ struct Greek {
     char32_t code;
     std::string_view command;
     std::string_view text;
+
+    constexpr Greek(char32_t letter, std::string_view word, std::string_view read_as)
+        : code(letter), command(word), text(read_as) {}
 };
 constexpr std::array greek{
     Greek{U'α', "alpha", "α"},        Greek{U'β', "beta", "β"},     Greek{U'γ', "gamma", "γ"},
@@ -140,14 +143,14 @@ CodePoint code_point_at(std::string_view text, std::size_t start) {
     const unsigned first = byte(0);
     const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : first >= 0xC0U ? 2 : 1;
     constexpr char32_t none = 0xFFFD;
-    if (first < 0x80U) return {first, 1};
-    if (length == 1 || start + length > text.size()) return {none, 1};
+    if (first < 0x80U) return {.code = first, .length = 1};
+    if (length == 1 || start + length > text.size()) return {.code = none, .length = 1};
     char32_t code = first & (0x7FU >> length);
     for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0U) != 0x80U) return {none, 1};
+        if ((byte(i) & 0xC0U) != 0x80U) return {.code = none, .length = 1};
         code = code << 6U | (byte(i) & 0x3FU);
     }
-    return {code, length};
+    return {.code = code, .length = length};
 }
 
 std::optional<Sign> sign_of(char32_t code) {

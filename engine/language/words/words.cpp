@@ -84,7 +84,8 @@ void note_product(const Token& subscripted, const Token& letter, Notes& notes) {
 
 std::string full_name(const Token& token) {
     std::string name(token.text);
-    return token.subscript.empty() ? name : name + "_" + subscript_text(token);
+    if (!token.subscript.empty()) name += "_" + subscript_text(token);
+    return name;
 }
 
 std::string subscript_text(const Token& token) {
@@ -156,7 +157,10 @@ void Words::push_pieces(const Token& token, std::vector<Token>& out, Notes& note
     }
     std::size_t at = 0;
     for (const std::size_t length : lengths) {
-        out.push_back({TokenKind::Name, run.substr(at, length), {}, token.offset + at, length});
+        out.push_back({.kind = TokenKind::Name,
+                       .text = run.substr(at, length),
+                       .offset = token.offset + at,
+                       .length = length});
         if (at == 0 && function != nullptr) out.back().text = function->name;
         at += length;
     }

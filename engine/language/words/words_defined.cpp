@@ -107,7 +107,7 @@ private:
             result_.words_.insert(candidate.name);
     }
     void add_scope(const Candidate& candidate) {
-        DefinedNames::Scope scope{candidate.begin, candidate.end, {}};
+        DefinedNames::Scope scope{.begin = candidate.begin, .end = candidate.end, .names = {}};
         for (const auto& names : {candidate.arguments, candidate.indices}) {
             for (const std::string& name : names) {
                 const bool is_free = !is_built_in_value(name) && !is_logic_word(name);

@@ -46,7 +46,7 @@ bool Shifted::peel(ExprBuilder& builder) {
 }
 
 Shifted shifted(ExprBuilder& builder, NodeId id) {
-    Shifted result{id, builder.constant(0.0)};
+    Shifted result{.base = id, .offset = builder.constant(0.0)};
     for (int i = 0; i < max_offsets && result.peel(builder); ++i) {
     }
     return result;

@@ -54,15 +54,15 @@ std::vector<NodeId> Differentiator::unknown_below(NodeId root) const {
 
 Dual<GraphNumber> Differentiator::made(NodeId id) {
     const Node node = builder_.node(id);
-    const GraphNumber itself{&builder_, id};
-    Dual<GraphNumber> result{itself, {}};
+    const GraphNumber itself{.builder = &builder_, .id = id};
+    Dual<GraphNumber> result{.value = itself, .slope = {}};
     if (node.op == Op::Variable) {
         const auto v = static_cast<std::size_t>(node.number);
         if (v < 3) result.slope.set(v, like(itself, 1.0));
     } else if (arity(node.op) > 0) {
         static const Facts unknown;
         result = apply_to(algebra_, node, [&](NodeId operand) {
-            return Operand<Dual<GraphNumber>>{*known_[operand], unknown};
+            return Operand<Dual<GraphNumber>>{.value = *known_[operand], .facts = unknown};
         });
         result.value = itself;
     }
@@ -139,7 +139,9 @@ public:
                           product(second(i1, k2), second(i2, k1)));
     }
 
-    [[nodiscard]] GraphNumber number(double value) { return {&builder_, builder_.constant(value)}; }
+    [[nodiscard]] GraphNumber number(double value) {
+        return {.builder = &builder_, .id = builder_.constant(value)};
+    }
     [[nodiscard]] Expr finish(const std::optional<GraphNumber>& root) {
         const NodeId id = root ? root->id : builder_.constant(0.0);
         return builder_.finish(id, {f_.parameters().begin(), f_.parameters().end()});

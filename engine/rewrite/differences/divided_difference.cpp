@@ -44,7 +44,7 @@ public:
         if (!alike(f1, f0) || !step_) return std::nullopt;
         if (std::abs(value_of(*step_)) > largest_step) return std::nullopt;
         delta_ = constant(*step_);
-        return Difference{delta_, with_domain(of(f1, f0), f1, f0)};
+        return Difference{.delta = delta_, .divided = with_domain(of(f1, f0), f1, f0)};
     }
 
 private:
@@ -108,7 +108,7 @@ private:
         if (const auto step = step_between(builder_, f1, f0)) {
             return ratio(builder_, constant(*step), delta_);
         }
-        const Terms f{builder_.node(f1), builder_.node(f0), f1, f0};
+        const Terms f{.to = builder_.node(f1), .from = builder_.node(f0), .f1 = f1, .f0 = f0};
         const Rule* rule = rule_of(f.to.op);
         return rule == nullptr ? plain(f) : (this->*rule->make)(f);
     }
@@ -325,6 +325,10 @@ private:
         Op op;
         std::string_view operands;  ///< those that may differ; "=": b may not
         NodeId (DividedDifference::*make)(const Terms&);
+
+        constexpr Rule(Op of, std::string_view differing,
+                       NodeId (DividedDifference::*by)(const Terms&))
+            : op(of), operands(differing), make(by) {}
     };
     static const Rule* rule_of(Op op) {
         using D = DividedDifference;

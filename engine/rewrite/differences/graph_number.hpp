@@ -27,39 +27,41 @@ inline const Format& format_of(const GraphNumber& /*kind*/) { return double_form
 
 /// NaN has no node; it stands in values only, which are those of the nodes differentiated.
 inline GraphNumber like(const GraphNumber& kind, double value) {
-    return std::isnan(value) ? kind : GraphNumber{kind.builder, kind.builder->constant(value)};
+    return std::isnan(value)
+               ? kind
+               : GraphNumber{.builder = kind.builder, .id = kind.builder->constant(value)};
 }
 
 inline GraphNumber operator+(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, make_add(*a.builder, a.id, b.id)};
+    return {.builder = a.builder, .id = make_add(*a.builder, a.id, b.id)};
 }
 inline GraphNumber operator-(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, make_subtract(*a.builder, a.id, b.id)};
+    return {.builder = a.builder, .id = make_subtract(*a.builder, a.id, b.id)};
 }
 inline GraphNumber operator*(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, make_multiply(*a.builder, a.id, b.id)};
+    return {.builder = a.builder, .id = make_multiply(*a.builder, a.id, b.id)};
 }
 inline GraphNumber operator/(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, make_divide(*a.builder, a.id, b.id)};
+    return {.builder = a.builder, .id = make_divide(*a.builder, a.id, b.id)};
 }
 inline GraphNumber operator-(const GraphNumber& a) {
-    return {a.builder, make_negate(*a.builder, a.id)};
+    return {.builder = a.builder, .id = make_negate(*a.builder, a.id)};
 }
 
 inline GraphMask operator<(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, a.builder->apply(Op::Less, a.id, b.id)};
+    return {.builder = a.builder, .id = a.builder->apply(Op::Less, a.id, b.id)};
 }
 inline GraphMask operator>(const GraphNumber& a, const GraphNumber& b) { return b < a; }
 inline GraphMask operator<=(const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, a.builder->apply(Op::LessEqual, a.id, b.id)};
+    return {.builder = a.builder, .id = a.builder->apply(Op::LessEqual, a.id, b.id)};
 }
 inline GraphMask operator>=(const GraphNumber& a, const GraphNumber& b) { return b <= a; }
 inline GraphMask either(const GraphMask& a, const GraphMask& b) {
-    return {a.builder, make_call(*a.builder, Op::Or, a.id, b.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, Op::Or, a.id, b.id)};
 }
 /// Graphs leave out what is no number: whatever is computed with it is none, either.
 inline GraphMask unordered(const GraphNumber& a, const GraphNumber& /*b*/) {
-    return {a.builder, a.builder->constant(0.0)};
+    return {.builder = a.builder, .id = a.builder->constant(0.0)};
 }
 
 inline GraphNumber select(const GraphMask& condition, const GraphNumber& if_true,
@@ -67,7 +69,8 @@ inline GraphNumber select(const GraphMask& condition, const GraphNumber& if_true
     ExprBuilder& builder = *condition.builder;
     const bool never = condition.id == builder.constant(0.0);
     if (never || if_true.id == if_false.id) return if_false;
-    return {&builder, builder.apply(Op::If, condition.id, if_true.id, if_false.id)};
+    return {.builder = &builder,
+            .id = builder.apply(Op::If, condition.id, if_true.id, if_false.id)};
 }
 inline GraphNumber select_negative(const GraphNumber& x, const GraphNumber& if_set,
                                    const GraphNumber& if_clear) {
@@ -75,21 +78,21 @@ inline GraphNumber select_negative(const GraphNumber& x, const GraphNumber& if_s
 }
 
 inline GraphNumber square_root(const GraphNumber& a) {
-    return {a.builder, make_call(*a.builder, Op::Sqrt, a.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, Op::Sqrt, a.id)};
 }
 inline GraphNumber magnitude(const GraphNumber& a) {
-    return {a.builder, make_call(*a.builder, Op::Abs, a.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, Op::Abs, a.id)};
 }
 inline GraphNumber round_down(const GraphNumber& a) {
-    return {a.builder, make_call(*a.builder, Op::Floor, a.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, Op::Floor, a.id)};
 }
 /// A graph keeps an infinite derivative.
 inline GraphNumber at_most_steep(const GraphNumber& derivative) { return derivative; }
 inline GraphNumber point_power(const GraphNumber& a, int n) {
-    return {a.builder, make_int_power(*a.builder, a.id, n)};
+    return {.builder = a.builder, .id = make_int_power(*a.builder, a.id, n)};
 }
 inline GraphNumber point_odd_root(const GraphNumber& size, int n) {
-    return {size.builder, make_root(*size.builder, size.id, n)};
+    return {.builder = size.builder, .id = make_root(*size.builder, size.id, n)};
 }
 
 /// The operator of a function that is taken from a library.
@@ -119,10 +122,10 @@ constexpr Op op_of(Elementary function) {
 
 inline GraphNumber elementary(Elementary function, const GraphNumber& a) {
     if (function == Elementary::Cbrt) return point_odd_root(a, 3);
-    return {a.builder, make_call(*a.builder, op_of(function), a.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, op_of(function), a.id)};
 }
 inline GraphNumber elementary(Elementary function, const GraphNumber& a, const GraphNumber& b) {
-    return {a.builder, make_call(*a.builder, op_of(function), a.id, b.id)};
+    return {.builder = a.builder, .id = make_call(*a.builder, op_of(function), a.id, b.id)};
 }
 
 }  // namespace zeroset

@@ -37,7 +37,8 @@ std::vector<Expr> ways_to_write(const Expr& expr) {
     const auto names = expr.parameters();
     std::vector<Expr> result;
     for (const NodeId root :
-         polynomial_candidates(builder, {expr, facts, expansion}, now, expr.root(), most_new_nodes))
+         polynomial_candidates(builder, {.expr = expr, .facts = facts, .expansion = expansion}, now,
+                               expr.root(), most_new_nodes))
         result.push_back(builder.finish(root, {names.begin(), names.end()}));
     return result;
 }

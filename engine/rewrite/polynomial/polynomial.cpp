@@ -36,7 +36,7 @@ bool Polynomial::is_constant() const {
 }
 
 Interval<double> Polynomial::at_zero() const {
-    if (terms_.empty() || terms_.back().monomial != 0) return {0.0, 0.0};
+    if (terms_.empty() || terms_.back().monomial != 0) return {.neg_lo = 0.0, .hi = 0.0};
     return terms_.back().coefficient;
 }
 
@@ -83,7 +83,8 @@ bool Polynomial::is_certain() const {
 std::vector<Coefficient> Polynomial::coefficients(int atom) const {
     std::vector<Coefficient> result;
     for (int exponent = degree(atom); exponent >= 0; --exponent) {
-        Polynomial factor = part([=](Monomial m) { return exponent_of(m, atom) == exponent; });
+        const Polynomial factor =
+            part([=](Monomial m) { return exponent_of(m, atom) == exponent; });
         if (factor.is_zero()) continue;
         result.emplace_back(exponent, shifted(factor, atom, -exponent));
     }
@@ -159,7 +160,7 @@ std::optional<CompletedSquare> complete_square(const Polynomial& p, int atom) {
         const Polynomial missing = divided(in[half + j], factor) - squared(half + j);
         root[j] = scaled(missing, point(0.5));
     }
-    CompletedSquare result{factor, {}, {}};
+    CompletedSquare result{.factor = factor, .root = {}, .rest = {}};
     for (std::size_t j = 0; j <= half; ++j) {
         const int exponent = static_cast<int>(j);
         result.root = result.root + shifted(root[j], atom, exponent);
@@ -239,7 +240,8 @@ std::vector<bool> polynomial_operands(const Expr& expr, std::span<const Facts> f
 
 Expansion expand(const Expr& expr, std::span<const Facts> facts) {
     const std::size_t size = expr.nodes().size();
-    Expansion result{{}, std::vector<Expanded>(size), std::vector<unsigned>(size)};
+    Expansion result{
+        .atoms = {}, .of = std::vector<Expanded>(size), .atoms_below = std::vector<unsigned>(size)};
     const std::vector<bool> operand = polynomial_operands(expr, facts);
     Expander expander;
     for (NodeId id = 0; id < size; ++id) {

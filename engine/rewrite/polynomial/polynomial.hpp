@@ -19,10 +19,10 @@ inline constexpr int max_atoms = 8;
 /// The exponents of a product of atoms, eight bits each, atom 0 in the lowest.
 using Monomial = std::uint64_t;
 
-inline constexpr Monomial monomial_of(int atom, int exponent) {
+constexpr Monomial monomial_of(int atom, int exponent) {
     return static_cast<Monomial>(exponent) << (8 * atom);
 }
-inline constexpr int exponent_of(Monomial monomial, int atom) {
+constexpr int exponent_of(Monomial monomial, int atom) {
     return static_cast<int>((monomial >> (8 * atom)) & 0xFFU);
 }
 
@@ -40,8 +40,13 @@ using Coefficient = std::pair<int, Polynomial>;
 class Polynomial {
 public:
     Polynomial() = default;
-    static Polynomial constant(const Interval<double>& value) { return of({{0, value}}); }
-    static Polynomial atom(int index) { return of({{monomial_of(index, 1), {-1.0, 1.0}}}); }
+    static Polynomial constant(const Interval<double>& value) {
+        return of({{.monomial = 0, .coefficient = value}});
+    }
+    static Polynomial atom(int index) {
+        return of(
+            {{.monomial = monomial_of(index, 1), .coefficient = {.neg_lo = -1.0, .hi = 1.0}}});
+    }
     /// Sums up equal monomials.
     static Polynomial of(std::vector<Term> terms);
 

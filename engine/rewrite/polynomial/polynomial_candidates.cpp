@@ -27,7 +27,7 @@ struct Summand {
 /// The summands of a sum as typed, its constants added up.
 struct Sum {
     std::vector<Summand> summands;
-    Interval<double> constant{0.0, 0.0};
+    Interval<double> constant{.neg_lo = 0.0, .hi = 0.0};
 };
 
 void collect_summands(const AnalysedExpr& graph, NodeId id, const Interval<double>& factor,
@@ -76,6 +76,26 @@ NodeId write_completed(ExprBuilder& builder, std::span<const NodeId> now, const 
                         negated ? -square.factor : square.factor);
 }
 
+/// The place of a summand that is not taken and makes, with `summand`, a square and its linear
+/// term.
+std::optional<std::size_t> partner_of(const Summand& summand, const std::vector<Summand>& summands,
+                                      const std::vector<bool>& taken) {
+    for (std::size_t i = 0; i < summands.size(); ++i) {
+        const Summand& other = summands[i];
+        if (taken[i] || other.base != summand.base) continue;
+        if (other.exponent == 2 * summand.exponent || 2 * other.exponent == summand.exponent)
+            return i;
+    }
+    return std::nullopt;
+}
+
+NodeId with_constant(ExprBuilder& builder, NodeId sum, const Interval<double>& constant) {
+    if (constant.neg_lo == 0 && constant.hi == 0) return sum;
+    const bool negative = constant.hi < 0;
+    return add_term(builder, sum, write_constant(builder, negative ? -constant : constant),
+                    negative);
+}
+
 std::optional<NodeId> with_completed_squares(ExprBuilder& builder, const AnalysedExpr& graph,
                                              std::span<const NodeId> now, NodeId id) {
     Sum sum;
@@ -89,35 +109,25 @@ std::optional<NodeId> with_completed_squares(ExprBuilder& builder, const Analyse
         if (!is_usable(summand.factor)) return std::nullopt;
         if (taken[i]) continue;
         taken[i] = true;
-        const auto partner = std::ranges::find_if(sum.summands, [&](const Summand& other) {
-            const auto place = static_cast<std::size_t>(&other - sum.summands.data());
-            return !taken[place] && other.base == summand.base &&
-                   (other.exponent == 2 * summand.exponent ||
-                    2 * other.exponent == summand.exponent);
-        });
-        const bool alone = partner == sum.summands.end();
-        const bool is_square = alone || summand.exponent > partner->exponent;
-        const Summand& leading = is_square ? summand : *partner;
-        if (!is_usable(leading.factor)) return std::nullopt;
+        const auto partner = partner_of(summand, sum.summands, taken);
+        const Summand& other = partner ? sum.summands[*partner] : summand;
+        if (!is_usable(other.factor)) return std::nullopt;
+        const bool is_square = !partner || summand.exponent > other.exponent;
+        const Summand& leading = is_square ? summand : other;
         const bool subtracted = result && leading.factor.hi < 0;
         NodeId term{};
-        if (alone) {
+        if (!partner) {
             term = write_summand(builder, now, summand, subtracted);
         } else {
-            const Summand& linear = is_square ? *partner : summand;
-            if (!is_usable(linear.factor)) return std::nullopt;
-            taken[static_cast<std::size_t>(partner - sum.summands.begin())] = true;
+            const Summand& linear = is_square ? other : summand;
+            taken[*partner] = true;
             term = write_completed(builder, now, leading, linear, subtracted, sum.constant);
             completed = true;
         }
         result = result ? add_term(builder, *result, term, subtracted) : term;
     }
     if (!completed) return std::nullopt;
-    const bool is_zero = sum.constant.neg_lo == 0 && sum.constant.hi == 0;
-    if (is_zero) return result;
-    const bool negative = sum.constant.hi < 0;
-    return add_term(builder, *result,
-                    write_constant(builder, negative ? -sum.constant : sum.constant), negative);
+    return with_constant(builder, *result, sum.constant);
 }
 
 /// A polynomial with the nodes of its atoms.
@@ -152,7 +162,7 @@ std::optional<Substituted> in_sum_of_squares(ExprBuilder& builder, const Polynom
         const NodeId power = write_power(builder, atoms[static_cast<std::size_t>(atom)], 2);
         sum = sum ? make_add(builder, *sum, power) : power;
     }
-    Substituted substituted{std::move(result), {atoms.begin(), atoms.end()}};
+    Substituted substituted{.p = std::move(result), .atoms = {atoms.begin(), atoms.end()}};
     substituted.atoms.push_back(*sum);
     return substituted;
 }
@@ -168,7 +178,7 @@ std::vector<int> atoms_of(const Polynomial& p) {
 /// p, and p in sums of two or three squares.
 std::vector<Substituted> substitutions(ExprBuilder& builder, const Polynomial& p,
                                        std::span<const NodeId> atoms) {
-    std::vector<Substituted> result{{p, {atoms.begin(), atoms.end()}}};
+    std::vector<Substituted> result{{.p = p, .atoms = {atoms.begin(), atoms.end()}}};
     const std::vector<int> occurring = atoms_of(p);
     const auto try_group = [&](std::initializer_list<int> group) {
         const std::span<const int> members(group.begin(), group.size());
@@ -216,6 +226,7 @@ std::vector<NodeId> polynomial_candidates(ExprBuilder& builder, const AnalysedEx
     if (p->terms().size() > max_new_nodes) return result;
 
     std::vector<NodeId> atoms;
+    atoms.reserve(graph.expansion.atoms.size());
     for (const NodeId atom : graph.expansion.atoms)
         atoms.push_back(now[atom]);
     const std::vector<Substituted> forms = substitutions(builder, *p, atoms);
@@ -229,8 +240,9 @@ std::vector<NodeId> polynomial_candidates(ExprBuilder& builder, const AnalysedEx
         for (const Substituted& form : forms) {
             for (std::vector<int>& order : orders_of(atoms_of(form.p))) {
                 if (builder.size() > size_limit) return result;
-                result.push_back(write_polynomial(builder, form.atoms, form.p,
-                                                  {style, split, std::move(order)}));
+                result.push_back(
+                    write_polynomial(builder, form.atoms, form.p,
+                                     {.style = style, .split = split, .order = std::move(order)}));
                 if (style == Style::Terms) break;
             }
         }

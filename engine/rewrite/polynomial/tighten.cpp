@@ -179,7 +179,7 @@ private:
         if (effort_ >= max_effort) return;
         const std::vector<NodeId> above = nodes_above(id);
         if (id != expr_.root() && (above.empty() || above.back() != expr_.root())) return;
-        const AnalysedExpr graph{expr_, facts_, expansion_};
+        const AnalysedExpr graph{.expr = expr_, .facts = facts_, .expansion = expansion_};
         std::vector<NodeId> candidates{now_[id]};
         const std::size_t room = std::min(max_new_nodes, max_effort - effort_);
         for (const NodeId node : polynomial_candidates(builder_, graph, now_, id, room)) {

@@ -27,7 +27,9 @@ std::uint64_t mixed(std::uint64_t n) {
 /// In [0, 1).
 double fraction(std::uint64_t n) { return static_cast<double>(mixed(n) >> 11U) * 0x1p-53; }
 
-Interval<float> float_interval(double lo, double hi) { return {float_above(-lo), float_above(hi)}; }
+Interval<float> float_interval(double lo, double hi) {
+    return {.neg_lo = float_above(-lo), .hi = float_above(hi)};
+}
 
 bool is_rejected(const Enclosure<float>& f) {
     const Interval<float> range = answer(f);
@@ -43,7 +45,9 @@ struct Column {
     const Enclosure<float>* values;
     const Facts& facts;
 
-    Operand<Enclosure<float>> operator[](std::size_t i) const { return {values[i], facts}; }
+    Operand<Enclosure<float>> operator[](std::size_t i) const {
+        return {.value = values[i], .facts = facts};
+    }
 };
 
 template <class Function>
@@ -121,7 +125,8 @@ std::vector<BoxSample::Cell> BoxSample::children(std::span<const Cell> parents,
             Interval<float>& axis = cell.axes[v];
             const float middle = 0.5F * (axis.hi - axis.neg_lo);
             const bool upper = ((random >> (8 + v)) & 1U) != 0;
-            axis = upper ? Interval<float>{-middle, axis.hi} : Interval<float>{axis.neg_lo, middle};
+            axis = upper ? Interval<float>{.neg_lo = -middle, .hi = axis.hi}
+                         : Interval<float>{.neg_lo = axis.neg_lo, .hi = middle};
         }
         cells.push_back(cell);
     }
@@ -142,16 +147,20 @@ std::vector<Enclosure<float>> BoxSample::evaluate(const Expr& expr, std::span<co
                                                   std::span<const Cell> cells) const {
     const std::size_t count = cells.size();
     std::vector<Enclosure<float>> values(expr.nodes().size() * count);
-    const auto column = [&](NodeId id) { return Column{values.data() + id * count, facts[id]}; };
+    const auto column = [&](NodeId id) {
+        return Column{.values = values.data() + id * count, .facts = facts[id]};
+    };
     for (NodeId id = 0; id <= expr.root(); ++id) {
         const Node& node = expr.node(id);
         Enclosure<float>* const out = values.data() + id * count;
         if (facts[id].constant) {
             const Interval<double>& c = *facts[id].constant;
-            std::fill_n(out, count, Enclosure<float>{{float_above(c.neg_lo), float_above(c.hi)}});
+            std::fill_n(out, count,
+                        Enclosure<float>{
+                            .range = {.neg_lo = float_above(c.neg_lo), .hi = float_above(c.hi)}});
         } else if (node.op == Op::Variable) {
             for (std::size_t i = 0; i < count; ++i)
-                out[i] = {variable(cells[i], node.number)};
+                out[i] = {.range = variable(cells[i], node.number)};
         } else {
             const int operands = arity(node.op);
             apply_to_all(node, column(node.a), column(operands < 2 ? node.a : node.b),
@@ -170,7 +179,7 @@ std::vector<BoxSample::Work> BoxSample::work(const Expr& expr, std::span<const F
     const auto values = evaluate(expr, facts, cells);
     std::vector<Work> result;
     for (const NodeId id : nodes) {
-        Work work{0.0, 0.0};
+        Work work{.boxes = 0.0, .width = 0.0};
         double weights = 0.0;
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const Enclosure<float>& f = values[id * cells.size() + i];

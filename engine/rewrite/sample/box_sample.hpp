@@ -49,11 +49,13 @@ private:
     static constexpr std::size_t slots = 8;
 
     /// The nodes' enclosures: of node k over cell i at k * cells.size() + i.
-    std::vector<Enclosure<float>> evaluate(const Expr& expr, std::span<const Facts> facts,
-                                           std::span<const Cell> cells) const;
+    [[nodiscard]] std::vector<Enclosure<float>> evaluate(const Expr& expr,
+                                                         std::span<const Facts> facts,
+                                                         std::span<const Cell> cells) const;
     [[nodiscard]] Interval<float> variable(const Cell& cell, int index) const;
-    std::vector<Cell> first_cells(const SampleRegion& region) const;
-    std::vector<Cell> children(std::span<const Cell> parents, std::size_t count) const;
+    [[nodiscard]] std::vector<Cell> first_cells(const SampleRegion& region) const;
+    [[nodiscard]] std::vector<Cell> children(std::span<const Cell> parents,
+                                             std::size_t count) const;
 
     std::vector<std::array<double, 2>> uniforms_;
     std::vector<Cell> cells_;

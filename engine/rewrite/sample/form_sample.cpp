@@ -62,7 +62,7 @@ FormSample::FormSample(const Expr& expr, const SampleRegion& region) {
     const Kernel kernel = interpret(expr);
     static_assert(cells_a_level == first_side * first_side * first_side);
     static_assert(cells_a_level % batch_multiple == 0);
-    Level level{half_ / first_side, {}};
+    Level level{.half = half_ / first_side, .cells = {}};
     for (std::size_t i = 0; i < cells_a_level; ++i) {
         const auto at = [&](std::size_t n) {
             return half_ * ((2.0 * static_cast<double>(n % first_side) + 1.0) / first_side - 1.0);
@@ -108,6 +108,7 @@ std::vector<double> FormSample::shares(const Kernel& kernel, const Level& level)
     place(level, cells);
     kernel.form(cells.batch(cells_a_level, frustum, uniforms_.boxes<float>()));
     std::vector<double> result;
+    result.reserve(cells_a_level);
     for (std::size_t i = 0; i < cells_a_level; ++i)
         result.push_back(open_share(cells, i));
     return result;

@@ -121,8 +121,8 @@ struct CellTile {
     [[nodiscard]] int col() const { return pixel % tile_size; }
     [[nodiscard]] int row() const { return pixel / tile_size; }
     static CellTile at(int col, int row, bool inside) {
-        return {static_cast<std::uint16_t>(row * tile_size + col),
-                static_cast<std::uint16_t>(inside ? 1 : 0)};
+        return {.pixel = static_cast<std::uint16_t>(row * tile_size + col),
+                .inside = static_cast<std::uint16_t>(inside ? 1 : 0)};
     }
 };
 
@@ -266,9 +266,9 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     // Reject cells on which the form excludes 0, or f is nowhere defined.
     const V<Real> aside = hn::Add(hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)), form.e);
     const V<Real> size_c = hn::Abs(form.c);
-    const V<Real> size_t_ = hn::Abs(form.kt);
+    const V<Real> size_kt = hn::Abs(form.kt);
     const M<Real> rejected =
-        hn::Or(hn::Gt(size_c, hn::Add(aside, size_t_)), mask_at(d<Real>, f.nowhere.data() + i));
+        hn::Or(hn::Gt(size_c, hn::Add(aside, size_kt)), mask_at(d<Real>, f.nowhere.data() + i));
     CellBits& bits = cells.bits[i / lanes<Real>];
     bits.rejected = bits_of(d<Real>, rejected);
     // Find those on which f is monotone along the rays.
@@ -278,7 +278,7 @@ void CellJudge<Real>::judge_vector(Cells<Real>& cells, std::size_t i) const {
     bits.smooth = bits_of(d<Real>, hn::And(continuous, sloped));
     // Find those on which the form says nothing but its error.
     const V<Real> linear =
-        hn::Add(hn::Add(size_c, size_t_), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
+        hn::Add(hn::Add(size_c, size_kt), hn::Add(hn::Abs(form.ku), hn::Abs(form.kv)));
     bits.flat = bits_of(d<Real>, hn::And(continuous, hn::Eq(linear, zero)));
     // Contract the slab for each quarter of the tile.
     const V<Real> inverse =
@@ -301,7 +301,7 @@ HWY_INLINE LaneBits CellJudge<Real>::inside_of(const Cells<Real>& cells, std::si
     const hn::Repartition<std::uint8_t, decltype(words)> bytes;
     const auto* const from = reinterpret_cast<const std::uint8_t*>(cells.tile.data() + i);
     const auto tiles = hn::BitCast(words, hn::LoadU(bytes, from));
-    constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{0, 1});
+    constexpr auto flag = std::bit_cast<std::uint32_t>(CellTile{.pixel = 0, .inside = 1});
     return bits_of(words, hn::TestBit(tiles, hn::Set(words, flag)));
 }
 

@@ -174,6 +174,18 @@ void RootFinder<Real>::add(std::size_t i, double s, Certificate known) {
     }
 }
 
+/// f and its slopes at a root, turned so that f rises.
+struct Rise {
+    double f, least, most;
+};
+
+inline Rise rise_of(const RootBracket& bracket, double f) {
+    const bool falling = bracket.slope_hi < 0;
+    return {.f = falling ? -f : f,
+            .least = falling ? -bracket.slope_hi : bracket.slope_lo,
+            .most = falling ? -bracket.slope_lo : bracket.slope_hi};
+}
+
 /// The interval Newton operator: f is within `error` of the value computed, and the root, if any,
 /// is at the guess less f over the slope at some place between.
 template <class Real>
@@ -182,10 +194,7 @@ void RootFinder<Real>::step(bool last) {
     for (std::size_t i = 0; i < size_; ++i) {
         const RootBracket& bracket = brackets_[i];
         const double error = value_error(bracket.r);
-        const bool falling = bracket.slope_hi < 0;
-        const double f = falling ? -newton_.f[i] : newton_.f[i];
-        const double least = falling ? -bracket.slope_hi : bracket.slope_lo;
-        const double most = falling ? -bracket.slope_lo : bracket.slope_hi;
+        const auto [f, least, most] = rise_of(bracket, newton_.f[i]);
         // Divide by the slopes, rounded upward, like both ends. The sign of y is hard to predict.
         const double slopes[] = {most, least};
         const auto quotient = [&](double y) { return y / slopes[y > 0 ? 1 : 0]; };

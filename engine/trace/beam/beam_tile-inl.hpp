@@ -291,7 +291,7 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kern
 template <class Real>
 void BeamTile<Real>::write_hits() {
     hits_.any = nearest_.any();
-    hits_.point_errors = {rays_.tolerance(), rays_.depth_error()};
+    hits_.point_errors = {.bracket = rays_.tolerance(), .depth = rays_.depth_error()};
     // Leave the gradients of these points to be found.
     for (const auto& root : nearest_.pending) {
         const auto depth = static_cast<double>(nearest_.s[root.pixel]);
@@ -331,8 +331,8 @@ void BeamTile<Real>::write_row(int row) {
 template <class Real>
 void BeamTile<Real>::mark_unsettled(std::uint32_t pixel, double s) {
     hits_.mark_unsettled(
-        {static_cast<std::int16_t>(pixel % tile_size),
-         static_cast<std::int16_t>(pixel / tile_size)},
+        {.col = static_cast<std::int16_t>(pixel % tile_size),
+         .row = static_cast<std::int16_t>(pixel / tile_size)},
         rays_.distance_before(s, rays_.u(pixel % tile_size), rays_.v(pixel / tile_size)));
 }
 

@@ -88,13 +88,23 @@ struct SegmentCells {
     }
 };
 
+/// Where df/ds, which is from lo to -neg_hi, keeps its sign and bends little: Newton's method wants
+/// both.
+template <class Real>
+M<Real> is_straight(V<Real> lo, V<Real> neg_hi) {
+    constexpr Real most_bend = 16;  // slopes that differ by no more
+    const V<Real> least = hn::Max(lo, neg_hi);
+    const V<Real> most = hn::Neg(hn::Min(lo, neg_hi));
+    return hn::And(hn::Gt(least, hn::Zero(d<Real>)),
+                   hn::Le(most, hn::Mul(least, hn::Set(d<Real>, most_bend))));
+}
+
 /// Judges the cells of a vector, from cell i on. `finest`: segments are not made shorter.
 template <class Real>
 void judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest) {
     const Forms<Real>& forms = cells.forms;
     Verdicts<Real>& verdicts = cells.verdicts;
     constexpr auto three_fifths = static_cast<Real>(0.6);
-    constexpr Real most_bend = 16;  // Newton's method wants slopes that differ by no more
     const auto load = [&](const std::vector<Real>& column) {
         return hn::LoadU(d<Real>, column.data() + i);
     };
@@ -134,11 +144,7 @@ void judge_vector(SegmentCells<Real>& cells, std::size_t i, Real finest) {
     // Use Newton's method where df/ds keeps its sign and bends little.
     const auto rising = hn::Neg(load(forms.slope_neg_lo));
     const auto falling = hn::Neg(load(forms.slope_hi));
-    const auto least = hn::Max(rising, falling);
-    const auto most = hn::Neg(hn::Min(rising, falling));
-    const auto straight =
-        hn::And(hn::Gt(least, zero), hn::Le(most, hn::Mul(least, hn::Set(d<Real>, most_bend))));
-    const auto monotone = hn::And(continuous, straight);
+    const auto monotone = hn::And(continuous, is_straight<Real>(rising, falling));
     // Tell where there is a root: the linear part with its error vanishes within the cell.
     const auto certain = hn::And(bounded, hn::And(hn::Gt(lo, begin), hn::Lt(hi, end)));
     const auto contracts =

@@ -40,16 +40,19 @@ HWY_INLINE void store_box(const Packet<Real>& packet, V<Real> from, V<Real> to, 
     for (int i = 1; i < 3; ++i) {
         const Line<Real>& line = packet.line[i - 1];
         const V<Real> slope_lo = hn::Load(d<Real>, line.slope_lo);
-        V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, hn::Load(d<Real>, line.neg_lo));
-        V<Real> slope_hi = slope_lo;
+        const V<Real> neg_at = hn::Load(d<Real>, line.neg_lo);
+        const V<Real> neg_lo = hn::MulAdd(slope_lo, neg_from, neg_at);
+        const auto put = [&](V<Real> neg_least, V<Real> slope_hi) {
+            hn::Store(neg_least, d<Real>, at + axes.from_offset[i]);
+            hn::Store(hn::MulAdd(slope_hi, to, hn::Load(d<Real>, line.hi)), d<Real>,
+                      at + axes.to_offset[i]);
+        };
         if constexpr (sizeof(Real) == sizeof(double)) {
-            neg_lo =
-                hn::Max(neg_lo, hn::MulAdd(slope_lo, hn::Neg(to), hn::Load(d<Real>, line.neg_lo)));
-            slope_hi = hn::Load(d<Real>, line.slope_hi);
+            put(hn::Max(neg_lo, hn::MulAdd(slope_lo, hn::Neg(to), neg_at)),
+                hn::Load(d<Real>, line.slope_hi));
+        } else {
+            put(neg_lo, slope_lo);
         }
-        hn::Store(neg_lo, d<Real>, at + axes.from_offset[i]);
-        hn::Store(hn::MulAdd(slope_hi, to, hn::Load(d<Real>, line.hi)), d<Real>,
-                  at + axes.to_offset[i]);
     }
 }
 

@@ -161,8 +161,8 @@ struct Packet {
                   d<Real>, gap_from);
     }
     [[nodiscard]] TileHits::Pixel pixel(int lane) const {
-        return {static_cast<std::int16_t>(col + lane % block_cols<Real>),
-                static_cast<std::int16_t>(row + lane / block_cols<Real>)};
+        return {.col = static_cast<std::int16_t>(col + lane % block_cols<Real>),
+                .row = static_cast<std::int16_t>(row + lane / block_cols<Real>)};
     }
 };
 

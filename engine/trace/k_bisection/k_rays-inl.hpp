@@ -92,8 +92,8 @@ HWY_NOINLINE PartSpan clip_parallel(PartSpan span, const Slab& slab, V<double> d
     const auto rises = hn::Lt(neg_slowest, zero);
     const V<double> to_end = hn::Div(slab.to_hi, hn::Neg(neg_slowest));
     const V<double> neg_to_end = hn::Div(slab.to_hi, neg_slowest);
-    return {hn::IfThenElse(rises, neg_in, hn::Min(neg_in, neg_to_end)),
-            hn::IfThenElse(rises, hn::Min(span.out, to_end), span.out)};
+    return {.neg_in = hn::IfThenElse(rises, neg_in, hn::Min(neg_in, neg_to_end)),
+            .out = hn::IfThenElse(rises, hn::Min(span.out, to_end), span.out)};
 }
 
 /// Ends the spans where the rays leave the slab. Returns 1 / (direction - error).
@@ -137,7 +137,8 @@ template <class Real>
 HWY_INLINE PartRays part_of(const Axes<Real>& axes, const glm::dvec3& start,
                             const glm::dvec3& direction, std::size_t first) {
     PartRays rays{};
-    rays.span = {hn::Zero(d<double>), hn::Set(d<double>, std::numeric_limits<double>::infinity())};
+    rays.span = {.neg_in = hn::Zero(d<double>),
+                 .out = hn::Set(d<double>, std::numeric_limits<double>::infinity())};
     for (int i = 0; i < 3; ++i) {
         const int world = axes.world[i];
         const double sign = axes.mirrored[i] ? -1.0 : 1.0;
@@ -185,8 +186,10 @@ HWY_INLINE PartLine<float> line_of(const Axes<float>& axes, int i, const PartRay
     const V<double> error = hn::MulAdd(narrowing, hn::Set(d<double>, axes.k_size), of_direction);
     const V<double> neg_lo = hn::MulAdd(slope, k_start, hn::Neg(start));
     const V<double> hi = hn::MulAdd(slope, hn::Neg(k_start), start);
-    return {narrow, narrow, narrowed<float>(hn::Add(neg_lo, error)),
-            narrowed<float>(hn::Add(hi, error))};
+    return {.slope_lo = narrow,
+            .slope_hi = narrow,
+            .neg_lo = narrowed<float>(hn::Add(neg_lo, error)),
+            .hi = narrowed<float>(hn::Add(hi, error))};
 }
 
 HWY_INLINE PartLine<double> line_of(const Axes<double>& axes, int i, const PartRays& rays) {
@@ -196,8 +199,10 @@ HWY_INLINE PartLine<double> line_of(const Axes<double>& axes, int i, const PartR
     const V<double> error = hn::Mul(hn::Set(d<double>, axes.slope_error_share()), rays.inverse_k);
     const V<double> slope_hi = hn::Add(slope, error);
     const V<double> slope_lo = hn::Neg(hn::Sub(error, slope));
-    return {slope_lo, slope_hi, hn::MulAdd(slope_lo, k_start, hn::Neg(start)),
-            hn::MulAdd(slope_hi, hn::Neg(k_start), start)};
+    return {.slope_lo = slope_lo,
+            .slope_hi = slope_hi,
+            .neg_lo = hn::MulAdd(slope_lo, k_start, hn::Neg(start)),
+            .hi = hn::MulAdd(slope_hi, hn::Neg(k_start), start)};
 }
 
 /// Puts the part from lane `first` on into the packet, in numbers of its type that enclose it.

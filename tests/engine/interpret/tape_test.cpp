@@ -131,8 +131,8 @@ Expr parsed(const std::string& text) {
 template <class Real>
 class Comparison {
 public:
-    Comparison(std::string text, const Kernel& whole, RandomNumbers& random)
-        : text_(std::move(text)), random_(random), view_(random), whole_(whole) {
+    Comparison(std::string text, Kernel whole, RandomNumbers& random)
+        : text_(std::move(text)), random_(random), view_(random), whole_(std::move(whole)) {
         ChoiceRecord record;
         const FormBatchOf<Real> batch = forms_.batch(view_);
         whole_.specializer->form(batch, record);

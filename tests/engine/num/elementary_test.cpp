@@ -177,9 +177,9 @@ TEST(CorrectlyRounded, IsTheNearestDouble) {
     EXPECT_TRUE(std::isinf(correctly_rounded(Elementary::Exp, 710.0)));
 }
 
-template <int Mode, class Real>
+template <int mode, class Real>
 Real in_mode(Elementary function, Real a, Real b) {
-    const RoundingGuard<Mode> guard;
+    const RoundingGuard<mode> guard;
     return one_lane(function, a, b);
 }
 

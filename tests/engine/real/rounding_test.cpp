@@ -24,9 +24,9 @@ float third() {
     return quotient;
 }
 
-template <int Mode>
+template <int mode>
 float third_in_mode() {
-    const RoundingGuard<Mode> guard;
+    const RoundingGuard<mode> guard;
     return third();
 }
 
@@ -142,9 +142,9 @@ TEST(RoundingGuard, IsOfItsThread) {
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
-template <int Mode>
+template <int mode>
 void expect_smallest_float_above() {
-    const RoundingGuard<Mode> guard;
+    const RoundingGuard<mode> guard;
     EXPECT_EQ(float_above(0.5), 0.5F);
     EXPECT_EQ(float_above(0.1), 0x1.99999ap-4F);
     EXPECT_EQ(float_above(-0.1), -0x1.999998p-4F);

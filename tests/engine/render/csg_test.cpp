@@ -93,7 +93,7 @@ TEST(Solid, IsTheSameFromAmongItsParts) {
 
 TEST(Solid, IsTheSameWhereTheBoxCutsIt) {
     const Camera camera = suite_camera(1.0);
-    Scene scene = scene_of(spheres("min", 40), Box::cube(0.6));
+    const Scene scene = scene_of(spheres("min", 40), Box::cube(0.6));
     Scene whole = scene;
     whole.surfaces[0].specializer = nullptr;
     for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {

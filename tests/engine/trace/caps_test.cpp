@@ -51,7 +51,7 @@ protected:
     }
     /// The solid is cut open: its caps are shown where they are, and certified; nothing else is.
     /// How many of them.
-    std::size_t check_caps(const Section& section, const Solid& solid) const {
+    [[nodiscard]] std::size_t check_caps(const Section& section, const Solid& solid) const {
         std::size_t caps = 0;
         for_pixels([&](const Ray& ray, std::size_t i) {
             const double at = ray.place_of(section);

@@ -262,6 +262,7 @@ Box integer_power(const Box& a, int n) { return n >= 0 ? power(a, n) : Box(1.0) 
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): one switch over all operators
 MpfiEnclosure enclosed(const Node& node, In a, In b, In c) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     switch (node.op) {

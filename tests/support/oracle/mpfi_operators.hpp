@@ -32,8 +32,8 @@ struct MpfiDual {
 /// A value and slope of a function that is defined and continuous everywhere.
 MpfiDual dual(MpfiInterval range, MpfiInterval slope);
 
-/// The slope of the operator at its operands, where its value is `f`.
-MpfiInterval slope_of(const Node& node, const MpfiEnclosure& f, const MpfiDual& a,
+/// The slope of the operator at its operands, where its value is `value`.
+MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDual& a,
                       const MpfiDual& b, const MpfiDual& c);
 
 }  // namespace zeroset::test

@@ -52,6 +52,7 @@ MpfiDual dual(MpfiInterval range, MpfiInterval slope) {
     return result;
 }
 
+// NOLINTNEXTLINE(readability-function-size): one switch over all operators
 MpfiInterval slope_of(const Node& node, const MpfiEnclosure& value, const MpfiDual& a,
                       const MpfiDual& b, const MpfiDual& c) {
     const Box one(1.0);

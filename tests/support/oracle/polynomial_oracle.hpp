@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace zeroset::test {
@@ -34,8 +35,8 @@ public:
     [[nodiscard]] RayAnswer answer(const RayQuestion& ray) const;
 
 private:
-    explicit PolynomialOracle(const Expr& expr, std::span<const double> uniforms)
-        : expr_(expr), uniforms_(uniforms.begin(), uniforms.end()) {}
+    explicit PolynomialOracle(Expr expr, std::span<const double> uniforms)
+        : expr_(std::move(expr)), uniforms_(uniforms.begin(), uniforms.end()) {}
 
     Expr expr_;
     std::vector<double> uniforms_;
