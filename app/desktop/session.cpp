@@ -160,7 +160,7 @@ void Session::undo(bool back) {
     if (state_.input.typing_row != 0) state_.wishes.reload = state_.input.typing_row;
 }
 
-void Session::copy() {
+void Session::copy() const {
     const Marker* const marker = find_marker(current().markers, state_.edited.selected_marker);
     ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(current()));
 }
