@@ -45,7 +45,8 @@ mkdir -p -- "$commands"
 awk -F'"' '
     /^[][]/ { next }
     /^\{/ { entry = ""; next }
-    /^\}/ { if (!(file in seen)) printf "%s{\n%s}", count++ ? ",\n" : "[\n", entry; seen[file]; next }
+    /^\}/ && file in seen { next }
+    /^\}/ { seen[file]; printf "%s{\n%s}", count++ ? ",\n" : "[\n", entry; next }
     $2 == "file" { file = $4 }
     { sub(/ -mmemset-strategy=[^ ]*/, ""); entry = entry $0 "\n" }
     END { print "\n]" }
