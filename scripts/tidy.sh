@@ -38,10 +38,19 @@ cd -- "$root"
 mapfile -t files < <(sources "$@")
 ((${#files[@]})) || die "no source that was compiled begins with $*"
 
-# The commands without options that only g++ knows.
+# One command for each source, though some are compiled for several programs, and without options
+# that only g++ knows.
 export commands=$build/tidy
 mkdir -p -- "$commands"
-sed 's/ -mmemset-strategy=[^ ]*//' "$build/compile_commands.json" >"$commands/compile_commands.json"
+awk -F'"' '
+    /^[][]/ { next }
+    /^\{/ { entry = ""; next }
+    /^\}/ && file in seen { next }
+    /^\}/ { seen[file]; printf "%s{\n%s}", count++ ? ",\n" : "[\n", entry; next }
+    $2 == "file" { file = $4 }
+    { sub(/ -mmemset-strategy=[^ ]*/, ""); entry = entry $0 "\n" }
+    END { print "\n]" }
+' "$build/compile_commands.json" >"$commands/compile_commands.json"
 
 # shellcheck disable=SC2016  # the shell that xargs starts expands $1
 if printf '%s\n' "${files[@]}" | xargs -d '\n' -n 1 -P "$(nproc)" bash -c 'tidy "$1"' tidy; then
