@@ -2,9 +2,9 @@
 
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"
-#include "engine/interpret/shape_memory.hpp"
 #include "engine/rewrite/outer_choices.hpp"
 #include "engine/rewrite/sample/form_sample.hpp"
+#include "engine/tape/shape_memory.hpp"
 #include "pipeline/sample_region.hpp"
 
 #include <algorithm>
@@ -88,7 +88,7 @@ std::expected<Kernel, jit::CompileError> whole_code(const Expr& surface,
     auto code = jit::compile(shaped->shape.expr, options);
     if (!code) return code;
     shaped->shape.kernel = std::move(*code);
-    return kernel_of_shape(surface, std::move(*shaped));
+    return kernel_of_shape(interpret(surface), std::move(*shaped));
 }
 
 /// Tells of each surface whether its code is made of its parts.

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/algebra/beam_algebra.hpp"
-#include "engine/interpret/tape.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/real/block.hpp"
+#include "engine/tape/tape.hpp"
 
 #include <cstdint>
 #include <new>

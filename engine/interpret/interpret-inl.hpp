@@ -10,8 +10,8 @@
 #include "engine/interpret/interpret_code.hpp"
 #include "engine/interpret/interpret_points-inl.hpp"
 #include "engine/interpret/part_values.hpp"
-#include "engine/interpret/tape.hpp"
 #include "engine/real/block.hpp"
+#include "engine/tape/tape.hpp"
 
 #include <new>
 #include <type_traits>

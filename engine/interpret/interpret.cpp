@@ -3,11 +3,11 @@
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret_code.hpp"
-#include "engine/interpret/tape.hpp"
 #include "engine/kernel/float_check.hpp"
 #include "engine/kernel/union_parts.hpp"
 #include "engine/kernel/unowned.hpp"
 #include "engine/real/block.hpp"
+#include "engine/tape/tape.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/expr/expr.hpp"
-#include "engine/interpret/parts.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/num/dual.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <array>
 #include <span>

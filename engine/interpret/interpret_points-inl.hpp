@@ -7,7 +7,7 @@
 #include "engine/interpret/block_board-inl.hpp"
 #include "engine/interpret/interpret_code.hpp"
 #include "engine/interpret/part_values.hpp"
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 
 #include <new>
 #include <type_traits>

@@ -2,8 +2,8 @@
 
 #include "engine/algebra/beam_algebra.hpp"
 #include "engine/algebra/dual_algebra.hpp"
-#include "engine/interpret/parts.hpp"
 #include "engine/real/block.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <array>
 #include <cstddef>

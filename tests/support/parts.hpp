@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/interpret/parts.hpp"
+#include "engine/tape/parts.hpp"
 #include "engine/kernel/kernel.hpp"
 
 namespace zeroset::test {

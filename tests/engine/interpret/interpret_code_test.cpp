@@ -1,7 +1,7 @@
 #include "engine/interpret/interpret_code.hpp"
 
 #include "engine/interpret/interpret.hpp"
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/sleef_lanes.hpp"
 #include "tests/support/kernel_batch.hpp"

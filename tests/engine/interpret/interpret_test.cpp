@@ -2,7 +2,7 @@
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
 #include "tests/support/kernel_batch.hpp"

@@ -1,4 +1,4 @@
-#include "engine/interpret/tape_blend.hpp"
+#include "engine/tape/tape_blend.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
-#include "engine/interpret/parts.hpp"
+#include "engine/tape/parts.hpp"
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/switches.hpp"
-#include "engine/interpret/skeleton.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/tape/skeleton.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include "engine/interpret/tape_graph.hpp"
+#include "engine/tape/tape_graph.hpp"
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"
-#include "engine/interpret/part_kernel.hpp"
+#include "engine/tape/part_kernel.hpp"
 
 #include <utility>
 

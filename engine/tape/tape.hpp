@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/algebra/switches.hpp"
-#include "engine/interpret/band.hpp"
-#include "engine/interpret/tape_graph.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "engine/tape/band.hpp"
+#include "engine/tape/tape_graph.hpp"
 
 #include <array>
 #include <cstddef>

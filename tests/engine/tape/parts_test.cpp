@@ -1,4 +1,4 @@
-#include "engine/interpret/parts.hpp"
+#include "engine/tape/parts.hpp"
 
 #include "engine/algebra/graph_facts.hpp"
 #include "engine/interpret/interpret.hpp"

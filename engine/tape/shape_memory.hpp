@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/interpret/part_kernel.hpp"
-#include "engine/interpret/skeleton.hpp"
+#include "engine/tape/part_kernel.hpp"
+#include "engine/tape/skeleton.hpp"
 
 #include <cstddef>
 #include <list>

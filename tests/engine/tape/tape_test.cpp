@@ -1,4 +1,4 @@
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"

@@ -3,8 +3,8 @@
 #include "engine/algebra/facts.hpp"
 #include "engine/algebra/switches.hpp"
 #include "engine/expr/expr.hpp"
-#include "engine/interpret/parts.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "engine/interpret/shape_memory.hpp"
+#include "engine/tape/shape_memory.hpp"
 
 #include <algorithm>
 #include <utility>

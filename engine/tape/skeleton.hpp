@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/interpret/parts.hpp"
 #include "engine/num/interval.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <cstddef>
 #include <optional>

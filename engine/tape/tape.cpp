@@ -1,8 +1,8 @@
-#include "engine/interpret/tape.hpp"
+#include "engine/tape/tape.hpp"
 
-#include "engine/interpret/tape_bands.hpp"
-#include "engine/interpret/tape_blend.hpp"
-#include "engine/interpret/tape_reduction.hpp"
+#include "engine/tape/tape_bands.hpp"
+#include "engine/tape/tape_blend.hpp"
+#include "engine/tape/tape_reduction.hpp"
 
 #include <numeric>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "engine/interpret/shape_memory.hpp"
+#include "engine/tape/shape_memory.hpp"
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
@@ -81,7 +81,7 @@ TEST(ShapeMemory, ShapesHaveTheGraphsBits) {
         ASSERT_TRUE(shapes[1]) << text;
         shapes[1]->shape.kernel = interpret(shapes[1]->shape.expr);
         const Expr expr = parsed({text}).front();
-        const Kernel kernel = kernel_of_shape(expr, std::move(*shapes[1]));
+        const Kernel kernel = kernel_of_shape(interpret(expr), std::move(*shapes[1]));
         EXPECT_FALSE(kernel.interpreted);
         EXPECT_EQ(kernel.parameters, interpret(expr).parameters);
         KernelBatch batch(random, 64);

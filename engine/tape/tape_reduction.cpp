@@ -1,4 +1,4 @@
-#include "engine/interpret/tape_reduction.hpp"
+#include "engine/tape/tape_reduction.hpp"
 
 #include "engine/algebra/switches.hpp"
 

@@ -1,4 +1,4 @@
-#include "engine/interpret/tape_bands.hpp"
+#include "engine/tape/tape_bands.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/interpret/skeleton.hpp"
+#include "engine/tape/skeleton.hpp"
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"

@@ -1,6 +1,4 @@
-#include "engine/interpret/part_kernel.hpp"
-
-#include "engine/interpret/interpret.hpp"
+#include "engine/tape/part_kernel.hpp"
 
 #include <memory>
 #include <type_traits>
@@ -79,8 +77,8 @@ void set_code(Kernel& kernel, const std::shared_ptr<const PartCode>& code) {
 
 }  // namespace
 
-Kernel kernel_of_shape(const Expr& expr, ShapedGraph graph) {
-    Kernel kernel = interpret(expr);
+Kernel kernel_of_shape(Kernel interpreted, ShapedGraph graph) {
+    Kernel kernel = std::move(interpreted);
     const auto own = std::make_shared<const OwnPartCode>(std::move(graph));
     kernel.lane_multiple = own->graph.shape.kernel.lane_multiple;
     kernel.interpreted = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/interpret/parts.hpp"
+#include "engine/tape/parts.hpp"
 
 #include <cstdint>
 
@@ -12,8 +12,9 @@ struct ShapedGraph {
     Part part;
 };
 
-/// The code of the graph's shape with the graph's constants; `expr` is the graph.
-Kernel kernel_of_shape(const Expr& expr, ShapedGraph graph);
+/// `interpreted`, the kernel of a graph, with the code of the graph's shape and the graph's
+/// constants in place of the interpreter's.
+Kernel kernel_of_shape(Kernel interpreted, ShapedGraph graph);
 
 /// The code of a part's shape with the part's constants. Neither it nor a copy outlives `parts`.
 Kernel kernel_of_part(const Parts& parts, std::uint32_t part);
