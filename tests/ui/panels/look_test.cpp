@@ -35,19 +35,19 @@ protected:
 
     /// Window coordinates of a place in the picture, given in heights of the picture from its
     /// centre.
-    glm::vec2 in_picture(float x, float y) const {
+    [[nodiscard]] glm::vec2 in_picture(float x, float y) const {
         const float left = side_panel_width(state_);
         const auto width = static_cast<float>(state_.viewport_px.x);
         const auto height = static_cast<float>(state_.viewport_px.y);
         return {std::floor(left + 0.5F * width + x * height), std::floor((0.5F - y) * height)};
     }
-    ImRect picture_corner() const {
+    [[nodiscard]] ImRect picture_corner() const {
         const auto right = static_cast<float>(px(GetParam().window.width));
         const auto bottom = static_cast<float>(state_.viewport_px.y);
         return {right - static_cast<float>(px(250)), bottom - static_cast<float>(px(110)), right,
                 bottom};
     }
-    ImRect status_line() const {
+    [[nodiscard]] ImRect status_line() const {
         const auto height = static_cast<float>(px(GetParam().window.height));
         return {0.0F, height - static_cast<float>(px(24)),
                 static_cast<float>(px(GetParam().window.width)), height};

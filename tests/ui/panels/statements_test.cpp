@@ -281,7 +281,7 @@ TEST_P(Statements, AreReorderedByTheirGrip) {
 TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
     set_rows(state_, {"a = 2", "x = a"});
     state_.document.statements[1].color = 0x30C0E0;
-    Framebuffer frame = draw();
+    const Framebuffer frame = draw();
     const ImRect list = child("##side/##list_")->Rect();
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
                          static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
@@ -299,7 +299,7 @@ TEST_P(Statements, ShowTheColorOfASurfaceAndLetItBeChosen) {
 TEST_P(Statements, LetTheSideThatIsSolidBeChosen) {
     set_rows(state_, {"x = 2"});
     state_.document.statements[0].color = 0x30C0E0;
-    Framebuffer frame = draw();
+    const Framebuffer frame = draw();
     const ImRect list = child("##side/##list_")->Rect();
     const Rectangle area{static_cast<int>(list.Min.x), static_cast<int>(list.Min.y),
                          static_cast<int>(list.Max.x), static_cast<int>(list.Max.y)};
