@@ -44,16 +44,16 @@ bool is_algebraic(Op op) {
 
 PlainRange plain_apply(const PlainAlgebra& plain, const Node& node, const Operand<PlainRange>& a,
                        const Operand<PlainRange>& b) {
-    if (node.op == Op::Negate) return plain.negate(a.value);
-    if (node.op == Op::Add) return plain.add(a.value, b.value);
-    if (node.op == Op::Subtract) return plain.subtract(a.value, b.value);
+    if (node.op == Op::Negate) return PlainAlgebra::negate(a.value);
+    if (node.op == Op::Add) return PlainAlgebra::add(a.value, b.value);
+    if (node.op == Op::Subtract) return PlainAlgebra::subtract(a.value, b.value);
     if (node.op == Op::Multiply) return plain.multiply(a, b);
     if (node.op == Op::Divide) return plain.divide(a.value, b.value);
-    if (node.op == Op::IntPower) return plain.int_power(a, node.number);
-    if (node.op == Op::Sqrt) return plain.sqrt(a);
-    if (node.op == Op::Abs) return plain.abs(a);
-    if (node.op == Op::Min) return plain.min(a.value, b.value);
-    return plain.max(a.value, b.value);
+    if (node.op == Op::IntPower) return PlainAlgebra::int_power(a, node.number);
+    if (node.op == Op::Sqrt) return PlainAlgebra::sqrt(a);
+    if (node.op == Op::Abs) return PlainAlgebra::abs(a);
+    if (node.op == Op::Min) return PlainAlgebra::min(a.value, b.value);
+    return PlainAlgebra::max(a.value, b.value);
 }
 
 /// A batch's arrays called neg_lo are those of lo here.

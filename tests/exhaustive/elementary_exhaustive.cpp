@@ -251,7 +251,7 @@ private:
         if (!std::isfinite(close) || std::abs(close) < std::numeric_limits<double>::min()) return;
         const Reference truth = exactly(floats.a[i]);
         const double error = ((truth.value - MpfrNumber(close)) / truth.value).nearest();
-        if (std::abs(error) > found.close_error) found.close_error = std::abs(error);
+        found.close_error = std::max(found.close_error, std::abs(error));
     }
 
     [[nodiscard]] Reference exactly(float a) const {

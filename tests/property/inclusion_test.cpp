@@ -20,16 +20,16 @@ namespace {
 class CountingTest : public ::testing::Test {
 protected:
     static void TearDownTestSuite() {
-        std::printf("checked %llu points\n", static_cast<unsigned long long>(checks_));
-        checks_ = 0;
+        std::printf("checked %llu points\n", static_cast<unsigned long long>(checks));
+        checks = 0;
     }
     static void expect_none(const InclusionTally& tally) {
-        checks_ += tally.checks;
+        checks += tally.checks;
         EXPECT_EQ(tally.failures, 0U) << tally.first;
     }
 
 private:
-    static inline std::uint64_t checks_ = 0;
+    static inline std::uint64_t checks = 0;
 };
 
 class InclusionOfOperators : public CountingTest, public ::testing::WithParamInterface<OpInfo> {

@@ -41,13 +41,13 @@ protected:
         const auto height = static_cast<float>(state_.input.viewport_px.y);
         return {std::floor(left + 0.5F * width + x * height), std::floor((0.5F - y) * height)};
     }
-    ImRect picture_corner() const {
+    [[nodiscard]] ImRect picture_corner() const {
         const auto right = static_cast<float>(px(GetParam().window.width));
         const auto bottom = static_cast<float>(state_.input.viewport_px.y);
         return {right - static_cast<float>(px(250)), bottom - static_cast<float>(px(110)), right,
                 bottom};
     }
-    ImRect status_line() const {
+    [[nodiscard]] ImRect status_line() const {
         const auto height = static_cast<float>(px(GetParam().window.height));
         return {0.0F, height - static_cast<float>(px(24)),
                 static_cast<float>(px(GetParam().window.width)), height};

@@ -25,6 +25,7 @@
 #include <string>
 
 /// Called by the leak sanitizer: OSMesa keeps a few bytes of each context.
+// NOLINTNEXTLINE(readability-identifier-naming): the sanitizer's name
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
 
@@ -189,25 +190,28 @@ TEST(OffscreenContext, MakesItsFontsAnewForAnotherScale) {
     EXPECT_NEAR(panel_at(1.0F), usual, 0.01F);
 }
 
-GlLoader real_loader = nullptr;
+GlLoader& real_loader() {
+    static GlLoader loader = nullptr;
+    return loader;
+}
 
 /// Loads functions like the real loader, except that the context reports itself lost.
 GlFunction loader_of_a_lost_context(const char* name) {
     if (std::string(name) == "glGetGraphicsResetStatus") {
         return reinterpret_cast<GlFunction>(+[] { return GLenum{0x8253}; });  // guilty
     }
-    return real_loader(name);
+    return real_loader()(name);
 }
 
 TEST(OffscreenContext, IsLostWhenTheDriverSaysSo) {
     const auto context = make_egl_context({16, 16});
     if (!context) GTEST_SKIP() << context.error();
-    real_loader = (*context)->loader();
-    ASSERT_TRUE(load_gl(real_loader));
+    real_loader() = (*context)->loader();
+    ASSERT_TRUE(load_gl(real_loader()));
     EXPECT_FALSE(is_context_lost());
     ASSERT_TRUE(load_gl(loader_of_a_lost_context));
     EXPECT_TRUE(is_context_lost());
-    ASSERT_TRUE(load_gl(real_loader));
+    ASSERT_TRUE(load_gl(real_loader()));
 }
 
 TEST(OffscreenContext, DrawsTheSameInOneProcess) {
