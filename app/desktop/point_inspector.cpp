@@ -69,7 +69,7 @@ void PointInspector::keep_marker(ui::UiState& state) {
 
 std::optional<ui::PointedFacts> PointInspector::facts_at(const ui::ShownPicture& shown,
                                                          const PictureRequest& request,
-                                                         const glm::dvec2& cursor) {
+                                                         const ViewPoint& cursor) {
     if (shown.frame == nullptr) return std::nullopt;
     const ViewFrame view(shown.camera);
     const StopCriterion& stop = request.settings.stop;

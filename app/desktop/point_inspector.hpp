@@ -40,7 +40,7 @@ private:
 
     std::optional<ui::PointedFacts> facts_at(const ui::ShownPicture& shown,
                                              const PictureRequest& request,
-                                             const glm::dvec2& cursor);
+                                             const ViewPoint& cursor);
     const std::vector<Kernel>& typed(const PictureRequest& request);
     void look(ui::UiState& state, const PictureRequest& request);
     void take_click(ui::UiState& state, const PictureRequest& request, double now_s);

@@ -54,7 +54,9 @@ struct Rectangle {
 class AxesMaker {
 public:
     AxesMaker(const AxesView& view, const Framebuffer& shown)
-        : view_(view), plane_(view.camera, view.width, view.height), shown_(shown) {}
+        : view_(view),
+          plane_(view.camera, {.width = view.width, .height = view.height}),
+          shown_(shown) {}
 
     void add_grid();
     void add_clip_box();

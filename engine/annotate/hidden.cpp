@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-glm::ivec2 pixel_under(const Framebuffer& frame, const glm::dvec2& place) {
+glm::ivec2 pixel_under(const Framebuffer& frame, const ViewPoint& place) {
     return {static_cast<int>(std::floor(0.5 * frame.width + place.x * frame.height)),
             static_cast<int>(std::floor((0.5 - place.y) * frame.height))};
 }

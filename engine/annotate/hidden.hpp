@@ -11,7 +11,7 @@ namespace zeroset {
 
 /// The pixel of a picture at a place in heights of it from its centre, x to the right, y upwards;
 /// it may lie outside.
-glm::ivec2 pixel_under(const Framebuffer& frame, const glm::dvec2& place);
+glm::ivec2 pixel_under(const Framebuffer& frame, const ViewPoint& place);
 
 /// Whether a surface of the picture hides a point; or the eye does not look towards it.
 bool is_behind(const Framebuffer& frame, const ViewFrame& view, const glm::dvec3& point);

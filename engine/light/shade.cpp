@@ -39,9 +39,9 @@ struct RayDirections {
     V<float> key_by_col;
 
     RayDirections(const TraceFrame& frame, const Tile& tile, const glm::dvec3& key_light)
-        : first(frame.view.direction(tile.col + 0.5, tile.row + 0.5, frame.width, frame.height)),
+        : first(frame.view.direction(pixel_centre(tile.col, tile.row), frame.image)),
           key(key_light) {
-        const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.height);
+        const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.image.height);
         by_row = -size * frame.view.up;
         by_col = splat(size * frame.view.right);
         key_by_col = hn::Set(d<float>, static_cast<float>(size * glm::dot(key, frame.view.right)));
@@ -82,11 +82,10 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
         const auto at = static_cast<std::size_t>(row * tile_size + col);
         if (hits.cap[at] == 0) continue;
         const glm::dvec3 normal(hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]);
-        const glm::dvec3 point =
-            frame.view.point(tile.col + col + 0.5, tile.row + row + 0.5, frame.width, frame.height,
-                             static_cast<double>(hits.depth[at]));
+        const glm::dvec3 point = frame.view.point(pixel_centre(tile.col + col, tile.row + row),
+                                                  frame.image, static_cast<double>(hits.depth[at]));
         const auto pixel = static_cast<std::size_t>(col);
-        light.diffuse[pixel] *= cap_tone(frame.view, frame.height, point, normal);
+        light.diffuse[pixel] *= cap_tone(frame.view, frame.image.height, point, normal);
         light.gloss[pixel] = 0.0F;
     }
 }

@@ -57,8 +57,7 @@ TraceFrame light_frame(const TraceFrame& frame, const TimeLimit& limit) {
     return {.scene = frame.scene,
             .kernel = frame.kernel,
             .view = ViewFrame(light_camera(frame)),
-            .width = tile_size,
-            .height = tile_size,
+            .image = {.width = tile_size, .height = tile_size},
             .stop = frame.stop,
             .depth = frame.depth,
             .precision = frame.precision,
@@ -193,13 +192,10 @@ void PathMaker::add(LitLayer& layer, std::vector<LightPath>& paths) const {
         for (int col = 0; col < tile_.cols; ++col) {
             const auto at = static_cast<std::size_t>(row * tile_size + col);
             if (!(hits.depth[at] < std::numeric_limits<float>::infinity())) continue;
-            const double image_col = tile_.col + col + 0.5;
-            const double image_row = tile_.row + row + 0.5;
-            const glm::dvec3 along =
-                frame_.view.direction(image_col, image_row, frame_.width, frame_.height);
+            const PixelPoint centre = pixel_centre(tile_.col + col, tile_.row + row);
+            const glm::dvec3 along = frame_.view.direction(centre, frame_.image);
             const glm::dvec3 from_light =
-                frame_.view.point(image_col, image_row, frame_.width, frame_.height,
-                                  static_cast<double>(hits.depth[at])) -
+                frame_.view.point(centre, frame_.image, static_cast<double>(hits.depth[at])) -
                 light_.eye;
             const glm::dvec3 gradient(hits.gradient[0][at], hits.gradient[1][at],
                                       hits.gradient[2][at]);

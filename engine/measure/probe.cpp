@@ -136,7 +136,8 @@ std::optional<PointFacts> probe(const ProbedPicture& picture, int col, int row) 
     if (!std::isfinite(depth) || surface >= picture.formulas.size()) return std::nullopt;
 
     const ViewFrame view(picture.camera);
-    const PixelRay ray = pixel_ray(view, col + 0.5, row + 0.5, frame.width, frame.height);
+    const PixelRay ray =
+        pixel_ray(view, pixel_centre(col, row), {.width = frame.width, .height = frame.height});
     const RayFormula formula(picture.formulas[surface], picture.uniforms, ray);
     // A depth is a float; a surface seen at a slant is farther off along the ray than it is.
     const double rounding = 0x1p-20 * (std::abs(depth) + glm::length(view.eye));

@@ -26,7 +26,8 @@ std::vector<std::vector<SurfacePoint>> points_of(const Framebuffer& frame, const
             const auto distance = static_cast<double>(frame.depth[pixel]);
             const std::uint8_t surface = frame.surface[pixel];
             if (surface >= surfaces || !std::isfinite(distance)) continue;
-            const PixelRay ray = pixel_ray(view, col + 0.5, row + 0.5, frame.width, frame.height);
+            const PixelRay ray = pixel_ray(view, pixel_centre(col, row),
+                                           {.width = frame.width, .height = frame.height});
             points[surface].push_back({ray.at(distance), distance});
         }
     }

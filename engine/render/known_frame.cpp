@@ -17,8 +17,8 @@ KnownFrame::KnownFrame(const Scene& scene, const Camera& camera, const TraceSett
     : threads_(settings.threads), grid_(known.width, known.height) {
     const ViewFrame view(camera);
     for (const Kernel& kernel : scene.surfaces) {
-        surfaces_.push_back(
-            trace_frame(scene, kernel, view, known.width, known.height, settings.stop));
+        surfaces_.push_back(trace_frame(
+            scene, kernel, view, {.width = known.width, .height = known.height}, settings.stop));
     }
     hits_.resize(grid_.size());
     for (std::size_t i = 0; i < grid_.size(); ++i) {
@@ -35,8 +35,9 @@ void KnownFrame::collect(const Tile& tile, const Framebuffer& known,
             const std::size_t at = known.index(tile.col + col, tile.row + row);
             if (known.surface[at] == no_surface) continue;
             Hits& of_surface = hits[known.surface[at]];
-            const double stretch = glm::length(view.direction(
-                tile.col + col + 0.5, tile.row + row + 0.5, known.width, known.height));
+            const PixelPoint centre = pixel_centre(tile.col + col, tile.row + row);
+            const double stretch =
+                glm::length(view.direction(centre, {.width = known.width, .height = known.height}));
             const double s = static_cast<double>(known.depth[at]) / stretch - view.look_distance;
             of_surface.col.push_back(from_middle(col));
             of_surface.row.push_back(from_middle(row));

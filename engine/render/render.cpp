@@ -58,8 +58,8 @@ std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
 /// A scene at one resolution, tile by tile.
 class TilePainter {
 public:
-    TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings, int width,
-                int height);
+    TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
+                const ImageSize& image);
     /// In upward rounding.
     TileState paint(Tile tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
                     Counters& counters) const;
@@ -82,8 +82,7 @@ private:
         return {.scene = whole.scene,
                 .kernel = kernel,
                 .view = whole.view,
-                .width = whole.width,
-                .height = whole.height,
+                .image = whole.image,
                 .stop = whole.stop,
                 .depth = whole.depth,
                 .precision = whole.precision,
@@ -99,11 +98,10 @@ private:
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                         int width, int height)
+                         const ImageSize& image)
     : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        surfaces_.push_back(
-            trace_frame(scene, scene.surfaces[i], view, width, height, settings.stop));
+        surfaces_.push_back(trace_frame(scene, scene.surfaces[i], view, image, settings.stop));
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (const TraceFrame& surface : surfaces_) {
@@ -195,11 +193,12 @@ public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                  Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
-          painter_(scene, view_, settings, out.width, out.height),
+          painter_(scene, view_, settings, {.width = out.width, .height = out.height}),
           out_(out),
           watch_(watch) {
         if (settings.antialias)
-            fine_painter_.emplace(scene, view_, settings, 2 * out.width, 2 * out.height);
+            fine_painter_.emplace(scene, view_, settings,
+                                  ImageSize{.width = 2 * out.width, .height = 2 * out.height});
     }
     /// `blank_rows`: the tile's of the picture. In upward rounding.
     TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,

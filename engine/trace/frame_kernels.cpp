@@ -97,7 +97,8 @@ struct FrameKernels::Region {
 };
 
 FrameKernels::FrameKernels(const TraceFrame& frame) : frame_(frame) {
-    const auto longest = static_cast<unsigned>(std::max({frame.width, frame.height, tile_size}));
+    const auto longest =
+        static_cast<unsigned>(std::max({frame.image.width, frame.image.height, tile_size}));
     whole_ = std::make_unique<Region>(0, 0, static_cast<int>(std::bit_ceil(longest)));
 }
 

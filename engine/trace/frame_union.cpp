@@ -64,8 +64,8 @@ UnionMember seen(const TraceFrame& frame, const Kernel* kernel, const Box& box, 
                     .first_row = -unbounded,
                     .last_row = unbounded};
         const glm::dvec3 shown = frame.view.homogeneous(at);
-        const double half = 0.5 * frame.height;
-        const double col = 0.5 * frame.width + half * (shown.x / shown.z);
+        const double half = 0.5 * frame.image.height;
+        const double col = 0.5 * frame.image.width + half * (shown.x / shown.z);
         const double row = half - half * (shown.y / shown.z);
         member.from = std::min(member.from, along - frame.view.look_distance - spare);
         member.to = std::max(member.to, along - frame.view.look_distance + spare);

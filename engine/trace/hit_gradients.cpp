@@ -170,8 +170,8 @@ private:
 Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) const {
     const auto col = static_cast<int>(point.pixel % tile_size);
     const auto row = static_cast<int>(point.pixel / tile_size);
-    const PixelRay ray = pixel_ray(frame_.view, tile.col + col + 0.5, tile.row + row + 0.5,
-                                   frame_.width, frame_.height);
+    const PixelRay ray =
+        pixel_ray(frame_.view, pixel_centre(tile.col + col, tile.row + row), frame_.image);
     const glm::dvec3 start(point.position[0], point.position[1], point.position[2]);
     const double depth = glm::dot(start - frame_.view.eye, frame_.view.forward);
     const double away =
@@ -179,7 +179,7 @@ Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) co
     return {.pixel = point.pixel,
             .start = start,
             .direction = ray.direction,
-            .pixel_size = away * frame_.view.pixel_at_look(frame_.height),
+            .pixel_size = away * frame_.view.pixel_at_look(frame_.image.height),
             .trend = point.trend,
             .lo = -tolerance_,
             .hi = tolerance_,

@@ -11,13 +11,12 @@ Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopC
     return has_double ? wanted_precision(scene, view, stop) : Precision::Float;
 }
 
-TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
-                       int height, const StopCriterion& stop) {
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view,
+                       const ImageSize& image, const StopCriterion& stop) {
     return {.scene = scene,
             .kernel = kernel,
             .view = view,
-            .width = width,
-            .height = height,
+            .image = image,
             .stop = stop,
             .depth = search_depth(scene.clip, view, stop),
             .precision = frame_precision(scene, view, stop)};
@@ -30,7 +29,8 @@ double place_error(const TraceFrame& frame) {
     double sizes = std::max({eye.x, eye.y, eye.z}) + std::max({box.x, box.y, box.z}) +
                    frame.view.look_distance;
     if (frame.view.parallel())
-        sizes += frame.view.pixel_at_look(frame.height) * (frame.width + frame.height);
+        sizes +=
+            frame.view.pixel_at_look(frame.image.height) * (frame.image.width + frame.image.height);
     return 0x1p-46 * sizes;
 }
 

@@ -24,8 +24,7 @@ struct TraceFrame {
     const Scene& scene;
     const Kernel& kernel;  ///< of the surface: one of scene.surfaces
     ViewFrame view;
-    int width;
-    int height;
+    ImageSize image;
     StopCriterion stop;
     SearchDepth depth;    ///< what `stop` comes to in this view
     Precision precision;  ///< of the kernel's code to use; it has it
@@ -44,8 +43,8 @@ struct TraceFrame {
 Precision frame_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop);
 
 /// The frame of one of the scene's surfaces, in the scene's precision.
-TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view, int width,
-                       int height, const StopCriterion& stop);
+TraceFrame trace_frame(const Scene& scene, const Kernel& kernel, const ViewFrame& view,
+                       const ImageSize& image, const StopCriterion& stop);
 
 /// A bound of the rounding errors of a few operations in double on places in the view, and on
 /// distances between them: 2^-46 of the eye's, the clip box's and the view's sizes together.

@@ -29,25 +29,23 @@ ViewFrame::ViewFrame(const Camera& camera)
     up = glm::cross(right, forward);
 }
 
-glm::dvec3 ViewFrame::across(double col, double row, int width_px, int height_px) const {
-    const double size = pixel_size(height_px);
-    const double u = (col - 0.5 * width_px) * size;
-    const double v = (0.5 * height_px - row) * size;
+glm::dvec3 ViewFrame::across(const PixelPoint& at, const ImageSize& image) const {
+    const double size = pixel_size(image.height);
+    const double u = (at.col - 0.5 * image.width) * size;
+    const double v = (0.5 * image.height - at.row) * size;
     return u * right + v * up;
 }
 
-glm::dvec3 ViewFrame::direction(double col, double row, int width_px, int height_px) const {
-    return parallel() ? forward : forward + across(col, row, width_px, height_px);
+glm::dvec3 ViewFrame::direction(const PixelPoint& at, const ImageSize& image) const {
+    return parallel() ? forward : forward + across(at, image);
 }
 
-glm::dvec3 ViewFrame::origin(double col, double row, int width_px, int height_px) const {
-    return parallel() ? eye + look_distance * across(col, row, width_px, height_px) : eye;
+glm::dvec3 ViewFrame::origin(const PixelPoint& at, const ImageSize& image) const {
+    return parallel() ? eye + look_distance * across(at, image) : eye;
 }
 
-glm::dvec3 ViewFrame::point(double col, double row, int width_px, int height_px,
-                            double distance) const {
-    return origin(col, row, width_px, height_px) +
-           distance * glm::normalize(direction(col, row, width_px, height_px));
+glm::dvec3 ViewFrame::point(const PixelPoint& at, const ImageSize& image, double distance) const {
+    return origin(at, image) + distance * glm::normalize(direction(at, image));
 }
 
 glm::dmat3 front_axes(const glm::dvec3& up) {
@@ -146,10 +144,10 @@ Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad) {
     return turned;
 }
 
-Camera pan(const Camera& camera, double dx, double dy) {
+Camera pan(const Camera& camera, const ViewShift& by) {
     const ViewFrame frame(camera);
     const double height = 2.0 * frame.half_height * frame.look_distance;
-    const glm::dvec3 step = height * (dx * frame.right + dy * frame.up);
+    const glm::dvec3 step = height * (by.x * frame.right + by.y * frame.up);
     Camera moved = camera;
     moved.eye += step;
     moved.look_at += step;
@@ -165,11 +163,12 @@ Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed) {
     return factor < 1.0 && distance < nearest * glm::length(moved.look_at) ? camera : moved;
 }
 
-glm::dvec3 point_under(const Camera& camera, double u, double v, std::optional<double> distance) {
+glm::dvec3 point_under(const Camera& camera, const ViewPoint& cursor,
+                       std::optional<double> distance) {
     const ViewFrame frame(camera);
-    // Take an image 2 pixels high whose centre is (0, 0).
-    const double at_look = frame.look_distance * glm::length(frame.direction(u, 1.0 - v, 0, 2));
-    return frame.point(u, 1.0 - v, 0, 2, distance.value_or(at_look));
+    const PixelPoint at = pixel_point(cursor, unit_image);
+    const double at_look = frame.look_distance * glm::length(frame.direction(at, unit_image));
+    return frame.point(at, unit_image, distance.value_or(at_look));
 }
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/view/box.hpp"
+#include "engine/view/image_point.hpp"
 
 #include <glm/glm.hpp>
 
@@ -54,13 +55,12 @@ struct ViewFrame {
     [[nodiscard]] double pixel_width(int height_px, double distance) const {
         return parallel() ? pixel_at_look(height_px) : pixel_size(height_px) * distance;
     }
-    /// Direction (not normalised, 1 along forward) of the ray through the point (col, row) of the
-    /// image in pixels; a pixel's centre is at (i + 0.5, j + 0.5).
-    [[nodiscard]] glm::dvec3 direction(double col, double row, int width_px, int height_px) const;
+    /// Direction (not normalised, 1 along forward) of the ray through a point of the image.
+    [[nodiscard]] glm::dvec3 direction(const PixelPoint& at, const ImageSize& image) const;
     /// The point of that ray at t = 0.
-    [[nodiscard]] glm::dvec3 origin(double col, double row, int width_px, int height_px) const;
+    [[nodiscard]] glm::dvec3 origin(const PixelPoint& at, const ImageSize& image) const;
     /// The point of that ray at `distance`.
-    [[nodiscard]] glm::dvec3 point(double col, double row, int width_px, int height_px,
+    [[nodiscard]] glm::dvec3 point(const PixelPoint& at, const ImageSize& image,
                                    double distance) const;
 
     /// The place (u, v, c), affine in the point, at which it shows: u / c to the right of the
@@ -70,8 +70,9 @@ struct ViewFrame {
     [[nodiscard]] double distance_of(const glm::dvec3& point) const;
 
 private:
-    /// The vector from the image's centre to (col, row), in the plane across the view at depth 1.
-    [[nodiscard]] glm::dvec3 across(double col, double row, int width_px, int height_px) const;
+    /// The vector from the image's centre to a point of it, in the plane across the view at
+    /// depth 1.
+    [[nodiscard]] glm::dvec3 across(const PixelPoint& at, const ImageSize& image) const;
 };
 
 /// The world's axes for one who looks from the front: the columns point to the right, away from the
@@ -103,16 +104,15 @@ const char* camera_defect(const Camera& camera);
 /// Turns the camera about the point looked at; angles in radians, yaw right-handed about `up`,
 /// pitch upwards and kept off the poles.
 Camera orbit(const Camera& camera, double yaw_rad, double pitch_rad);
-/// Moves the eye and the point looked at in the image plane by (dx, dy), in heights of the image,
-/// positive to the right and upwards.
-Camera pan(const Camera& camera, double dx, double dy);
+/// Moves the eye and the point looked at in the image plane.
+Camera pan(const Camera& camera, const ViewShift& by);
 /// Scales the distances of eye and point looked at from `fixed`, a point in world units, by
 /// `factor` (< 1 comes nearer): what is seen at that point stays where it is in the image. Keeps
 /// the camera where it would come nearer than double can tell eye and point looked at apart.
 Camera zoom(const Camera& camera, double factor, const glm::dvec3& fixed);
 /// The point under the cursor at `distance` along its ray, by default in the plane through the
-/// point looked at. (u, v) is the cursor in half heights of the image from its centre.
-glm::dvec3 point_under(const Camera& camera, double u, double v,
+/// point looked at.
+glm::dvec3 point_under(const Camera& camera, const ViewPoint& cursor,
                        std::optional<double> distance = std::nullopt);
 
 }  // namespace zeroset

@@ -11,8 +11,7 @@ namespace zeroset {
 /// Projection of points of the world into an image in pixels, the inverse of ViewFrame::point.
 class ImagePlane {
 public:
-    ImagePlane(const Camera& camera, int width_px, int height_px)
-        : view_(camera), width_(width_px), height_(height_px) {}
+    ImagePlane(const Camera& camera, const ImageSize& image) : view_(camera), image_(image) {}
 
     /// Place of a point as of ViewFrame::homogeneous.
     [[nodiscard]] glm::dvec3 homogeneous(const glm::dvec3& point) const {
@@ -20,8 +19,8 @@ public:
     }
     /// Column and row of a place from homogeneous; a pixel's centre is at (i + 0.5, j + 0.5).
     [[nodiscard]] glm::dvec2 pixel(const glm::dvec3& place) const {
-        return {0.5 * (width_ + height_ * place.x / place.z),
-                0.5 * height_ * (1 - place.y / place.z)};
+        return {0.5 * (image_.width + image_.height * place.x / place.z),
+                0.5 * image_.height * (1 - place.y / place.z)};
     }
     [[nodiscard]] std::optional<glm::dvec2> pixel_of(const glm::dvec3& point) const {
         const glm::dvec3 place = homogeneous(point);
@@ -34,12 +33,11 @@ public:
     }
 
     [[nodiscard]] const ViewFrame& view() const { return view_; }
-    [[nodiscard]] int width() const { return width_; }
-    [[nodiscard]] int height() const { return height_; }
+    [[nodiscard]] const ImageSize& image() const { return image_; }
 
 private:
     ViewFrame view_;
-    int width_, height_;
+    ImageSize image_;
 };
 
 }  // namespace zeroset

@@ -10,13 +10,13 @@ namespace {
 
 /// Direction of the point under `at` on the ball of radius 1/2 about the centre, seen from far
 /// along the third axis; beyond 45 degrees a hyperbola continues the ball [Henriksen04].
-glm::dvec3 on_ball(const glm::dvec2& at) {
+glm::dvec3 on_ball(const ViewPoint& at) {
     constexpr double squared_radius = 0.25;
-    const double squared = glm::dot(at, at);
+    const double squared = at.x * at.x + at.y * at.y;
     const double height = squared < 0.5 * squared_radius
                               ? std::sqrt(squared_radius - squared)
                               : 0.5 * squared_radius / std::sqrt(squared);
-    return glm::normalize(glm::dvec3(at, height));
+    return glm::normalize(glm::dvec3(at.x, at.y, height));
 }
 
 /// Rotation from the camera's axes (right, up, towards the eye) to the world's.
@@ -74,7 +74,7 @@ Camera orbit_about(const Camera& camera, const glm::dvec3& up, double yaw_rad, d
     return orbit(upright, yaw_rad, pitch_rad);
 }
 
-Camera roll_ball(const Camera& camera, const glm::dvec2& from, const glm::dvec2& to) {
+Camera roll_ball(const Camera& camera, const ViewPoint& from, const ViewPoint& to) {
     const glm::dvec3 grabbed = on_ball(from);
     const glm::dvec3 released = on_ball(to);
     const glm::dvec3 axis = glm::cross(grabbed, released);

@@ -24,9 +24,9 @@ Camera seen_from(const Camera& camera, const glm::dvec3& outward, const glm::dve
 Camera orbit_about(const Camera& camera, const glm::dvec3& up, double yaw_rad, double pitch_rad);
 
 /// Turns the camera with a ball about the point looked at, as high as the image, that is grabbed at
-/// `from` and released at `to`; beyond its rim it rolls about the view. Both are in heights of the
-/// image from its centre, to the right and upwards. The camera's `up` turns, too.
-Camera roll_ball(const Camera& camera, const glm::dvec2& from, const glm::dvec2& to);
+/// `from` and released at `to`; beyond its rim it rolls about the view. The camera's `up` turns,
+/// too.
+Camera roll_ball(const Camera& camera, const ViewPoint& from, const ViewPoint& to);
 
 /// `camera` looking at `point` in the same direction; what is there keeps its size. Unchanged where
 /// the point is not in front of the eye.

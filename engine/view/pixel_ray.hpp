@@ -16,25 +16,25 @@ struct PixelRay {
     [[nodiscard]] glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
-/// The ray through the point (col, row) of an image, in pixels. The centre of a pixel is at
-/// (i + 0.5, j + 0.5).
-inline PixelRay pixel_ray(const ViewFrame& view, double col, double row, int width_px,
-                          int height_px) {
-    return {.origin = view.origin(col, row, width_px, height_px),
-            .direction = glm::normalize(view.direction(col, row, width_px, height_px))};
+/// The ray through a point of an image.
+inline PixelRay pixel_ray(const ViewFrame& view, const PixelPoint& at, const ImageSize& image) {
+    return {.origin = view.origin(at, image),
+            .direction = glm::normalize(view.direction(at, image))};
+}
+inline PixelRay pixel_ray(const ViewFrame& view, const ViewPoint& at) {
+    return pixel_ray(view, pixel_point(at, unit_image), unit_image);
 }
 
-/// The place at which a point shows in the image, in heights of it from its centre, x to the right,
-/// y upwards, and the point's distance along its ray. Nothing for a point on no ray, which is one
-/// not in front of the eye of a perspective view.
+/// The place at which a point shows in the image, and the point's distance along its ray. Nothing
+/// for a point on no ray, which is one not in front of the eye of a perspective view.
 struct PlaceInView {
-    glm::dvec2 place;
+    ViewPoint place;
     double distance;
 };
 inline std::optional<PlaceInView> place_in_view(const ViewFrame& view, const glm::dvec3& point) {
     const glm::dvec3 shown = view.homogeneous(point);
     if (!(shown.z > 0.0)) return std::nullopt;
-    return PlaceInView{.place = 0.5 / shown.z * glm::dvec2(shown),
+    return PlaceInView{.place = {.x = 0.5 / shown.z * shown.x, .y = 0.5 / shown.z * shown.y},
                        .distance = view.distance_of(point)};
 }
 

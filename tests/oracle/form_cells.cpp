@@ -107,8 +107,8 @@ FormCells<Real> random_cells(RandomNumbers& random) {
         const int height = random.between(64, 2000);
         if (height % 3 == 0) seen.camera.projection = Projection::Orthographic;
         const ViewFrame view(seen.camera);
-        const TraceFrame frame =
-            trace_frame(seen.scene, Kernel{}, view, height, height, StopCriterion{});
+        const TraceFrame frame = trace_frame(seen.scene, Kernel{}, view,
+                                             {.width = height, .height = height}, StopCriterion{});
         const int first = random.between(0, height - tile_size);
         const Tile tile{first, random.between(0, height - tile_size), tile_size, tile_size};
         const TileRays beams(frame, tile);

@@ -300,7 +300,7 @@ AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
         const int col = static_cast<int>(i) % frame.width;
         const int row = static_cast<int>(i) / frame.width;
         const glm::dvec3 direction =
-            view.direction(col + 0.5, row + 0.5, frame.width, frame.height);
+            view.direction(pixel_centre(col, row), {.width = frame.width, .height = frame.height});
         const auto depth = static_cast<double>(frame.depth[i]);
         const Shown shown{frame.certificate[i], depth,
                           depth_error(surface, settings, direction, depth)};

@@ -46,8 +46,9 @@ struct Ray {
     Ray(const Camera& camera, const Box& clip, int col, int row, const Framebuffer& frame,
         const Region& region = {}) {
         const ViewFrame view(camera);
-        eye = view.origin(col + 0.5, row + 0.5, frame.width, frame.height);
-        direction = glm::normalize(view.direction(col + 0.5, row + 0.5, frame.width, frame.height));
+        eye = view.origin(pixel_centre(col, row), {.width = frame.width, .height = frame.height});
+        direction = glm::normalize(
+            view.direction(pixel_centre(col, row), {.width = frame.width, .height = frame.height}));
         if (view.parallel()) t_first = -infinity;
         t_in = t_first;
         t_out = infinity;

@@ -86,7 +86,7 @@ void switch_handles(UiState& state) {
 /// Asks for a marker at the pointer or, if that is elsewhere, at the middle of the picture.
 void keep_marker(UiState& state) {
     state.wishes.click =
-        PictureClick{.cursor = state.input.pointer.value_or(glm::dvec2(0.0)), .at_once = true};
+        PictureClick{.cursor = state.input.pointer.value_or(ViewPoint()), .at_once = true};
 }
 
 void select_next_marker(UiState& state) {

@@ -97,7 +97,7 @@ void set_trackball(UiState& state, bool freely) {
 void orbit_step(UiState& state, const glm::ivec2& steps) {
     PointerMotion motion;
     // The picture turns opposite to the eye.
-    motion.orbit = -step_of_orbit * glm::dvec2(steps);
+    motion.orbit = {.x = -step_of_orbit * steps.x, .y = -step_of_orbit * steps.y};
     step(state, motion);
 }
 

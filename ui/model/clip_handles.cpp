@@ -35,21 +35,23 @@ double height_at(const ViewFrame& view, const glm::dvec3& point) {
     return 2.0 * view.homogeneous(point).z;
 }
 
+glm::dvec2 vector(const ViewPoint& place) { return {place.x, place.y}; }
+
 /// The point that shows at `place`, as far from the eye as `point`, in the plane across the view.
-glm::dvec3 across_view(const ViewFrame& view, const glm::dvec3& point, const glm::dvec2& place) {
+glm::dvec3 across_view(const ViewFrame& view, const glm::dvec3& point, const ViewPoint& place) {
     const glm::dvec3 seen = view.homogeneous(point);
-    const glm::dvec2 moved = 2.0 * seen.z * place - glm::dvec2(seen);
+    const glm::dvec2 moved = 2.0 * seen.z * vector(place) - glm::dvec2(seen);
     return point + moved.x * view.right + moved.y * view.up;
 }
 
 /// How far along a line from `at` the point is that shows nearest to `place`, measured along the
 /// line in the picture. Nothing beyond its vanishing point.
 std::optional<double> along_line(const ViewFrame& view, const glm::dvec3& at,
-                                 const glm::dvec3& along, const glm::dvec2& place) {
+                                 const glm::dvec3& along, const ViewPoint& place) {
     const glm::dvec3 from = view.homogeneous(at);
     const glm::dvec3 step = view.homogeneous(at + along) - from;
     const glm::dvec2 course = glm::normalize(glm::dvec2(step) * from.z - glm::dvec2(from) * step.z);
-    const double aim = 2.0 * glm::dot(place, course);
+    const double aim = 2.0 * glm::dot(vector(place), course);
     const double slope = glm::dot(glm::dvec2(step), course) - aim * step.z;
     const double s = (aim * from.z - glm::dot(glm::dvec2(from), course)) / slope;
     const bool before_eye = slope > 0 && from.z + s * step.z > 0;
@@ -160,8 +162,8 @@ glm::dvec3 settled(const glm::dvec3& normal, const DragKeys& keys) {
 /// From the middle of a ball to where the ray through `place` meets it, on the side towards the eye
 /// or away from it as `was` is; to the rim for rays that pass. Length 1.
 glm::dvec3 turned(const ViewFrame& view, const glm::dvec3& middle, double radius,
-                  const glm::dvec3& was, const glm::dvec2& place) {
-    const PixelRay ray = pixel_ray(view, 2.0 * place.x, 1.0 - 2.0 * place.y, 0, 2);
+                  const glm::dvec3& was, const ViewPoint& place) {
+    const PixelRay ray = pixel_ray(view, place);
     const glm::dvec3 to = ray.origin - middle;
     const double nearest = -glm::dot(to, ray.direction);
     const glm::dvec3 aside = to + nearest * ray.direction;
@@ -173,7 +175,7 @@ glm::dvec3 turned(const ViewFrame& view, const glm::dvec3& middle, double radius
 /// Where a held handle is to go.
 struct Aim {
     const ViewFrame& view;
-    glm::dvec2 place;
+    ViewPoint place;
     double pixel;  ///< world units
 };
 
@@ -248,7 +250,7 @@ std::vector<Handle> clip_handles(const Clipping& clipping, const ViewFrame& view
 }
 
 std::optional<Handle> handle_under(std::span<const Handle> handles, const ViewFrame& view,
-                                   const glm::dvec2& cursor, double reach) {
+                                   const ViewPoint& cursor, double reach) {
     std::optional<Handle> found;
     for (const Handle& handle : handles) {
         const auto from = place_in_view(view, handle.from);
@@ -256,7 +258,8 @@ std::optional<Handle> handle_under(std::span<const Handle> handles, const ViewFr
         if (!from || !at) continue;
         // The ball at the tip, not the plane's middle, turns a section.
         const bool has_stem = handle.id.part == HandlePart::SectionPlace;
-        const double off = distance_to_stem(has_stem ? from->place : at->place, at->place, cursor);
+        const double off = distance_to_stem(vector(has_stem ? from->place : at->place),
+                                            vector(at->place), vector(cursor));
         if (off > reach) continue;
         reach = off;
         found = handle;
@@ -265,15 +268,15 @@ std::optional<Handle> handle_under(std::span<const Handle> handles, const ViewFr
 }
 
 HandleDrag grabbed(const Handle& handle, const Clipping& clipping, const ViewFrame& view,
-                   const glm::dvec2& cursor) {
+                   const ViewPoint& cursor) {
     const auto seen = place_in_view(view, handle.at);
     return {.handle = handle,
             .start = clipping,
             .last = clipping,
-            .off = seen ? seen->place - cursor : glm::dvec2(0.0)};
+            .off = seen ? seen->place - cursor : ViewShift()};
 }
 
-Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const glm::dvec2& cursor,
+Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const ViewPoint& cursor,
                  int height_px, const DragKeys& keys) {
     const Aim aim{.view = view,
                   .place = cursor + drag.off,

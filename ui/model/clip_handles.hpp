@@ -50,14 +50,14 @@ std::vector<Handle> clip_handles(const Clipping& clipping, const ViewFrame& view
 
 /// The nearest handle (or stem) within `reach` of the cursor.
 std::optional<Handle> handle_under(std::span<const Handle> handles, const ViewFrame& view,
-                                   const glm::dvec2& cursor, double reach);
+                                   const ViewPoint& cursor, double reach);
 
 /// A handle that is held.
 struct HandleDrag {
     Handle handle;          ///< as it was grabbed
     Clipping start;         ///< as it was then
     Clipping last;          ///< what the drag made of it
-    glm::dvec2 off{0.0};    ///< from the cursor to the handle
+    ViewShift off;          ///< from the cursor to the handle
     bool given_up = false;  ///< does nothing more until it is let go
 };
 
@@ -68,12 +68,12 @@ struct DragKeys {
 };
 
 HandleDrag grabbed(const Handle& handle, const Clipping& clipping, const ViewFrame& view,
-                   const glm::dvec2& cursor);
+                   const ViewPoint& cursor);
 
 /// Box and region that the drag makes of `drag.start` with the cursor here: numbers no finer than
 /// pixels of a picture of `height_px`. As it was last where the cursor is beyond the horizon. The
 /// box keeps a thousandth of its size between faces.
-Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const glm::dvec2& cursor,
+Clipping dragged(const HandleDrag& drag, const ViewFrame& view, const ViewPoint& cursor,
                  int height_px, const DragKeys& keys);
 
 /// The handles of `clipping` while one of them is held: a section turns about where it was grabbed.

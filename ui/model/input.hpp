@@ -3,7 +3,6 @@
 #include "engine/view/camera.hpp"
 #include "ui/model/clip_handles.hpp"
 
-#include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_int2.hpp>
 
 #include <optional>
@@ -21,8 +20,8 @@ struct ViewMove {
 /// Where pointer and keyboard are and what they are in the middle of. Set by the panels; the owner
 /// reads it.
 struct Input {
-    glm::ivec2 viewport_px{0};          ///< size of the area the picture fills, framebuffer pixels
-    std::optional<glm::dvec2> pointer;  ///< resting over the picture, see PointerMotion
+    glm::ivec2 viewport_px{0};         ///< size of the area the picture fills, framebuffer pixels
+    std::optional<ViewPoint> pointer;  ///< resting over the picture
     std::optional<HandleDrag> handle_drag;  ///< while a handle of the clip region is held
     std::optional<ViewMove> move;           ///< while one is under way
     unsigned gesture = 0;                   ///< grows with each press of a button

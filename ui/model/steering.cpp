@@ -18,14 +18,14 @@ TurnMode turn_mode_of(const Document& document) { return {document.up, document.
 
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning) {
     Camera moved = camera;
-    if (motion.orbit != glm::dvec2(0.0)) {
-        const glm::dvec2 angles = -orbit_rad * motion.orbit;
+    if (motion.orbit != ViewShift()) {
         moved = turning.freely ? roll_ball(moved, motion.cursor - motion.orbit, motion.cursor)
-                               : orbit_about(moved, turning.up, angles.x, angles.y);
+                               : orbit_about(moved, turning.up, -orbit_rad * motion.orbit.x,
+                                             -orbit_rad * motion.orbit.y);
     }
-    if (motion.pan != glm::dvec2(0.0)) moved = pan(moved, -motion.pan.x, -motion.pan.y);
+    if (motion.pan != ViewShift()) moved = pan(moved, -motion.pan);
     if (motion.wheel != 0.0) {
-        const glm::dvec3 plane = point_under(moved, 2.0 * motion.cursor.x, 2.0 * motion.cursor.y);
+        const glm::dvec3 plane = point_under(moved, motion.cursor);
         moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), motion.surface.value_or(plane));
     }
     return camera_defect(moved) == nullptr ? moved : camera;

@@ -3,20 +3,18 @@
 #include "document/document.hpp"
 #include "engine/view/camera.hpp"
 
-#include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
 
 #include <optional>
 
 namespace zeroset::ui {
 
-/// Motion of the pointer over the picture during one frame. Lengths in heights of the picture, x to
-/// the right, y upwards.
+/// Motion of the pointer over the picture during one frame.
 struct PointerMotion {
-    glm::dvec2 orbit{0.0};
-    glm::dvec2 pan{0.0};
-    double wheel = 0.0;      ///< notches; positive comes nearer
-    glm::dvec2 cursor{0.0};  ///< from the picture's centre
+    ViewShift orbit;
+    ViewShift pan;
+    double wheel = 0.0;  ///< notches; positive comes nearer
+    ViewPoint cursor;
     /// Point that the picture shows under the cursor, world units; nothing: the background.
     std::optional<glm::dvec3> surface = std::nullopt;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <glm/ext/vector_double2.hpp>
+#include "engine/view/image_point.hpp"
+
 #include <glm/ext/vector_int2.hpp>
 
 #include <cstddef>
@@ -23,10 +24,10 @@ enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, P
 
 /// A press of the button over the picture that was no drag.
 struct PictureClick {
-    glm::dvec2 cursor{0.0};  ///< see PointerMotion
-    int marker = 0;          ///< number of the one that was clicked; 0: none
-    bool again = false;      ///< the second of a double click
-    bool at_once = false;    ///< no second one follows: it came from the keyboard
+    ViewPoint cursor;
+    int marker = 0;        ///< number of the one that was clicked; 0: none
+    bool again = false;    ///< the second of a double click
+    bool at_once = false;  ///< no second one follows: it came from the keyboard
 };
 
 /// The pictures that the gallery's page has room for.

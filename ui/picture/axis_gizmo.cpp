@@ -87,8 +87,9 @@ void follow_pointer(UiState& state, bool clicked, const std::optional<GizmoBall>
     const bool dragged = moved >= io.MouseDragThreshold * io.MouseDragThreshold;
     if (ImGui::IsItemActive() && dragged) {
         PointerMotion motion;
-        motion.orbit =
-            glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / static_cast<double>(picture_height());
+        const auto height = static_cast<double>(picture_height());
+        motion.orbit = {.x = static_cast<double>(io.MouseDelta.x) / height,
+                        .y = static_cast<double>(-io.MouseDelta.y) / height};
         state.edited.document.camera =
             steer(*state.edited.document.camera, motion, turn_mode_of(state.edited.document));
     }

@@ -39,7 +39,7 @@ void take_over(Document& document, const Clipping& clipping) {
     document.region = clipping.region;
 }
 
-void follow_drag(UiState& state, const glm::dvec2& cursor) {
+void follow_drag(UiState& state, const ViewPoint& cursor) {
     HandleDrag& drag = *state.input.handle_drag;
     // Something else has changed it: undo, or a field.
     if (clipping_of(state.edited.document) != drag.last) drag.given_up = true;
@@ -189,7 +189,7 @@ std::vector<Handle> shown_handles(const UiState& state, float height) {
 }
 
 std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& area,
-                                          const glm::dvec2& cursor) {
+                                          const ViewPoint& cursor) {
     const bool free =
         ImGui::IsItemHovered() && (!ImGui::IsItemActive() || ImGui::IsItemActivated());
     if (!state.input.handle_drag && !free) return std::nullopt;

@@ -14,7 +14,7 @@ namespace zeroset::ui {
 /// pointer then has nothing else to do with. A drag edits the document's `clip` and `region`; Esc
 /// gives it up. `cursor` as in PointerMotion.
 std::optional<Handle> follow_clip_handles(UiState& state, const PictureArea& area,
-                                          const glm::dvec2& cursor);
+                                          const ViewPoint& cursor);
 
 /// The handles over the picture, as far as they are shown (see has_clip_handles); `lit`: what
 /// follow_clip_handles gave.

@@ -61,7 +61,7 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
 }
 
 int marker_under(const std::vector<Marker>& markers, const ShownPicture& picture,
-                 const glm::dvec2& cursor, double reach) {
+                 const ViewPoint& cursor, double reach) {
     if (picture.frame == nullptr) return 0;
     const ViewFrame view(picture.camera);
     int nearest = 0;

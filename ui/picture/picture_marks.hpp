@@ -21,6 +21,6 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
 /// The number of the marker under a cursor (see PointerMotion), no farther than `reach` in heights
 /// of the picture; 0: none. Those behind surfaces do not count.
 int marker_under(const std::vector<Marker>& markers, const ShownPicture& picture,
-                 const glm::dvec2& cursor, double reach);
+                 const ViewPoint& cursor, double reach);
 
 }  // namespace zeroset::ui

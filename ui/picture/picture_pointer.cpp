@@ -17,7 +17,7 @@ bool is_drag() {
     return io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >= threshold * threshold;
 }
 
-PictureClick click_at(const UiState& state, const glm::dvec2& cursor) {
+PictureClick click_at(const UiState& state, const ViewPoint& cursor) {
     PictureClick click{.cursor = cursor};
     click.again = ImGui::GetIO().MouseClickedLastCount[ImGuiMouseButton_Left] > 1;
     const auto height = static_cast<double>(ImGui::GetItemRectSize().y);
@@ -29,7 +29,7 @@ PictureClick click_at(const UiState& state, const glm::dvec2& cursor) {
 
 }  // namespace
 
-void follow_picture_pointer(UiState& state, const glm::dvec2& cursor) {
+void follow_picture_pointer(UiState& state, const ViewPoint& cursor) {
     const bool held = ImGui::IsItemActive();
     const bool pressed_left = ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     if (ImGui::IsItemDeactivated() && pressed_left && !is_drag()) {

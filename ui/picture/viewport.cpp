@@ -62,7 +62,8 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
 PointerMotion pointer_motion(const PictureArea& area) {
     const ImGuiIO& io = ImGui::GetIO();
     const auto height = static_cast<double>(area.height());
-    const glm::dvec2 moved = glm::dvec2(io.MouseDelta.x, -io.MouseDelta.y) / height;
+    const ViewShift moved{.x = static_cast<double>(io.MouseDelta.x) / height,
+                          .y = static_cast<double>(-io.MouseDelta.y) / height};
 
     PointerMotion motion;
     // The move up to the press is no drag.
@@ -112,7 +113,7 @@ void zoom_by_wheel(Edited& edited, const ShownPicture& shown) {
     camera = steer(*camera, motion, turn_mode_of(edited.document));
 }
 
-std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor) {
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const ViewPoint& cursor) {
     if (shown.frame == nullptr) return std::nullopt;
     const Framebuffer& frame = *shown.frame;
     const glm::ivec2 pixel = pixel_under(frame, cursor);
@@ -121,7 +122,7 @@ std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dv
     if (col < 0 || col >= frame.width || row < 0 || row >= frame.height) return std::nullopt;
     const auto distance = static_cast<double>(frame.depth[frame.index(col, row)]);
     if (!std::isfinite(distance)) return std::nullopt;
-    return point_under(shown.camera, 2.0 * cursor.x, 2.0 * cursor.y, distance);
+    return point_under(shown.camera, cursor, distance);
 }
 
 void draw_viewport(UiState& state, const Texture& picture) {

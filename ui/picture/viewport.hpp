@@ -16,7 +16,7 @@ namespace zeroset::ui {
 void zoom_by_wheel(Edited& edited, const ShownPicture& shown);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
-std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const glm::dvec2& cursor);
+std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const ViewPoint& cursor);
 
 /// Fills the window between the bars with the picture, stretched if it is coarse; the pointer
 /// changes the view. Draw it before the panels. Sets `state.input.viewport_px`.

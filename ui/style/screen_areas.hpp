@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/view/image_point.hpp"
 #include "ui/model/edited.hpp"
 
-#include <glm/ext/vector_double2.hpp>
 #include <imgui/imgui.h>
 
 // The areas that the window is divided into. All lengths are in window coordinates.
@@ -14,16 +14,16 @@ struct PictureArea {
     ImVec2 lo, hi;
 
     [[nodiscard]] float height() const { return hi.y - lo.y; }
-    /// Returns the point of the window at `place`, an offset from the picture's centre in heights
-    /// of the picture, x to the right and y upwards.
-    [[nodiscard]] ImVec2 at(const glm::dvec2& place) const {
+    /// Returns the point of the window at a place of the picture.
+    [[nodiscard]] ImVec2 at(const ViewPoint& place) const {
         return {0.5F * (lo.x + hi.x) + static_cast<float>(place.x) * height(),
                 0.5F * (lo.y + hi.y) - static_cast<float>(place.y) * height()};
     }
-    /// Returns the place (see `at`) of a point of the window.
-    [[nodiscard]] glm::dvec2 place(const ImVec2& p) const {
-        return glm::dvec2(p.x - 0.5F * (lo.x + hi.x), 0.5F * (lo.y + hi.y) - p.y) /
-               static_cast<double>(height());
+    /// Returns the place in the picture of a point of the window.
+    [[nodiscard]] ViewPoint place(const ImVec2& p) const {
+        const auto unit = static_cast<double>(height());
+        return {.x = static_cast<double>(p.x - 0.5F * (lo.x + hi.x)) / unit,
+                .y = static_cast<double>(0.5F * (lo.y + hi.y) - p.y) / unit};
     }
     [[nodiscard]] bool holds(const ImVec2& p) const {
         return p.x >= lo.x && p.x < hi.x && p.y >= lo.y && p.y < hi.y;

@@ -40,10 +40,9 @@ struct PacketRays {
 
 inline PacketRays::PacketRays(const TraceFrame& frame, const Tile& tile) {
     const ViewFrame& view = frame.view;
-    const double col = tile.col + 0.5;
-    const double row = tile.row + 0.5;
-    const double size = view.pixel_size(frame.height);
-    direction.first = view.direction(col, row, frame.width, frame.height);
+    const PixelPoint at = pixel_centre(tile.col, tile.row);
+    const double size = view.pixel_size(frame.image.height);
+    direction.first = view.direction(at, frame.image);
     start.first = view.eye;
     if (!view.parallel()) {
         direction.by_col = size * view.right;
@@ -54,7 +53,7 @@ inline PacketRays::PacketRays(const TraceFrame& frame, const Tile& tile) {
     const glm::dvec3 nearest =
         glm::mix(clip.hi, clip.lo, glm::greaterThan(view.forward, glm::dvec3(0.0)));
     start_depth = glm::dot(nearest - view.eye, view.forward) - 2.0 * place_error(frame);
-    start.first = view.origin(col, row, frame.width, frame.height) + start_depth * view.forward;
+    start.first = view.origin(at, frame.image) + start_depth * view.forward;
     start.by_col = size * view.look_distance * view.right;
     start.by_row = -size * view.look_distance * view.up;
 }
@@ -106,7 +105,7 @@ HWY_NOINLINE void AxesTable<Real>::make(Axes<Real>& axes, int k, const glm::bvec
         set_axis(axes, i, world, negative[world]);
     }
     const double half_height = frame_.view.half_height;
-    const double half_width = half_height * frame_.width / frame_.height;
+    const double half_width = half_height * frame_.image.width / frame_.image.height;
     // Twice what k_rays-inl.hpp derives; of parallel rays, what covers the roundings of slopes.
     axes.direction_error =
         frame_.view.parallel() ? 0x1p-50 : 0x1p-47 * (1.0 + half_width + half_height);

@@ -40,7 +40,8 @@ Framebuffer frame_with_wall(const AxesView& view, double distance) {
     const ViewFrame rays(view.camera);
     for (int row = 0; row < view.height; ++row) {
         for (int col = 0; col < view.width / 2; ++col) {
-            const auto ray = rays.direction(col + 0.5, row + 0.5, view.width, view.height);
+            const auto ray = rays.direction(pixel_centre(col, row),
+                                            {.width = view.width, .height = view.height});
             frame.depth[frame.index(col, row)] = static_cast<float>(distance * glm::length(ray));
         }
     }
@@ -57,8 +58,9 @@ double total_length(const Axes& axes, LineKind kind, bool hidden) {
 
 TEST(ImagePlane, IsTheInverseOfTheRays) {
     const Camera camera{{5, -4, 3}, {0.5, 1, -1}, {0.1, 0, 1}, 0.8};
-    const ImagePlane plane(camera, 300, 200);
-    const glm::dvec3 direction = ViewFrame(camera).direction(37.25, 180.5, 300, 200);
+    const ImagePlane plane(camera, {.width = 300, .height = 200});
+    const glm::dvec3 direction =
+        ViewFrame(camera).direction({.col = 37.25, .row = 180.5}, {.width = 300, .height = 200});
     const glm::dvec3 point = camera.eye + 3.0 * direction;
     const auto pixel = plane.pixel_of(point);
     ASSERT_TRUE(pixel);
@@ -71,9 +73,10 @@ TEST(ImagePlane, IsTheInverseOfTheRays) {
 TEST(ImagePlane, IsTheInverseOfParallelRays) {
     Camera camera{{5, -4, 3}, {0.5, 1, -1}, {0.1, 0, 1}, 0.8};
     camera.projection = Projection::Orthographic;
-    const ImagePlane plane(camera, 300, 200);
+    const ImagePlane plane(camera, {.width = 300, .height = 200});
     for (const double distance : {3.0, -2.0}) {
-        const glm::dvec3 point = ViewFrame(camera).point(37.25, 180.5, 300, 200, distance);
+        const glm::dvec3 point = ViewFrame(camera).point({.col = 37.25, .row = 180.5},
+                                                         {.width = 300, .height = 200}, distance);
         const auto pixel = plane.pixel_of(point);
         ASSERT_TRUE(pixel);
         EXPECT_NEAR(pixel->x, 37.25, 1e-9);
@@ -84,7 +87,7 @@ TEST(ImagePlane, IsTheInverseOfParallelRays) {
 
 TEST(Axes, DrawsTheClipBoxWhereItIs) {
     const AxesView view = front_view();
-    const ImagePlane plane(view.camera, view.width, view.height);
+    const ImagePlane plane(view.camera, {.width = view.width, .height = view.height});
     const Axes made = make_axes(view, {.clip_box = true}, empty_frame(view));
     EXPECT_EQ(made.lines.size(), 12U);
     EXPECT_TRUE(made.labels.empty());
@@ -137,7 +140,7 @@ TEST(Axes, HasTicksAtRoundNumbers) {
     for (const AxisLabel& label : made.labels) {
         if (label.kind == LineKind::AxisX) x_labels[label.text] = label.middle;
     }
-    const ImagePlane plane(view.camera, view.width, view.height);
+    const ImagePlane plane(view.camera, {.width = view.width, .height = view.height});
     ASSERT_TRUE(x_labels.contains("0.5") && x_labels.contains("\xE2\x88\x92"
                                                               "0.5"));
     EXPECT_NEAR(x_labels["0.5"].x, plane.pixel_of({0.5, 0, 0})->x, 1e-9);
@@ -186,7 +189,7 @@ TEST(Axes, HasAGridOnTheFloor) {
     const Axes made = make_axes(view, {.grid = true}, empty_frame(view));
     // A box of 2 has squares of 0.2 (2 / 16 rounded up): 11 lines each way.
     EXPECT_EQ(made.lines.size(), 22U);
-    const ImagePlane plane(view.camera, view.width, view.height);
+    const ImagePlane plane(view.camera, {.width = view.width, .height = view.height});
     double lowest = 0.0;
     for (const AxisLine& line : made.lines)
         lowest = std::max({lowest, line.from.y, line.to.y});
@@ -240,7 +243,7 @@ TEST(PaintedAxes, IsFaintBehindTheSurface) {
     const AxesView view = front_view();
     const auto font = LabelFont::load();
     ASSERT_TRUE(font) << font.error();
-    const ImagePlane plane(view.camera, view.width, view.height);
+    const ImagePlane plane(view.camera, {.width = view.width, .height = view.height});
     // The axis x between the ticks, on both halves; the wall hides the left one.
     const auto red_at = [&](const Framebuffer& picture, double x) {
         const glm::dvec2 at = *plane.pixel_of({x, 0, 0});

@@ -76,8 +76,8 @@ TEST_P(Shadow, FallsWhereTheLightIsHidden) {
                 ASSERT_EQ(dark.depth[at], bright.depth[at]);
                 ASSERT_EQ(dark.certificate[at], bright.certificate[at]);
                 if (dark.surface[at] != 0) continue;
-                const glm::dvec3 along =
-                    glm::normalize(view.direction(col + 0.5, row + 0.5, side, side));
+                const glm::dvec3 along = glm::normalize(
+                    view.direction(pixel_centre(col, row), {.width = side, .height = side}));
                 const glm::dvec3 on_plane = view.eye + static_cast<double>(dark.depth[at]) * along;
                 const double clear = clearance(on_plane, exit_of(on_plane, light, scene.clip),
                                                occluder.radius, occluder.cylinder);

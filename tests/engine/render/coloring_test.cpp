@@ -59,7 +59,8 @@ void expect_color(const Framebuffer& frame, const Scene& scene, int col, int row
 glm::dvec3 point_at(const Framebuffer& frame, const Scene& scene, int col, int row) {
     const ViewFrame view(default_camera(scene.clip));
     const auto depth = static_cast<double>(frame.depth[frame.index(col, row)]);
-    return pixel_ray(view, col + 0.5, row + 0.5, frame.width, frame.height).at(depth);
+    return pixel_ray(view, pixel_centre(col, row), {.width = frame.width, .height = frame.height})
+        .at(depth);
 }
 
 constexpr std::array<std::array<int, 2>, 4> places{{{36, 36}, {25, 30}, {44, 22}, {33, 50}}};

@@ -104,7 +104,8 @@ public:
     Ray(const Stand& stand, const View& view, int col, int row)
         : expr_(stand.expr), exact_(view.camera, image_size, image_size, col, row) {
         const glm::dvec3 direction = glm::normalize(
-            ViewFrame(view.camera).direction(col + 0.5, row + 0.5, image_size, image_size));
+            ViewFrame(view.camera)
+                .direction(pixel_centre(col, row), {.width = image_size, .height = image_size}));
         for (int i = 0; i < 3; ++i) {
             const double a = (view.clip.lo[i] - view.camera.eye[i]) / direction[i];
             const double b = (view.clip.hi[i] - view.camera.eye[i]) / direction[i];

@@ -41,7 +41,8 @@ Picture drawn(const std::string& text, bool jumps) {
 glm::dvec3 direction_of(const Picture& picture, std::size_t pixel) {
     const auto col = static_cast<double>(pixel % size) + 0.5;
     const auto row = static_cast<double>(pixel / size) + 0.5;
-    return pixel_ray(picture.view, col, row, size, size).direction;
+    return pixel_ray(picture.view, {.col = col, .row = row}, {.width = size, .height = size})
+        .direction;
 }
 
 /// The distance from the eye to the ball of radius 1 at the origin; nothing where the ray passes

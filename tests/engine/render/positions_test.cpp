@@ -156,8 +156,9 @@ private:
 
 /// The part of the ray in the box, roughly.
 std::array<double, 2> span_of(const Shot& shot) {
-    const glm::dvec3 direction =
-        ViewFrame(shot.camera).direction(shot.col + 0.5, shot.row + 0.5, shot.width, shot.height);
+    const glm::dvec3 direction = ViewFrame(shot.camera)
+                                     .direction(pixel_centre(shot.col, shot.row),
+                                                {.width = shot.width, .height = shot.height});
     std::array<double, 2> span{0.0, std::numeric_limits<double>::infinity()};
     for (int i = 0; i < 3; ++i) {
         if (direction[i] == 0.0) continue;
@@ -183,8 +184,8 @@ bool is_in_box(const Target& target, const Box& clip) {
     const Kernel kernel = kernel_of(target);
     const Scene scene{{kernel}, shot.clip, {}};
     const StopCriterion stop;
-    TraceFrame frame =
-        trace_frame(scene, kernel, ViewFrame(shot.camera), shot.width, shot.height, stop);
+    TraceFrame frame = trace_frame(scene, kernel, ViewFrame(shot.camera),
+                                   {.width = shot.width, .height = shot.height}, stop);
     frame.precision = precision;
     frame.depth = {depth, 0};
     const int col = std::max(0, shot.col - offset % 8);

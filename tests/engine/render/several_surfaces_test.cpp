@@ -56,10 +56,10 @@ Framebuffer picture_of(std::initializer_list<std::string> texts) {
 }
 
 glm::dvec3 direction_of(const Camera& camera, std::size_t pixel) {
-    const auto col = static_cast<double>(pixel % image_size);
-    const auto row = static_cast<double>(pixel / image_size);
-    return glm::normalize(
-        ViewFrame(camera).direction(col + 0.5, row + 0.5, image_size, image_size));
+    const auto col = static_cast<int>(pixel % image_size);
+    const auto row = static_cast<int>(pixel / image_size);
+    return glm::normalize(ViewFrame(camera).direction(pixel_centre(col, row),
+                                                      {.width = image_size, .height = image_size}));
 }
 
 struct Sphere {

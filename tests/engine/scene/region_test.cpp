@@ -77,7 +77,8 @@ TEST(TileRays, EnclosesWhereRaysAreInside) {
         scene.region = random_region(random);
         const ViewFrame camera(random_view(random));
         const int height = random.between(64, 600);
-        const TraceFrame frame = trace_frame(scene, Kernel{}, camera, height, height, {});
+        const TraceFrame frame =
+            trace_frame(scene, Kernel{}, camera, {.width = height, .height = height}, {});
         const Tile tile{random.between(0, height - 64), random.between(0, height - 64), 64, 64};
         const TileRays view(frame, tile);
         const int pixels = random.one_in(2) ? 1 : 8 << random.between(0, 3);
@@ -100,9 +101,9 @@ TEST(TileRays, EnclosesWhereRaysAreInside) {
                 ++sure;
                 EXPECT_GT(depth, -1e-12);
             }
-            const glm::dvec3 on_ray =
-                camera.point(tile.col + col + 0.5, tile.row + row + 0.5, height, height,
-                             view.distance_at(s, view.u(col), view.v(row)));
+            const glm::dvec3 on_ray = camera.point(pixel_centre(tile.col + col, tile.row + row),
+                                                   {.width = height, .height = height},
+                                                   view.distance_at(s, view.u(col), view.v(row)));
             EXPECT_LT(glm::distance(p, on_ray), 1e-12);
         }
     }
@@ -121,7 +122,8 @@ TEST(TileRays, KnowsWhereARayEntersAndLeaves) {
         const Camera camera = random_view(random);
         const ViewFrame frame_view(camera);
         const Framebuffer image(200, 200);
-        const TraceFrame frame = trace_frame(scene, Kernel{}, frame_view, 200, 200, {});
+        const TraceFrame frame =
+            trace_frame(scene, Kernel{}, frame_view, {.width = 200, .height = 200}, {});
         const Tile tile{random.between(0, 136), random.between(0, 136), 64, 64};
         const TileRays view(frame, tile);
         for (int col = 0; col < 64; col += 3) {

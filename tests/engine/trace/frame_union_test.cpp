@@ -52,8 +52,8 @@ TEST_P(View, ListsThePartsThatRaysMeet) {
     std::ranges::transform(spheres, spheres.begin(), as_typed);
     const Scene scene = scene_of(combined("min", spheres), Box::cube(1));
     const ViewFrame view(GetParam());
-    const TraceFrame frame =
-        trace_frame(scene, scene.surfaces[0], view, image_size, image_size, {});
+    const TraceFrame frame = trace_frame(scene, scene.surfaces[0], view,
+                                         {.width = image_size, .height = image_size}, {});
     const UnionParts& union_parts = *scene.surfaces[0].specializer->union_parts();
     const FrameUnion all(frame, union_parts);
     Framebuffer picture(image_size, image_size);
@@ -100,8 +100,8 @@ INSTANTIATE_TEST_SUITE_P(All, View,
 /// How many tiles cannot be searched part by part.
 int tiles_as_whole(const std::string& text, const Camera& camera) {
     const Scene scene = scene_of(text, Box::cube(1));
-    const TraceFrame frame =
-        trace_frame(scene, scene.surfaces[0], ViewFrame(camera), image_size, image_size, {});
+    const TraceFrame frame = trace_frame(scene, scene.surfaces[0], ViewFrame(camera),
+                                         {.width = image_size, .height = image_size}, {});
     const FrameUnion all(frame, *scene.surfaces[0].specializer->union_parts());
     std::vector<UnionMember> parts;
     int count = 0;

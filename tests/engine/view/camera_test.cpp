@@ -55,10 +55,12 @@ TEST(ViewFrame, IsRightHandedAndOrthonormal) {
 
 TEST(ViewFrame, SendsRaysThroughPixels) {
     const ViewFrame view({{4, 0, 0}, {0, 0, 0}, {0, 0, 1}, quarter_turn});
-    expect_near(view.direction(15, 10, 30, 20), {-1, 0, 0});
-    expect_near(view.direction(15, 0, 30, 20), {-1, 0, 1});  // row 0 is the top
-    expect_near(view.direction(15, 20, 30, 20), {-1, 0, -1});
-    expect_near(view.direction(30, 10, 30, 20), {-1, 1.5, 0});  // to the right is +y
+    expect_near(view.direction({.col = 15, .row = 10}, {.width = 30, .height = 20}), {-1, 0, 0});
+    expect_near(view.direction({.col = 15, .row = 0}, {.width = 30, .height = 20}),
+                {-1, 0, 1});  // row 0 is the top
+    expect_near(view.direction({.col = 15, .row = 20}, {.width = 30, .height = 20}), {-1, 0, -1});
+    expect_near(view.direction({.col = 30, .row = 10}, {.width = 30, .height = 20}),
+                {-1, 1.5, 0});  // to the right is +y
     EXPECT_NEAR(view.pixel_size(20), 0.1, tolerance);
 }
 
@@ -162,12 +164,12 @@ TEST(Orbit, GoesBackTheWayItCame) {
 
 TEST(Pan, MovesThePictureByHeights) {
     for (const Camera& camera : cameras()) {
-        const Camera moved = pan(camera, 0.25, -0.5);
+        const Camera moved = pan(camera, {.x = 0.25, .y = -0.5});
         const Projection at = projected(moved, camera.look_at);
         EXPECT_NEAR(at.u, -0.5, tolerance);  // (u, v) are in half heights
         EXPECT_NEAR(at.v, 1.0, tolerance);
         expect_near(moved.eye - camera.eye, moved.look_at - camera.look_at, 1e-9);
-        expect_near(pan(moved, -0.25, 0.5).eye, camera.eye, 1e-9);
+        expect_near(pan(moved, {.x = -0.25, .y = 0.5}).eye, camera.eye, 1e-9);
     }
 }
 
@@ -179,7 +181,8 @@ TEST(Zoom, KeepsThePointUnderTheCursor) {
                 camera.look_at + view.half_height * view.look_distance *
                                      (cursor.x * view.right + cursor.y * view.up);
             for (const double factor : {0.5, 0.88, 1.3}) {
-                const glm::dvec3 fixed = point_under(camera, cursor.x, cursor.y);
+                const glm::dvec3 fixed =
+                    point_under(camera, {.x = 0.5 * cursor.x, .y = 0.5 * cursor.y});
                 expect_near(fixed, point, 1e-9);
                 const Camera moved = zoom(camera, factor, fixed);
                 const Projection at = projected(moved, point);
@@ -197,7 +200,8 @@ TEST(Zoom, KeepsAPointAtItsDistanceUnderTheCursor) {
         const ViewFrame view(camera);
         const glm::dvec2 cursor(0.4, -0.8);
         const double distance = 0.7 * view.look_distance;
-        const glm::dvec3 point = point_under(camera, cursor.x, cursor.y, distance);
+        const glm::dvec3 point =
+            point_under(camera, {.x = 0.5 * cursor.x, .y = 0.5 * cursor.y}, distance);
         EXPECT_NEAR(glm::distance(point, camera.eye), distance, 1e-9);
         const Camera moved = zoom(camera, 0.5, point);
         const Projection at = projected(moved, point);

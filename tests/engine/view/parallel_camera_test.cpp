@@ -12,6 +12,7 @@ namespace {
 constexpr double tolerance = 1e-12;
 constexpr int width = 60;
 constexpr int height = 40;
+constexpr ImageSize image{.width = width, .height = height};
 
 std::vector<Camera> cameras() {
     constexpr auto parallel = Projection::Orthographic;
@@ -37,14 +38,15 @@ glm::dvec2 place_of(const Camera& camera, const glm::dvec3& point) {
 TEST(ParallelRays, AllGoForward) {
     for (const Camera& camera : cameras()) {
         const ViewFrame view(camera);
-        expect_near(view.direction(3, 7, width, height), view.forward);
-        expect_near(view.origin(0.5 * width, 0.5 * height, width, height), camera.eye);
-        EXPECT_NEAR(glm::dot(view.origin(3, 7, width, height) - camera.eye, view.forward), 0.0,
-                    tolerance);
-        expect_near(view.point(0.5 * width, 0.5 * height, width, height, view.look_distance),
-                    camera.look_at);
-        expect_near(view.point(3, 7, width, height, -2.0),
-                    view.origin(3, 7, width, height) - 2.0 * view.forward);
+        expect_near(view.direction({.col = 3, .row = 7}, image), view.forward);
+        expect_near(view.origin({.col = 0.5 * width, .row = 0.5 * height}, image), camera.eye);
+        EXPECT_NEAR(glm::dot(view.origin({.col = 3, .row = 7}, image) - camera.eye, view.forward),
+                    0.0, tolerance);
+        expect_near(
+            view.point({.col = 0.5 * width, .row = 0.5 * height}, image, view.look_distance),
+            camera.look_at);
+        expect_near(view.point({.col = 3, .row = 7}, image, -2.0),
+                    view.origin({.col = 3, .row = 7}, image) - 2.0 * view.forward);
     }
 }
 
@@ -55,8 +57,8 @@ TEST(ParallelRays, MeetThoseOfPerspectiveAtThePointLookedAt) {
         camera.projection = Projection::Perspective;
         const ViewFrame perspective(camera);
         for (const glm::dvec2 at : {glm::dvec2(0, 0), {60, 0}, {12, 33}}) {
-            const glm::dvec3 along = perspective.direction(at.x, at.y, width, height);
-            expect_near(parallel.point(at.x, at.y, width, height, parallel.look_distance),
+            const glm::dvec3 along = perspective.direction({.col = at.x, .row = at.y}, image);
+            expect_near(parallel.point({.col = at.x, .row = at.y}, image, parallel.look_distance),
                         perspective.eye + perspective.look_distance * along, 1e-9);
         }
         EXPECT_EQ(parallel.pixel_at_look(height), perspective.pixel_at_look(height));
@@ -66,14 +68,14 @@ TEST(ParallelRays, MeetThoseOfPerspectiveAtThePointLookedAt) {
 TEST(ParallelView, KeepsItsProjectionInAllMotions) {
     for (const Camera& camera : cameras()) {
         EXPECT_EQ(orbit(camera, 0.3, 0.1).projection, Projection::Orthographic);
-        EXPECT_EQ(pan(camera, 0.3, 0.1).projection, Projection::Orthographic);
+        EXPECT_EQ(pan(camera, {.x = 0.3, .y = 0.1}).projection, Projection::Orthographic);
         EXPECT_EQ(zoom(camera, 0.9, camera.look_at).projection, Projection::Orthographic);
     }
 }
 
 TEST(ParallelView, PansByHeightsWhateverTheDepth) {
     for (const Camera& camera : cameras()) {
-        const Camera moved = pan(camera, 0.25, -0.5);
+        const Camera moved = pan(camera, {.x = 0.25, .y = -0.5});
         const ViewFrame view(camera);
         for (const double depth : {-3.0, 0.0, 7.0}) {
             const glm::dvec2 at = place_of(moved, camera.look_at + depth * view.forward);
@@ -87,7 +89,7 @@ TEST(ParallelView, ZoomsAboutAPointAtAnyDepth) {
     for (const Camera& camera : cameras()) {
         const ViewFrame view(camera);
         for (const double distance : {-4.0, 0.5, 30.0}) {
-            const glm::dvec3 point = point_under(camera, 0.7, -0.4, distance);
+            const glm::dvec3 point = point_under(camera, {.x = 0.35, .y = -0.2}, distance);
             const glm::dvec2 before = place_of(camera, point);
             EXPECT_NEAR(before.x, 0.7, 1e-9);
             EXPECT_NEAR(before.y, -0.4, 1e-9);
@@ -99,7 +101,7 @@ TEST(ParallelView, ZoomsAboutAPointAtAnyDepth) {
             EXPECT_NEAR(ViewFrame(nearer).pixel_at_look(height), 0.5 * view.pixel_at_look(height),
                         1e-12);
         }
-        expect_near(point_under(camera, 0, 0), camera.look_at, 1e-9);
+        expect_near(point_under(camera, {}), camera.look_at, 1e-9);
     }
 }
 

@@ -69,8 +69,9 @@ void keep_ball(const Ball& ball, const glm::dvec3& eye, const glm::dvec3& direct
 std::optional<RayQuestion> ray_question(const ViewFrame& view, const Box& clip,
                                         const Region& region, int col, int row, int width,
                                         int height) {
-    const glm::dvec3 eye = view.origin(col + 0.5, row + 0.5, width, height);
-    const glm::dvec3 direction = view.direction(col + 0.5, row + 0.5, width, height);
+    const glm::dvec3 eye = view.origin(pixel_centre(col, row), {.width = width, .height = height});
+    const glm::dvec3 direction =
+        view.direction(pixel_centre(col, row), {.width = width, .height = height});
     const double margin = outward * largest(glm::max(glm::abs(clip.lo), glm::abs(clip.hi))) /
                           largest(glm::abs(direction));
     Stretch stretch;

@@ -35,13 +35,13 @@ protected:
         const auto all = handles();
         return *std::ranges::find(all, HandleId{part, index}, &Handle::id);
     }
-    [[nodiscard]] glm::dvec2 place(const glm::dvec3& point) const {
+    [[nodiscard]] ViewPoint place(const glm::dvec3& point) const {
         return place_in_view(view(), point)->place;
     }
     /// Grabs the handle slightly beside its middle and drags it to where `target` appears.
     [[nodiscard]] Clipping drag_to(const Handle& handle, const glm::dvec3& target,
                                    const DragKeys& keys = {}) const {
-        const glm::dvec2 beside(0.004, -0.003);
+        const ViewShift beside{.x = 0.004, .y = -0.003};
         const HandleDrag drag = grabbed(handle, clipping_, view(), place(handle.at) + beside);
         return dragged(drag, view(), place(target) + beside, height_px, keys);
     }
@@ -187,9 +187,9 @@ TEST_P(ClipHandles, AreLeftOutWhereTheirLineIsSeenEndOn) {
 TEST_P(ClipHandles, AreFoundNearThePointer) {
     const auto all = handles();
     const Handle face = handle(HandlePart::BoxFace, 3);
-    const glm::dvec2 at = place(face.at);
-    EXPECT_EQ(handle_under(all, view(), at + glm::dvec2(0.005, 0), 0.01), face);
-    EXPECT_EQ(handle_under(all, view(), at + glm::dvec2(0.02, 0), 0.01), std::nullopt);
+    const ViewPoint at = place(face.at);
+    EXPECT_EQ(handle_under(all, view(), at + ViewShift{.x = 0.005}, 0.01), face);
+    EXPECT_EQ(handle_under(all, view(), at + ViewShift{.x = 0.02}, 0.01), std::nullopt);
     const Handle arrow = handle(HandlePart::SectionPlace, 1);
     EXPECT_EQ(handle_under(all, view(), place(0.5 * (arrow.from + arrow.at)), 0.01), arrow);
 }
