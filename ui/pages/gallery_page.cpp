@@ -123,7 +123,8 @@ void draw_picture(const GalleryPage& page, std::size_t item, const ImVec2& lo, c
     }
     const auto id = static_cast<std::uintptr_t>(picture->second);
     // ImGui's texture handle is a pointer that the OpenGL renderer uses as a number.
-    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);  // NOLINT
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);
 }
 
 /// Draws a card; true if it was clicked.
