@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 /// Path in an environment variable; nothing unless it is absolute, as the specification demands.
 std::optional<fs::path> folder_in(const char* variable) {
-    const char* text = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe): read-only
+    const char* text = std::getenv(variable);
     if (text == nullptr || *text != '/') return std::nullopt;
     return fs::path(text);
 }

@@ -113,7 +113,7 @@ Expr operator_on_variables(const OpInfo& info, int n) {
 }
 
 int formulas_to_try(int usual) {
-    const char* const wanted = std::getenv("ZEROSET_FORMULAS");  // NOLINT(concurrency-mt-unsafe)
+    const char* const wanted = std::getenv("ZEROSET_FORMULAS");
     return wanted == nullptr ? usual : std::atoi(wanted);
 }
 

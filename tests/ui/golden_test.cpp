@@ -84,7 +84,7 @@ protected:
         const RgbaImage image = reduced(draw(), px(square_units));
         const std::string file = name + "_" + name_of(GetParam()) + ".png";
         const fs::path path = fs::path(ZEROSET_SOURCE_DIR) / "tests/ui/goldens" / file;
-        if (std::getenv("ZEROSET_WRITE_GOLDENS") != nullptr) {  // NOLINT(concurrency-mt-unsafe)
+        if (std::getenv("ZEROSET_WRITE_GOLDENS") != nullptr) {
             write(path, image);
             return;
         }

@@ -122,7 +122,8 @@ void draw_picture(unsigned int name, const ImVec2& lo, const ImVec2& hi, const P
     }
     const auto id = static_cast<std::uintptr_t>(name);
     // ImGui's texture handle is a pointer that the OpenGL renderer uses as a number.
-    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);  // NOLINT
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);
 }
 
 /// Draws a card; true if it was clicked.

@@ -47,7 +47,7 @@ bool load_gl(GlLoader loader) {
 // nothing of OSMesa's. So the linker sends the program's calls of dlsym here (--wrap=dlsym in
 // CMakeLists.txt), and a request for libGL's loader gets the loader of the current context. The
 // linker prescribes the names.
-// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+// NOLINTBEGIN(readability-identifier-naming)
 extern "C" {
 void* __real_dlsym(void* library, const char* name);
 void* __wrap_dlsym(void* library, const char* name);
@@ -64,4 +64,4 @@ void* __wrap_dlsym(void* library, const char* name) {
     return __real_dlsym(library, name);
 }
 }
-// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
+// NOLINTEND(readability-identifier-naming)

@@ -40,8 +40,7 @@ struct Egl {
 };
 
 bool Egl::load() {
-    const char* const other =
-        std::getenv("ZEROSET_EGL");  // NOLINT(concurrency-mt-unsafe): read-only
+    const char* const other = std::getenv("ZEROSET_EGL");
     const char* const file = other == nullptr ? "libEGL.so.1" : other;
     void* const library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
     if (library == nullptr) return false;

@@ -30,7 +30,7 @@ constexpr double cursor_blink_s = 0.5;
 constexpr float max_scale = 4.0F;
 
 std::optional<float> scale_override() {
-    const char* text = std::getenv("ZEROSET_SCALE");  // NOLINT(concurrency-mt-unsafe): read-only
+    const char* text = std::getenv("ZEROSET_SCALE");
     if (text == nullptr) return std::nullopt;
     char* end = nullptr;
     const float scale = std::strtof(text, &end);
