@@ -53,8 +53,8 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.edited.layout.clip_open =
         state.edited.layout.clip_open || !state.edited.document.region.is_whole();
     if (options.takes_keyboard) {
-        state.wishes.focus =
-            ui::RowFocus{state.edited.document.statements.front().id, ui::RowFocus::Caret::All};
+        state.wishes.focus = ui::RowFocus{.row = state.edited.document.statements.front().id,
+                                          .caret = ui::RowFocus::Caret::All};
     }
     state.wishes.frame_surfaces = options.fit;
     state.shown.language_help = language_help();
@@ -89,7 +89,10 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
 Preferences Desktop::preferences() const {
     const auto chosen =
         state_.edited.follows_desktop ? std::nullopt : std::optional(state_.edited.theme);
-    return {state_.edited.layout, chosen, state_.edited.theme, window_.size()};
+    return {.layout = state_.edited.layout,
+            .theme = chosen,
+            .last_theme = state_.edited.theme,
+            .window = window_.size()};
 }
 
 double Desktop::now_s() const {
@@ -218,7 +221,7 @@ void Desktop::show_legend(const RenderResult& result) {
 }
 
 Desktop::TextureLook Desktop::wanted_look() const {
-    return {state_.edited.theme, state_.edited.document.mark_undecided};
+    return {.theme = state_.edited.theme, .marks_undecided = state_.edited.document.mark_undecided};
 }
 
 void Desktop::upload_frame() {

@@ -28,7 +28,8 @@ const char* name_of(ui::InputEvent::Kind kind) {
 LatencyLog::LatencyLog(const std::string& path) : file_(path) {}
 
 void LatencyLog::input(const ui::InputEvent& event) {
-    if (!pending_) pending_ = PendingEvent{event, 0.0, {}, {}};
+    if (!pending_)
+        pending_ = PendingEvent{.event = event, .gl_ms = 0.0, .request = {}, .submitted = {}};
 }
 
 void LatencyLog::add_gl(Clock::time_point from, Clock::time_point to) {
@@ -55,8 +56,12 @@ void LatencyLog::picture_ready() {
 void LatencyLog::taken(std::uint64_t request, int width, int height, bool complete) {
     const Clock::time_point now = Clock::now();
     const std::scoped_lock lock(mutex_);
-    taken_ = TakenPicture{
-        request, width, height, complete, std::exchange(ready_, std::nullopt).value_or(now), now};
+    taken_ = TakenPicture{.request = request,
+                          .width = width,
+                          .height = height,
+                          .complete = complete,
+                          .ready = std::exchange(ready_, std::nullopt).value_or(now),
+                          .at = now};
 }
 
 void LatencyLog::about_to_swap() {

@@ -29,14 +29,14 @@ void PictureFeed::read(const Document& document) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
     if (sheet == given_.rows && choice == given_.choice) return;
-    given_ = {sheet, choice};
+    given_ = {.rows = sheet, .choice = choice};
     formulas_.submit(std::move(sheet), document.clip, choice);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {
     std::optional<FormulaResult> result = formulas_.take();
     if (!result) return std::nullopt;
-    answered_ = {result->sheet, result->choice};
+    answered_ = {.rows = result->sheet, .choice = result->choice};
     if (result->formula) adopt(*result);
     return result;
 }

@@ -32,7 +32,8 @@ std::optional<double> PointInspector::due_s(double now_s) const {
 void PointInspector::look(ui::UiState& state, const PictureRequest& request) {
     if (!state.input.pointer || state.shown.picture.frame == nullptr) return;
     const glm::ivec2 pixel = pixel_under(*state.shown.picture.frame, *state.input.pointer);
-    const Lookup wanted{state.shown.picture.frame, request.formula, pixel};
+    const Lookup wanted{
+        .frame = state.shown.picture.frame, .formula = request.formula, .pixel = pixel};
     if (wanted == last_lookup_) return;
     last_lookup_ = wanted;
     state.shown.pointed = facts_at(state.shown.picture, request, *state.input.pointer);

@@ -101,7 +101,8 @@ void Session::show(Document document) {
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Subject::Nothing) attempt({Intent::OpenPath, paths.front()});
+    if (!paths.empty() && asked_ == Subject::Nothing)
+        attempt({.intent = Intent::OpenPath, .path = paths.front()});
 }
 
 void Session::abandon() {
@@ -138,7 +139,7 @@ void Session::keep(double now_s) {
 
 void Session::follow_command() {
     if (const auto path = std::exchange(state_.wishes.open_path, std::nullopt)) {
-        attempt({Intent::OpenPath, *path});
+        attempt({.intent = Intent::OpenPath, .path = *path});
     }
     const auto command = std::exchange(state_.wishes.command, std::nullopt);
     if (!command) return;
@@ -206,7 +207,7 @@ void Session::begin(Document document, const std::string& path) {
     path_ = path;
     autosave_.forget();
     if (path.empty()) {
-        state_.wishes.focus = ui::RowFocus{current().statements.front().id, {}};
+        state_.wishes.focus = ui::RowFocus{.row = current().statements.front().id, .caret = {}};
     }
 }
 
@@ -259,7 +260,8 @@ void Session::follow_file_choice() {
 
 void Session::ask(Subject what, std::string text, std::vector<std::string> answers) {
     asked_ = what;
-    state_.pages.dialogs.question = ui::Question{std::move(text), std::move(answers), std::nullopt};
+    state_.pages.dialogs.question = ui::Question{
+        .text = std::move(text), .answers = std::move(answers), .chosen = std::nullopt};
 }
 
 void Session::follow_question() {

@@ -41,8 +41,9 @@ struct Row {
 };
 
 Row row_of(const Tile& tile, int row, const Canvas& out) {
-    return {out.index(tile.col, tile.row + row), static_cast<std::size_t>(tile.cols),
-            background_color(tile.row + row, out.height)};
+    return {.first = out.index(tile.col, tile.row + row),
+            .count = static_cast<std::size_t>(tile.cols),
+            .background = background_color(tile.row + row, out.height)};
 }
 
 /// A bit for each pixel of a row of a tile, the first one lowest.
@@ -78,7 +79,9 @@ struct RowPixels {
     alignas(64) Certificate certificate[tile_size];
     alignas(64) std::uint8_t surface[tile_size];
 
-    RowTarget target() { return {color, depth, certificate, surface}; }
+    RowTarget target() {
+        return {.color = color, .depth = depth, .certificate = certificate, .surface = surface};
+    }
     /// Copies the first `count` pixels.
     void copy(std::size_t first, std::size_t count, Framebuffer& out) const {
         std::copy_n(color, count, &out.color[first]);
@@ -150,8 +153,10 @@ void draw_row(const LitLayer& layer, bool fresh, int row, const Row& to, const C
     Framebuffer& pixels = out.pixels;
     if (fresh && to.count == tile_size) {
         return make_row(layer, row, to.background,
-                        {&pixels.color[to.first], &pixels.depth[to.first],
-                         &pixels.certificate[to.first], &pixels.surface[to.first]});
+                        {.color = &pixels.color[to.first],
+                         .depth = &pixels.depth[to.first],
+                         .certificate = &pixels.certificate[to.first],
+                         .surface = &pixels.surface[to.first]});
     }
     RowPixels aside;
     make_row(layer, row, to.background, aside.target());

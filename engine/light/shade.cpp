@@ -61,16 +61,17 @@ void illuminate_row(const RayDirections& rays, const Shading& shading, int row, 
         if (bits == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
         const V<float> along = hn::Iota(d<float>, static_cast<float>(col));
-        const HitVector vector{
-            .along = {hn::MulAdd(along, step.x, start.x), hn::MulAdd(along, step.y, start.y),
-                      hn::MulAdd(along, step.z, start.z)},
-            .along_to_key = hn::MulAdd(along, rays.key_by_col, key_start),
-            .gradient = {hn::LoadU(d<float>, &hits.gradient[0][at]),
-                         hn::LoadU(d<float>, &hits.gradient[1][at]),
-                         hn::LoadU(d<float>, &hits.gradient[2][at])},
-            .key_light = layer.any_dark ? hn::LoadU(d<float>, &layer.key_light[at])
-                                        : hn::Set(d<float>, 1.0F),
-            .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
+        const HitVector vector{.along = {.x = hn::MulAdd(along, step.x, start.x),
+                                         .y = hn::MulAdd(along, step.y, start.y),
+                                         .z = hn::MulAdd(along, step.z, start.z)},
+                               .along_to_key = hn::MulAdd(along, rays.key_by_col, key_start),
+                               .gradient = {.x = hn::LoadU(d<float>, &hits.gradient[0][at]),
+                                            .y = hn::LoadU(d<float>, &hits.gradient[1][at]),
+                                            .z = hn::LoadU(d<float>, &hits.gradient[2][at])},
+                               .key_light = layer.any_dark
+                                                ? hn::LoadU(d<float>, &layer.key_light[at])
+                                                : hn::Set(d<float>, 1.0F),
+                               .is_hit = mask_of(d<float>, static_cast<LaneBits>(bits))};
         illuminate(shading, vector, col, light);
     }
 }

@@ -82,7 +82,8 @@ std::shared_ptr<const Framebuffer> GrowingPicture::snapshot() const {
     picture->blank_rows.clear();
     for (std::size_t i = 0; i < grid_.size(); ++i) {
         const Tile tile = grid_.tile(i);
-        const PixelRect rect{tile.col, tile.row, tile.cols, tile.rows};
+        const PixelRect rect{
+            .col = tile.col, .row = tile.row, .cols = tile.cols, .rows = tile.rows};
         if (done_[i]) {
             copy(*frame_, rect, *picture);
         } else {

@@ -76,7 +76,9 @@ std::optional<RenderJob::Work> RenderJob::wait_for_work() {
 }
 
 RenderJob::Work RenderJob::begin(RenderRequest request) {
-    Work work{std::move(request), submissions_.newest, submissions_.in_motion};
+    Work work{.request = std::move(request),
+              .number = submissions_.newest,
+              .in_motion = submissions_.in_motion};
     const std::vector<Kernel>& surfaces = work.request.scene.surfaces;
     const Coloring& coloring = work.request.scene.coloring;
     work.finds_range = has_range(coloring.by) && !coloring.range;
@@ -165,7 +167,7 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
                             .first_turn = pace_.first_turn});
     const bool drawn = growing.draw();
     growing.tell(governor_);
-    if (!drawn) return {nullptr, false};
+    if (!drawn) return {.frame = nullptr, .complete = false};
     // A picture with most of it left out would only hide the one that is there.
     if (work.is_new && growing.cut_share() > most_left_out)
         return {.frame = growing.frame(), .complete = false};

@@ -66,7 +66,8 @@ void turn(UiState& state) {
 
 template <ColorBy by>
 void color_by(UiState& state) {
-    state.edited.document.coloring = {by, state.edited.document.coloring.expression};
+    state.edited.document.coloring = {.by = by,
+                                      .expression = state.edited.document.coloring.expression};
     if (by == ColorBy::Expression) state.edited.layout.look_open = true;
 }
 

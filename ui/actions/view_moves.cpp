@@ -40,7 +40,8 @@ void move_view(UiState& state, const Camera& camera) {
     if (camera_defect(camera) != nullptr) return;
     ++state.input.gesture;  // makes the move an undo step of its own
     const Camera& from = *state.edited.document.camera;
-    state.input.move = ViewMove{from, camera, from, 0.0, false};
+    state.input.move =
+        ViewMove{.from = from, .to = camera, .last = from, .elapsed_s = 0.0, .begun = false};
 }
 
 void follow_move(UiState& state, double elapsed_s) {

@@ -14,7 +14,9 @@ constexpr double zoom_per_notch = 0.88;
 
 }  // namespace
 
-TurnMode turn_mode_of(const Document& document) { return {document.up, document.trackball}; }
+TurnMode turn_mode_of(const Document& document) {
+    return {.up = document.up, .freely = document.trackball};
+}
 
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning) {
     Camera moved = camera;

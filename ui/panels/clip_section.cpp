@@ -76,7 +76,7 @@ void draw_box(Edited& edited) {
     }
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     bool& open = edited.layout.edges_open;
-    if (icon_button("##edges", Icon::More, {button, palette(edited.theme).quiet},
+    if (icon_button("##edges", Icon::More, {.size = button, .color = palette(edited.theme).quiet},
                     open ? "Only one number" : "Each edge by itself")) {
         open = !open;
     }
@@ -157,7 +157,8 @@ bool draw_section(Edited& edited, Section& section) {
     ImGui::Checkbox("cap", &section.cap);
     draw_tooltip("Fills the solids that the section cuts open.");
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
-    return !icon_button("##remove", Icon::Cross, {size, palette(edited.theme).quiet}, "Remove");
+    return !icon_button("##remove", Icon::Cross,
+                        {.size = size, .color = palette(edited.theme).quiet}, "Remove");
 }
 
 void draw_sections(Edited& edited) {

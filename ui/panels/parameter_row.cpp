@@ -82,7 +82,7 @@ void draw_settings(const char* id, Slider& slider) {
 void draw_play_button(Edited& edited, const std::string& name, const Slider& slider, float size) {
     const Palette& colors = palette(edited.theme);
     const bool plays = edited.playing.contains(name);
-    const IconLook look{size, plays ? colors.accent : colors.quiet};
+    const IconLook look{.size = size, .color = plays ? colors.accent : colors.quiet};
     if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look, plays ? "Stop" : "Play")) {
         return;
     }

@@ -178,7 +178,7 @@ void draw_folded(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     if (ImGui::Begin("##unfold", nullptr, bar_flags | ImGuiWindowFlags_AlwaysAutoResize)) {
         draw_action(state, "Fold the panel", Icon::Unfold,
-                    {size, palette(state.edited.theme).quiet});
+                    {.size = size, .color = palette(state.edited.theme).quiet});
     }
     ImGui::End();
     ImGui::PopStyleVar(2);

@@ -35,7 +35,7 @@ auto at(UiState& state, std::size_t index) {
 /// Gives the keyboard to the row at `index`, or to the last row; the list is never empty.
 void focus(UiState& state, std::size_t index, Caret caret) {
     const std::size_t last = rows(state).size() - 1;
-    state.wishes.focus = RowFocus{rows(state)[std::min(index, last)].id, caret};
+    state.wishes.focus = RowFocus{.row = rows(state)[std::min(index, last)].id, .caret = caret};
 }
 
 /// Gives the keyboard to the row below, with the caret in its first line.
@@ -74,7 +74,7 @@ void duplicate_row(UiState& state, std::size_t index) {
 
 void move_row(UiState& state, std::size_t index, std::ptrdiff_t by) {
     const int id = rows(state)[index].id;
-    if (state.input.typing_row == id) state.wishes.focus = RowFocus{id, Caret::End};
+    if (state.input.typing_row == id) state.wishes.focus = RowFocus{.row = id, .caret = Caret::End};
     const auto other = static_cast<std::ptrdiff_t>(index) + by;
     if (other < 0 || other >= std::ssize(rows(state))) return;
     std::iter_swap(at(state, index), rows(state).begin() + other);

@@ -305,13 +305,13 @@ RowEvent draw_statement_row(UiState& state, std::size_t index, const char* hint)
                       !ImGui::IsMouseDragging(ImGuiMouseButton_Left) &&
                       ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                              ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    Row row{state,
-            statement,
-            report == state.shown.reading.reports.end() ? nullptr : &report->second,
-            palette(state.edited.theme),
-            place,
-            free && place.Contains(ImGui::GetIO().MousePos),
-            ImGui::GetActiveID() == ImGui::GetID("##equation")};
+    Row row{.state = state,
+            .statement = statement,
+            .report = report == state.shown.reading.reports.end() ? nullptr : &report->second,
+            .colors = palette(state.edited.theme),
+            .place = place,
+            .hovered = free && place.Contains(ImGui::GetIO().MousePos),
+            .typing = ImGui::GetActiveID() == ImGui::GetID("##equation")};
     if (state.wishes.focus && state.wishes.focus->row == statement.id) {
         ImGui::ScrollToRect(ImGui::GetCurrentWindow(), place);
     }

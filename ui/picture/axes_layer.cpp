@@ -40,7 +40,8 @@ AxisStyle style_of(Theme theme) {
 void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const Edited& edited,
                const ShownPicture& picture) {
     const Document& document = edited.document;
-    const AxesChoice choice{document.axes, document.clip_box, document.grid};
+    const AxesChoice choice{
+        .axes = document.axes, .clip_box = document.clip_box, .grid = document.grid};
     const ImVec2 extent(hi.x - lo.x, hi.y - lo.y);
     if (!choice.any() || picture.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
     const Axes axes = make_axes(view_of(document, picture.camera, extent), choice, *picture.frame);

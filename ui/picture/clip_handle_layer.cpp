@@ -219,7 +219,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
     std::vector<Handle> handles = shown_handles(state, area.height());
     if (handles.empty()) return;
     const ViewFrame view(state.shown.picture.camera);
-    const Pen pen{canvas, area, view};
+    const Pen pen{.canvas = canvas, .area = area, .view = view};
     canvas.PushClipRect(area.lo, area.hi, true);
     // Nearer handles cover farther ones.
     std::ranges::sort(handles, std::ranges::greater(),

@@ -47,8 +47,9 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     const glm::dvec2 size(hi.x - lo.x, hi.y - lo.y);
     Shapes shapes;
     if (picture.frame != nullptr) {
-        shapes = marker_shapes(marked_points(edited, picture),
-                               {*picture.frame, picture.camera, size}, style);
+        shapes =
+            marker_shapes(marked_points(edited, picture),
+                          {.frame = *picture.frame, .camera = picture.camera, .size = size}, style);
     }
     const CornerLegend legend{.legend = picture.legend ? &*picture.legend : nullptr,
                               .undecided = edited.document.mark_undecided,

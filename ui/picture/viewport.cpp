@@ -47,8 +47,8 @@ void draw_picture(const PictureArea& area, const UiState& state, const Texture& 
                        picture.height() == state.input.viewport_px.y;
     picture.set_filter(exact ? Filter::Nearest : Filter::Linear);
     const auto id = static_cast<std::uintptr_t>(picture.name());
-    // ImGui's texture handle is a pointer that the OpenGL renderer takes as a number.
-    canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);  // NOLINT
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
+    canvas.AddImage(reinterpret_cast<ImTextureID>(id), area.lo, area.hi);
     if (state.shown.picture.dimmed > 0.0F) {
         const double veil = dimmest * static_cast<double>(state.shown.picture.dimmed);
         const std::uint32_t sky = faded(colors.sky, veil);

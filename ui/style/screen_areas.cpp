@@ -22,7 +22,7 @@ float picture_height() {
 PictureArea viewport_area(const Layout& layout) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float left = std::min(side_panel_width(layout), window.x);
-    return {ImVec2(left, 0.0F), ImVec2(window.x, picture_height())};
+    return {.lo = ImVec2(left, 0.0F), .hi = ImVec2(window.x, picture_height())};
 }
 
 }  // namespace zeroset::ui
