@@ -43,7 +43,7 @@ struct TextRow {
 /// The text cut before each statement; before each line where there is no program.
 std::vector<TextRow> cut_rows(std::string_view text, const Program* program) {
     std::vector<std::size_t> begins = program ? statement_begins(*program) : line_begins(text);
-    // What stands before the first statement, such as a remark, is a row of its own.
+    // Text before the first statement, such as a remark, is a row of its own.
     if (begins.empty() || !stripped(text.substr(0, begins.front())).empty())
         begins.insert(begins.begin(), 0);
     std::vector<TextRow> rows;

@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What axes, markers and legend are made from, beside the frame itself.
+/// The things that axes, markers and legend are made from, beside the frame itself.
 struct FrameSubject {
     const Document& document;
     const Camera& camera;      ///< the camera that the frame was drawn with

@@ -17,7 +17,7 @@
 
 namespace zeroset {
 
-/// What machine code is made for.
+/// The use that machine code is made for.
 enum class CodeUse : std::uint8_t {
     FirstPicture,  ///< a picture wanted soon, and more of them
     OnePicture,  ///< one picture soon and no other; code that takes longer to make than it saves is

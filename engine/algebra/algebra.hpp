@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-// What an operator means: one member of an algebra for each row of op.def, over any carrier. The
-// interpreter and the JIT apply the same algebras, so they perform the same operations.
+// An algebra tells the meaning of operators: one member for each row of op.def, over any carrier.
+// The interpreter and the JIT apply the same algebras, so they perform the same operations.
 
 namespace zeroset {
 

@@ -83,7 +83,7 @@ BeamValue<Lanes> coordinate(const FrustumLanes<Lanes>& view, const CellLanes<Lan
             slope_beam(Beam<Lanes>{slope, view.direction_size[i] * units, view.direction_size[i]})};
 }
 
-/// The same over cells without width: a form in the depth alone, in fewer operations.
+/// A coordinate over cells without width: a form in the depth alone, in fewer operations.
 template <class Lanes>
 BeamValue<Lanes> coordinate_on_rays(const FrustumLanes<Lanes>& view, const CellLanes<Lanes>& cell,
                                     std::size_t i) {
@@ -118,7 +118,7 @@ BeamValue<Lanes> uniform_form(const Interval<Lanes>& box) {
     return {interval_form(box, maximum(box.neg_lo, box.hi))};
 }
 
-/// What FormBatchOf hands on.
+/// The results of a FormBatchOf, in vectors.
 template <class Lanes>
 struct FormResult {
     using Mask = typename Enclosure<Lanes>::Mask;

@@ -64,7 +64,7 @@ Cut<Real> first_cut(const Cut<Real>& cut, const typename Enclosure<Real>::Mask& 
     return {select(first, from, cut.from), select(first, to, cut.to)};
 }
 
-/// What an algebra asks and tells about the switch at work. Whoever evaluates a graph provides it.
+/// An algebra asks and tells here about the switch at work. Whoever evaluates a graph provides it.
 template <class Real>
 class SwitchBoard {
 public:

@@ -27,7 +27,7 @@ void paint_line(Framebuffer& picture, const glm::dvec2& from, const glm::dvec2& 
     const int major = std::abs(along.x) >= std::abs(along.y) ? 0 : 1;
     const int minor = 1 - major;
     const int size[2] = {picture.width, picture.height};
-    // Of the pixels along the minor axis, at a place of the line.
+    // The line reaches so many pixels along the minor axis, at each place of it.
     const double reach = (0.5 * width + 1.0) / std::abs(along[major]);
     const auto clamped = [](double at, int end) {
         return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(end)));

@@ -148,7 +148,7 @@ private:
         return Power;
     }
 
-    /// Of a chain of lengths, the innermost first, whose operands stand the other way round
+    /// Prints a chain of lengths, the innermost first, whose operands stand the other way round
     /// (engine/rewrite/polar_form.hpp).
     int length(const Node& node, std::vector<Piece>& pieces) const {
         std::vector<NodeId> legs;

@@ -15,7 +15,7 @@ namespace zeroset {
 /// to the JIT's.
 Kernel interpret(const Expr& expr);
 
-/// The same, where parts of the graph have code of their own. `facts` are the graph's.
+/// The reference kernel where parts of the graph have code of their own. `facts` are the graph's.
 Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts);
 
 /// The values alone, bit-equal to the JIT's.

@@ -14,7 +14,7 @@ class Tape;
 struct InterpreterCode {
     template <class Batch>
     using Function = void (*)(const void* code, const Batch* batch);
-    /// Of a whole batch; `record` has room for it.
+    /// Records the choices of a whole batch; `record` has room for it.
     template <class Real>
     using Record = void (*)(const Tape& tape, const FormBatchOf<Real>& batch, ChoiceRecord& record);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the interpreter takes from the standard library, to be included before any code for wider
-// registers: it stays code for every machine.
+// The parts of the standard library that the interpreter takes, to be included before any code for
+// wider registers: it stays code for every machine.
 
 #include <immintrin.h>
 

@@ -11,7 +11,7 @@
 
 namespace zeroset {
 
-/// What a text says. All surfaces share the numbering of the parameters.
+/// The meaning of a text. All surfaces share the numbering of the parameters.
 struct Program {
     std::vector<Expr> surfaces;  ///< f of each equation f = 0, restricted by Op::Where; at least
                                  ///< one

@@ -39,7 +39,7 @@ private:
 };
 static_assert(tile_size <= 64);
 
-/// What light makes of the hits of a tile: a layer for each surface that is hit. One for each
+/// The light of a tile: a layer for each surface that is hit. One for each
 /// thread; it keeps its room from tile to tile.
 class LitTile {
 public:

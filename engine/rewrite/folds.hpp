@@ -7,7 +7,7 @@
 
 namespace zeroset {
 
-/// The same function with the continuous Op::Fold in place of such remainders.
+/// Returns the same function with the continuous Op::Fold in place of such remainders.
 Expr with_folds(const Expr& expr);
 
 }  // namespace zeroset

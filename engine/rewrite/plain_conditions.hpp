@@ -7,10 +7,10 @@
 
 namespace zeroset {
 
-/// The same function, also where it is defined. Comparisons with constants lose what is added to
-/// the other side, its factors, its absolute values and the choices and sums of whole numbers in
-/// it; conditions that are always true or never are left out, products of choices of 1 and 0
-/// are one choice.
+/// Returns the same function, also where it is defined. Comparisons with constants lose what is
+/// added to the other side, its factors, its absolute values and the choices and sums of whole
+/// numbers in it; conditions that are always true or never are left out, products of choices of 1
+/// and 0 are one choice.
 Expr with_plain_conditions(const Expr& expr);
 
 }  // namespace zeroset

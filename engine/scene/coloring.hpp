@@ -13,7 +13,7 @@
 
 namespace zeroset {
 
-/// What the colours of surfaces tell.
+/// The property that the colours of surfaces tell.
 enum class ColorBy : std::uint8_t {
     Plain,   ///< which surface, and which side of it
     Normal,  ///< the direction of f's gradient: red, green and blue are x, y and z

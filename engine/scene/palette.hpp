@@ -6,7 +6,7 @@
 
 namespace zeroset {
 
-/// Of a surface's two sides: linear reflectances of red, green and blue, 0 to 1.
+/// Linear reflectances of a surface's two sides: red, green and blue, 0 to 1.
 struct SurfaceColors {
     float front[3];  ///< where f > 0 at the viewer
     float back[3];

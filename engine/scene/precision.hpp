@@ -39,7 +39,8 @@ int deepest_halving(const Box& clip, double reach, int digits);
 /// the origin stay in float at any d_stop.
 Precision wanted_precision(const Box& clip, const ViewFrame& view, const StopCriterion& stop);
 
-/// The same, and double where numbers of the scene's functions leave the range of float.
+/// The precision that the view wants, and double where numbers of the scene's functions leave the
+/// range of float.
 Precision wanted_precision(const Scene& scene, const ViewFrame& view, const StopCriterion& stop);
 
 }  // namespace zeroset

@@ -27,8 +27,8 @@ struct Section {
 
 inline constexpr std::size_t max_sections = 6;
 
-/// What is shown of the clip box: the points in the ball that all sections keep. Convex, so that a
-/// ray is inside on one stretch.
+/// The part of the clip box that is shown: the points in the ball that all sections keep. Convex,
+/// so that a ray is inside on one stretch.
 struct Region {
     std::optional<Ball> ball;
     std::vector<Section> sections;  ///< at most max_sections
@@ -38,7 +38,7 @@ struct Region {
     [[nodiscard]] bool is_whole() const { return !ball && sections.empty(); }
 };
 
-/// What rounding errors of distances from the shape are proportional to, beside the places'.
+/// Rounding errors of distances from the shape are proportional to this size and the places'.
 double size_of(const Section& section);
 double size_of(const Ball& ball);
 

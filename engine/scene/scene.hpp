@@ -28,7 +28,7 @@ struct Solid {
     KernelFunction<ValueBatchOf<float>> unrestricted = {};
 };
 
-/// What is drawn: the code of each surface's formula, the clip box with what is shown of it, and
+/// A scene: the code of each surface's formula, the clip box with what is shown of it, and
 /// the uniforms' values, which all surfaces share. A value: copy it as a snapshot for a job.
 struct Scene {
     std::vector<Kernel> surfaces;  ///< at most max_surfaces

@@ -41,7 +41,7 @@ struct Counters {
     std::uint64_t value = 0;
     std::uint64_t form = 0;
     double coarse_width = 0.0;
-    /// Of tiles that a time limit ended: pixels that are undecided, pixels without shadows or
+    /// Pixels of tiles that a time limit ended: those that are undecided, those without shadows or
     /// smooth edges.
     std::uint64_t cut_pixels = 0, rough_pixels = 0;
 

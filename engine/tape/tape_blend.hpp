@@ -15,7 +15,7 @@ struct Blend {
     double reach;         ///< of k + q
 };
 
-/// What the step, a sum or difference, ends.
+/// The blend that the step, a sum or difference, ends.
 std::optional<Blend> blend_of(const Tape& tape, const Tape::Step& sum);
 
 }  // namespace zeroset

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-// What many parts cost: unions, differences and smooth unions of 1 to 1000 spheres, all partly
+// The cost of many parts: unions, differences and smooth unions of 1 to 1000 spheres, all partly
 // visible; time of a frame, its ratio to that of 10 parts, its share for a part, and from text to
 // first picture.
 //   csg_benchmark [--threads N] [--tracer NAME] [--size PIXELS] [--repeat N]

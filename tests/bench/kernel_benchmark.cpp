@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-// What a kernel costs, for each surface of the benchmark suite: ns for 8 boxes, ns for 8 points,
+// The cost of a kernel, for each surface of the benchmark suite: ns for 8 boxes, ns for 8 points,
 // in float and in double, and the time from graph to machine code.
 
 namespace zeroset::test {

@@ -97,7 +97,7 @@ private:
     static Value absolute(const Value& a) {
         return {maximum(maximum(a.lo, -a.hi), like(a.lo, 0.0)), maximum(-a.lo, a.hi)};
     }
-    /// Of a that is not negative, or for odd n.
+    /// The power of an `a` that is not negative, or for odd n.
     static Value power(const Value& a, int n) { return {power(a.lo, n), power(a.hi, n)}; }
     static Lanes power(const Lanes& a, int n) {
         if (n == 1) return a;

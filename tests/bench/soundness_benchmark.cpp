@@ -108,7 +108,7 @@ std::unique_ptr<llvm::Module> lower_plain(const Expr& expr, const PlainAlgebra& 
     return module;
 }
 
-/// Of the plain algebra's boxes, whose lower ends are not negated.
+/// Samples with the plain algebra's boxes, whose lower ends are not negated.
 Samples<float> plain_samples(const GalleryItem& item) {
     Samples<float> samples(item);
     for (auto& ends : samples.neg_lo) {
@@ -141,7 +141,7 @@ public:
         const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
         least_ = std::min(least_, elapsed.count() / (times * items_of_8));
     }
-    /// Of 8 boxes.
+    /// The least time of 8 boxes.
     [[nodiscard]] double least_ns() const { return least_; }
 
 private:

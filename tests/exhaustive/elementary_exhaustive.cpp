@@ -48,7 +48,7 @@ constexpr std::size_t stretches = positive_floats / stretch;
 
 enum class Symmetry : std::uint8_t { None, Odd, Even };
 
-/// What is known of a function beside its values.
+/// Facts about a function beside its values.
 struct Shape {
     Symmetry symmetry = Symmetry::None;
     bool has_poles = false;  ///< an infinite close value is no value; otherwise it is a large one
@@ -181,7 +181,7 @@ private:
             close = -close;
     }
 
-    /// What kernels compute, in their rounding mode.
+    /// Computes as kernels do, in their rounding mode.
     void compute(Stretch& floats) const {
         for (std::size_t i = 0; i < stretch; ++i)
             floats.neg_a[i] = -floats.a[i];

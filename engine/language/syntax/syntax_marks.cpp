@@ -16,7 +16,7 @@ namespace {
 /// Deepest nesting of brackets; the parser refuses deeper ones.
 constexpr std::size_t deepest = 1100;
 
-/// What a token is replaced by.
+/// The replacement of a token.
 enum class Mark : std::uint8_t { Stays, Or, And, Nothing, Point, Ends, Label };
 
 enum class Place : std::uint8_t { Statement, Call, Group, Braces };

@@ -101,7 +101,7 @@ struct CompletedSquare {
 /// For p of even degree in the atom whose leading coefficient is a number.
 std::optional<CompletedSquare> complete_square(const Polynomial& p, int atom);
 
-/// What a graph's nodes are, expanded.
+/// A graph's nodes, expanded.
 struct Expansion {
     std::vector<NodeId> atoms;                  ///< nodes that the polynomials are made of
     std::vector<std::optional<Polynomial>> of;  ///< of each node, unless it is too large

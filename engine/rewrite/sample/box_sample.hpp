@@ -35,7 +35,8 @@ public:
         double boxes;  ///< the share of boxes that have to be divided
         double width;  ///< mean width of the enclosures
     };
-    /// Of the functions that some nodes compute, on every stride-th box. In upward rounding.
+    /// The work on the functions that some nodes compute, on every stride-th box. In upward
+    /// rounding.
     [[nodiscard]] std::vector<Work> work(const Expr& expr, std::span<const Facts> facts,
                                          std::span<const NodeId> nodes, std::size_t stride) const;
 

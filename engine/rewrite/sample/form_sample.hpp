@@ -15,12 +15,12 @@ namespace zeroset {
 class FormSample {
 public:
     /// Descends into some of those cells of the region that the form of `expr` does not reject.
-    /// The same for the same input.
+    /// The sample depends on its input alone.
     FormSample(const Expr& expr, const SampleRegion& region);
 
     /// The mean share of the cells' depths, 0 to 1, in which the form leaves room for zeros.
     [[nodiscard]] double open() const { return open_; }
-    /// The same with the function, of the same parameters, written in another way.
+    /// The share for the function, of the same parameters, written in another way.
     [[nodiscard]] double open(const Expr& expr) const;
     /// How many steps of the formula's interpreter are left in the mean in one of the smallest
     /// cells, where what does not matter there is left out.
@@ -37,7 +37,7 @@ private:
     };
 
     void place(const Level& level, FormCells<float, cells_a_level>& cells) const;
-    /// Of each cell the share of its depth that is left open.
+    /// The share of each cell's depth that is left open.
     [[nodiscard]] std::vector<double> shares(const Kernel& kernel, const Level& level) const;
 
     [[nodiscard]] double cells() const;

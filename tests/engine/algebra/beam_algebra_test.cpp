@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Algebra, SmoothOperator,
                                            Op::Cosh, Op::Tanh, Op::Asinh, Op::Acosh, Op::Atanh),
                          [](const auto& op) { return std::string(op_info(op.param).name); });
 
-/// Of operands that change differently: where they change alike, ln(e^x + e^y) does, too.
+/// The operands change differently: where they change alike, ln(e^x + e^y) does, too.
 class BlendedOperands : public ::testing::TestWithParam<Op> {};
 
 TEST_P(BlendedOperands, FormAndSlopeAreOfSecondOrder) {

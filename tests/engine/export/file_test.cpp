@@ -54,7 +54,7 @@ TEST_F(FileTest, WritesAllBytes) {
     EXPECT_EQ(files(), 1);
 }
 
-/// What was begun is taken away, and nothing more is written.
+/// The file that was begun is taken away, and nothing more is written.
 TEST_F(FileTest, LeavesNothingHalfWrittenWhenAbandoned) {
     ::testing::GTEST_FLAG(death_test_style) = "threadsafe";
     const std::string text(3'000'000, 'x');

@@ -2,9 +2,9 @@
 
 #include "engine/algebra/algebra.hpp"
 #include "engine/algebra/graph_facts.hpp"
-#include "engine/tape/tape.hpp"
 #include "engine/language/parse.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/tape/tape.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/mpfr_number.hpp"
 #include "tests/support/random_expression.hpp"
@@ -276,7 +276,7 @@ TEST(Interpret, HasTheValuesOfValueAt) {
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
 }
 
-/// What double is for: boxes far below the resolution of float.
+/// Double is for boxes far below the resolution of float.
 TEST(Interpret, TellsTinyBoxesApartInDouble) {
     const Kernel kernel = interpret(*parse("x^2 + y^2 + z^2 + sin(w)*0 - 0.75"));
     std::array<double, items> neg_lo{};

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// What lies in the shadow of what.
+// Shadows, against the known shadows of spheres and cylinders.
 
 namespace zeroset::test {
 namespace {

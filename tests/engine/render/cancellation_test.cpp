@@ -41,7 +41,7 @@ struct Counts {
 
 class CancellationTest : public ::testing::TestWithParam<std::string> {
 protected:
-    /// What the tracer says of the sphere, each ray compared with the known root.
+    /// Counts what the tracer says of the sphere, each ray compared with the known root.
     static Counts drawn(double offset, const std::string& level, double radius) {
         Scene scene = scene_of(expanded(level), Box::cube(1.25));
         scene.uniforms.set(0, offset);

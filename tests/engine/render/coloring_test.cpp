@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// What colours tell, pixel by pixel: as bright as a plain surface whose sides have that colour.
+// Colours, pixel by pixel: as bright as a plain surface whose sides have that colour.
 
 namespace zeroset::test {
 namespace {

@@ -104,7 +104,7 @@ TEST(Solid, IsTheSameWhereTheBoxCutsIt) {
     }
 }
 
-/// What is remembered from frame to frame is of the frame.
+/// A frame does not use the parameters of the one before it.
 TEST(Solid, IsThatOfItsParametersInEachFrame) {
     const std::string text =
         "min((x - w)^2 + y^2 + z^2 - 0.1, x^2 + (y + w)^2 + z^2 - 0.2, " + spheres("min", 6) + ")";

@@ -30,7 +30,7 @@ struct DomainScene {
 
 std::vector<DomainScene> domain_scenes();
 
-/// What a ray meets in the clip box.
+/// The things that a ray meets in the clip box.
 struct Meeting {
     double first = std::numeric_limits<double>::infinity();  ///< its first root, if any
     /// f is not near 0 on the way, at the ends of pieces neither, and the root is a simple one off

@@ -20,7 +20,7 @@ constexpr int image_size = 25;
 constexpr double rounding = 1e-5;  ///< of depths of up to 12 in float, upward
 /// A certificate looks for the opposite sign up to three cells behind the first.
 constexpr double bracket_cells = 4.0;
-/// What is clear must be decided in cells that are small, but larger than the errors of float.
+/// Clear rays must be decided in cells that are small, but larger than the errors of float.
 bool must_decide(double d_stop) { return d_stop >= 14 && d_stop <= 18; }
 
 std::vector<Camera> cameras() {
@@ -49,7 +49,7 @@ protected:
     static void check_pictures(const DomainScene& domain, const Scene& scene);
 };
 
-/// What is drawn and claimed must be true.
+/// A pixel must show and claim the truth.
 void expect_true(const DomainScene& scene, const Ray& ray, const Meeting& met, const Pixel& pixel,
                  double cell) {
     const double margin = bracket_cells * cell * ray.stretch() + rounding;
@@ -124,7 +124,7 @@ TEST_P(DomainTest, DrawsWhatIsThereAndNothingElse) {
         check_pictures(domain, scene_of(domain.text, Box::cube(2)));
 }
 
-/// The same of the form that the program traces, without poles.
+/// The form that the program traces has no poles, and gives the same pictures.
 TEST_P(DomainTest, DrawsTheSameInTheTraceableForm) {
     int rewritten = 0;
     for (const DomainScene& domain : domain_scenes()) {

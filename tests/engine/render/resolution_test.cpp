@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t pixels = 1'000'000;
 
-/// What a picture costs at a scale, where the full one costs `full_ms`.
+/// Measures a picture at a scale, where the full one costs `full_ms`.
 void draw(ResolutionGovernor& governor, double full_ms, double scale) {
     governor.measured(static_cast<std::size_t>(pixels * scale * scale),
                       full_ms * std::pow(scale, 1.6));

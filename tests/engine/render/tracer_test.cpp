@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// What each tracer says of surfaces of known form: certificates, depths and misses, ray by ray.
+// Each tracer on surfaces of known form: certificates, depths and misses, ray by ray.
 
 namespace zeroset::test {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 /// A tracer may look for the opposite sign a few cells behind the one where it stopped.
 constexpr double bracket_cells = 4.0;
 
-/// What a pixel says against what is there. `cell` is the width of the finest slice.
+/// Compares a pixel with what is there. `cell` is the width of the finest slice.
 void check_pixel(const Analytic& scene, const Ray& ray, Certificate certificate, double depth,
                  double cell) {
     const double rounding = 3e-6;

@@ -45,7 +45,7 @@ TEST(WithPlainConditions, LeavesOthersAlone) {
         EXPECT_EQ(written(text), parse(text)->canonical()) << text;
 }
 
-/// What is left out would be undefined somewhere.
+/// The parts that could be left out are undefined somewhere.
 TEST(WithPlainConditions, KeepTheDomain) {
     EXPECT_EQ(written("if(sqrt(x) > -1, y, z)"), parse("if(sqrt(x) > -1, y, z)")->canonical());
     EXPECT_EQ(written("if(sqrt(x) < 1 and 1 < 0, y, z)"), "if(sqrt(x) < 1 and 0, y, z)");
@@ -97,7 +97,7 @@ TEST(WithPlainConditions, AreTheSameFunctionWhateverTheFormula) {
     }
 }
 
-/// Of conditions made of others the outermost one is the switch.
+/// The outermost condition of those made of others is the switch.
 TEST(Switches, AreOutermostConditions) {
     const auto count = [](const char* text) {
         const Expr expr = *parse(text);

@@ -13,7 +13,7 @@
 namespace zeroset::test {
 namespace {
 
-/// What a dichromat sees of linear RGB, rows of the matrix (Machado, Oliveira, Fernandes 2009).
+/// The sight of a dichromat, in linear RGB: rows of the matrix (Machado, Oliveira, Fernandes 2009).
 struct Vision {
     std::string name;
     glm::dmat3 rows;

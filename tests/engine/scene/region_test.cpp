@@ -111,7 +111,7 @@ TEST(TileRays, EnclosesWhereRaysAreInside) {
     EXPECT_GT(sure, 1000U);
 }
 
-/// Of single rays the bounds are as near as rounding allows.
+/// The bounds of single rays are as near as rounding allows.
 TEST(TileRays, KnowsWhereARayEntersAndLeaves) {
     const UpwardRounding upward;
     RandomNumbers random(11);

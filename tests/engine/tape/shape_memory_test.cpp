@@ -22,7 +22,7 @@ std::vector<Expr> parsed(const std::vector<std::string>& texts) {
     return result;
 }
 
-/// Of the shape of the only text, as text; empty where it has none.
+/// The shape of the only text, as text; empty where it has none.
 std::string shape_of(ShapeMemory& memory, const std::string& text) {
     const auto shapes = memory.shape(parsed({text}));
     if (shapes.size() != 1 || !shapes[0]) return "";

@@ -251,8 +251,8 @@ TYPED_TEST(SpecializedKernel, HasTheValuesOfTheWholeOneWhereTheyMatter) {
     EXPECT_GT(specialized, formulas / 8);
 }
 
-/// What the tape of a formula keeps of its choices in cells where u and v are about 0 and s is
-/// from -1 to 1.
+/// The number of choices that the tape of a formula keeps in cells where u and v are about 0 and s
+/// is from -1 to 1.
 std::optional<std::size_t> choices_left(const Expr& expr) {
     RandomNumbers random(3);
     View<float> view(random);
@@ -297,7 +297,7 @@ TEST(Tape, LeavesOutWhatHasNoPartInTheZeros) {
     EXPECT_EQ(choices_left("min(min(z, 0.7 + x) + y, min(z, 0.7 + x))"), std::nullopt);
 }
 
-/// What is added to a choice moves the values that matter.
+/// A term added to a choice moves the values that matter.
 TEST(Tape, LeavesOutWhatIsFarFromTheValuesThatMatter) {
     EXPECT_EQ(choices_left("min(z, 0.9 + x) - 0.6"), 0U);
     EXPECT_EQ(choices_left("0.6 - min(z, 0.9 + x)"), 0U);

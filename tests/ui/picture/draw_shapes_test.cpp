@@ -27,7 +27,7 @@ constexpr int width = 320;
 constexpr int height = 160;
 constexpr std::uint32_t ground = 0xFF406080U;
 
-/// What makes shapes in a style.
+/// A function that makes shapes in a style.
 using Maker = std::function<Shapes(const CardStyle&)>;
 
 /// The shapes on a flat ground, as OpenGL draws them, and in `shapes`; empty where there is none.

@@ -47,7 +47,7 @@ TEST(CollectedTerms, MakeALongPolynomialShort) {
 }
 
 TEST(CollectedTerms, LetCoefficientsCancelOnTheWay) {
-    // Of x^9 nothing is left; in numbers that are rounded that is not known.
+    // Nothing is left of x^9; in numbers that are rounded that is not known.
     const Expr typed = parsed("0.1x^9" + long_sum(3) + " - 0.3x^9 + 0.2x^9 + 0.7x^9");
     EXPECT_LT(3 * with_collected_terms(typed, {}).nodes().size(), typed.nodes().size());
 }

@@ -178,7 +178,7 @@ Interval<float> range_of(const Kernel& kernel, const std::array<Interval<float>,
     return {f_neg_lo[0], f_hi[0]};
 }
 
-/// Of the function as typed, by the kernel of its tightened form.
+/// The kernel of the tightened form encloses the function as typed.
 TEST(Tightened, EnclosesTheFunctionAsTyped) {
     test::RandomNumbers random(7);
     int rewritten = 0;
