@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/tape/parts.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "engine/tape/parts.hpp"
 
 namespace zeroset::test {
 

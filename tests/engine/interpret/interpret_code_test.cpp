@@ -1,9 +1,9 @@
 #include "engine/interpret/interpret_code.hpp"
 
 #include "engine/interpret/interpret.hpp"
-#include "engine/tape/tape.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/real/sleef_lanes.hpp"
+#include "engine/tape/tape.hpp"
 #include "tests/support/kernel_batch.hpp"
 #include "tests/support/random_expression.hpp"
 #include "tests/support/random_numbers.hpp"
