@@ -76,6 +76,13 @@ void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
 
 }  // namespace
 
+Sheet sheet_of(const Document& document) {
+    Sheet sheet;
+    for (const Statement& statement : document.statements)
+        sheet.push_back({statement.id, statement.text});
+    return sheet;
+}
+
 SheetReading SheetReader::read(const Sheet& sheet) {
     SheetReading result;
     for (const SheetRow& row : sheet)

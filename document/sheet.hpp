@@ -10,6 +10,8 @@
 
 namespace zeroset {
 
+struct Document;
+
 /// A row to be read, with its id in the document.
 struct SheetRow {
     int id;
@@ -18,6 +20,9 @@ struct SheetRow {
     bool operator==(const SheetRow&) const = default;
 };
 using Sheet = std::vector<SheetRow>;
+
+/// The rows of a document.
+Sheet sheet_of(const Document& document);
 
 struct RowError {
     std::string reason;       ///< what is wrong, and what to type instead; one line

@@ -37,13 +37,6 @@ struct EditTimes {
     std::size_t nodes = 0;  ///< nodes of the drawn graphs
 };
 
-Sheet sheet_of(const Document& document) {
-    Sheet sheet;
-    for (const Statement& statement : document.statements)
-        sheet.push_back({statement.id, statement.text});
-    return sheet;
-}
-
 /// The window's jobs; the calling thread takes the place of the window's thread.
 class Editor {
 public:

@@ -5,13 +5,6 @@
 namespace zeroset {
 namespace {
 
-Sheet sheet_of(const Document& document) {
-    Sheet sheet;
-    for (const Statement& statement : document.statements)
-        sheet.push_back({statement.id, statement.text});
-    return sheet;
-}
-
 /// The part of the colouring that needs a formula.
 ColorChoice choice_of(const Document& document) {
     ColorChoice choice;

@@ -30,7 +30,7 @@ struct Segment {
 };
 
 /// The part [from, to] of the parameters 0 to 1.
-struct Part {
+struct VisiblePart {
     double from = 0.0, to = 1.0;
 
     /// Leaves where the linear function with these values at 0 and 1 is not below 0.
@@ -64,13 +64,13 @@ public:
     Axes take() { return std::move(made_); }
 
 private:
-    [[nodiscard]] Part visible_part(const Segment& segment) const;
+    [[nodiscard]] VisiblePart visible_part(const Segment& segment) const;
     [[nodiscard]] bool is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) const;
     void add_line(const Segment& segment, LineKind kind);
     void add_axis(int axis);
-    void add_ticks(int axis, const Segment& segment, const Part& part);
+    void add_ticks(int axis, const Segment& segment, const VisiblePart& part);
     void add_tick(int axis, const Segment& segment, double value, double step);
-    void add_name(int axis, const Segment& segment, const Part& part);
+    void add_name(int axis, const Segment& segment, const VisiblePart& part);
     void add_label(AxisLabel label);
     [[nodiscard]] Segment axis_segment(int axis) const;
     [[nodiscard]] glm::dvec2 direction_at(const Segment& segment, const glm::dvec3& point) const;
@@ -84,12 +84,12 @@ private:
 
 LineKind kind_of_axis(int axis) { return static_cast<LineKind>(axis); }
 
-Part AxesMaker::visible_part(const Segment& segment) const {
+VisiblePart AxesMaker::visible_part(const Segment& segment) const {
     const glm::dvec3 from = plane_.homogeneous(segment.from);
     const glm::dvec3 to = plane_.homogeneous(segment.to);
     const double aspect = static_cast<double>(view_.width) / view_.height;
     const double nearest = 1e-6 * plane_.view().half_height * plane_.view().look_distance;
-    Part part;
+    VisiblePart part;
     part.clip(from.z - nearest, to.z - nearest);
     for (const double sign : {-1.0, 1.0}) {
         part.clip(aspect * from.z + sign * from.x, aspect * to.z + sign * to.x);
@@ -114,7 +114,7 @@ bool AxesMaker::is_hidden(const glm::dvec3& point, const glm::dvec2& pixel) cons
 
 /// Adds the segment as pieces of which each is hidden or not, found pixel by pixel.
 void AxesMaker::add_line(const Segment& segment, LineKind kind) {
-    const Part part = visible_part(segment);
+    const VisiblePart part = visible_part(segment);
     if (part.empty()) return;
     const Segment seen{.from = segment.at(part.from), .to = segment.at(part.to)};
     const glm::dvec3 start = plane_.homogeneous(seen.from);
@@ -131,7 +131,7 @@ void AxesMaker::add_line(const Segment& segment, LineKind kind) {
         if (hidden != now) {
             const glm::dvec2 here = glm::mix(from, to, static_cast<double>(i) / steps);
             if (hidden) made_.lines.back().to = here;
-            made_.lines.push_back({here, to, kind, now});
+            made_.lines.push_back({.from = here, .to = to, .kind = kind, .hidden = now});
         }
         hidden = now;
     }
@@ -207,7 +207,7 @@ void AxesMaker::add_axes() {
     }
 }
 
-void AxesMaker::add_name(int axis, const Segment& segment, const Part& part) {
+void AxesMaker::add_name(int axis, const Segment& segment, const VisiblePart& part) {
     if (part.empty() || part.to < 1.0) return;
     const glm::dvec2 end = plane_.pixel(plane_.homogeneous(segment.to));
     const glm::dvec2 away = name_offset_em * view_.em * direction_at(segment, segment.to);
@@ -217,7 +217,7 @@ void AxesMaker::add_name(int axis, const Segment& segment, const Part& part) {
                .hidden = is_hidden(segment.to, end)});
 }
 
-void AxesMaker::add_ticks(int axis, const Segment& segment, const Part& part) {
+void AxesMaker::add_ticks(int axis, const Segment& segment, const VisiblePart& part) {
     if (part.empty()) return;
     const glm::dvec3 from = segment.at(part.from);
     const glm::dvec3 to = segment.at(part.to);
@@ -243,7 +243,8 @@ void AxesMaker::add_tick(int axis, const Segment& segment, double value, double 
     const LineKind kind = kind_of_axis(axis);
     const bool hidden = is_hidden(point, *pixel);
     const glm::dvec2 half = 0.5 * tick_length_em * view_.em * aside;
-    made_.lines.push_back({*pixel - half, *pixel + half, kind, hidden});
+    made_.lines.push_back(
+        {.from = *pixel - half, .to = *pixel + half, .kind = kind, .hidden = hidden});
     const std::string text = tick_text(value, step);
     const double reach =
         label_offset_em + std::abs(aside.x) * 0.5 * std::max(label_width_em(text) - 1.0, 0.0);

@@ -1,5 +1,7 @@
 #include "engine/image/blend.hpp"
 
+#include "engine/image/gamma.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,17 +11,14 @@
 namespace zeroset {
 namespace {
 
-/// Mean of opaque colours of gamma 2, taken in linear light.
+/// Mean of opaque colours, taken in linear light.
 std::uint32_t mean_of(const std::array<std::uint32_t, 5>& colors) {
     std::uint32_t mean = 0xFF000000U;
     for (unsigned shift = 0; shift < 24; shift += 8) {
-        std::uint32_t light = 0;
-        for (const std::uint32_t color : colors) {
-            const std::uint32_t channel = color >> shift & 0xFFU;
-            light += channel * channel;
-        }
-        const float value = std::sqrt(static_cast<float>(light) / 5.0F);
-        mean |= std::min(255U, static_cast<std::uint32_t>(value + 0.5F)) << shift;
+        float light = 0.0F;
+        for (const std::uint32_t color : colors)
+            light += light_of_channel(color >> shift & 0xFFU);
+        mean |= channel_of_light(light / 5.0F) << shift;
     }
     return mean;
 }
@@ -54,11 +53,9 @@ std::uint32_t without_background(std::uint32_t color, std::uint32_t background) 
     const float part = static_cast<float>(alpha) / 255.0F;
     std::uint32_t drawn = alpha << 24U;
     for (unsigned shift = 0; shift < 24; shift += 8) {
-        const auto mixed = static_cast<float>(color >> shift & 0xFFU);
-        const auto behind = static_cast<float>(background >> shift & 0xFFU);
-        const float light = (mixed * mixed - (1.0F - part) * behind * behind) / part;
-        const float value = std::sqrt(std::max(light, 0.0F)) + 0.5F;
-        drawn |= static_cast<std::uint32_t>(std::min(value, 255.0F)) << shift;
+        const float mixed = light_of_channel(color >> shift & 0xFFU);
+        const float behind = light_of_channel(background >> shift & 0xFFU);
+        drawn |= channel_of_light((mixed - (1.0F - part) * behind) / part) << shift;
     }
     return drawn;
 }

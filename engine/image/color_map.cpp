@@ -1,6 +1,7 @@
 #include "engine/image/color_map.hpp"
 
 #include "engine/base/enum_names.hpp"
+#include "engine/image/gamma.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,12 +23,12 @@ struct Lch {
     double lightness, chroma, hue_deg;
 };
 
-/// The reflectance that the shader's gamma of 2 shows as `light`, linear, on an sRGB screen.
+/// The reflectance that a picture of gamma 2 shows as `light`, linear, on an sRGB screen.
 float reflectance(double light) {
     const double within = std::clamp(light, 0.0, 1.0);
     const double shown =
         within <= 0.0031308 ? 12.92 * within : 1.055 * std::pow(within, 1.0 / 2.4) - 0.055;
-    return static_cast<float>(shown * shown);
+    return static_cast<float>(gamma_decoded(shown));
 }
 
 Reflectance shown_as(const Lch& color) {
@@ -105,9 +106,8 @@ Reflectance color_at(ColorMap map, double place) {
 std::uint32_t shown_color_at(ColorMap map, double place) {
     std::uint32_t color = 0xFF000000U;
     unsigned shift = 0;
-    // Apply a gamma of 2, as the shader does.
     for (const float light : color_at(map, place)) {
-        color |= static_cast<std::uint32_t>(std::sqrt(light) * 255.0F + 0.5F) << shift;
+        color |= channel_of_light(light) << shift;
         shift += 8;
     }
     return color;

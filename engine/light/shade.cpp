@@ -38,7 +38,7 @@ struct RayDirections {
     V3 by_col;
     V<float> key_by_col;
 
-    RayDirections(const TraceFrame& frame, const Tile& tile, const glm::dvec3& key_light)
+    RayDirections(const TraceFrame& frame, const Tile& tile, const UnitVector& key_light)
         : first(frame.view.direction(pixel_centre(tile.col, tile.row), frame.image)),
           key(key_light) {
         const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.image.height);
@@ -135,8 +135,8 @@ HWY_EXPORT(shade_layer);
 
 }  // namespace
 
-glm::dvec3 key_light(const ViewFrame& view) {
-    return glm::normalize(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward);
+UnitVector key_light(const ViewFrame& view) {
+    return UnitVector(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward);
 }
 
 void shade(const TraceFrame& frame, const Tile& tile, LitLayer& layer) {

@@ -2,6 +2,7 @@
 
 #include "engine/light/lit_tile.hpp"
 #include "engine/trace/trace_frame.hpp"
+#include "engine/view/unit_vector.hpp"
 
 namespace zeroset {
 
@@ -10,7 +11,7 @@ namespace zeroset {
 /// of the layer. Fills in its hit_rows and light. In upward rounding.
 void shade(const TraceFrame& frame, const Tile& tile, LitLayer& layer);
 
-/// Towards the light that makes highlights and shadows, which moves with the camera. Length 1.
-glm::dvec3 key_light(const ViewFrame& view);
+/// Towards the light that makes highlights and shadows, which moves with the camera.
+UnitVector key_light(const ViewFrame& view);
 
 }  // namespace zeroset

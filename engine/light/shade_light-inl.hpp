@@ -75,7 +75,7 @@ HWY_INLINE Direction direction_of(const V3& a, const Direction& otherwise, M<flo
 /// Numbers that all pixels of a surface share, in all lanes: half the directions of the lights,
 /// which move with the camera, and the colours of its two sides.
 struct Shading {
-    glm::dvec3 key;
+    UnitVector key;
     V3 half_key, half_fill, half_up;
     V<float> front[3], back[3];
 

@@ -1,5 +1,6 @@
 #include "engine/light/tile_colors.hpp"
 
+#include "engine/image/gamma.hpp"
 #include "engine/light/surface_values.hpp"
 #include "engine/view/pixel_ray.hpp"
 
@@ -49,7 +50,7 @@ Reflectance normal_color(const TileHits& hits, std::size_t pixel) {
     const double length = glm::length(gradient);
     if (!(length > 0.0) || !std::isfinite(length)) return color_at(ColorMap::Gray, std::nan(""));
     const glm::dvec3 shown = 0.5 * (gradient / length + 1.0);
-    const glm::dvec3 linear = shown * shown;
+    const glm::dvec3 linear = gamma_decoded(shown);
     return {static_cast<float>(linear.x), static_cast<float>(linear.y),
             static_cast<float>(linear.z)};
 }

@@ -149,7 +149,12 @@ FunctionBounds<Real> wave_over(const Beam<Real>& x, const WaveAtMiddle<Real>& mi
     const Real highest = minimum(largest(middle.value) + d, one);
     const Interval<Real> range = wave_near(middle.value, d * steepest);
     const Interval<Real> slope = wave_near(middle.slope, d * highest);
-    return {range, slope, -range, middle.value, middle.slope, 4.0};
+    return {.range = range,
+            .slope = slope,
+            .curvature = -range,
+            .at_middle = middle.value,
+            .slope_at_middle = middle.slope,
+            .rounding_ulp = 4.0};
 }
 
 /// Form of sqrt(x): on x >= 0, sqrt(x) - alpha x is at most 1 / (4 alpha) for any alpha > 0, and
@@ -218,7 +223,7 @@ Kink<Real> kink_of(const Interval<Real>& d) {
     const Real secant = maximum(minimum((d.hi - d.neg_lo) / (d.hi + d.neg_lo), one), -one);
     const Real alpha = select(above, one, select(below, -one, secant));
     const Real rest = maximum(maximum(d.hi * (one - alpha), d.neg_lo * (one + alpha)), zero);
-    return {above, below, alpha, rest};
+    return {.above = above, .below = below, .alpha = alpha, .rest = rest};
 }
 
 template <class Real>

@@ -1,7 +1,8 @@
 #include "engine/scene/palette.hpp"
 
+#include "engine/image/gamma.hpp"
+
 #include <array>
-#include <cmath>
 
 namespace zeroset {
 namespace {
@@ -19,11 +20,6 @@ constexpr std::array<SurfaceColors, 8> pairs{{
     {.front = {0.84F, 0.328F, 0.44F}, .back = {0.065F, 0.157F, 0.05F}},   // rose, forest
 }};
 
-/// As the shader encodes it: gamma 2.
-std::uint32_t encoded(float light) {
-    return static_cast<std::uint32_t>(std::sqrt(light) * 255.0F + 0.5F);
-}
-
 }  // namespace
 
 std::span<const SurfaceColors> palette() { return pairs; }
@@ -32,7 +28,8 @@ const SurfaceColors& colors_of(std::size_t surface) { return pairs[surface % pai
 
 std::uint32_t swatch_color(std::size_t surface) {
     const float(&front)[3] = colors_of(surface).front;
-    return 0xFF000000U | encoded(front[2]) << 16U | encoded(front[1]) << 8U | encoded(front[0]);
+    return 0xFF000000U | channel_of_light(front[2]) << 16U | channel_of_light(front[1]) << 8U |
+           channel_of_light(front[0]);
 }
 
 }  // namespace zeroset

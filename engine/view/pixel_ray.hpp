@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/view/camera.hpp"
+#include "engine/view/unit_vector.hpp"
 
 #include <glm/glm.hpp>
 
@@ -11,15 +12,14 @@ namespace zeroset {
 /// The ray of a pixel: the point at the distance t (see ViewFrame) is origin + t direction.
 struct PixelRay {
     glm::dvec3 origin;
-    glm::dvec3 direction;  ///< of length 1
+    UnitVector direction;
 
     [[nodiscard]] glm::dvec3 at(double t) const { return origin + t * direction; }
 };
 
 /// The ray through a point of an image.
 inline PixelRay pixel_ray(const ViewFrame& view, const PixelPoint& at, const ImageSize& image) {
-    return {.origin = view.origin(at, image),
-            .direction = glm::normalize(view.direction(at, image))};
+    return {.origin = view.origin(at, image), .direction = UnitVector(view.direction(at, image))};
 }
 inline PixelRay pixel_ray(const ViewFrame& view, const ViewPoint& at) {
     return pixel_ray(view, pixel_point(at, unit_image), unit_image);

@@ -180,7 +180,7 @@ void RayMarcher<Real, Cell>::settle(std::span<const Doubt> doubts,
                                            .to = to,
                                            .step = to - from,
                                            .kernel = doubt.kernel};
-            leftovers_.push_back({segment, from, to, true});
+            leftovers_.push_back({.segment = segment, .from = from, .to = to, .continuous = true});
         }
         if (frame_.stopped()) {
             for (const LeftoverSegment<Real>& leftover : leftovers_)

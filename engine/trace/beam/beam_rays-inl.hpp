@@ -237,7 +237,8 @@ bool RayMarcher<Real, Cell>::narrow(RaySegment<Real>& segment, std::size_t i, Re
         return false;
     }
     if (width <= finest || !(from < from + Real{0.5} * width)) {
-        leftovers_.push_back({segment, from, to, forms_.continuous[i] != 0});
+        leftovers_.push_back(
+            {.segment = segment, .from = from, .to = to, .continuous = forms_.continuous[i] != 0});
         return false;
     }
     if (spare_ && !verdicts_.bit(&Verdicts<Real>::Bits::contracts, i)) {
