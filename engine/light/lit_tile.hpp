@@ -10,6 +10,17 @@
 
 namespace zeroset {
 
+static_assert(tile_size <= 64);
+/// A bit for each pixel of a tile: a word for each row, the first pixel lowest.
+using TileBits = std::array<std::uint64_t, tile_size>;
+
+/// Hits in the shadow.
+struct ShadowBits {
+    TileBits dark{};
+    /// Hits of which it is not proved whether the light reaches them: at a shadow's edge, mostly.
+    TileBits unproved{};
+};
+
 /// The light of one surface's hits in a tile. Arrays hold one item a pixel, in rows of tile_size;
 /// items of pixels without a hit are undefined.
 struct LitLayer {
@@ -20,8 +31,7 @@ struct LitLayer {
     /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
     /// surfaces; else empty.
     std::array<std::vector<float>, 3> reflectance;
-    /// Bits of hits, for each row of pixels, the first pixel lowest.
-    std::array<std::uint64_t, tile_size> hit_rows{};
+    TileBits hit_rows{};  ///< of hits
     /// Linear light from hits towards the eye; 1 is the brightest that a picture shows. For each
     /// row of pixels tile_size reds, then as many greens, then blues.
     std::vector<float> light;
@@ -37,7 +47,6 @@ private:
         return static_cast<std::size_t>(3 * row + channel) * tile_size;
     }
 };
-static_assert(tile_size <= 64);
 
 /// The light of a tile: a layer for each surface that is hit. One for each
 /// thread; it keeps its room from tile to tile.

@@ -8,9 +8,8 @@
 #include "pipeline/gallery.hpp"
 #include "pipeline/input_error.hpp"
 #include "tests/support/formulas.hpp"
-#include "tests/support/oracle/polynomial_oracle.hpp"
 #include "tests/support/oracle/random_surface.hpp"
-#include "tests/support/oracle/subdivision_oracle.hpp"
+#include "tests/support/oracle/ray_oracle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,21 +55,7 @@ std::string joined(std::initializer_list<double> numbers) {
 
 std::string joined(const glm::dvec3& a) { return joined({a.x, a.y, a.z}); }
 
-/// The exact oracle where the formula is a polynomial, else the one by subdivision.
-class Oracle {
-public:
-    Oracle(const Expr& expr, std::span<const double> uniforms)
-        : polynomial_(PolynomialOracle::of(expr, uniforms)), subdivision_(expr, uniforms) {}
-
-    RayAnswer answer(const std::optional<RayQuestion>& ray) {
-        if (!ray) return {RayTruth::Empty, 0.0, 0.0, false};
-        return polynomial_ ? polynomial_->answer(*ray) : subdivision_.answer(*ray);
-    }
-
-private:
-    std::optional<PolynomialOracle> polynomial_;
-    SubdivisionOracle subdivision_;
-};
+constexpr RayAnswer passes_by{RayTruth::Empty, 0.0, 0.0, false};
 
 /// A pixel of a picture, with what it claims.
 struct Shown {
@@ -115,7 +100,7 @@ std::string judge(const Shown& shown, const RayAnswer& answer, double length, Au
                : "";
 }
 
-Oracle oracle_of(const AuditSurface& surface) {
+RayOracle oracle_of(const AuditSurface& surface) {
     const auto program = read_formula(surface.equation);
     if (!program) {
         ADD_FAILURE() << surface.equation << ": " << program.error().reason;
@@ -294,7 +279,7 @@ Framebuffer drawn(const AuditSurface& surface, const AuditSettings& settings) {
 AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
                   const Framebuffer& frame) {
     AuditReport report;
-    Oracle oracle = oracle_of(surface);
+    RayOracle oracle = oracle_of(surface);
     const ViewFrame view(surface.camera);
     for (const std::size_t i : chosen_pixels(surface, settings, frame)) {
         const int col = static_cast<int>(i) % frame.width;
@@ -306,8 +291,8 @@ AuditReport audit(const AuditSurface& surface, const AuditSettings& settings,
                           depth_error(surface, settings, direction, depth)};
         const auto question =
             ray_question(view, surface.clip, surface.region, col, row, frame.width, frame.height);
-        const std::string wrong =
-            judge(shown, oracle.answer(question), glm::length(direction), report);
+        const std::string wrong = judge(shown, question ? oracle.answer(*question) : passes_by,
+                                        glm::length(direction), report);
         if (wrong.empty()) continue;
         report.failures.push_back(surface.name + ", pixel (" + std::to_string(col) + ", " +
                                   std::to_string(row) + "): " + wrong + "\n  " +

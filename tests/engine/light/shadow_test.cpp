@@ -1,5 +1,6 @@
 #include "engine/light/shadow.hpp"
 
+#include "engine/light/shade.hpp"
 #include "engine/render/render.hpp"
 #include "tests/support/rays.hpp"
 
@@ -67,7 +68,7 @@ TEST_P(Shadow, FallsWhereTheLightIsHidden) {
         const Framebuffer bright = picture_of(scene, camera, GetParam(), false);
         const Framebuffer dark = picture_of(scene, camera, GetParam(), true);
         const ViewFrame view(camera);
-        const glm::dvec3 light = shadow_light(view, scene.clip);
+        const glm::dvec3 to_light = 16.0 * key_light(view);
         std::size_t hidden = 0;
         std::size_t lit = 0;
         for (int row = 0; row < side; ++row) {
@@ -79,8 +80,9 @@ TEST_P(Shadow, FallsWhereTheLightIsHidden) {
                 const glm::dvec3 along = glm::normalize(
                     view.direction(pixel_centre(col, row), {.width = side, .height = side}));
                 const glm::dvec3 on_plane = view.eye + static_cast<double>(dark.depth[at]) * along;
-                const double clear = clearance(on_plane, exit_of(on_plane, light, scene.clip),
-                                               occluder.radius, occluder.cylinder);
+                const double clear =
+                    clearance(on_plane, exit_of(on_plane, on_plane + to_light, scene.clip),
+                              occluder.radius, occluder.cylinder);
                 if (std::abs(clear) < 2e-3) continue;
                 const bool darker = dark.color[at] != bright.color[at];
                 ASSERT_EQ(darker, clear < 0) << occluder.text << " at " << col << ", " << row;

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/light/light_places.hpp"
+#include "engine/light/lit_tile.hpp"
+#include "engine/scene/settings.hpp"
+#include "engine/trace/tile_rays.hpp"
+#include "engine/trace/trace_frame.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace zeroset {
+
+/// The question which hits of a tile lie in the shadow of one surface.
+struct ShadowSearch {
+    const TraceFrame& light;  ///< the surface in the light's view
+    const TileRays& rays;     ///< those of the light
+    const LightPlaces& places;
+    const TileBits& open;   ///< hits that are asked about
+    const TileBits& roots;  ///< those of them that are roots of the surface's own function
+    double finest;          ///< a cell of a ray that is no longer is not divided
+    /// From a hit that its surface only touches the search begins so far in front of it.
+    double bias;
+};
+
+/// The sign of f at a place on its way to the light.
+enum class Sign : std::int8_t { Negative = -1, Unknown = 0, Positive = 1 };
+
+/// The ray from a hit to the light, as far as it is not searched yet.
+struct LightRay {
+    std::size_t pixel;
+    double u, v;      ///< of the ray in the light's view, as TileRays has them
+    double s;         ///< depth of the hit
+    double from, to;  ///< depths between which there may be a root
+    bool left;        ///< a root in front of `to` is another one than the hit; else it may be it
+    Sign sign;        ///< of f at `to`, if the hit is left
+    bool is_root;     ///< the hit is a root of the surface's own function
+};
+
+/// Searches by beams: the rays from squares of pixels to the light at once, divided until each
+/// square is lit, in the shadow, or single rays, which are added to `rest`. In upward rounding.
+void search_beams(const ShadowSearch& search, ShadowBits& found, std::vector<LightRay>& rest,
+                  Counters& counters);
+
+/// Searches single rays. In upward rounding.
+void search_rays(const ShadowSearch& search, const std::vector<LightRay>& rays, ShadowBits& found,
+                 Counters& counters);
+
+}  // namespace zeroset

@@ -1,0 +1,124 @@
+#include "engine/light/shade.hpp"
+#include "engine/view/pixel_ray.hpp"
+#include "tests/support/rays.hpp"
+#include "tests/support/shadow_tile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Shadows on a plane, pixel by pixel, against what throws them in closed form: proved lit and
+// proved dark hits are, and only hits beside the shadow's edge are left unproved.
+
+namespace zeroset::test {
+namespace {
+
+/// A point of the plane and the direction to the light, to how far the ray between them is from
+/// what throws shadows: below 0 where it is hidden.
+using Clearance = std::function<double(const glm::dvec3& from, const glm::dvec3& to_light)>;
+
+struct Case {
+    std::string name;
+    std::string occluder;
+    Clearance clearance;
+};
+
+double of_sphere(const glm::dvec3& from, const glm::dvec3& to_light) {
+    const double along = -glm::dot(from, to_light);
+    return glm::length(from + along * to_light) - 0.5;
+}
+
+/// About the z axis, radii 0.6 and 0.2: the least of its function along the ray, by samples.
+double of_torus(const glm::dvec3& from, const glm::dvec3& to_light) {
+    double least = 1e9;
+    for (int i = 0; i <= 2000; ++i) {
+        const glm::dvec3 at = from + 4.0 * i / 2000.0 * to_light;
+        least = std::min(least, std::hypot(std::hypot(at.x, at.y) - 0.6, at.z) - 0.2);
+    }
+    return least;
+}
+
+/// The half x < 0 of a plate about z = 0, in the clip box.
+double of_edge(const glm::dvec3& from, const glm::dvec3& to_light) {
+    double least = 1e9;
+    for (int i = -100; i <= 100; ++i) {
+        const glm::dvec3 at = from + (1e-4 * i - from.z) / to_light.z * to_light;
+        least = std::min(least, std::max({at.x, std::abs(at.x) - 2.0, std::abs(at.y) - 2.0}));
+    }
+    return least;
+}
+
+struct Counts {
+    int lit = 0, dark = 0, unproved = 0;
+};
+
+/// Checks the hits of the plane, the frame's first surface, in a tile.
+void check(const Case& of, const std::vector<TraceFrame>& frames, const Tile& tile,
+           Counts& counts) {
+    const ShadowTile found = shadow_tile(frames, tile);
+    const TraceFrame& plane = frames.front();
+    const glm::dvec3 to_light = key_light(plane.view);
+    for (std::size_t at = 0; at < found.hits[0].depth.size(); ++at) {
+        const auto depth = static_cast<double>(found.hits[0].depth[at]);
+        if (!std::isfinite(depth)) continue;
+        const PixelPoint pixel = pixel_centre(tile.col + static_cast<int>(at % tile_size),
+                                              tile.row + static_cast<int>(at / tile_size));
+        const double clear =
+            of.clearance(pixel_ray(plane.view, pixel, plane.image).at(depth), to_light);
+        if (has_bit(found.shadows.unproved, at)) {
+            ++counts.unproved;
+            EXPECT_LT(std::abs(clear), 4e-3);
+            continue;
+        }
+        if (std::abs(clear) < 1e-4) continue;
+        const bool is_dark = has_bit(found.shadows.dark, at);
+        EXPECT_EQ(is_dark, clear < 0) << "at " << pixel.col << ", " << pixel.row << ": " << clear;
+        ++(is_dark ? counts.dark : counts.lit);
+    }
+}
+
+void check_picture(const Case& of, Projection projection, double d_stop) {
+    Scene scene = scene_of("z = -1", Box::cube(2));
+    scene.surfaces.push_back(scene_of(of.occluder, Box::cube(2)).surfaces[0]);
+    Camera camera = default_camera(scene.clip);
+    camera.eye = {1.0, -2.0, 6.0};
+    camera.projection = projection;
+    constexpr int side = 2 * tile_size;
+    const StopCriterion stop{.value = d_stop};
+    std::vector<TraceFrame> frames;
+    for (const Kernel& kernel : scene.surfaces)
+        frames.push_back(trace_frame(scene, kernel, ViewFrame(camera), {side, side}, stop));
+    Counts counts;
+    for (const int row : {0, tile_size}) {
+        for (const int col : {0, tile_size})
+            check(of, frames, {.col = col, .row = row, .cols = tile_size, .rows = tile_size},
+                  counts);
+    }
+    EXPECT_GT(counts.dark, 100);
+    EXPECT_GT(counts.lit, 1000);
+    EXPECT_LT(counts.unproved, 30);
+}
+
+class ShadowProofs : public testing::TestWithParam<Case> {};
+
+TEST_P(ShadowProofs, HoldAndFailOnlyBesideTheEdge) {
+    for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+        for (const double d_stop : {14.0, 24.0})
+            check_picture(GetParam(), projection, d_stop);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShadowProofs,
+                         testing::Values(Case{"Sphere", "x^2 + y^2 + z^2 = 0.25", of_sphere},
+                                         Case{"Torus", "(sqrt(x^2 + y^2) - 0.6)^2 + z^2 = 0.04",
+                                              of_torus},
+                                         Case{"Edge", "max(abs(z) - 0.01, x)", of_edge}),
+                         [](const auto& given) { return given.param.name; });
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "tests/support/oracle/polynomial_oracle.hpp"
+#include "tests/support/oracle/subdivision_oracle.hpp"
+
+#include <optional>
+#include <span>
+
+namespace zeroset::test {
+
+/// The exact oracle where a formula is a polynomial, else the one by subdivision.
+class RayOracle {
+public:
+    RayOracle(const Expr& expr, std::span<const double> uniforms)
+        : polynomial_(PolynomialOracle::of(expr, uniforms)), subdivision_(expr, uniforms) {}
+
+    RayAnswer answer(const RayQuestion& ray) {
+        return polynomial_ ? polynomial_->answer(ray) : subdivision_.answer(ray);
+    }
+
+private:
+    std::optional<PolynomialOracle> polynomial_;
+    SubdivisionOracle subdivision_;
+};
+
+}  // namespace zeroset::test
