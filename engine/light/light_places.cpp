@@ -71,19 +71,6 @@ struct PlacesRow {
     RowProducts right, up;           ///< of directions, by the eye's axes
     RowProducts world[3];            ///< of directions, by x, y and z
 
-    PlacesRow(const TileLines& lines, const ViewFrame& eye, const ViewFrame& light, int row)
-        : start{{lines.start, row, light.right},
-                {lines.start, row, light.up},
-                {lines.start, row, light.forward}},
-          along{{lines.direction, row, light.right},
-                {lines.direction, row, light.up},
-                {lines.direction, row, light.forward}},
-          right(lines.direction, row, eye.right),
-          up(lines.direction, row, eye.up),
-          world{{lines.direction, row, {1, 0, 0}},
-                {lines.direction, row, {0, 1, 0}},
-                {lines.direction, row, {0, 0, 1}}} {}
-
     /// 1 / |direction| of the next pixels; the directions are 1 along the eye's axis.
     HWY_INLINE V<float> per_length() {
         const V<float> one = hn::Set(d<float>, 1.0F);
@@ -93,11 +80,33 @@ struct PlacesRow {
     }
 };
 
-/// Whether the gradients' products with two directions are of opposite signs.
-HWY_INLINE M<float> are_opposite(V<float> a, V<float> b) {
+PlacesRow places_row(const TileLines& lines, const ViewFrame& eye, const ViewFrame& light,
+                     int row) {
+    return {.start = {{lines.start, row, light.right},
+                      {lines.start, row, light.up},
+                      {lines.start, row, light.forward}},
+            .along = {{lines.direction, row, light.right},
+                      {lines.direction, row, light.up},
+                      {lines.direction, row, light.forward}},
+            .right = {lines.direction, row, eye.right},
+            .up = {lines.direction, row, eye.up},
+            .world = {{lines.direction, row, {1, 0, 0}},
+                      {lines.direction, row, {0, 1, 0}},
+                      {lines.direction, row, {0, 0, 1}}}};
+}
+
+/// Whether both are above 0, or both below.
+HWY_INLINE M<float> have_one_sign(V<float> a, V<float> b) {
     const V<float> zero = hn::Zero(d<float>);
-    return hn::Or(hn::And(hn::Lt(a, zero), hn::Gt(b, zero)),
-                  hn::And(hn::Gt(a, zero), hn::Lt(b, zero)));
+    return hn::Or(hn::And(hn::Gt(a, zero), hn::Gt(b, zero)),
+                  hn::And(hn::Lt(a, zero), hn::Lt(b, zero)));
+}
+
+/// No steeper than LightPlaces::steepest; 0 where NaN.
+HWY_INLINE V<float> within(V<float> change) {
+    const V<float> most = hn::Set(d<float>, LightPlaces::steepest);
+    const V<float> number = hn::IfThenElseZero(hn::Eq(change, change), change);
+    return hn::Max(hn::Min(number, most), hn::Neg(most));
 }
 
 TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
@@ -105,14 +114,18 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
     const glm::dvec3 look_at = light.eye + light.look_distance * light.forward;
     const TileLines lines(frame, tile, look_at);
     float* const out[3] = {places.u.data(), places.v.data(), places.s.data()};
-    V<float> to_light[3];
-    for (int axis = 0; axis < 3; ++axis)
-        to_light[axis] = hn::Set(d<float>, static_cast<float>(-light.forward[axis]));
+    float* const changes[2] = {places.by_u.data(), places.by_v.data()};
+    V<float> axes[3][3];
+    for (int axis = 0; axis < 3; ++axis) {
+        axes[0][axis] = hn::Set(d<float>, static_cast<float>(light.right[axis]));
+        axes[1][axis] = hn::Set(d<float>, static_cast<float>(light.up[axis]));
+        axes[2][axis] = hn::Set(d<float>, static_cast<float>(light.forward[axis]));
+    }
     V<float> farthest = hn::Zero(d<float>);
     TileBits turned{};
 
     for (int row = 0; row < tile.rows; ++row) {
-        PlacesRow of(lines, frame.view, light, row);
+        PlacesRow of = places_row(lines, frame.view, light, row);
         std::uint64_t bits = 0;
         for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
             const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
@@ -129,14 +142,21 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
             }
             // How they are turned.
             V<float> away_from_eye = hn::Zero(d<float>);
-            V<float> to_the_light = hn::Zero(d<float>);
+            V<float> slopes[3] = {hn::Zero(d<float>), hn::Zero(d<float>), hn::Zero(d<float>)};
             for (int axis = 0; axis < 3; ++axis) {
                 const V<float> gradient =
                     hn::LoadU(d<float>, &hits.gradient[static_cast<std::size_t>(axis)][at]);
                 away_from_eye = hn::MulAdd(gradient, of.world[axis].next(), away_from_eye);
-                to_the_light = hn::MulAdd(gradient, to_light[axis], to_the_light);
+                for (int k = 0; k < 3; ++k)
+                    slopes[k] = hn::MulAdd(gradient, axes[k][axis], slopes[k]);
             }
-            const auto is_turned = hn::And(is_hit, are_opposite(away_from_eye, to_the_light));
+            const V<float> per_slope = hn::Div(hn::Set(d<float>, -1.0F), slopes[2]);
+            for (int k = 0; k < 2; ++k) {
+                const V<float> change = within(hn::Mul(slopes[k], per_slope));
+                const V<float> before = hn::LoadU(d<float>, changes[k] + at);
+                hn::StoreU(hn::IfThenElse(is_hit, change, before), d<float>, changes[k] + at);
+            }
+            const auto is_turned = hn::And(is_hit, have_one_sign(away_from_eye, slopes[2]));
             bits |= std::uint64_t{bits_of(d<float>, is_turned)} << col;
         }
         turned[static_cast<std::size_t>(row)] = bits & ~std::uint64_t{0} >> (tile_size - tile.cols);
@@ -151,6 +171,52 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
     return turned;
 }
 
+/// The least and the greatest of some numbers, lane by lane.
+template <class D>
+struct LaneBounds {
+    hn::Vec<D> least, greatest;
+
+    HWY_INLINE LaneBounds() : least(hn::Inf(D())), greatest(hn::Neg(hn::Inf(D()))) {}
+    HWY_INLINE void add(hn::Vec<D> numbers, hn::Mask<D> wanted) {
+        least = hn::Min(least, hn::IfThenElse(wanted, numbers, hn::Inf(D())));
+        greatest = hn::Max(greatest, hn::IfThenElse(wanted, numbers, hn::Neg(hn::Inf(D()))));
+    }
+    HWY_INLINE void store(float* to) const {
+        to[0] = hn::GetLane(hn::MinOfLanes(D(), least));
+        to[1] = hn::GetLane(hn::MaxOfLanes(D(), greatest));
+    }
+};
+
+PlaceBounds bounds_in(const LightPlaces& places, const TileBits& bits, const Square& square,
+                      float by_u, float by_v) {
+    const hn::CappedTag<float, 8> tag;
+    using D = decltype(tag);
+    const auto slope_u = hn::Set(tag, -by_u);
+    const auto slope_v = hn::Set(tag, -by_v);
+    LaneBounds<D> u_bounds, v_bounds, s_bounds, h_bounds;
+    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row) {
+        for (std::size_t col = square.col; col < std::size_t{square.col} + square.side;
+             col += hn::MaxLanes(tag)) {
+            const auto wanted =
+                mask_of(tag, static_cast<LaneBits>((bits[row] & square.bits()) >> col & 0xFFU));
+            const std::size_t at = row * tile_size + col;
+            const auto u = hn::LoadU(tag, &places.u[at]);
+            const auto v = hn::LoadU(tag, &places.v[at]);
+            const auto s = hn::LoadU(tag, &places.s[at]);
+            u_bounds.add(u, wanted);
+            v_bounds.add(v, wanted);
+            s_bounds.add(s, wanted);
+            h_bounds.add(hn::MulAdd(slope_u, u, hn::MulAdd(slope_v, v, s)), wanted);
+        }
+    }
+    PlaceBounds bounds;
+    u_bounds.store(bounds.u);
+    v_bounds.store(bounds.v);
+    s_bounds.store(bounds.s);
+    h_bounds.store(bounds.h);
+    return bounds;
+}
+
 }  // namespace zeroset::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -160,12 +226,18 @@ namespace zeroset {
 namespace {
 
 HWY_EXPORT(places_of);
+HWY_EXPORT(bounds_in);
 
 }  // namespace
 
 TileBits find_places(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
                      const TileHits& hits, LightPlaces& places) {
     return HWY_DYNAMIC_DISPATCH(places_of)(frame, light, tile, hits, places);
+}
+
+PlaceBounds bounds_of(const LightPlaces& places, const TileBits& bits, const Square& square,
+                      float by_u, float by_v) {
+    return HWY_DYNAMIC_DISPATCH(bounds_in)(places, bits, square, by_u, by_v);
 }
 
 }  // namespace zeroset

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace zeroset {
 
@@ -15,9 +16,35 @@ namespace zeroset {
 struct LightPlaces {
     static constexpr std::size_t pixels = std::size_t{tile_size} * tile_size;
 
-    alignas(64) std::array<float, pixels> u, v, s;
-    double error = 0.0;  ///< a hit is no farther from its place, in any of the three
+    /// With room for a whole vector after the last pixel.
+    using Numbers = std::array<float, pixels + 16>;
+
+    alignas(64) Numbers u, v, s;
+    /// About how s changes on the surface with u, and with v; no steeper than `steepest`.
+    alignas(64) Numbers by_u, by_v;
+    double error = 0.0;  ///< a hit is no farther from its place, in u, v or s
+
+    static constexpr float steepest = 16.0F;
 };
+
+/// A square of pixels of a tile, of a side of 8 at most.
+struct Square {
+    std::uint8_t col, row, side;
+
+    /// Its bits in each of its rows.
+    [[nodiscard]] std::uint64_t bits() const {
+        return (~std::uint64_t{0} >> (tile_size - side)) << col;
+    }
+};
+
+/// The least and the greatest numbers of some places; h is s - by_u u - by_v v.
+struct PlaceBounds {
+    float u[2], v[2], s[2], h[2];
+};
+
+/// The bounds of those places in a square whose bits are set; one is, at least.
+PlaceBounds bounds_of(const LightPlaces& places, const TileBits& bits, const Square& square,
+                      float by_u, float by_v);
 
 /// Adds the places of a surface's hits, and finds which of these hits show the light the side that
 /// they show the eye. In upward rounding.

@@ -10,22 +10,40 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace zeroset {
 namespace {
 
-/// The light as an eye with parallel rays that sees the whole clip box.
-ViewFrame light_view(const TraceFrame& frame) {
+/// A gradient in the middle of a tile's hits, or near it; 0: there is none.
+glm::dvec3 gradient_of(const TileHits& hits) {
+    constexpr std::size_t step = 7 * tile_size + 7;  // passes all columns and rows
+    constexpr std::size_t pixels = std::size_t{tile_size} * tile_size;
+    for (std::size_t i = 0; i < 64; ++i) {
+        const std::size_t at = (pixels / 2 + tile_size / 2 + i * step) % pixels;
+        if (!(hits.depth[at] < std::numeric_limits<float>::infinity())) continue;
+        return {hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]};
+    }
+    return glm::dvec3(0.0);
+}
+
+/// The light as an eye with parallel rays that sees the whole clip box. It is upright where the
+/// surface is steepest in its view: hits of a surface that it sees from aside lie in a thin box.
+ViewFrame light_view(const TraceFrame& frame, const glm::dvec3& gradient) {
+    const UnitVector to_light = key_light(frame.view);
+    const glm::dvec3 steepest = gradient - glm::dot(gradient, to_light) * to_light;
+    const double size = glm::length(steepest);
+    const bool is_known = std::isfinite(size) && size > 1e-3 * glm::length(gradient);
     const ViewFrame& eye = frame.view;
     const Box& clip = frame.scene.clip;
     const glm::dvec3 look_at = eye.eye + eye.look_distance * eye.forward;
     const double radius =
         glm::length(glm::max(glm::abs(clip.lo - look_at), glm::abs(clip.hi - look_at)));
     constexpr double distance = 2.0;  // in radii; any will do
-    return ViewFrame({.eye = look_at + distance * radius * key_light(eye),
+    return ViewFrame({.eye = look_at + distance * radius * to_light,
                       .look_at = look_at,
-                      .up = eye.up,
+                      .up = is_known ? steepest / size : eye.up,
                       .fov_rad = 2.0 * std::atan(1.01 / distance),
                       .projection = Projection::Orthographic});
 }
@@ -100,7 +118,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& l
     places.error = 0.0;
     turned.clear();
     TileBits open{};
-    const ViewFrame light = light_view(surfaces.front());
+    const ViewFrame light = light_view(surfaces.front(), gradient_of(*layers.front().hits));
     for (const LitLayer& layer : layers) {
         turned.push_back(find_places(surfaces.front(), light, tile, *layer.hits, places));
         for (std::size_t row = 0; row < tile_size; ++row)

@@ -1,3 +1,4 @@
+#include "engine/light/light_walls.hpp"
 #include "engine/light/shadow_cells.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
@@ -24,46 +25,44 @@ constexpr double growth = 4.0;
 /// widest groups have no bound.
 constexpr int width_groups = 16;
 
-/// A square of pixels of a tile.
-struct Square {
-    std::uint8_t col, row, side;
+/// The hits of a square that are asked about, in the light's view: u and v of its rays, and the
+/// depths of hits over a plane that is about the surface's tangent,
+/// h = s - by_u u - by_v v.
+struct Hits {
+    double u, v, u_radius, v_radius;
+    double by_u, by_v;
+    double h_near, h_far;
 
-    /// Its bits in each of its rows.
-    [[nodiscard]] std::uint64_t bits() const {
-        return (~std::uint64_t{0} >> (tile_size - side)) << col;
+    /// The depth of the plane in the middle of the rays.
+    [[nodiscard]] double plane() const { return by_u * u + by_v * v; }
+    /// How far the plane rises from there.
+    [[nodiscard]] double rise() const {
+        return std::abs(by_u) * u_radius + std::abs(by_v) * v_radius;
     }
 };
 
-/// The box of the places of a square's hits that are asked about.
-struct Places {
-    double u, v, u_radius, v_radius;
-    double s_near, s_far;
-    bool any_root, any_other;  ///< there are roots of the surface's function among them; others
-};
-
-/// The rays from a square of hits to the light.
+/// The rays from a square of hits to the light. Depths are over the plane of the hits.
 struct Beam {
     Square square;
-    Places hits;
-    /// Depths at which the first of the rays enters what is visible, and the last one.
-    double first_enters, last_enters;
+    Start start;  ///< Behind: all hits lie behind `to`; else the next cell holds them
+    Sign sign;    ///< of f at `to` on all rays, if they lie behind
+    Hits hits;
+    LightWalls::Entry entry;
     double to;    ///< behind it, there is no root but the hits
     double step;  ///< of the next cell, in front of `to`, or of the hits
-    bool left;    ///< all hits lie behind `to`; else the next cell holds them
-    Sign sign;    ///< of f at `to` on all rays, if the hits are left
 
     [[nodiscard]] double next() const {
-        return std::max(first_enters, (left ? to : std::min(to, hits.s_near)) - step);
+        const double from = start == Start::Behind ? to : std::min(to, hits.h_near);
+        return std::max(entry.first, from - step);
     }
     [[nodiscard]] double length() const { return to - next(); }
     [[nodiscard]] double width() const { return 2.0 * std::max(hits.u_radius, hits.v_radius); }
-    [[nodiscard]] Start start() const {
-        return left ? Start::Behind : hits.any_other ? Start::Others : Start::Roots;
-    }
+    /// The length of a cell that is about as long as the box about it is wide.
+    [[nodiscard]] double fair_length() const { return width() + 2.0 * hits.rise(); }
     /// Whether the next cell is to be cut across, before the square is divided.
     [[nodiscard]] bool is_long() const {
-        const double hits_length = left ? 0.0 : hits.s_far - hits.s_near;
-        return length() > 2.0 * (width() + hits_length);
+        const double of_hits = start == Start::Behind ? 0.0 : hits.h_far - hits.h_near;
+        return length() > 2.0 * (fair_length() + of_hits);
     }
 };
 
@@ -76,6 +75,7 @@ public:
           found_(found),
           rest_(rest),
           counters_(counters),
+          walls_(search.rays),
           frustum_(search.rays.frustum<Real>(1)),
           per_distance_(1.0 / search.rays.distance()),
           widest_(search.light.view.pixel_at_look(1)),
@@ -84,21 +84,28 @@ public:
     void search();
 
 private:
-    [[nodiscard]] Places places_of(const Square& square) const;
+    [[nodiscard]] Start start_of(const Square& square) const;
+    /// A pixel near the middle of the square that is asked about; LightPlaces::pixels: there is
+    /// none.
+    [[nodiscard]] std::size_t pixel_of(const Square& square) const;
+    [[nodiscard]] Hits hits_of(const Square& square, float by_u, float by_v, bool keep_plane) const;
     /// Adds the beam of a square, that of a part of `whole` if there is one.
     void add(const Square& square, const Beam* whole);
-    void add_ray(const Beam& beam);
+    void add_ray(const Beam& beam, std::size_t pixel);
     void divide(const Beam& beam);
     void search_group(std::vector<Beam>& beams);
     void evaluate(std::span<const Beam> beams);
-    void take(Beam& beam, const ShadeVerdict& verdict, std::vector<Beam>& group);
+    [[nodiscard]] CellLine<Real> slanted_line(const Beam& beam, std::size_t i) const;
+    void take(Beam& beam, const CellLine<Real>& line, std::vector<Beam>& group);
     void darken(const Square& square);
 
     const ShadowSearch& search_;
     ShadowBits& found_;
     std::vector<LightRay>& rest_;
     Counters& counters_;
+    LightWalls walls_;
     FrustumOf<Real> frustum_;
+    double widest_u_ = 0.0, widest_v_ = 0.0;  ///< radii of the cells in the last batch
     double per_distance_;
     double widest_;  ///< the height of all that the light sees
     double margin_;  ///< cells are longer than their part of the beam
@@ -107,79 +114,98 @@ private:
 };
 
 template <class Real>
-Places BeamSearch<Real>::places_of(const Square& square) const {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    float lo[3] = {none, none, none};
-    float hi[3] = {-none, -none, -none};
-    const LightPlaces& places = search_.places;
-    const float* const numbers[3] = {places.u.data(), places.v.data(), places.s.data()};
-    std::uint64_t any_root = 0;
-    std::uint64_t any_other = 0;
-    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row) {
-        const std::uint64_t open = search_.open[row] & square.bits();
-        any_root |= open & search_.roots[row];
-        any_other |= open & ~search_.roots[row];
-        for (std::uint64_t bits = open; bits != 0; bits &= bits - 1) {
-            const std::size_t at =
-                row * tile_size + static_cast<std::size_t>(std::countr_zero(bits));
-            for (int axis = 0; axis < 3; ++axis) {
-                lo[axis] = std::min(lo[axis], numbers[axis][at]);
-                hi[axis] = std::max(hi[axis], numbers[axis][at]);
-            }
-        }
+Start BeamSearch<Real>::start_of(const Square& square) const {
+    std::uint64_t others = 0;
+    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row)
+        others |= search_.open[row] & square.bits() & ~search_.roots[row];
+    return others != 0 ? Start::Others : Start::Roots;
+}
+
+template <class Real>
+std::size_t BeamSearch<Real>::pixel_of(const Square& square) const {
+    // From the middle on, around.
+    for (std::size_t i = 0; i < square.side; ++i) {
+        const std::size_t row = square.row + (square.side / 2U + i) % square.side;
+        const std::uint64_t bits = search_.open[row] & square.bits();
+        if (bits == 0) continue;
+        const std::uint64_t right = bits >> (square.col + square.side / 2U)
+                                                << (square.col + square.side / 2U);
+        return row * tile_size +
+               static_cast<std::size_t>(std::countr_zero(right != 0 ? right : bits));
     }
-    const auto middle = [&](int axis) { return 0.5F * lo[axis] + 0.5F * hi[axis]; };
-    const auto radius = [&](int axis) {
-        const double from_middle = std::max(hi[axis] - middle(axis), middle(axis) - lo[axis]);
-        return static_cast<double>(from_middle) + places.error;
+    return LightPlaces::pixels;
+}
+
+template <class Real>
+Hits BeamSearch<Real>::hits_of(const Square& square, float by_u, float by_v,
+                               bool keep_plane) const {
+    const PlaceBounds bounds = bounds_of(search_.places, search_.open, square, by_u, by_v);
+    const auto size = [](const float* ends) { return ends[1] - ends[0]; };
+    const float rise = std::abs(by_u) * size(bounds.u) + std::abs(by_v) * size(bounds.v);
+    // A plane that the hits do not follow is none for them.
+    const bool slanted = keep_plane || size(bounds.h) + rise < 1.5F * size(bounds.s);
+    const float* const h = slanted ? bounds.h : bounds.s;
+    const auto number = [](float value) { return static_cast<double>(value); };
+    const auto middle = [&](const float* ends) { return number(0.5F * ends[0] + 0.5F * ends[1]); };
+    const double error = search_.places.error;
+    const auto radius = [&](const float* ends) {
+        return std::max(number(ends[1]) - middle(ends), middle(ends) - number(ends[0])) + error;
     };
-    return {.u = middle(0),
-            .v = middle(1),
-            .u_radius = radius(0),
-            .v_radius = radius(1),
-            .s_near = static_cast<double>(lo[2]) - places.error,
-            .s_far = static_cast<double>(hi[2]) + places.error,
-            .any_root = any_root != 0,
-            .any_other = any_other != 0};
+    const double slope_u = slanted ? number(by_u) : 0.0;
+    const double slope_v = slanted ? number(by_v) : 0.0;
+    const double h_error = (1.0 + std::abs(slope_u) + std::abs(slope_v)) * error;
+    return {.u = middle(bounds.u),
+            .v = middle(bounds.v),
+            .u_radius = radius(bounds.u),
+            .v_radius = radius(bounds.v),
+            .by_u = slope_u,
+            .by_v = slope_v,
+            .h_near = number(h[0]) - h_error,
+            .h_far = number(h[1]) + h_error};
 }
 
 template <class Real>
 void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
-    const Places hits = places_of(square);
-    if (!hits.any_root && !hits.any_other) return;
-    const DepthRange visible =
-        search_.rays.depths(hits.u * per_distance_, hits.v * per_distance_,
-                            hits.u_radius * per_distance_, hits.v_radius * per_distance_);
-    const bool left = whole != nullptr && whole->left;
+    const std::size_t pixel = pixel_of(square);
+    if (pixel == LightPlaces::pixels) return;
+    const bool behind = whole != nullptr && whole->start == Start::Behind;
+    const LightPlaces& places = search_.places;
+    // Where the beam goes on, it goes on over the same plane.
+    const Hits hits = behind ? hits_of(square, static_cast<float>(whole->hits.by_u),
+                                       static_cast<float>(whole->hits.by_v), true)
+                             : hits_of(square, places.by_u[pixel], places.by_v[pixel], false);
+    const Plane plane{.middle = hits.plane(), .by_u = hits.by_u, .by_v = hits.by_v};
     Beam beam{.square = square,
+              .start = behind ? Start::Behind : start_of(square),
+              .sign = behind ? whole->sign : Sign::Unknown,
               .hits = hits,
-              .first_enters = visible.enter_lo,
-              .last_enters = visible.enter_hi,
-              .to = left ? whole->to : hits.s_far,
-              .step = 0.0,
-              .left = left,
-              .sign = left ? whole->sign : Sign::Unknown};
-    if (!(beam.first_enters < beam.to)) return;
-    beam.step = std::max(left ? whole->step : first_widths * beam.width(), beam.width());
-    if (square.side == 1) return add_ray(beam);
-    if (hits.any_root && hits.any_other) return divide(beam);
+              .entry = walls_.entry(hits.u, hits.v, hits.u_radius, hits.v_radius, plane),
+              .to = behind ? whole->to : hits.h_far,
+              .step = 0.0};
+    if (!(beam.entry.first < beam.to)) return;
+    beam.step =
+        std::max(behind ? whole->step : first_widths * beam.fair_length(), beam.fair_length());
+    if (square.side == 1) return add_ray(beam, pixel);
     const double narrower = std::log2(widest_ / beam.width());
     const int group = std::clamp(static_cast<int>(narrower), 0, width_groups - 1);
     groups_[static_cast<std::size_t>(group)].push_back(beam);
 }
 
 template <class Real>
-void BeamSearch<Real>::add_ray(const Beam& beam) {
-    const auto pixel = static_cast<std::size_t>(beam.square.row * tile_size + beam.square.col);
+void BeamSearch<Real>::add_ray(const Beam& beam, std::size_t pixel) {
+    const LightPlaces& places = search_.places;
+    const double plane = beam.hits.plane();
+    const auto s = static_cast<double>(places.s[pixel]);
+    const bool behind = beam.start == Start::Behind;
     rest_.push_back({.pixel = pixel,
                      .u = beam.hits.u * per_distance_,
                      .v = beam.hits.v * per_distance_,
-                     .s = 0.5 * (beam.hits.s_near + beam.hits.s_far),
-                     .from = beam.first_enters,
-                     .to = beam.to,
-                     .left = beam.left,
+                     .s = s,
+                     .from = plane + beam.entry.first,
+                     .to = behind ? plane + beam.to + margin_ : s + places.error,
+                     .left = behind,
                      .sign = beam.sign,
-                     .is_root = beam.hits.any_root});
+                     .is_root = beam.start == Start::Roots});
 }
 
 template <class Real>
@@ -198,24 +224,49 @@ void BeamSearch<Real>::divide(const Beam& beam) {
 template <class Real>
 void BeamSearch<Real>::evaluate(std::span<const Beam> beams) {
     const std::size_t size = padded(beams.size());
-    double u_radius = 0.0;
-    double v_radius = 0.0;
+    widest_u_ = 0.0;
+    widest_v_ = 0.0;
     for (std::size_t i = 0; i < size; ++i) {
         const Beam& beam = beams[std::min(i, beams.size() - 1)];
-        u_radius = std::max(u_radius, beam.hits.u_radius);
-        v_radius = std::max(v_radius, beam.hits.v_radius);
-        cells_.u[i] = static_cast<Real>(beam.hits.u * per_distance_);
-        cells_.v[i] = static_cast<Real>(beam.hits.v * per_distance_);
-        const double next = beam.next();
-        cells_.s[i] = static_cast<Real>(0.5 * next + 0.5 * beam.to);
-        const auto middle = static_cast<double>(cells_.s[i]);
-        cells_.s_radius[i] = upper_end(Real{}, std::max(beam.to - middle, middle - next) + margin_);
+        const Hits& hits = beam.hits;
+        widest_u_ = std::max(widest_u_, hits.u_radius);
+        widest_v_ = std::max(widest_v_, hits.v_radius);
+        cells_.u[i] = static_cast<Real>(hits.u * per_distance_);
+        cells_.v[i] = static_cast<Real>(hits.v * per_distance_);
+        const double middle = hits.plane() + 0.5 * (beam.next() + beam.to);
+        cells_.s[i] = static_cast<Real>(middle);
+        const double off = std::abs(static_cast<double>(cells_.s[i]) - middle);
+        cells_.s_radius[i] = upper_end(Real{}, 0.5 * beam.length() + hits.rise() + off + margin_);
     }
-    frustum_.u_radius = upper_end(Real{}, u_radius * per_distance_);
-    frustum_.v_radius = upper_end(Real{}, v_radius * per_distance_);
+    frustum_.u_radius = upper_end(Real{}, widest_u_ * per_distance_);
+    frustum_.v_radius = upper_end(Real{}, widest_v_ * per_distance_);
     counters_.form += beams.size();
     search_.light.kernel.form(
         cells_.batch(size, frustum_, search_.light.scene.uniforms.template boxes<Real>()));
+}
+
+/// The form of a box holds in the slanted cell inside it: a depth there is
+///   plane + by_u u + by_v v + length / 2 t,
+/// so that the terms of u and v take up what of the depth's term goes with the plane.
+template <class Real>
+CellLine<Real> BeamSearch<Real>::slanted_line(const Beam& beam, std::size_t i) const {
+    constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();
+    const Hits& hits = beam.hits;
+    const double per_radius = 1.0 / static_cast<double>(cells_.s_radius[i]);
+    const auto part = [](double of) { return static_cast<Real>(of); };
+    const Real along = cells_.k[2][i];
+    const Real aside_u = cells_.k[0][i] * part(hits.u_radius / widest_u_) +
+                         along * part(hits.by_u * hits.u_radius * per_radius);
+    const Real aside_v = cells_.k[1][i] * part(hits.v_radius / widest_v_) +
+                         along * part(hits.by_v * hits.v_radius * per_radius);
+    CellLine<Real> line = line_of(cells_, i);
+    const double middle = hits.plane() + 0.5 * (beam.next() + beam.to);
+    const double off = std::abs(static_cast<double>(cells_.s[i]) - middle) + margin_;
+    const Real spare =
+        rounding * (line.aside + std::abs(along)) + std::abs(along) * part(off * per_radius);
+    line.along = along * part(0.5 * beam.length() * per_radius);
+    line.aside = std::abs(aside_u) + std::abs(aside_v) + cells_.e[i] + spare;
+    return line;
 }
 
 template <class Real>
@@ -225,17 +276,22 @@ void BeamSearch<Real>::darken(const Square& square) {
 }
 
 template <class Real>
-void BeamSearch<Real>::take(Beam& beam, const ShadeVerdict& verdict, std::vector<Beam>& group) {
+void BeamSearch<Real>::take(Beam& beam, const CellLine<Real>& line, std::vector<Beam>& group) {
     const double length = beam.length();
-    if (verdict.shade == Shade::Dark && beam.next() >= beam.last_enters) {
+    const ShadeVerdict verdict = judge(line, beam.start, beam.sign);
+    if (verdict.shade == Shade::Dark && beam.next() >= beam.entry.last) {
         darken(beam.square);
-    } else if (verdict.shade == Shade::Free) {
+        return;
+    }
+    if (verdict.shade == Shade::Free) {
         beam.to = beam.next();
-        beam.left = true;
+        beam.start = Start::Behind;
         beam.sign = verdict.sign;
         beam.step *= growth;
-        if (beam.first_enters < beam.to) group.push_back(beam);
-    } else if (beam.is_long()) {
+        if (beam.entry.first < beam.to) group.push_back(beam);
+        return;
+    }
+    if (beam.is_long()) {
         beam.step = 0.5 * length;
         group.push_back(beam);
     } else {
@@ -255,7 +311,7 @@ void BeamSearch<Real>::search_group(std::vector<Beam>& beams) {
         evaluate(taken);
         for (std::size_t i = 0; i < taken.size(); ++i) {
             Beam& beam = taken[i];
-            take(beam, judge(cells_, i, beam.start(), beam.sign), beams);
+            take(beam, slanted_line(beam, i), beams);
         }
     }
 }

@@ -29,31 +29,48 @@ enum class Start : std::uint8_t {
     Behind,  ///< the hits are behind it
 };
 
-/// Judges cell i. `sign`: that of f at its end away from the light, where the hits are behind it.
+/// f on a cell of a beam, at the place t in [-1, 1] from its end towards the light to the other:
+/// within `aside` of c + along t.
+template <class Real>
+struct CellLine {
+    Real c, along, aside;
+    bool falls, rises;  ///< f surely falls, or rises, with depth
+    bool continuous, nowhere;
+};
+
+/// The line of cell i of beams that are as wide as the cells' frustum.
 template <class Real, std::size_t room>
-ShadeVerdict judge(const FormCells<Real, room>& cells, std::size_t i, Start start, Sign sign) {
-    const Real aside = std::abs(cells.k[0][i]) + std::abs(cells.k[1][i]) + cells.e[i];
-    const Real steepness = std::abs(cells.k[2][i]);
-    const Real size = std::abs(cells.c[i]);
-    if (cells.nowhere[i] != 0) return {Shade::Free};
-    if (size > steepness + aside) return {Shade::Free, sign_of(cells.c[i] > 0)};
-    if (cells.continuous[i] == 0) return {Shade::Open};
-    // Depths fall towards the light.
-    const bool falls = cells.slope_neg_lo[i] < 0;
-    const bool rises = cells.slope_hi[i] < 0;
-    if (falls || rises) {
-        // f goes away from 0: from the hits, or from where its sign is known.
-        const Sign ahead = sign_of(rises);
+CellLine<Real> line_of(const FormCells<Real, room>& cells, std::size_t i) {
+    return {.c = cells.c[i],
+            .along = cells.k[2][i],
+            .aside = std::abs(cells.k[0][i]) + std::abs(cells.k[1][i]) + cells.e[i],
+            .falls = cells.slope_hi[i] < 0,
+            .rises = cells.slope_neg_lo[i] < 0,
+            .continuous = cells.continuous[i] != 0,
+            .nowhere = cells.nowhere[i] != 0};
+}
+
+/// `sign`: that of f at the cell's end away from the light, where the hits are behind it. In upward
+/// rounding.
+template <class Real>
+ShadeVerdict judge(const CellLine<Real>& f, Start start, Sign sign) {
+    const Real steepness = std::abs(f.along);
+    const Real size = std::abs(f.c);
+    if (f.nowhere) return {.shade = Shade::Free};
+    if (size > steepness + f.aside) return {.shade = Shade::Free, .sign = sign_of(f.c > 0)};
+    if (!f.continuous) return {.shade = Shade::Open};
+    if (f.falls || f.rises) {
+        // Depths fall towards the light: f goes away from 0 there, from the hits, or from where its
+        // sign is known.
+        const Sign ahead = sign_of(f.falls);
         const bool away = start == Start::Behind && sign == ahead;
-        if (start == Start::Roots || away) return {Shade::Free, ahead};
+        if (start == Start::Roots || away) return {.shade = Shade::Free, .sign = ahead};
     }
-    if (start != Start::Behind) return {Shade::Open};
-    // f is c - k at the end towards the light, but for what it changes aside.
-    const Real k = cells.k[2][i];
-    const bool turned = (sign == Sign::Positive && cells.c[i] - k + aside < 0) ||
-                        (sign == Sign::Negative && k - cells.c[i] + aside < 0);
-    const bool opposite_signs = steepness > size + aside;
-    return {turned || opposite_signs ? Shade::Dark : Shade::Open};
+    if (start != Start::Behind) return {.shade = Shade::Open};
+    const bool turned = (sign == Sign::Positive && f.c - f.along + f.aside < 0) ||
+                        (sign == Sign::Negative && f.along - f.c + f.aside < 0);
+    const bool opposite_signs = steepness > size + f.aside;
+    return {.shade = turned || opposite_signs ? Shade::Dark : Shade::Open};
 }
 
 }  // namespace zeroset

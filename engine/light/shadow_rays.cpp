@@ -77,8 +77,9 @@ bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool cont
                               ShadowBits& found) const {
     LightRay& ray = path.ray;
     const bool open = verdict.shade == Shade::Open;
-    if (open && path.length() > search_.finest) {
-        path.step = 0.5 * (ray.left ? path.length() : path.step);
+    const double length = ray.left ? path.length() : path.step;
+    if (open && length > search_.finest) {
+        path.step = 0.5 * length;
         return true;
     }
     path.unproved = path.unproved || open;
@@ -111,7 +112,7 @@ void RaySearch<Real>::search(const std::vector<LightRay>& rays, ShadowBits& foun
             evaluate(std::span(paths).subspan(first, count));
             for (std::size_t i = 0; i < count; ++i) {
                 Path path = paths[first + i];
-                const ShadeVerdict verdict = judge(cells_, i, path.start(), path.ray.sign);
+                const ShadeVerdict verdict = judge(line_of(cells_, i), path.start(), path.ray.sign);
                 if (advance(path, verdict, cells_.continuous[i] != 0, found)) paths[kept++] = path;
             }
         }
