@@ -43,6 +43,8 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.json)
         return InputError{.reason = has + "no --json; leave it out, the table is printed"};
     if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
+    if (command.shadows) return InputError{.reason = has + "no --shadows; leave it out"};
+    if (command.antialias) return InputError{.reason = has + "no --antialias; leave it out"};
     if (command.tracers && command.tracers->contains(',')) {
         return InputError{.reason =
                               has + "one --tracer; type " + std::string(tracers().front().name)};
@@ -76,6 +78,8 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         const auto settings = read_trace_settings(text);
         if (!settings) return std::unexpected(settings.error());
         plan.settings.push_back(*settings);
+        plan.settings.back().shadows = command.shadows;
+        plan.settings.back().antialias = command.antialias;
         begin = end + 1;
     }
     if (!command.suite) {
@@ -231,6 +235,8 @@ int run_bench(const BenchCommand& command) {
                                   {"height", plan->size.height},
                                   {"threads", threads > 0 ? threads : core_count()},
                                   {"d_stop", plan->settings.front().stop.value},
+                                  {"shadows", command.shadows},
+                                  {"antialias", command.antialias},
                                   {"geometric_mean_ms", by_tracer(*plan, means)},
                                   {"geometric_mean_times_floor", by_tracer(*plan, floors)},
                                   {"surfaces", surfaces}}

@@ -33,6 +33,7 @@ int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
     std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
+    bool shadows = false, antialias = false;
     bool first_picture = false;  ///< times edits instead of frames
 };
 int run_bench(const BenchCommand& command);

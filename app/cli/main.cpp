@@ -206,12 +206,14 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--threads", bench.threads, "threads (default: all cores)");
     add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
     add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
+    bench_app->add_flag("--shadows", bench.shadows, "let the surfaces throw shadows");
+    bench_app->add_flag("--antialias", bench.antialias, "smooth edges");
     add_value(*bench_app, "--budget", bench.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");
     bench_app->add_flag("--first-picture", bench.first_picture,
                         "time the window's way from an edit to its first picture instead, of all "
-                        "of the gallery; without --json and --budget");
+                        "of the gallery; without --json, --budget and light");
     return bench_app;
 }
 

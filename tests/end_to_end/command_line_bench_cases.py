@@ -29,6 +29,21 @@ class BenchTest(ProgramTest):
                                        cell["frame_ms"]["median"])
                 self.assertEqual(cell["certified"] + cell["undecided"] + cell["miss"], 24 * 24)
 
+    def test_light(self):
+        suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
+                 "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1", "domain": 2}]}
+        (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
+        forms = {}
+        for options in ((), ("--shadows",), ("--antialias",), ("--shadows", "--antialias")):
+            answer = json.loads(self.run_ok("bench", "--suite", "suite.json", "--size", 64, "--repeat",
+                                            1, "--json", "-", *options).out)
+            self.assertEqual(answer["shadows"], "--shadows" in options)
+            self.assertEqual(answer["antialias"], "--antialias" in options)
+            forms[options] = answer["surfaces"][0]["beams"]["form_per_ray"]
+        self.assertLess(forms[()], forms["--shadows",])
+        self.assertLess(forms["--shadows",], forms["--shadows", "--antialias"])
+        self.assertLess(forms["--antialias",], forms["--shadows", "--antialias"])
+
     def test_first_pictures(self):
         suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
                  "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1.5", "domain": 2},

@@ -90,6 +90,8 @@ WRONG_COMMANDS = [
     (["bench", "--dstop", "23"], ["--dstop"]),
     (["bench", "--first-picture", "--json", "-"], ["--first-picture", "--json"]),
     (["bench", "--first-picture", "--budget", "3"], ["--first-picture", "--budget"]),
+    (["bench", "--first-picture", "--shadows"], ["--first-picture", "--shadows"]),
+    (["bench", "--first-picture", "--antialias"], ["--first-picture", "--antialias"]),
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
     (["--nope"], ["--nope"]),
 ]

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Shadows, against the known shadows of spheres and cylinders.
@@ -109,6 +110,26 @@ TEST_P(Shadow, DoesNotFallFromASurfaceOnItsOwnLitSide) {
             EXPECT_GT(darker, 0U);
         } else {
             EXPECT_EQ(darker, 0U) << text;
+        }
+    }
+}
+
+TEST_P(Shadow, DoesNotFallFromASurfaceOnItselfAtAnyZoom) {
+    const double third = 1.0 / std::sqrt(3.0);
+    const std::vector<std::pair<std::string, glm::dvec3>> points{
+        {"x^2 + y^2 + z^2 = 1", {third, -third, third}},
+        {"z = 0.1 x", {0.3, 0.2, 0.03}},
+        {"(1 - sqrt(x^2 + y^2))^2 + z^2 = 0.25", {0.9, -1.2, 0.0}}};
+    for (const auto& [text, point] : points) {
+        const Scene scene = scene_of(text, Box::cube(2));
+        for (const double zoom : {1e-3, 1e-6, 1e-9}) {
+            Camera camera = default_camera(scene.clip);
+            camera.look_at = point;
+            camera.eye = point + zoom * glm::normalize(glm::dvec3(0.3, -0.4, 0.5));
+            const Framebuffer bright = picture_of(scene, camera, GetParam(), false);
+            const Framebuffer dark = picture_of(scene, camera, GetParam(), true);
+            EXPECT_TRUE(std::isfinite(bright.depth[bright.index(side / 2, side / 2)]));
+            EXPECT_EQ(dark.color, bright.color) << text << " at " << zoom;
         }
     }
 }
