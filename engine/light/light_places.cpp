@@ -109,24 +109,57 @@ HWY_INLINE V<float> within(V<float> change) {
     return hn::Max(hn::Min(number, most), hn::Neg(most));
 }
 
+/// The light's axes in all lanes.
+struct LightAxes {
+    V<float> numbers[3][3];
+
+    explicit LightAxes(const ViewFrame& light) {
+        const glm::dvec3 axes[3] = {light.right, light.up, light.forward};
+        for (int k = 0; k < 3; ++k) {
+            for (int i = 0; i < 3; ++i)
+                numbers[k][i] = hn::Set(d<float>, static_cast<float>(axes[k][i]));
+        }
+    }
+};
+
+/// The products of gradients with the light's axes, and with the directions of the eye's rays.
+struct Slopes {
+    V<float> light[3], eye;
+};
+HWY_INLINE Slopes slopes_at(const TileHits& hits, std::size_t at, const LightAxes& light,
+                            PlacesRow& of) {
+    Slopes slopes;
+    slopes.eye = hn::Zero(d<float>);
+    for (V<float>& slope : slopes.light)
+        slope = hn::Zero(d<float>);
+    for (int i = 0; i < 3; ++i) {
+        const V<float> gradient =
+            hn::LoadU(d<float>, &hits.gradient[static_cast<std::size_t>(i)][at]);
+        slopes.eye = hn::MulAdd(gradient, of.world[i].next(), slopes.eye);
+        for (int k = 0; k < 3; ++k)
+            slopes.light[k] = hn::MulAdd(gradient, light.numbers[k][i], slopes.light[k]);
+    }
+    return slopes;
+}
+
+HWY_INLINE void store_where(M<float> wanted, V<float> numbers, float* to) {
+    hn::StoreU(hn::IfThenElse(wanted, numbers, hn::LoadU(d<float>, to)), d<float>, to);
+}
+
 TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
                    const TileHits& hits, LightPlaces& places) {
     const glm::dvec3 look_at = light.eye + light.look_distance * light.forward;
     const TileLines lines(frame, tile, look_at);
     float* const out[3] = {places.u.data(), places.v.data(), places.s.data()};
     float* const changes[2] = {places.by_u.data(), places.by_v.data()};
-    V<float> axes[3][3];
-    for (int axis = 0; axis < 3; ++axis) {
-        axes[0][axis] = hn::Set(d<float>, static_cast<float>(light.right[axis]));
-        axes[1][axis] = hn::Set(d<float>, static_cast<float>(light.up[axis]));
-        axes[2][axis] = hn::Set(d<float>, static_cast<float>(light.forward[axis]));
-    }
+    const LightAxes axes(light);
     V<float> farthest = hn::Zero(d<float>);
     TileBits turned{};
 
     for (int row = 0; row < tile.rows; ++row) {
         PlacesRow of = places_row(lines, frame.view, light, row);
         std::uint64_t bits = 0;
+        std::uint64_t outside = 0;
         for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
             const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
             // Where the hits are.
@@ -134,31 +167,20 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
             const auto is_hit = hn::Lt(distance, hn::Inf(d<float>));
             farthest = hn::Max(farthest, hn::IfThenElseZero(is_hit, hn::Abs(distance)));
             const V<float> length = hn::Mul(distance, of.per_length());
-            for (int axis = 0; axis < 3; ++axis) {
-                const V<float> place =
-                    hn::MulAdd(length, of.along[axis].next(), of.start[axis].next());
-                const V<float> before = hn::LoadU(d<float>, out[axis] + at);
-                hn::StoreU(hn::IfThenElse(is_hit, place, before), d<float>, out[axis] + at);
-            }
+            for (int i = 0; i < 3; ++i)
+                store_where(is_hit, hn::MulAdd(length, of.along[i].next(), of.start[i].next()),
+                            out[i] + at);
             // How they are turned.
-            V<float> away_from_eye = hn::Zero(d<float>);
-            V<float> slopes[3] = {hn::Zero(d<float>), hn::Zero(d<float>), hn::Zero(d<float>)};
-            for (int axis = 0; axis < 3; ++axis) {
-                const V<float> gradient =
-                    hn::LoadU(d<float>, &hits.gradient[static_cast<std::size_t>(axis)][at]);
-                away_from_eye = hn::MulAdd(gradient, of.world[axis].next(), away_from_eye);
-                for (int k = 0; k < 3; ++k)
-                    slopes[k] = hn::MulAdd(gradient, axes[k][axis], slopes[k]);
-            }
-            const V<float> per_slope = hn::Div(hn::Set(d<float>, -1.0F), slopes[2]);
-            for (int k = 0; k < 2; ++k) {
-                const V<float> change = within(hn::Mul(slopes[k], per_slope));
-                const V<float> before = hn::LoadU(d<float>, changes[k] + at);
-                hn::StoreU(hn::IfThenElse(is_hit, change, before), d<float>, changes[k] + at);
-            }
-            const auto is_turned = hn::And(is_hit, have_one_sign(away_from_eye, slopes[2]));
+            const Slopes slopes = slopes_at(hits, at, axes, of);
+            const V<float> per_slope = hn::Div(hn::Set(d<float>, -1.0F), slopes.light[2]);
+            for (int i = 0; i < 2; ++i)
+                store_where(is_hit, within(hn::Mul(slopes.light[i], per_slope)), changes[i] + at);
+            const auto is_turned = hn::And(is_hit, have_one_sign(slopes.eye, slopes.light[2]));
             bits |= std::uint64_t{bits_of(d<float>, is_turned)} << col;
+            const auto is_outside = hn::And(is_turned, hn::Lt(slopes.eye, hn::Zero(d<float>)));
+            outside |= std::uint64_t{bits_of(d<float>, is_outside)} << col;
         }
+        places.outside[static_cast<std::size_t>(row)] |= outside;
         turned[static_cast<std::size_t>(row)] = bits & ~std::uint64_t{0} >> (tile_size - tile.cols);
     }
 
@@ -169,6 +191,32 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
         tile_size * (glm::length(lines.start.by_col) + glm::length(lines.start.by_row));
     places.error = std::max(places.error, 0x1p-19 * size);
     return turned;
+}
+
+TileBits places_in_box(const LightPlaces& places, const TileBits& bits, const LightBox& box) {
+    const auto number = [](double value) { return hn::Set(d<float>, static_cast<float>(value)); };
+    // Wider than rounding makes the numbers narrower.
+    const double spare = 2.0 * places.error;
+    const V<float> u[2] = {number(box.u[0] - spare), number(box.u[1] + spare)};
+    const V<float> v[2] = {number(box.v[0] - spare), number(box.v[1] + spare)};
+    const V<float> s[2] = {number(box.s[0] - spare), number(box.s[1] + spare)};
+    TileBits found{};
+    for (std::size_t row = 0; row < tile_size; ++row) {
+        if (bits[row] == 0) continue;
+        for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
+            const std::size_t at = row * tile_size + col;
+            const V<float> place_u = hn::LoadU(d<float>, &places.u[at]);
+            const V<float> place_v = hn::LoadU(d<float>, &places.v[at]);
+            const V<float> place_s = hn::LoadU(d<float>, &places.s[at]);
+            const auto in_u = hn::And(hn::Ge(place_u, u[0]), hn::Le(place_u, u[1]));
+            const auto in_v = hn::And(hn::Ge(place_v, v[0]), hn::Le(place_v, v[1]));
+            const auto in_s = hn::And(hn::Ge(place_s, s[0]), hn::Le(place_s, s[1]));
+            const auto is_in = hn::And(hn::And(in_u, in_v), in_s);
+            found[row] |= std::uint64_t{bits_of(d<float>, is_in)} << col;
+        }
+        found[row] &= bits[row];
+    }
+    return found;
 }
 
 /// The least and the greatest of some numbers, lane by lane.
@@ -227,12 +275,17 @@ namespace {
 
 HWY_EXPORT(places_of);
 HWY_EXPORT(bounds_in);
+HWY_EXPORT(places_in_box);
 
 }  // namespace
 
 TileBits find_places(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
                      const TileHits& hits, LightPlaces& places) {
     return HWY_DYNAMIC_DISPATCH(places_of)(frame, light, tile, hits, places);
+}
+
+TileBits places_in(const LightPlaces& places, const TileBits& bits, const LightBox& box) {
+    return HWY_DYNAMIC_DISPATCH(places_in_box)(places, bits, box);
 }
 
 PlaceBounds bounds_of(const LightPlaces& places, const TileBits& bits, const Square& square,

@@ -23,11 +23,12 @@ struct LightPlaces {
     /// About how s changes on the surface with u, and with v; no steeper than `steepest`.
     alignas(64) Numbers by_u, by_v;
     double error = 0.0;  ///< a hit is no farther from its place, in u, v or s
+    TileBits outside{};  ///< hits that are seen from where f is above 0, among those of find_places
 
     static constexpr float steepest = 16.0F;
 };
 
-/// A square of pixels of a tile, of a side of 8 at most.
+/// A square of pixels of a tile.
 struct Square {
     std::uint8_t col, row, side;
 
@@ -42,9 +43,18 @@ struct PlaceBounds {
     float u[2], v[2], s[2], h[2];
 };
 
-/// The bounds of those places in a square whose bits are set; one is, at least.
+/// The bounds of those places whose bits are set, in a square of a side of 8 at most; none: they
+/// are +inf and -inf.
 PlaceBounds bounds_of(const LightPlaces& places, const TileBits& bits, const Square& square,
                       float by_u, float by_v);
+
+/// A box in the light's view.
+struct LightBox {
+    double u[2], v[2], s[2];
+};
+
+/// The places among `bits` that may be in the box.
+TileBits places_in(const LightPlaces& places, const TileBits& bits, const LightBox& box);
 
 /// Adds the places of a surface's hits, and finds which of these hits show the light the side that
 /// they show the eye. In upward rounding.

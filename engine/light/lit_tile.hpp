@@ -19,6 +19,15 @@ struct ShadowBits {
     TileBits dark{};
     /// Hits of which it is not proved whether the light reaches them: at a shadow's edge, mostly.
     TileBits unproved{};
+
+    /// Takes in hits of a row that are proved to lie in the shadow.
+    void prove_dark(std::size_t row, std::uint64_t hits) {
+        dark[row] |= hits;
+        unproved[row] &= ~hits;
+    }
+    [[nodiscard]] std::uint64_t proved_dark(std::size_t row) const {
+        return dark[row] & ~unproved[row];
+    }
 };
 
 /// The light of one surface's hits in a tile. Arrays hold one item a pixel, in rows of tile_size;

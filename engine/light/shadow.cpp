@@ -2,7 +2,9 @@
 
 #include "engine/light/light_places.hpp"
 #include "engine/light/shade.hpp"
+#include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
+#include "engine/trace/frame_union.hpp"
 #include "engine/trace/tile_rays.hpp"
 
 #include <algorithm>
@@ -60,6 +62,8 @@ TraceFrame light_frame(const TraceFrame& frame, const ViewFrame& light, const Ti
             .limit = limit};
 }
 
+constexpr Square whole_tile{.col = 0, .row = 0, .side = tile_size};
+
 constexpr Tile light_tile{.col = 0, .row = 0, .cols = tile_size, .rows = tile_size};
 
 /// Takes the hits on caps out of those of a layer.
@@ -71,24 +75,180 @@ TileBits without_caps(const LitLayer& layer, TileBits hits) {
     return hits;
 }
 
+/// The same in another kernel.
+TraceFrame with_kernel(const TraceFrame& light, const Kernel& kernel) {
+    return {.scene = light.scene,
+            .kernel = kernel,
+            .view = light.view,
+            .image = light.image,
+            .stop = light.stop,
+            .depth = light.depth,
+            .precision = light.precision,
+            .limit = light.limit};
+}
+
+TileBits inside(const TileBits& bits, const Square& square) {
+    TileBits part{};
+    for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row)
+        part[row] = bits[row] & square.bits();
+    return part;
+}
+
+TileBits both(TileBits a, const TileBits& b) {
+    for (std::size_t row = 0; row < tile_size; ++row)
+        a[row] &= b[row];
+    return a;
+}
+
+TileBits without(TileBits a, const TileBits& b) {
+    for (std::size_t row = 0; row < tile_size; ++row)
+        a[row] &= ~b[row];
+    return a;
+}
+
+TileBits proved_dark(const ShadowBits& found) {
+    TileBits proved{};
+    for (std::size_t row = 0; row < tile_size; ++row)
+        proved[row] = found.proved_dark(row);
+    return proved;
+}
+
+bool any(const TileBits& bits) {
+    return std::ranges::any_of(bits, [](std::uint64_t row) { return row != 0; });
+}
+
+/// Searches the hits of `search`, which are all in a square of the tile: with a kernel of their own
+/// where it pays, and those of each quarter of the square with one made of that while it is long.
+void search_square(const ShadowSearch& search, const Square& square, ShadowBits& found,
+                   Counters& counters) {
+    constexpr std::size_t long_steps = 48;
+    if (!any(search.open) || search.light.stopped()) return;
+    const auto own = kernel_before_hits(search, square);
+    const TraceFrame light = with_kernel(search.light, own ? *own : search.light.kernel);
+    ShadowSearch part{.light = light,
+                      .rays = search.rays,
+                      .places = search.places,
+                      .open = search.open,
+                      .roots = search.roots,
+                      .is_member = search.is_member,
+                      .finest = search.finest,
+                      .bias = search.bias};
+    const auto half = static_cast<std::uint8_t>(square.side / 2);
+    if (own != nullptr && own->steps > long_steps && half > 0) {
+        for (const std::uint8_t down : {std::uint8_t{0}, half}) {
+            for (const std::uint8_t right : {std::uint8_t{0}, half}) {
+                const Square quarter{.col = static_cast<std::uint8_t>(square.col + right),
+                                     .row = static_cast<std::uint8_t>(square.row + down),
+                                     .side = half};
+                part.open = inside(search.open, quarter);
+                search_square(part, quarter, found, counters);
+            }
+        }
+        return;
+    }
+    std::vector<LightRay> rest;
+    search_beams(part, found, rest, counters);
+    search_rays(part, rest, found, counters);
+}
+
+LightBox in_view(const Box& box, const ViewFrame& light, double spare) {
+    const glm::dvec3 look_at = light.eye + light.look_distance * light.forward;
+    const glm::dvec3 middle = 0.5 * (box.lo + box.hi) - look_at;
+    const glm::dvec3 half = 0.5 * (box.hi - box.lo);
+    LightBox seen{};
+    const auto set = [&](double(&ends)[2], const glm::dvec3& axis) {
+        const double at = glm::dot(middle, axis);
+        const double radius = glm::dot(half, glm::abs(axis)) + spare;
+        ends[0] = at - radius;
+        ends[1] = at + radius;
+    };
+    set(seen.u, light.right);
+    set(seen.v, light.up);
+    set(seen.s, light.forward);
+    return seen;
+}
+
+/// A member of a union, where it may be in the light's view.
+struct LitMember {
+    const Kernel* kernel;
+    LightBox box;
+};
+
+/// The members of the surface as a union; none where it is not known as one, or where they cannot
+/// be searched one by one.
+std::vector<LitMember> members_of(const TraceFrame& light) {
+    std::vector<LitMember> found;
+    const Scene& scene = light.scene;
+    const Specializer* const specializer = light.kernel.specializer.get();
+    const UnionParts* const members = specializer == nullptr ? nullptr : specializer->union_parts();
+    if (members == nullptr || !scene.region.is_whole()) return found;
+    const auto reaches = members->reaches(reach_box(scene.clip), scene.uniforms);
+    const double spare = 4 * place_error(light);
+    for (std::size_t i = 0; i < reaches->size(); ++i) {
+        const Reach& reach = (*reaches)[i];
+        if (!reach.any) continue;
+        if (!reach.continuous) return {};
+        found.push_back({.kernel = members->kernels()[i],
+                         .box = in_view(box_of(reach.box), light.view, spare)});
+    }
+    return found;
+}
+
+/// Hits at which no member of the union is below 0: those on it that are seen from outside, and
+/// those beside all members.
+TileBits outside_hits(const ShadowSearch& search, const std::vector<LitMember>& members) {
+    TileBits outside = both(search.open, both(search.roots, search.places.outside));
+    TileBits others = without(search.open, search.roots);
+    for (const LitMember& member : members)
+        others = without(others, places_in(search.places, others, member.box));
+    for (std::size_t row = 0; row < tile_size; ++row)
+        outside[row] |= others[row];
+    return outside;
+}
+
+/// Searches the members one by one, each for the hits before which it may lie: a ray from outside a
+/// union meets it where it first meets any of them.
+void search_members(const ShadowSearch& search, const std::vector<LitMember>& members,
+                    ShadowBits& found, Counters& counters) {
+    for (const LitMember& member : members) {
+        LightBox shadow = member.box;
+        shadow.s[1] = std::numeric_limits<double>::infinity();
+        const TileBits open =
+            without(places_in(search.places, search.open, shadow), proved_dark(found));
+        search_square({.light = with_kernel(search.light, *member.kernel),
+                       .rays = search.rays,
+                       .places = search.places,
+                       .open = open,
+                       .roots = search.roots,
+                       .is_member = true,
+                       .finest = search.finest,
+                       .bias = search.bias},
+                      whole_tile, found, counters);
+    }
+}
+
 /// Adds to `found` the hits among `open` that lie in the shadow of a surface.
 void search_surface(const TraceFrame& frame, const TraceFrame& light, const LightPlaces& places,
                     const TileBits& open, const TileBits& roots, ShadowBits& found,
                     Counters& counters) {
-    thread_local std::vector<LightRay> rest;
-    rest.clear();
     const TileRays rays(light, light_tile);
     const double cell = frame.scene.clip.size() * std::ldexp(1.0, -frame.depth.wanted);
     const double extent = std::min(frame.scene.clip.size(), frame.view.look_distance);
-    const ShadowSearch search{.light = light,
-                              .rays = rays,
-                              .places = places,
-                              .open = open,
-                              .roots = roots,
-                              .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
-                              .bias = std::max(0x1p-12 * extent, 6 * cell)};
-    search_beams(search, found, rest, counters);
-    search_rays(search, rest, found, counters);
+    ShadowSearch search{.light = light,
+                        .rays = rays,
+                        .places = places,
+                        .open = open,
+                        .roots = roots,
+                        .is_member = false,
+                        .finest = std::max(0x1p-14 * extent, 4 * cell),  // Knoll's d_stop - 2
+                        .bias = std::max(0x1p-12 * extent, 6 * cell)};
+    const std::vector<LitMember> members = members_of(light);
+    if (!members.empty()) {
+        search.open = outside_hits(search, members);
+        search_members(search, members, found, counters);
+        search.open = without(open, search.open);
+    }
+    search_square(search, whole_tile, found, counters);
 }
 
 void darken(const TileBits& dark, LitLayer& layer) {
@@ -101,12 +261,6 @@ void darken(const TileBits& dark, LitLayer& layer) {
     }
 }
 
-TileBits both(TileBits a, const TileBits& b) {
-    for (std::size_t row = 0; row < tile_size; ++row)
-        a[row] &= b[row];
-    return a;
-}
-
 }  // namespace
 
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
@@ -116,6 +270,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& l
     thread_local LightPlaces places;
     thread_local std::vector<TileBits> turned;  // to the light, of each layer
     places.error = 0.0;
+    places.outside = {};
     turned.clear();
     TileBits open{};
     const ViewFrame light = light_view(surfaces.front(), gradient_of(*layers.front().hits));
@@ -131,8 +286,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& l
         }
         search_surface(surfaces[i], light_frame(surfaces[i], light, limit), places, open, roots,
                        found, counters);
-        for (std::size_t row = 0; row < tile_size; ++row)
-            open[row] &= ~found.dark[row];
+        open = without(open, proved_dark(found));
     }
     for (std::size_t k = 0; k < layers.size(); ++k)
         darken(both(found.dark, turned[k]), layers[k]);

@@ -118,7 +118,8 @@ Start BeamSearch<Real>::start_of(const Square& square) const {
     std::uint64_t others = 0;
     for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row)
         others |= search_.open[row] & square.bits() & ~search_.roots[row];
-    return others != 0 ? Start::Others : Start::Roots;
+    if (others != 0) return Start::Others;
+    return search_.is_member ? Start::Above : Start::Roots;
 }
 
 template <class Real>
@@ -205,7 +206,7 @@ void BeamSearch<Real>::add_ray(const Beam& beam, std::size_t pixel) {
                      .to = behind ? plane + beam.to + margin_ : s + places.error,
                      .left = behind,
                      .sign = beam.sign,
-                     .is_root = beam.start == Start::Roots});
+                     .is_root = beam.start == Start::Roots || beam.start == Start::Above});
 }
 
 template <class Real>
@@ -272,7 +273,7 @@ CellLine<Real> BeamSearch<Real>::slanted_line(const Beam& beam, std::size_t i) c
 template <class Real>
 void BeamSearch<Real>::darken(const Square& square) {
     for (std::size_t row = square.row; row < std::size_t{square.row} + square.side; ++row)
-        found_.dark[row] |= search_.open[row] & square.bits();
+        found_.prove_dark(row, search_.open[row] & square.bits());
 }
 
 template <class Real>

@@ -25,6 +25,7 @@ inline Sign sign_of(bool positive) { return positive ? Sign::Positive : Sign::Ne
 /// What is in a cell, or behind it as the light sees it.
 enum class Start : std::uint8_t {
     Roots,   ///< in it, the hits: roots of the surface's own function
+    Above,   ///< in it, hits at which f is 0 or above
     Others,  ///< in it, hits of other surfaces, or on caps
     Behind,  ///< the hits are behind it
 };
@@ -64,7 +65,9 @@ ShadeVerdict judge(const CellLine<Real>& f, Start start, Sign sign) {
         // sign is known.
         const Sign ahead = sign_of(f.falls);
         const bool away = start == Start::Behind && sign == ahead;
-        if (start == Start::Roots || away) return {.shade = Shade::Free, .sign = ahead};
+        const bool leaves =
+            start == Start::Roots || (start == Start::Above && ahead == Sign::Positive);
+        if (leaves || away) return {.shade = Shade::Free, .sign = ahead};
     }
     if (start != Start::Behind) return {.shade = Shade::Open};
     const bool turned = (sign == Sign::Positive && f.c - f.along + f.aside < 0) ||

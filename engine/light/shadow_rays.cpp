@@ -22,9 +22,6 @@ struct Path {
         return std::max(ray.from, (ray.left ? ray.to : std::min(ray.to, ray.s)) - step);
     }
     [[nodiscard]] double length() const { return ray.to - next(); }
-    [[nodiscard]] Start start() const {
-        return ray.left ? Start::Behind : ray.is_root ? Start::Roots : Start::Others;
-    }
 };
 
 template <class Real>
@@ -40,6 +37,11 @@ public:
 
 private:
     void evaluate(std::span<const Path> paths);
+    [[nodiscard]] Start start_of(const LightRay& ray) const {
+        if (ray.left) return Start::Behind;
+        if (!ray.is_root) return Start::Others;
+        return search_.is_member ? Start::Above : Start::Roots;
+    }
     /// Takes what is known of the next cell; whether the path goes on.
     bool advance(Path& path, const ShadeVerdict& verdict, bool continuous, ShadowBits& found) const;
 
@@ -68,10 +70,6 @@ void RaySearch<Real>::evaluate(std::span<const Path> paths) {
         cells_.batch(size, frustum_, search_.light.scene.uniforms.template boxes<Real>()));
 }
 
-void set_bit(TileBits& bits, std::size_t pixel) {
-    bits[pixel / tile_size] |= std::uint64_t{1} << pixel % tile_size;
-}
-
 template <class Real>
 bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool continuous,
                               ShadowBits& found) const {
@@ -84,9 +82,13 @@ bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool cont
     }
     path.unproved = path.unproved || open;
     const bool at_hit = open && !ray.left && ray.is_root;
+    const std::size_t row = ray.pixel / tile_size;
+    const std::uint64_t hit = std::uint64_t{1} << ray.pixel % tile_size;
     if (verdict.shade == Shade::Dark || (open && !at_hit && continuous)) {
-        set_bit(found.dark, ray.pixel);
-        if (path.unproved) set_bit(found.unproved, ray.pixel);
+        if (!path.unproved) found.prove_dark(row, hit);
+        // What another search has proved stays.
+        if (path.unproved) found.unproved[row] |= hit & ~found.dark[row];
+        found.dark[row] |= hit;
         return false;
     }
     ray.to = at_hit ? ray.s - search_.bias : path.next();
@@ -94,7 +96,7 @@ bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool cont
     ray.left = true;
     ray.sign = verdict.sign;
     if (ray.from < ray.to) return true;
-    if (path.unproved) set_bit(found.unproved, ray.pixel);
+    if (path.unproved) found.unproved[row] |= hit & ~found.dark[row];
     return false;
 }
 
@@ -112,7 +114,8 @@ void RaySearch<Real>::search(const std::vector<LightRay>& rays, ShadowBits& foun
             evaluate(std::span(paths).subspan(first, count));
             for (std::size_t i = 0; i < count; ++i) {
                 Path path = paths[first + i];
-                const ShadeVerdict verdict = judge(line_of(cells_, i), path.start(), path.ray.sign);
+                const ShadeVerdict verdict =
+                    judge(line_of(cells_, i), start_of(path.ray), path.ray.sign);
                 if (advance(path, verdict, cells_.continuous[i] != 0, found)) paths[kept++] = path;
             }
         }

@@ -17,8 +17,9 @@ struct ShadowSearch {
     const TraceFrame& light;  ///< the surface in the light's view
     const TileRays& rays;     ///< those of the light
     const LightPlaces& places;
-    const TileBits& open;   ///< hits that are asked about
+    TileBits open;          ///< hits that are asked about
     const TileBits& roots;  ///< those of them that are roots of the surface's own function
+    bool is_member;         ///< of a union: then those are places at which f is 0 or above
     double finest;          ///< a cell of a ray that is no longer is not divided
     /// From a hit that its surface only touches the search begins so far in front of it.
     double bias;
@@ -35,7 +36,7 @@ struct LightRay {
     double from, to;  ///< depths between which there may be a root
     bool left;        ///< a root in front of `to` is another one than the hit; else it may be it
     Sign sign;        ///< of f at `to`, if the hit is left
-    bool is_root;     ///< the hit is a root of the surface's own function
+    bool is_root;     ///< the hit is one of ShadowSearch::roots
 };
 
 /// Searches by beams: the rays from squares of pixels to the light at once, divided until each

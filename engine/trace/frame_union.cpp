@@ -14,20 +14,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-ReachBox around(const Box& box) {
-    ReachBox result{};
-    for (int i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
-        result.lo[axis] = -float_above(-box.lo[i]);
-        result.hi[axis] = float_above(box.hi[i]);
-    }
-    return result;
-}
-
-Box box_of(const ReachBox& box) {
-    return {.lo = {box.lo[0], box.lo[1], box.lo[2]}, .hi = {box.hi[0], box.hi[1], box.hi[2]}};
-}
-
 /// Whether the clip box's faces are in the layers under those of the box that holds it.
 bool has_faces_in_layers(const Box& clip, const Box& domain, double spare) {
     const double thick = face_layer * domain.size();
@@ -147,9 +133,23 @@ bool Entries<Real>::are_above_zero(const Kernel& kernel) {
 
 }  // namespace
 
+ReachBox reach_box(const Box& box) {
+    ReachBox result{};
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        result.lo[axis] = -float_above(-box.lo[i]);
+        result.hi[axis] = float_above(box.hi[i]);
+    }
+    return result;
+}
+
+Box box_of(const ReachBox& box) {
+    return {.lo = {box.lo[0], box.lo[1], box.lo[2]}, .hi = {box.hi[0], box.hi[1], box.hi[2]}};
+}
+
 FrameUnion::FrameUnion(const TraceFrame& frame, const UnionParts& union_parts) : frame_(frame) {
     const Box& clip = frame.scene.clip;
-    const ReachBox domain = around(clip);
+    const ReachBox domain = reach_box(clip);
     const auto reaches = union_parts.reaches(domain, frame.scene.uniforms);
     const double spare = 4 * place_error(frame);
     const bool tells_of_faces = has_faces_in_layers(clip, box_of(domain), spare);

@@ -9,6 +9,10 @@
 
 namespace zeroset {
 
+/// The smallest box in floats that holds `box`.
+ReachBox reach_box(const Box& box);
+Box box_of(const ReachBox& box);
+
 /// A union, f = min(p, q, ...), as a view shows its parts. Rays that begin where all parts
 /// are above 0 have the first root of f at the first one of any part: each can be searched on its
 /// own, in what it covers of the image, by code without choices.

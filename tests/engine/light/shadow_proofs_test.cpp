@@ -43,6 +43,30 @@ double of_torus(const glm::dvec3& from, const glm::dvec3& to_light) {
     return least;
 }
 
+/// Balls in a row, as the least of them.
+constexpr int balls = 12;
+glm::dvec3 ball(int i) { return {0.25 * i - 1.375, 0.1 * (i % 3), 0.2 * (i % 4) - 0.3}; }
+
+std::string union_text() {
+    std::string text = "min(";
+    for (int i = 0; i < balls; ++i) {
+        const glm::dvec3 at = ball(i);
+        text += std::string(i > 0 ? ", " : "") + "sqrt((x - (" + std::to_string(at.x) +
+                "))^2 + (y - (" + std::to_string(at.y) + "))^2 + (z - (" + std::to_string(at.z) +
+                "))^2) - 0.15";
+    }
+    return text + ")";
+}
+
+double of_union(const glm::dvec3& from, const glm::dvec3& to_light) {
+    double least = 1e9;
+    for (int i = 0; i < balls; ++i) {
+        const double along = glm::dot(ball(i) - from, to_light);
+        least = std::min(least, glm::length(from + along * to_light - ball(i)) - 0.15);
+    }
+    return least;
+}
+
 /// The half x < 0 of a plate about z = 0, in the clip box.
 double of_edge(const glm::dvec3& from, const glm::dvec3& to_light) {
     double least = 1e9;
@@ -117,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(All, ShadowProofs,
                          testing::Values(Case{"Sphere", "x^2 + y^2 + z^2 = 0.25", of_sphere},
                                          Case{"Torus", "(sqrt(x^2 + y^2) - 0.6)^2 + z^2 = 0.04",
                                               of_torus},
+                                         Case{"Union", union_text(), of_union},
                                          Case{"Edge", "max(abs(z) - 0.01, x)", of_edge}),
                          [](const auto& given) { return given.param.name; });
 

@@ -2,6 +2,7 @@
 
 #include "engine/light/shade.hpp"
 #include "engine/render/render.hpp"
+#include "engine/view/pixel_ray.hpp"
 #include "tests/support/rays.hpp"
 
 #include <gtest/gtest.h>
@@ -131,6 +132,63 @@ TEST_P(Shadow, DoesNotFallFromASurfaceOnItselfAtAnyZoom) {
             EXPECT_TRUE(std::isfinite(bright.depth[bright.index(side / 2, side / 2)]));
             EXPECT_EQ(dark.color, bright.color) << text << " at " << zoom;
         }
+    }
+}
+
+/// A solid about the origin whose upper half is cut away: below 0 inside.
+struct CutSolid {
+    std::string text;
+    double inner;  ///< radius of the hollow; 0: it is a ball
+
+    [[nodiscard]] double depth_at(const glm::dvec3& at) const {
+        const double radius = glm::length(at);
+        return std::max({radius - 1.0, inner - radius, at.z});
+    }
+    /// Of its surface, outwards.
+    [[nodiscard]] glm::dvec3 normal_at(const glm::dvec3& at) const {
+        if (at.z > -1e-5) return {0.0, 0.0, 1.0};
+        return glm::length(at) > 0.5 * (1.0 + inner) ? glm::normalize(at) : -glm::normalize(at);
+    }
+    /// The least of the solid's function on the way to the light, but for its beginning.
+    [[nodiscard]] double least_towards(const glm::dvec3& from, const glm::dvec3& to_light) const {
+        double least = 1.0;
+        for (int i = 10; i < 2000; ++i)
+            least = std::min(least, depth_at(from + 1e-3 * i * to_light));
+        return least;
+    }
+};
+
+TEST_P(Shadow, FallsOfWhatIsLeftOfASolidCutOpen) {
+    const std::vector<CutSolid> solids{{"x^2 + y^2 + z^2 = 1", 0.0},
+                                       {"abs(sqrt(x^2 + y^2 + z^2) - 0.9) = 0.1", 0.8}};
+    for (const CutSolid& solid : solids) {
+        SCOPED_TRACE(solid.text);
+        Scene scene = scene_of(solid.text, Box::cube(1.5));
+        scene.region = Region{{}, {make_section({0, 0, 1}, 0.0)}};
+        Camera camera = default_camera(Box::cube(1.2));
+        camera.eye.z = 1.8 * camera.eye.z;
+        const Framebuffer bright = picture_of(scene, camera, GetParam(), false);
+        const Framebuffer dark = picture_of(scene, camera, GetParam(), true);
+        const ViewFrame view(camera);
+        const glm::dvec3 to_light = key_light(view);
+        std::size_t hidden = 0;
+        std::size_t lit = 0;
+        for (int row = 0; row < side; ++row) {
+            for (int col = 0; col < side; ++col) {
+                const std::size_t at = dark.index(col, row);
+                if (!std::isfinite(dark.depth[at])) continue;
+                const PixelRay ray = pixel_ray(view, pixel_centre(col, row), {side, side});
+                const glm::dvec3 place = ray.at(static_cast<double>(dark.depth[at]));
+                if (glm::dot(solid.normal_at(place), to_light) < 0.1) continue;
+                const double least = solid.least_towards(place, to_light);
+                if (std::abs(least) < 5e-3) continue;
+                const bool darker = dark.color[at] != bright.color[at];
+                EXPECT_EQ(darker, least < 0) << "at " << col << ", " << row;
+                ++(darker ? hidden : lit);
+            }
+        }
+        EXPECT_GT(lit, 500U);
+        EXPECT_EQ(hidden > 10, solid.inner > 0.0) << hidden;
     }
 }
 
