@@ -122,6 +122,7 @@ bool any(const TileBits& bits) {
 void search_square(const ShadowSearch& search, const Square& square, ShadowBits& found,
                    Counters& counters) {
     constexpr std::size_t long_steps = 48;
+    constexpr int least_side = 8;  // those of fewer hits fill no batch
     if (!any(search.open) || search.light.stopped()) return;
     const auto own = kernel_before_hits(search, square);
     const TraceFrame light = with_kernel(search.light, own ? *own : search.light.kernel);
@@ -134,7 +135,7 @@ void search_square(const ShadowSearch& search, const Square& square, ShadowBits&
                       .finest = search.finest,
                       .bias = search.bias};
     const auto half = static_cast<std::uint8_t>(square.side / 2);
-    if (own != nullptr && own->steps > long_steps && half > 0) {
+    if (own != nullptr && own->steps > long_steps && half >= least_side) {
         for (const std::uint8_t down : {std::uint8_t{0}, half}) {
             for (const std::uint8_t right : {std::uint8_t{0}, half}) {
                 const Square quarter{.col = static_cast<std::uint8_t>(square.col + right),
