@@ -148,8 +148,7 @@ HWY_INLINE void store_where(M<float> wanted, V<float> numbers, float* to) {
 
 TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& tile,
                    const TileHits& hits, LightPlaces& places) {
-    const glm::dvec3 look_at = light.eye + light.look_distance * light.forward;
-    const TileLines lines(frame, tile, look_at);
+    const TileLines lines(frame, tile, light.look_at());
     float* const out[3] = {places.u.data(), places.v.data(), places.s.data()};
     float* const changes[2] = {places.by_u.data(), places.by_v.data()};
     const LightAxes axes(light);
@@ -229,9 +228,9 @@ struct LaneBounds {
         least = hn::Min(least, hn::IfThenElse(wanted, numbers, hn::Inf(D())));
         greatest = hn::Max(greatest, hn::IfThenElse(wanted, numbers, hn::Neg(hn::Inf(D()))));
     }
-    HWY_INLINE void store(float* to) const {
-        to[0] = hn::GetLane(hn::MinOfLanes(D(), least));
-        to[1] = hn::GetLane(hn::MaxOfLanes(D(), greatest));
+    [[nodiscard]] HWY_INLINE PlaceRange range() const {
+        return {.least = hn::GetLane(hn::MinOfLanes(D(), least)),
+                .greatest = hn::GetLane(hn::MaxOfLanes(D(), greatest))};
     }
 };
 
@@ -257,12 +256,8 @@ PlaceBounds bounds_in(const LightPlaces& places, const TileBits& bits, const Squ
             h_bounds.add(hn::MulAdd(slope_u, u, hn::MulAdd(slope_v, v, s)), wanted);
         }
     }
-    PlaceBounds bounds;
-    u_bounds.store(bounds.u);
-    v_bounds.store(bounds.v);
-    s_bounds.store(bounds.s);
-    h_bounds.store(bounds.h);
-    return bounds;
+    return {
+        .u = u_bounds.range(), .v = v_bounds.range(), .s = s_bounds.range(), .h = h_bounds.range()};
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

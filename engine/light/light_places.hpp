@@ -4,9 +4,11 @@
 #include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace zeroset {
 
@@ -36,15 +38,43 @@ struct Square {
     [[nodiscard]] std::uint64_t bits() const {
         return (~std::uint64_t{0} >> (tile_size - side)) << col;
     }
+    [[nodiscard]] std::array<Square, 4> quarters() const {
+        const auto half = static_cast<std::uint8_t>(side / 2);
+        const auto right = static_cast<std::uint8_t>(col + half);
+        const auto below = static_cast<std::uint8_t>(row + half);
+        return {Square{.col = col, .row = row, .side = half},
+                Square{.col = right, .row = row, .side = half},
+                Square{.col = col, .row = below, .side = half},
+                Square{.col = right, .row = below, .side = half}};
+    }
 };
 
-/// The least and the greatest numbers of some places; h is s - by_u u - by_v v.
+/// The least and the greatest of some numbers; of none: +inf and -inf.
+struct PlaceRange {
+    float least = std::numeric_limits<float>::infinity();
+    float greatest = -std::numeric_limits<float>::infinity();
+
+    [[nodiscard]] float size() const { return greatest - least; }
+    [[nodiscard]] double middle() const {
+        return static_cast<double>(0.5F * least + 0.5F * greatest);
+    }
+    /// The distance of the ends from the middle; in upward rounding no less.
+    [[nodiscard]] double radius() const {
+        return std::max(static_cast<double>(greatest) - middle(),
+                        middle() - static_cast<double>(least));
+    }
+    void widen(const PlaceRange& by) {
+        least = std::min(least, by.least);
+        greatest = std::max(greatest, by.greatest);
+    }
+};
+
+/// The ranges of some places; h is s - by_u u - by_v v.
 struct PlaceBounds {
-    float u[2], v[2], s[2], h[2];
+    PlaceRange u, v, s, h;
 };
 
-/// The bounds of those places whose bits are set, in a square of a side of 8 at most; none: they
-/// are +inf and -inf.
+/// The bounds of the places whose bits are set, in a square of a side of 8 at most.
 PlaceBounds bounds_of(const LightPlaces& places, const TileBits& bits, const Square& square,
                       float by_u, float by_v);
 

@@ -17,11 +17,11 @@ class LightWalls {
 public:
     explicit LightWalls(const TileRays& rays);
 
-    /// Depths at which the first and the last ray enter.
+    /// Depths at which the first and the last of some rays enter.
     struct Entry {
         double first, last;
     };
-    /// Of the rays within the radii of (u, v), over a plane of depths.
+    /// The entry of the rays within the radii of (u, v); its depths are counted from `plane`.
     [[nodiscard]] Entry entry(double u, double v, double u_radius, double v_radius,
                               const Plane& plane) const;
 

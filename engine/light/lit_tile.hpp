@@ -25,9 +25,9 @@ struct ShadowBits {
         dark[row] |= hits;
         unproved[row] &= ~hits;
     }
-    [[nodiscard]] std::uint64_t proved_dark(std::size_t row) const {
-        return dark[row] & ~unproved[row];
-    }
+    /// Takes in hits of a row of which it is not proved whether the light reaches them; a proof by
+    /// another search stands.
+    void doubt(std::size_t row, std::uint64_t hits) { unproved[row] |= hits & ~dark[row]; }
 };
 
 /// The light of one surface's hits in a tile. Arrays hold one item a pixel, in rows of tile_size;

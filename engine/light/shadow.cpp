@@ -39,7 +39,7 @@ ViewFrame light_view(const TraceFrame& frame, const glm::dvec3& gradient) {
     const bool is_known = std::isfinite(size) && size > 1e-3 * glm::length(gradient);
     const ViewFrame& eye = frame.view;
     const Box& clip = frame.scene.clip;
-    const glm::dvec3 look_at = eye.eye + eye.look_distance * eye.forward;
+    const glm::dvec3 look_at = eye.look_at();
     const double radius =
         glm::length(glm::max(glm::abs(clip.lo - look_at), glm::abs(clip.hi - look_at)));
     constexpr double distance = 2.0;  // in radii; any will do
@@ -52,14 +52,11 @@ ViewFrame light_view(const TraceFrame& frame, const glm::dvec3& gradient) {
 
 /// A surface in the light's view: one tile, whose pixels do not matter.
 TraceFrame light_frame(const TraceFrame& frame, const ViewFrame& light, const TimeLimit& limit) {
-    return {.scene = frame.scene,
-            .kernel = frame.kernel,
-            .view = light,
-            .image = {.width = tile_size, .height = tile_size},
-            .stop = frame.stop,
-            .depth = frame.depth,
-            .precision = frame.precision,
-            .limit = limit};
+    TraceFrame seen = frame;
+    seen.view = light;
+    seen.image = {.width = tile_size, .height = tile_size};
+    seen.limit = limit;
+    return seen;
 }
 
 constexpr Square whole_tile{.col = 0, .row = 0, .side = tile_size};
@@ -73,18 +70,6 @@ TileBits without_caps(const LitLayer& layer, TileBits hits) {
         if (layer.hits->cap[at] != 0) hits[at / tile_size] &= ~(std::uint64_t{1} << at % tile_size);
     }
     return hits;
-}
-
-/// The same in another kernel.
-TraceFrame with_kernel(const TraceFrame& light, const Kernel& kernel) {
-    return {.scene = light.scene,
-            .kernel = kernel,
-            .view = light.view,
-            .image = light.image,
-            .stop = light.stop,
-            .depth = light.depth,
-            .precision = light.precision,
-            .limit = light.limit};
 }
 
 TileBits inside(const TileBits& bits, const Square& square) {
@@ -106,12 +91,7 @@ TileBits without(TileBits a, const TileBits& b) {
     return a;
 }
 
-TileBits proved_dark(const ShadowBits& found) {
-    TileBits proved{};
-    for (std::size_t row = 0; row < tile_size; ++row)
-        proved[row] = found.proved_dark(row);
-    return proved;
-}
+TileBits proved_dark(const ShadowBits& found) { return without(found.dark, found.unproved); }
 
 bool any(const TileBits& bits) {
     return std::ranges::any_of(bits, [](std::uint64_t row) { return row != 0; });
@@ -125,36 +105,22 @@ void search_square(const ShadowSearch& search, const Square& square, ShadowBits&
     constexpr int least_side = 8;  // those of fewer hits fill no batch
     if (!any(search.open) || search.light.stopped()) return;
     const auto own = kernel_before_hits(search, square);
-    const TraceFrame light = with_kernel(search.light, own ? *own : search.light.kernel);
-    ShadowSearch part{.light = light,
-                      .rays = search.rays,
-                      .places = search.places,
-                      .open = search.open,
-                      .roots = search.roots,
-                      .is_member = search.is_member,
-                      .finest = search.finest,
-                      .bias = search.bias};
-    const auto half = static_cast<std::uint8_t>(square.side / 2);
-    if (own != nullptr && own->steps > long_steps && half >= least_side) {
-        for (const std::uint8_t down : {std::uint8_t{0}, half}) {
-            for (const std::uint8_t right : {std::uint8_t{0}, half}) {
-                const Square quarter{.col = static_cast<std::uint8_t>(square.col + right),
-                                     .row = static_cast<std::uint8_t>(square.row + down),
-                                     .side = half};
-                part.open = inside(search.open, quarter);
-                search_square(part, quarter, found, counters);
-            }
-        }
+    const TraceFrame light =
+        search.light.with(own ? *own : search.light.kernel, search.light.limit);
+    if (own != nullptr && own->steps > long_steps && square.side > least_side) {
+        for (const Square& quarter : square.quarters())
+            search_square(search.with(light, inside(search.open, quarter)), quarter, found,
+                          counters);
         return;
     }
+    const ShadowSearch part = search.with(light, search.open);
     std::vector<LightRay> rest;
     search_beams(part, found, rest, counters);
     search_rays(part, rest, found, counters);
 }
 
 LightBox in_view(const Box& box, const ViewFrame& light, double spare) {
-    const glm::dvec3 look_at = light.eye + light.look_distance * light.forward;
-    const glm::dvec3 middle = 0.5 * (box.lo + box.hi) - look_at;
+    const glm::dvec3 middle = 0.5 * (box.lo + box.hi) - light.look_at();
     const glm::dvec3 half = 0.5 * (box.hi - box.lo);
     LightBox seen{};
     const auto set = [&](double(&ends)[2], const glm::dvec3& axis) {
@@ -216,15 +182,10 @@ void search_members(const ShadowSearch& search, const std::vector<LitMember>& me
         shadow.s[1] = std::numeric_limits<double>::infinity();
         const TileBits open =
             without(places_in(search.places, search.open, shadow), proved_dark(found));
-        search_square({.light = with_kernel(search.light, *member.kernel),
-                       .rays = search.rays,
-                       .places = search.places,
-                       .open = open,
-                       .roots = search.roots,
-                       .is_member = true,
-                       .finest = search.finest,
-                       .bias = search.bias},
-                      whole_tile, found, counters);
+        const TraceFrame light = search.light.with(*member.kernel, search.light.limit);
+        ShadowSearch of_member = search.with(light, open);
+        of_member.is_member = true;
+        search_square(of_member, whole_tile, found, counters);
     }
 }
 
@@ -233,10 +194,12 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
                     const TileBits& open, const TileBits& roots, ShadowBits& found,
                     Counters& counters) {
     const TileRays rays(light, light_tile);
+    const LightWalls walls(rays);
     const double cell = frame.scene.clip.size() * std::ldexp(1.0, -frame.depth.wanted);
     const double extent = std::min(frame.scene.clip.size(), frame.view.look_distance);
     ShadowSearch search{.light = light,
                         .rays = rays,
+                        .walls = walls,
                         .places = places,
                         .open = open,
                         .roots = roots,

@@ -1,4 +1,3 @@
-#include "engine/light/light_walls.hpp"
 #include "engine/light/shadow_cells.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/real/scalar.hpp"
@@ -56,6 +55,8 @@ struct Beam {
         return std::max(entry.first, from - step);
     }
     [[nodiscard]] double length() const { return to - next(); }
+    /// The depth in the middle of the next cell.
+    [[nodiscard]] double middle() const { return hits.plane() + 0.5 * (next() + to); }
     [[nodiscard]] double width() const { return 2.0 * std::max(hits.u_radius, hits.v_radius); }
     /// The length of a cell that is about as long as the box about it is wide.
     [[nodiscard]] double fair_length() const { return width() + 2.0 * hits.rise(); }
@@ -75,7 +76,6 @@ public:
           found_(found),
           rest_(rest),
           counters_(counters),
-          walls_(search.rays),
           frustum_(search.rays.frustum<Real>(1)),
           per_distance_(1.0 / search.rays.distance()),
           widest_(search.light.view.pixel_at_look(1)),
@@ -103,7 +103,6 @@ private:
     ShadowBits& found_;
     std::vector<LightRay>& rest_;
     Counters& counters_;
-    LightWalls walls_;
     FrustumOf<Real> frustum_;
     double widest_u_ = 0.0, widest_v_ = 0.0;  ///< radii of the cells in the last batch
     double per_distance_;
@@ -129,8 +128,8 @@ std::size_t BeamSearch<Real>::pixel_of(const Square& square) const {
         const std::size_t row = square.row + (square.side / 2U + i) % square.side;
         const std::uint64_t bits = search_.open[row] & square.bits();
         if (bits == 0) continue;
-        const std::uint64_t right = bits >> (square.col + square.side / 2U)
-                                                << (square.col + square.side / 2U);
+        const unsigned middle = square.col + square.side / 2U;
+        const std::uint64_t right = bits >> middle << middle;
         return row * tile_size +
                static_cast<std::size_t>(std::countr_zero(right != 0 ? right : bits));
     }
@@ -141,28 +140,22 @@ template <class Real>
 Hits BeamSearch<Real>::hits_of(const Square& square, float by_u, float by_v,
                                bool keep_plane) const {
     const PlaceBounds bounds = bounds_of(search_.places, search_.open, square, by_u, by_v);
-    const auto size = [](const float* ends) { return ends[1] - ends[0]; };
-    const float rise = std::abs(by_u) * size(bounds.u) + std::abs(by_v) * size(bounds.v);
+    const float rise = std::abs(by_u) * bounds.u.size() + std::abs(by_v) * bounds.v.size();
     // A plane that the hits do not follow is none for them.
-    const bool slanted = keep_plane || size(bounds.h) + rise < 1.5F * size(bounds.s);
-    const float* const h = slanted ? bounds.h : bounds.s;
-    const auto number = [](float value) { return static_cast<double>(value); };
-    const auto middle = [&](const float* ends) { return number(0.5F * ends[0] + 0.5F * ends[1]); };
+    const bool slanted = keep_plane || bounds.h.size() + rise < 1.5F * bounds.s.size();
+    const PlaceRange& h = slanted ? bounds.h : bounds.s;
+    const double slope_u = slanted ? static_cast<double>(by_u) : 0.0;
+    const double slope_v = slanted ? static_cast<double>(by_v) : 0.0;
     const double error = search_.places.error;
-    const auto radius = [&](const float* ends) {
-        return std::max(number(ends[1]) - middle(ends), middle(ends) - number(ends[0])) + error;
-    };
-    const double slope_u = slanted ? number(by_u) : 0.0;
-    const double slope_v = slanted ? number(by_v) : 0.0;
     const double h_error = (1.0 + std::abs(slope_u) + std::abs(slope_v)) * error;
-    return {.u = middle(bounds.u),
-            .v = middle(bounds.v),
-            .u_radius = radius(bounds.u),
-            .v_radius = radius(bounds.v),
+    return {.u = bounds.u.middle(),
+            .v = bounds.v.middle(),
+            .u_radius = bounds.u.radius() + error,
+            .v_radius = bounds.v.radius() + error,
             .by_u = slope_u,
             .by_v = slope_v,
-            .h_near = number(h[0]) - h_error,
-            .h_far = number(h[1]) + h_error};
+            .h_near = static_cast<double>(h.least) - h_error,
+            .h_far = static_cast<double>(h.greatest) + h_error};
 }
 
 template <class Real>
@@ -180,7 +173,7 @@ void BeamSearch<Real>::add(const Square& square, const Beam* whole) {
               .start = behind ? Start::Behind : start_of(square),
               .sign = behind ? whole->sign : Sign::Unknown,
               .hits = hits,
-              .entry = walls_.entry(hits.u, hits.v, hits.u_radius, hits.v_radius, plane),
+              .entry = search_.walls.entry(hits.u, hits.v, hits.u_radius, hits.v_radius, plane),
               .to = behind ? whole->to : hits.h_far,
               .step = 0.0};
     if (!(beam.entry.first < beam.to)) return;
@@ -211,15 +204,8 @@ void BeamSearch<Real>::add_ray(const Beam& beam, std::size_t pixel) {
 
 template <class Real>
 void BeamSearch<Real>::divide(const Beam& beam) {
-    const auto half = static_cast<std::uint8_t>(beam.square.side / 2);
-    for (const std::uint8_t down : {std::uint8_t{0}, half}) {
-        for (const std::uint8_t right : {std::uint8_t{0}, half}) {
-            add({.col = static_cast<std::uint8_t>(beam.square.col + right),
-                 .row = static_cast<std::uint8_t>(beam.square.row + down),
-                 .side = half},
-                &beam);
-        }
-    }
+    for (const Square& quarter : beam.square.quarters())
+        add(quarter, &beam);
 }
 
 template <class Real>
@@ -234,9 +220,8 @@ void BeamSearch<Real>::evaluate(std::span<const Beam> beams) {
         widest_v_ = std::max(widest_v_, hits.v_radius);
         cells_.u[i] = static_cast<Real>(hits.u * per_distance_);
         cells_.v[i] = static_cast<Real>(hits.v * per_distance_);
-        const double middle = hits.plane() + 0.5 * (beam.next() + beam.to);
-        cells_.s[i] = static_cast<Real>(middle);
-        const double off = std::abs(static_cast<double>(cells_.s[i]) - middle);
+        cells_.s[i] = static_cast<Real>(beam.middle());
+        const double off = std::abs(static_cast<double>(cells_.s[i]) - beam.middle());
         cells_.s_radius[i] = upper_end(Real{}, 0.5 * beam.length() + hits.rise() + off + margin_);
     }
     frustum_.u_radius = upper_end(Real{}, widest_u_ * per_distance_);
@@ -261,8 +246,7 @@ CellLine<Real> BeamSearch<Real>::slanted_line(const Beam& beam, std::size_t i) c
     const Real aside_v = cells_.k[1][i] * part(hits.v_radius / widest_v_) +
                          along * part(hits.by_v * hits.v_radius * per_radius);
     CellLine<Real> line = line_of(cells_, i);
-    const double middle = hits.plane() + 0.5 * (beam.next() + beam.to);
-    const double off = std::abs(static_cast<double>(cells_.s[i]) - middle) + margin_;
+    const double off = std::abs(static_cast<double>(cells_.s[i]) - beam.middle()) + margin_;
     const Real spare =
         rounding * (line.aside + std::abs(along)) + std::abs(along) * part(off * per_radius);
     line.along = along * part(0.5 * beam.length() * per_radius);

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What a cell on the way from hits to the light is known to hold.
+/// The state of a cell on the way from hits to the light, as far as it is known.
 enum class Shade : std::uint8_t {
     Free,  ///< no root but the hits
     Dark,  ///< a root on all rays
@@ -22,7 +22,7 @@ struct ShadeVerdict {
 
 inline Sign sign_of(bool positive) { return positive ? Sign::Positive : Sign::Negative; }
 
-/// What is in a cell, or behind it as the light sees it.
+/// The hits of a beam: in the next cell, or behind it as the light sees it.
 enum class Start : std::uint8_t {
     Roots,   ///< in it, the hits: roots of the surface's own function
     Above,   ///< in it, hits at which f is 0 or above
@@ -51,8 +51,8 @@ CellLine<Real> line_of(const FormCells<Real, room>& cells, std::size_t i) {
             .nowhere = cells.nowhere[i] != 0};
 }
 
-/// `sign`: that of f at the cell's end away from the light, where the hits are behind it. In upward
-/// rounding.
+/// Judges a cell. `sign`: that of f at the cell's end away from the light, where the hits are
+/// behind it. In upward rounding.
 template <class Real>
 ShadeVerdict judge(const CellLine<Real>& f, Start start, Sign sign) {
     const Real steepness = std::abs(f.along);

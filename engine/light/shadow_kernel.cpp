@@ -1,7 +1,6 @@
 #include "engine/light/shadow_kernel.hpp"
 
 #include "engine/kernel/form_cells.hpp"
-#include "engine/light/light_walls.hpp"
 #include "engine/real/scalar.hpp"
 
 #include <algorithm>
@@ -24,12 +23,7 @@ struct Column {
 
 /// All that lies between the hits and the light.
 Column column_of(const ShadowSearch& search, const Square& square) {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    PlaceBounds all{.u = {none, -none}, .v = {none, -none}, .s = {none, -none}, .h = {}};
-    const auto widen = [](float* ends, const float* by) {
-        ends[0] = std::min(ends[0], by[0]);
-        ends[1] = std::max(ends[1], by[1]);
-    };
+    PlaceBounds all;
     const auto side = std::min<std::uint8_t>(square.side, 8);
     for (unsigned row = 0; row < square.side; row += side) {
         for (unsigned col = 0; col < square.side; col += side) {
@@ -37,30 +31,21 @@ Column column_of(const ShadowSearch& search, const Square& square) {
                               .row = static_cast<std::uint8_t>(square.row + row),
                               .side = side};
             const PlaceBounds bounds = bounds_of(search.places, search.open, part, 0.0F, 0.0F);
-            widen(all.u, bounds.u);
-            widen(all.v, bounds.v);
-            widen(all.s, bounds.s);
+            all.u.widen(bounds.u);
+            all.v.widen(bounds.v);
+            all.s.widen(bounds.s);
         }
     }
-    const auto middle = [](const float* ends) {
-        return static_cast<double>(0.5F * ends[0] + 0.5F * ends[1]);
-    };
-    const auto radius = [&](const float* ends) {
-        return std::max(static_cast<double>(ends[1]) - middle(ends),
-                        middle(ends) - static_cast<double>(ends[0])) +
-               search.places.error;
-    };
-    Column column{.u = middle(all.u),
-                  .v = middle(all.v),
-                  .u_radius = radius(all.u),
-                  .v_radius = radius(all.v),
+    const double error = search.places.error;
+    Column column{.u = all.u.middle(),
+                  .v = all.v.middle(),
+                  .u_radius = all.u.radius() + error,
+                  .v_radius = all.v.radius() + error,
                   .from = 0.0,
-                  .to = static_cast<double>(all.s[1]) + search.places.error};
-    const LightWalls walls(search.rays);
-    column.from = walls
-                      .entry(column.u, column.v, column.u_radius, column.v_radius,
-                             {.middle = 0.0, .by_u = 0.0, .by_v = 0.0})
-                      .first;
+                  .to = static_cast<double>(all.s.greatest) + error};
+    const Plane plane{.middle = 0.0, .by_u = 0.0, .by_v = 0.0};
+    column.from =
+        search.walls.entry(column.u, column.v, column.u_radius, column.v_radius, plane).first;
     return column;
 }
 

@@ -85,9 +85,11 @@ bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool cont
     const std::size_t row = ray.pixel / tile_size;
     const std::uint64_t hit = std::uint64_t{1} << ray.pixel % tile_size;
     if (verdict.shade == Shade::Dark || (open && !at_hit && continuous)) {
-        if (!path.unproved) found.prove_dark(row, hit);
-        // What another search has proved stays.
-        if (path.unproved) found.unproved[row] |= hit & ~found.dark[row];
+        if (!path.unproved) {
+            found.prove_dark(row, hit);
+            return false;
+        }
+        found.doubt(row, hit);
         found.dark[row] |= hit;
         return false;
     }
@@ -96,7 +98,7 @@ bool RaySearch<Real>::advance(Path& path, const ShadeVerdict& verdict, bool cont
     ray.left = true;
     ray.sign = verdict.sign;
     if (ray.from < ray.to) return true;
-    if (path.unproved) found.unproved[row] |= hit & ~found.dark[row];
+    if (path.unproved) found.doubt(row, hit);
     return false;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/light/light_places.hpp"
+#include "engine/light/light_walls.hpp"
 #include "engine/light/lit_tile.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/trace/tile_rays.hpp"
@@ -16,6 +17,7 @@ namespace zeroset {
 struct ShadowSearch {
     const TraceFrame& light;  ///< the surface in the light's view
     const TileRays& rays;     ///< those of the light
+    const LightWalls& walls;  ///< which these pass
     const LightPlaces& places;
     TileBits open;          ///< hits that are asked about
     const TileBits& roots;  ///< those of them that are roots of the surface's own function
@@ -23,6 +25,19 @@ struct ShadowSearch {
     double finest;          ///< a cell of a ray that is no longer is not divided
     /// From a hit that its surface only touches the search begins so far in front of it.
     double bias;
+
+    /// This question about some of the hits, by another kernel in the light's view.
+    [[nodiscard]] ShadowSearch with(const TraceFrame& other, const TileBits& hits) const {
+        return {.light = other,
+                .rays = rays,
+                .walls = walls,
+                .places = places,
+                .open = hits,
+                .roots = roots,
+                .is_member = is_member,
+                .finest = finest,
+                .bias = bias};
+    }
 };
 
 /// The sign of f at a place on its way to the light.

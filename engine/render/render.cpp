@@ -79,14 +79,7 @@ private:
                                       const TimeLimit& limit) const {
         const TraceFrame& whole = surfaces_[i];
         const Kernel& kernel = kernels_[i] == nullptr ? whole.kernel : kernels_[i]->of(tile);
-        return {.scene = whole.scene,
-                .kernel = kernel,
-                .view = whole.view,
-                .image = whole.image,
-                .stop = whole.stop,
-                .depth = whole.depth,
-                .precision = whole.precision,
-                .limit = limit};
+        return whole.with(kernel, limit);
     }
 
     const Tracer& tracer_;

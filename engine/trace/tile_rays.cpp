@@ -65,7 +65,7 @@ TileRays::TileRays(const TraceFrame& frame, const Tile& tile, int side)
       tile_(tile),
       clip_(frame.scene.clip),
       region_(frame.scene.region),
-      base_(view_.eye + view_.look_distance * view_.forward),
+      base_(view_.look_at()),
       distance_(beam_distance(frame)),
       pixel_(view_.pixel_size(frame.image.height) * (view_.look_distance / distance_)),
       u_first_((tile.col + 0.5 - 0.5 * frame.image.width) * pixel_),

@@ -37,6 +37,17 @@ struct TraceFrame {
     /// Whether the search is to end. Tracers look at it before each call of a kernel or so, not for
     /// each cell.
     [[nodiscard]] bool stopped() const { return limit.over(); }
+    /// This surface by another kernel of it, or of a part of it; without union_members.
+    [[nodiscard]] TraceFrame with(const Kernel& other, const TimeLimit& new_limit) const {
+        return {.scene = scene,
+                .kernel = other,
+                .view = view,
+                .image = image,
+                .stop = stop,
+                .depth = depth,
+                .precision = precision,
+                .limit = new_limit};
+    }
 };
 
 /// The precision that the view wants, if all of the scene's kernels have code for it; else float.

@@ -45,6 +45,8 @@ struct ViewFrame {
     explicit ViewFrame(const Camera& camera);
 
     [[nodiscard]] bool parallel() const { return projection == Projection::Orthographic; }
+    /// The point looked at.
+    [[nodiscard]] glm::dvec3 look_at() const { return eye + look_distance * forward; }
     /// Width of a pixel where the rays are as far apart as at distance 1 in perspective.
     [[nodiscard]] double pixel_size(int height_px) const { return 2.0 * half_height / height_px; }
     /// Width of a pixel at the point looked at.

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What find_shadows proves of single hits, against the oracles, on random surfaces.
+// The proofs of find_shadows about single hits of random surfaces, against the oracles.
 
 namespace zeroset::test {
 namespace {

@@ -144,7 +144,7 @@ struct CutSolid {
         const double radius = glm::length(at);
         return std::max({radius - 1.0, inner - radius, at.z});
     }
-    /// Of its surface, outwards.
+    /// The normal of its surface, outwards.
     [[nodiscard]] glm::dvec3 normal_at(const glm::dvec3& at) const {
         if (at.z > -1e-5) return {0.0, 0.0, 1.0};
         return glm::length(at) > 0.5 * (1.0 + inner) ? glm::normalize(at) : -glm::normalize(at);
