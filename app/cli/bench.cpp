@@ -45,6 +45,7 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.budget) return InputError{.reason = has + "no --budget; leave it out"};
     if (command.shadows) return InputError{.reason = has + "no --shadows; leave it out"};
     if (command.antialias) return InputError{.reason = has + "no --antialias; leave it out"};
+    if (command.aa) return InputError{.reason = has + "no --aa; leave it out"};
     if (command.tracers && command.tracers->contains(',')) {
         return InputError{.reason =
                               has + "one --tracer; type " + std::string(tracers().front().name)};
@@ -56,6 +57,8 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     BenchPlan plan;
     if (const auto wrong = command.first_picture ? check_first_picture(command) : std::nullopt)
         return std::unexpected(*wrong);
+    const auto antialias = read_antialias(command.aa.value_or(command.antialias ? "iaa" : "none"));
+    if (!antialias) return std::unexpected(antialias.error());
     const std::string usual = command.first_picture ? size_in_window : "512";
     const auto size = read_size("--size", command.size.value_or(usual));
     if (!size) return std::unexpected(size.error());
@@ -79,7 +82,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         if (!settings) return std::unexpected(settings.error());
         plan.settings.push_back(*settings);
         plan.settings.back().shadows = command.shadows;
-        plan.settings.back().antialias = command.antialias;
+        plan.settings.back().antialias = *antialias;
         begin = end + 1;
     }
     if (!command.suite) {
@@ -236,7 +239,7 @@ int run_bench(const BenchCommand& command) {
                                   {"threads", threads > 0 ? threads : core_count()},
                                   {"d_stop", plan->settings.front().stop.value},
                                   {"shadows", command.shadows},
-                                  {"antialias", command.antialias},
+                                  {"antialias", name_of(plan->settings.front().antialias)},
                                   {"geometric_mean_ms", by_tracer(*plan, means)},
                                   {"geometric_mean_times_floor", by_tracer(*plan, floors)},
                                   {"surfaces", surfaces}}

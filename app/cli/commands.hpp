@@ -33,8 +33,9 @@ int run_explain(const ExplainCommand& command);
 
 struct BenchCommand {
     std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
-    bool shadows = false, antialias = false;
-    bool first_picture = false;  ///< times edits instead of frames
+    bool shadows = false, antialias = false;  ///< antialias: the same as an `aa`
+    std::optional<std::string> aa;            ///< as read_antialias reads it
+    bool first_picture = false;               ///< times edits instead of frames
 };
 int run_bench(const BenchCommand& command);
 

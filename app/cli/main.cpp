@@ -33,12 +33,12 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
 }
 
 /// Adds the pair --NAME and --no-NAME.
-void add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
-                const std::string& about) {
+CLI::Option* add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
+                        const std::string& about) {
     const std::function<void(std::int64_t)> take = [&value](std::int64_t count) {
         value = count > 0;
     };
-    app.add_flag_function("--" + name + ",!--no-" + name, take, about);
+    return app.add_flag_function("--" + name + ",!--no-" + name, take, about);
 }
 
 void add_repeated(CLI::App& app, const std::string& name, std::vector<std::string>& values,
@@ -101,7 +101,10 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     epsilon->excludes(delta);
     add_value(app, "--threads", trace.threads, "threads (default: all cores)");
     add_switch(app, "shadows", trace.shadows, "let the surfaces throw shadows");
-    add_switch(app, "antialias", trace.antialias, "smooth edges, by five rays a pixel");
+    auto* const smooth = add_switch(app, "antialias", trace.antialias, "smooth edges: --aa iaa");
+    add_value(app, "--aa", trace.aa,
+              "smooth edges: iaa (exact, by beams), none, or 4, 9, 16, 64 rays a pixel")
+        ->excludes(smooth);
     add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
     add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
@@ -207,7 +210,10 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
     add_value(*bench_app, "--size", bench.size, "WIDTHxHEIGHT, or N for a square (default 512)");
     add_value(*bench_app, "--repeat", bench.repeat, "frames timed after a warm-up (default 5)");
     bench_app->add_flag("--shadows", bench.shadows, "let the surfaces throw shadows");
-    bench_app->add_flag("--antialias", bench.antialias, "smooth edges");
+    auto* const smooth =
+        bench_app->add_flag("--antialias", bench.antialias, "smooth edges: --aa iaa");
+    add_value(*bench_app, "--aa", bench.aa, "smooth edges: iaa, none, or 4, 9, 16, 64 rays a pixel")
+        ->excludes(smooth);
     add_value(*bench_app, "--budget", bench.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");

@@ -86,7 +86,7 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     if (!input->rows) return std::unexpected(input->rows.error());
     plan.document = std::move(input->document);
     plan.rows = std::move(*input->rows);
-    take_look(command.trace, plan.document);
+    if (const auto wrong = take_look(command.trace, plan.document)) return std::unexpected(*wrong);
     if (plan.document.jumps && plan.settings.tracer != tracers().front().name) {
         return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
                            plan.settings.tracer);

@@ -22,7 +22,7 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     options.path = input->path;
     options.note = input->note;
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
-    take_look(trace, options.document);
+    if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
     options.fit = view.fit;
     options.fits_box = !view.fit || !view.box;
     options.settings = std::move(*settings);

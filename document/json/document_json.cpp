@@ -58,20 +58,34 @@ Json json_of(const StopCriterion& stop) {
 }
 
 /// The switches in the field "look".
-constexpr std::array<std::pair<const char*, bool Document::*>, 8> look_switches{
+constexpr std::array<std::pair<const char*, bool Document::*>, 7> look_switches{
     {{"mark_undecided", &Document::mark_undecided},
      {"shadows", &Document::shadows},
-     {"antialias", &Document::antialias},
      {"jumps", &Document::jumps},
      {"axes", &Document::axes},
      {"clip_box", &Document::clip_box},
      {"grid", &Document::grid},
      {"trackball", &Document::trackball}}};
 
+/// True: by beams; false: not at all; a number: by so many rays a pixel.
+Json json_of(Antialias antialias) {
+    const int across = rays_across(antialias);
+    return across > 1 ? Json(across * across) : Json(antialias == Antialias::Beams);
+}
+
+Antialias antialias_of(const Json& json, const std::string& place) {
+    if (json.is_boolean()) return json.get<bool>() ? Antialias::Beams : Antialias::None;
+    const auto rays = antialias_named(json.dump());
+    if (!rays || *rays == Antialias::None)
+        throw Damage{place + " is neither true nor false, nor 4, 9, 16 or 64"};
+    return *rays;
+}
+
 Json look_of(const Document& document) {
     Json look;
     for (const auto& [name, member] : look_switches)
         look[name] = document.*member;
+    look["antialias"] = json_of(document.antialias);
     return look;
 }
 
@@ -201,6 +215,8 @@ void read_look(const Json& json, Document& document, std::vector<std::string>& u
         if (const Json* value = fields.find(name))
             document.*member = flag_of(*value, fields.at(name));
     }
+    if (const Json* value = fields.find("antialias"))
+        document.antialias = antialias_of(*value, fields.at("antialias"));
 }
 
 ReadDocument document_of(const Json& json) {

@@ -2,7 +2,6 @@
 
 #include "engine/image/gamma.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,39 +10,41 @@
 namespace zeroset {
 namespace {
 
-/// Mean of opaque colours, taken in linear light.
-std::uint32_t mean_of(const std::array<std::uint32_t, 5>& colors) {
-    std::uint32_t mean = 0xFF000000U;
-    for (unsigned shift = 0; shift < 24; shift += 8) {
-        float light = 0.0F;
-        for (const std::uint32_t color : colors)
-            light += light_of_channel(color >> shift & 0xFFU);
-        mean |= channel_of_light(light / 5.0F) << shift;
-    }
-    return mean;
-}
+/// The mean of opaque colours, in linear light.
+struct MeanColor {
+    std::array<float, 3> light{};
+    int count = 0, hits = 0;
 
-/// Alpha of a pixel of which `hits` of five rays hit a surface.
-std::uint32_t alpha_of(std::uint32_t hits) { return hits == 0 ? 255U : 51U * hits; }
+    void add(std::uint32_t color, bool hit) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            light[channel] += light_of_channel(color >> 8 * channel & 0xFFU);
+        ++count;
+        hits += hit ? 1 : 0;
+    }
+    /// With the share of hits as alpha; 255 where there is none.
+    [[nodiscard]] std::uint32_t color() const {
+        const std::uint32_t alpha =
+            hits == 0 ? 255U : static_cast<std::uint32_t>((255 * hits + count / 2) / count);
+        std::uint32_t mean = alpha << 24U;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            mean |= channel_of_light(light[channel] / static_cast<float>(count)) << 8 * channel;
+        return mean;
+    }
+};
 
 }  // namespace
 
-void blend_finer(const Framebuffer& finer, const PixelRect& rect, Framebuffer& picture) {
+void blend_finer(const Framebuffer& finer, int across, const PixelRect& rect,
+                 Framebuffer& picture) {
     for (int row = 0; row < rect.rows; ++row) {
         for (int col = 0; col < rect.cols; ++col) {
-            const std::size_t above = finer.index(2 * col, 2 * row);
-            const std::size_t below = finer.index(2 * col, 2 * row + 1);
-            const std::size_t at = picture.index(rect.col + col, rect.row + row);
-            std::uint32_t& color = picture.color[at];
-            const std::array colors{color, finer.color[above], finer.color[above + 1],
-                                    finer.color[below], finer.color[below + 1]};
-            const bool even = std::ranges::all_of(colors, [&](auto c) { return c == color; });
-            if (!even) color = mean_of(colors);
-            const std::array depths{picture.depth[at], finer.depth[above], finer.depth[above + 1],
-                                    finer.depth[below], finer.depth[below + 1]};
-            const auto hits =
-                std::ranges::count_if(depths, [](float d) { return std::isfinite(d); });
-            color = (color & 0xFFFFFFU) | alpha_of(static_cast<std::uint32_t>(hits)) << 24U;
+            MeanColor mean;
+            for (int part = 0; part < across * across; ++part) {
+                const std::size_t at =
+                    finer.index(across * col + part % across, across * row + part / across);
+                mean.add(finer.color[at], std::isfinite(finer.depth[at]));
+            }
+            picture.color[picture.index(rect.col + col, rect.row + row)] = mean.color();
         }
     }
 }

@@ -19,27 +19,37 @@ struct LinearVector {
     glm::dvec3 first, by_col, by_row;
 };
 
-/// The products of such a vector and an axis, in a row of pixels: of the next vector's lanes each
-/// time.
+/// Places of the rays of some pixels of a row: to the right of the tile's first pixel, and below
+/// the row; or below the first pixel, where the tile has places of its own.
+struct RowPlaces {
+    V<float> right, down;
+};
+
+HWY_INLINE RowPlaces row_places(const Tile& tile, int row, std::size_t col) {
+    if (tile.places == nullptr) {
+        return {.right = hn::Iota(d<float>, static_cast<float>(col)), .down = hn::Zero(d<float>)};
+    }
+    const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+    return {.right = hn::LoadU(d<float>, tile.places->col + at),
+            .down = hn::LoadU(d<float>, tile.places->row + at)};
+}
+
+/// The products of such a vector and an axis, in a row of pixels.
 class RowProducts {
 public:
-    RowProducts(const LinearVector& vector, int row, const glm::dvec3& axis) {
-        const double first =
-            glm::dot(axis, vector.first + static_cast<double>(row) * vector.by_row);
-        const double by_col = glm::dot(axis, vector.by_col);
-        next_ = hn::MulAdd(hn::Iota(d<float>, 0.0F), number(by_col), number(first));
-        step_ = number(static_cast<double>(lanes<float>) * by_col);
-    }
-    HWY_INLINE V<float> next() {
-        const V<float> products = next_;
-        next_ = hn::Add(next_, step_);
-        return products;
+    /// `row`: 0 where places are below the first pixel.
+    RowProducts(const LinearVector& vector, int row, const glm::dvec3& axis)
+        : first_(number(glm::dot(axis, vector.first + static_cast<double>(row) * vector.by_row))),
+          by_col_(number(glm::dot(axis, vector.by_col))),
+          by_row_(number(glm::dot(axis, vector.by_row))) {}
+    HWY_INLINE V<float> at(const RowPlaces& places) const {
+        return hn::MulAdd(places.right, by_col_, hn::MulAdd(places.down, by_row_, first_));
     }
 
 private:
     static V<float> number(double value) { return hn::Set(d<float>, static_cast<float>(value)); }
 
-    V<float> next_, step_;
+    V<float> first_, by_col_, by_row_;
 };
 
 /// The rays of a tile's pixels: start + t direction / |direction|, with t the distance of a hit.
@@ -71,11 +81,11 @@ struct PlacesRow {
     RowProducts right, up;           ///< of directions, by the eye's axes
     RowProducts world[3];            ///< of directions, by x, y and z
 
-    /// 1 / |direction| of the next pixels; the directions are 1 along the eye's axis.
-    HWY_INLINE V<float> per_length() {
+    /// 1 / |direction| of some pixels; the directions are 1 along the eye's axis.
+    HWY_INLINE V<float> per_length(const RowPlaces& places) const {
         const V<float> one = hn::Set(d<float>, 1.0F);
-        const V<float> x = right.next();
-        const V<float> y = up.next();
+        const V<float> x = right.at(places);
+        const V<float> y = up.at(places);
         return hn::Div(one, hn::Sqrt(hn::MulAdd(x, x, hn::MulAdd(y, y, one))));
     }
 };
@@ -127,7 +137,7 @@ struct Slopes {
     V<float> light[3], eye;
 };
 HWY_INLINE Slopes slopes_at(const TileHits& hits, std::size_t at, const LightAxes& light,
-                            PlacesRow& of) {
+                            const PlacesRow& of, const RowPlaces& places) {
     Slopes slopes;
     slopes.eye = hn::Zero(d<float>);
     for (V<float>& slope : slopes.light)
@@ -135,7 +145,7 @@ HWY_INLINE Slopes slopes_at(const TileHits& hits, std::size_t at, const LightAxe
     for (int i = 0; i < 3; ++i) {
         const V<float> gradient =
             hn::LoadU(d<float>, &hits.gradient[static_cast<std::size_t>(i)][at]);
-        slopes.eye = hn::MulAdd(gradient, of.world[i].next(), slopes.eye);
+        slopes.eye = hn::MulAdd(gradient, of.world[i].at(places), slopes.eye);
         for (int k = 0; k < 3; ++k)
             slopes.light[k] = hn::MulAdd(gradient, light.numbers[k][i], slopes.light[k]);
     }
@@ -156,21 +166,23 @@ TileBits places_of(const TraceFrame& frame, const ViewFrame& light, const Tile& 
     TileBits turned{};
 
     for (int row = 0; row < tile.rows; ++row) {
-        PlacesRow of = places_row(lines, frame.view, light, row);
+        const PlacesRow of = places_row(lines, frame.view, light, tile.places == nullptr ? row : 0);
         std::uint64_t bits = 0;
         std::uint64_t outside = 0;
         for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
             const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
+            const RowPlaces at_rays = row_places(tile, row, col);
             // Where the hits are.
             const V<float> distance = hn::LoadU(d<float>, &hits.depth[at]);
             const auto is_hit = hn::Lt(distance, hn::Inf(d<float>));
             farthest = hn::Max(farthest, hn::IfThenElseZero(is_hit, hn::Abs(distance)));
-            const V<float> length = hn::Mul(distance, of.per_length());
+            const V<float> length = hn::Mul(distance, of.per_length(at_rays));
             for (int i = 0; i < 3; ++i)
-                store_where(is_hit, hn::MulAdd(length, of.along[i].next(), of.start[i].next()),
+                store_where(is_hit,
+                            hn::MulAdd(length, of.along[i].at(at_rays), of.start[i].at(at_rays)),
                             out[i] + at);
             // How they are turned.
-            const Slopes slopes = slopes_at(hits, at, axes, of);
+            const Slopes slopes = slopes_at(hits, at, axes, of, at_rays);
             const V<float> per_slope = hn::Div(hn::Set(d<float>, -1.0F), slopes.light[2]);
             for (int i = 0; i < 2; ++i)
                 store_where(is_hit, within(hn::Mul(slopes.light[i], per_slope)), changes[i] + at);

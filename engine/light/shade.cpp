@@ -32,39 +32,81 @@ LaneBits bits_at(RowBits bits, std::size_t col) {
     return static_cast<LaneBits>(bits >> col & ~RowBits{0} >> (64 - lanes<float>));
 }
 
-/// The directions of a tile's rays, not of length 1.
+/// The directions of a tile's rays, not of length 1, and their products with the direction of the
+/// key light.
 struct RayDirections {
+    struct Vector {
+        V3 along;
+        V<float> to_key;
+    };
+    const RayPlaces* places;
     glm::dvec3 first, by_row, key;
-    V3 by_col;
-    V<float> key_by_col;
+    V3 by_col, down;
+    V<float> key_by_col, key_down;
 
     RayDirections(const TraceFrame& frame, const Tile& tile, const UnitVector& key_light)
-        : first(frame.view.direction(pixel_centre(tile.col, tile.row), frame.image)),
+        : places(tile.places),
+          first(frame.view.direction(pixel_centre(tile.col, tile.row), frame.image)),
           key(key_light) {
         const double size = frame.view.parallel() ? 0.0 : frame.view.pixel_size(frame.image.height);
         by_row = -size * frame.view.up;
         by_col = splat(size * frame.view.right);
+        down = splat(by_row);
         key_by_col = hn::Set(d<float>, static_cast<float>(size * glm::dot(key, frame.view.right)));
+        key_down = hn::Set(d<float>, static_cast<float>(glm::dot(key, by_row)));
     }
+};
+
+/// Those of a row.
+class RowDirections {
+public:
+    RowDirections(const RayDirections& rays, int row)
+        : rays_(rays), row_(static_cast<std::size_t>(row)) {
+        const double down = rays.places == nullptr ? static_cast<double>(row) : 0.0;
+        const glm::dvec3 first = rays.first + down * rays.by_row;
+        start_ = splat(first);
+        key_start_ = hn::Set(d<float>, static_cast<float>(glm::dot(rays.key, first)));
+    }
+    /// From a column on.
+    HWY_INLINE RayDirections::Vector at(std::size_t col) const {
+        if (rays_.places == nullptr)
+            return right_of(start_, key_start_, hn::Iota(d<float>, static_cast<float>(col)));
+        const std::size_t pixel = row_ * tile_size + col;
+        const V<float> down = hn::LoadU(d<float>, rays_.places->row + pixel);
+        const V3 start{.x = hn::MulAdd(down, rays_.down.x, start_.x),
+                       .y = hn::MulAdd(down, rays_.down.y, start_.y),
+                       .z = hn::MulAdd(down, rays_.down.z, start_.z)};
+        return right_of(start, hn::MulAdd(down, rays_.key_down, key_start_),
+                        hn::LoadU(d<float>, rays_.places->col + pixel));
+    }
+
+private:
+    HWY_INLINE RayDirections::Vector right_of(const V3& start, V<float> key_start,
+                                              V<float> right) const {
+        return {.along = {.x = hn::MulAdd(right, rays_.by_col.x, start.x),
+                          .y = hn::MulAdd(right, rays_.by_col.y, start.y),
+                          .z = hn::MulAdd(right, rays_.by_col.z, start.z)},
+                .to_key = hn::MulAdd(right, rays_.key_by_col, key_start)};
+    }
+
+    const RayDirections& rays_;
+    std::size_t row_;
+    V3 start_;
+    V<float> key_start_;
 };
 
 /// Lights the hits of a row.
 void illuminate_row(const RayDirections& rays, const Shading& shading, int row, RowBits hit,
                     const LitLayer& layer, RowLight& light) {
     const TileHits& hits = *layer.hits;
-    const glm::dvec3 first = rays.first + static_cast<double>(row) * rays.by_row;
-    const V3 start = splat(first);
-    const V3& step = rays.by_col;
-    const V<float> key_start = hn::Set(d<float>, static_cast<float>(glm::dot(rays.key, first)));
+    const RowDirections directions(rays, row);
     for (std::size_t col = 0; col < tile_size; col += lanes<float>) {
         const RowBits bits = bits_at(hit, col);
         if (bits == 0) continue;
         const std::size_t at = static_cast<std::size_t>(row) * tile_size + col;
-        const V<float> along = hn::Iota(d<float>, static_cast<float>(col));
-        const HitVector vector{.along = {.x = hn::MulAdd(along, step.x, start.x),
-                                         .y = hn::MulAdd(along, step.y, start.y),
-                                         .z = hn::MulAdd(along, step.z, start.z)},
-                               .along_to_key = hn::MulAdd(along, rays.key_by_col, key_start),
+        const RayDirections::Vector direction = directions.at(col);
+        const HitVector vector{.along = direction.along,
+                               .along_to_key = direction.to_key,
                                .gradient = {.x = hn::LoadU(d<float>, &hits.gradient[0][at]),
                                             .y = hn::LoadU(d<float>, &hits.gradient[1][at]),
                                             .z = hn::LoadU(d<float>, &hits.gradient[2][at])},
@@ -83,8 +125,8 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
         const auto at = static_cast<std::size_t>(row * tile_size + col);
         if (hits.cap[at] == 0) continue;
         const glm::dvec3 normal(hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]);
-        const glm::dvec3 point = frame.view.point(pixel_centre(tile.col + col, tile.row + row),
-                                                  frame.image, static_cast<double>(hits.depth[at]));
+        const glm::dvec3 point = frame.view.point(tile.place(col, row), frame.image,
+                                                  static_cast<double>(hits.depth[at]));
         const auto pixel = static_cast<std::size_t>(col);
         light.diffuse[pixel] *= cap_tone(frame.view, frame.image.height, point, normal);
         light.gloss[pixel] = 0.0F;

@@ -56,6 +56,7 @@ TraceFrame light_frame(const TraceFrame& frame, const ViewFrame& light, const Ti
     seen.view = light;
     seen.image = {.width = tile_size, .height = tile_size};
     seen.limit = limit;
+    seen.whole_pixels = false;
     return seen;
 }
 

@@ -23,8 +23,7 @@ Hits hits_of(const TraceFrame& frame, const Tile& tile, const TileHits& hits) {
             const auto pixel = static_cast<std::size_t>(row * tile_size + col);
             const auto distance = static_cast<double>(hits.depth[pixel]);
             if (!std::isfinite(distance)) continue;
-            const PixelRay ray =
-                pixel_ray(frame.view, pixel_centre(tile.col + col, tile.row + row), frame.image);
+            const PixelRay ray = pixel_ray(frame.view, tile.place(col, row), frame.image);
             found.pixels.push_back(pixel);
             found.points.push_back({ray.at(distance), distance});
         }

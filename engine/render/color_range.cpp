@@ -103,7 +103,7 @@ std::optional<ValueRange> find_range(const Scene& scene, const Camera& camera,
     }
     TraceSettings quick = settings;
     quick.shadows = false;
-    quick.antialias = false;
+    quick.antialias = Antialias::None;
     Framebuffer frame(scaled(width_px), scaled(height_px));
     render_frame(plain, camera, quick, frame, {.limit = limit});
     if (limit.cancelled()) return std::nullopt;

@@ -1,5 +1,7 @@
 #include "engine/render/render.hpp"
 
+#include "engine/antialias/cover_light.hpp"
+#include "engine/antialias/cover_search.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
 #include "engine/light/encode.hpp"
@@ -16,8 +18,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cassert>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -35,7 +39,9 @@ struct Workspace {
     LitTile lit;
     CapFinder caps;
     std::vector<UnionMember> union_members;
-    Framebuffer fine{2 * tile_size, 2 * tile_size};  ///< a tile at twice the resolution
+    std::vector<MixedPixel> mixed;
+    std::vector<CoverSample> samples;
+    CoverLight cover_light;
 };
 
 /// The state of a tile.
@@ -55,6 +61,13 @@ std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
     return std::make_unique<FrameUnion>(surface, *union_parts);
 }
 
+/// How the scene is antialiased. Beams know neither of caps nor of jumps: there 16 rays do it.
+Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
+    const bool by_rays = scene.jumps || has_caps(scene);
+    return settings.antialias == Antialias::Beams && by_rays ? Antialias::Rays16
+                                                             : settings.antialias;
+}
+
 /// A scene at one resolution, tile by tile.
 class TilePainter {
 public:
@@ -70,6 +83,9 @@ private:
     /// Traces surface i part by part and finds its gradients; false where that cannot be.
     bool trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                      Counters& counters) const;
+    /// Draws again, by their parts, pixels that may show more than one smooth sheet.
+    void smooth(const Tile& tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
+                Counters& counters) const;
     /// Traces surface i.
     void trace_surface(std::size_t i, const Tile& tile, const TimeLimit& limit,
                        Workspace& workspace, Counters& counters) const;
@@ -84,6 +100,7 @@ private:
 
     const Tracer& tracer_;
     bool shadows_;
+    bool beams_;  ///< pixels that show more than one smooth sheet are drawn part by part
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     std::vector<std::unique_ptr<FrameUnion>> unions_;     ///< nullptr: no union is known
@@ -92,9 +109,12 @@ private:
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
                          const ImageSize& image)
-    : tracer_(*find_tracer(settings.tracer)), shadows_(settings.shadows) {
+    : tracer_(*find_tracer(settings.tracer)),
+      shadows_(settings.shadows),
+      beams_(antialias_of(scene, settings) == Antialias::Beams) {
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
         surfaces_.push_back(trace_frame(scene, scene.surfaces[i], view, image, settings.stop));
+        surfaces_.back().whole_pixels = beams_;
         if (has_caps(scene)) solid_signs_.push_back(solid_sign(scene, i));
     }
     for (const TraceFrame& surface : surfaces_) {
@@ -108,7 +128,10 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
 bool TilePainter::trace_union(std::size_t i, const Tile& tile, const TimeLimit& limit,
                               Workspace& workspace, Counters& counters) const {
     if (unions_[i] == nullptr || !unions_[i]->list(tile, workspace.union_members)) return false;
-    if (workspace.union_members.empty()) return true;
+    if (workspace.union_members.empty()) {
+        workspace.hits[i].cover.clear();
+        return true;
+    }
     TraceFrame frame = surfaces_[i];
     frame.union_members = workspace.union_members;
     frame.limit = limit;
@@ -149,6 +172,60 @@ void TilePainter::trace(Tile tile, const TimeLimit& limit, Workspace& workspace,
         workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));
 }
 
+/// What the surfaces make of a pixel: whether it may show more than one smooth sheet, or less.
+std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_t at) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    // The nearest sheet, and what else there may be.
+    float from = none;
+    float to = none;
+    float other = none;
+    float hit = none;
+    for (const TileHits& of : hits) {
+        const PixelCover& cover = of.cover;
+        hit = std::min(hit, of.depth[at]);
+        if (!cover.known) other = -none;
+        if (!cover.known || !cover.marked) continue;
+        const bool nearer = cover.to[at] < to;
+        other = std::min({other, cover.other_from[at], nearer ? from : cover.from[at]});
+        if (nearer) from = cover.from[at];
+        if (nearer) to = cover.to[at];
+    }
+    const float first = std::min(from, other);
+    if (!(first < none) || to < other) return std::nullopt;
+    return MixedPixel{.pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit};
+}
+
+/// The pixels of which it is not known that one smooth sheet covers them, or nothing.
+void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out) {
+    const bool alone = hits.size() == 1 && hits.front().cover.known;
+    for (int row = 0; row < tile.rows; ++row) {
+        const std::uint64_t all = ~std::uint64_t{0} >> (tile_size - tile.cols);
+        std::uint64_t bits = alone ? hits.front().cover.mixed_in_row(row) & all : all;
+        for (; bits != 0; bits &= bits - 1) {
+            const auto mixed = mixed_pixel(
+                hits, static_cast<std::size_t>(row * tile_size + std::countr_zero(bits)));
+            if (mixed) out.push_back(*mixed);
+        }
+    }
+}
+
+void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
+                         const Canvas& out, Counters& counters) const {
+    workspace.mixed.clear();
+    workspace.samples.clear();
+    find_mixed(tile, std::span(workspace.hits).first(surfaces_.size()), workspace.mixed);
+    if (workspace.mixed.empty()) return;
+    std::vector<TraceFrame> frames;
+    frames.reserve(surfaces_.size());
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        frames.push_back(frame_of(i, tile, limit));
+    find_cover(frames, tile, workspace.mixed, workspace.samples, counters);
+    const auto light =
+        workspace.cover_light.light(surfaces_, shadows_, limit, tile, workspace.samples, counters);
+    if (limit.over()) return;
+    draw_cover(tile, workspace.mixed, workspace.samples, light, out);
+}
+
 TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& workspace,
                              const Canvas& out, Counters& counters) const {
     trace(tile, limit, workspace, counters);
@@ -162,6 +239,8 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
     light_tile(surfaces_, shadows_, limit, tile, hits, workspace.lit, counters);
     if (limit.cancelled()) return TileState::Waiting;
     encode_tile(tile, hits, workspace.lit, out);
+    if (beams_ && !limit.over()) smooth(tile, limit, workspace, out, counters);
+    if (limit.cancelled()) return TileState::Waiting;
     return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
 }
 
@@ -187,40 +266,45 @@ public:
                  Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
           painter_(scene, view_, settings, {.width = out.width, .height = out.height}),
+          across_(rays_across(antialias_of(scene, settings))),
           out_(out),
           watch_(watch) {
-        if (settings.antialias)
-            fine_painter_.emplace(scene, view_, settings,
-                                  ImageSize{.width = 2 * out.width, .height = 2 * out.height});
+        if (across_ > 1)
+            fine_painter_.emplace(
+                scene, view_, settings,
+                ImageSize{.width = across_ * out.width, .height = across_ * out.height});
     }
     /// `blank_rows`: the tile's of the picture. In upward rounding.
     TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                     std::uint64_t& blank_rows, Counters& counters) const;
 
 private:
-    /// Into workspace.fine; whether all of it came to its end.
+    /// A tile's fine picture, into `fine`; whether all of it came to its end.
     bool paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
-                    Counters& counters) const;
+                    Framebuffer& fine, Counters& counters) const;
 
     ViewFrame view_;
     TilePainter painter_;
+    int across_;  ///< rays of a pixel, in its fine picture
     std::optional<TilePainter> fine_painter_;
     Framebuffer& out_;
     const RenderWatch& watch_;
 };
 
 bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
-                              Counters& counters) const {
-    const Canvas canvas{.pixels = workspace.fine,
-                        .col = 2 * tile.col,
-                        .row = 2 * tile.row,
-                        .height = 2 * out_.height};
-    for (int row = 0; row < 2 * tile.rows; row += tile_size) {
-        for (int col = 0; col < 2 * tile.cols; col += tile_size) {
+                              Framebuffer& fine, Counters& counters) const {
+    const int cols = across_ * tile.cols;
+    const int rows = across_ * tile.rows;
+    const Canvas canvas{.pixels = fine,
+                        .col = across_ * tile.col,
+                        .row = across_ * tile.row,
+                        .height = across_ * out_.height};
+    for (int row = 0; row < rows; row += tile_size) {
+        for (int col = 0; col < cols; col += tile_size) {
             const Tile part{.col = canvas.col + col,
                             .row = canvas.row + row,
-                            .cols = std::min(tile_size, 2 * tile.cols - col),
-                            .rows = std::min(tile_size, 2 * tile.rows - row)};
+                            .cols = std::min(tile_size, cols - col),
+                            .rows = std::min(tile_size, rows - row)};
             const TileState state = fine_painter_->paint(part, limit, workspace, canvas, counters);
             if (state != TileState::Finished) return false;
         }
@@ -236,9 +320,12 @@ TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspac
     if (state != TileState::Finished) return state;
     const PixelRect pixels{.col = tile.col, .row = tile.row, .cols = tile.cols, .rows = tile.rows};
     if (fine_painter_) {
-        if (!paint_fine(tile, limit, workspace, counters)) return TileState::Rough;
+        thread_local Framebuffer fine;
+        const int side = across_ * tile_size;
+        if (fine.width != side) fine = Framebuffer(side, side);
+        if (!paint_fine(tile, limit, workspace, fine, counters)) return TileState::Rough;
         blank_rows = 0;
-        blend_finer(workspace.fine, pixels, out_);
+        blend_finer(fine, across_, pixels, out_);
     }
     if (watch_.on_tile) watch_.on_tile(pixels);
     return TileState::Finished;

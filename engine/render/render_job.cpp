@@ -183,12 +183,12 @@ std::vector<TraceSettings> RenderJob::stages_of(const TraceSettings& settings) {
     std::vector<TraceSettings> stages;
     TraceSettings stage = settings;
     stage.shadows = false;
-    stage.antialias = false;
+    stage.antialias = Antialias::None;
     stages.push_back(stage);
     stage.shadows = settings.shadows;
     if (settings.shadows) stages.push_back(stage);
     stage.antialias = settings.antialias;
-    if (settings.antialias) stages.push_back(stage);
+    if (settings.antialias != Antialias::None) stages.push_back(stage);
     return stages;
 }
 

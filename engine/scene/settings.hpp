@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/scene/antialias.hpp"
+
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -28,8 +30,7 @@ struct TraceSettings {
     StopCriterion stop;
     int threads = 0;       ///< 0: all cores
     bool shadows = false;  ///< of the key light
-    /// Four more rays a pixel, for its colour only: its depth and certificate are of its centre.
-    bool antialias = false;
+    Antialias antialias = Antialias::None;
 
     bool operator==(const TraceSettings&) const = default;
 };

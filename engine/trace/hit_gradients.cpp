@@ -170,8 +170,7 @@ private:
 Seeker GradientSearch::seeker(const Tile& tile, const TileHits::Point& point) const {
     const auto col = static_cast<int>(point.pixel % tile_size);
     const auto row = static_cast<int>(point.pixel / tile_size);
-    const PixelRay ray =
-        pixel_ray(frame_.view, pixel_centre(tile.col + col, tile.row + row), frame_.image);
+    const PixelRay ray = pixel_ray(frame_.view, tile.place(col, row), frame_.image);
     const glm::dvec3 start(point.position[0], point.position[1], point.position[2]);
     const double depth = glm::dot(start - frame_.view.eye, frame_.view.forward);
     const double away =

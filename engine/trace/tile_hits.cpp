@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace zeroset {
@@ -9,10 +10,41 @@ namespace {
 
 constexpr float none = std::numeric_limits<float>::infinity();
 
+constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
+
 }  // namespace
 
+void PixelCover::clear() {
+    if (marked || from.empty()) {
+        for (std::vector<float>* const column : {&from, &to, &other_from})
+            column->assign(pixels, none);
+    }
+    known = true;
+    marked = false;
+}
+
+std::uint64_t PixelCover::mixed_in_row(int row) const {
+    if (!marked) return 0;
+    const auto first = static_cast<std::size_t>(row) * tile_size;
+    std::array<std::uint8_t, tile_size> is_mixed;
+    for (std::size_t col = 0; col < tile_size; ++col) {
+        const float other = other_from[first + col];
+        // Bitwise, so that it is done for many pixels at once.
+        const bool some = std::min(from[first + col], other) < none;
+        const bool covered = to[first + col] < other;
+        is_mixed[col] = static_cast<std::uint8_t>(some && !covered);
+    }
+    std::uint64_t bits = 0;
+    for (std::size_t col = 0; col < tile_size; col += 8) {
+        std::uint64_t eight = 0;
+        std::memcpy(&eight, &is_mixed[col], 8);
+        // Gathers the lowest bits of eight bytes in the highest one.
+        bits |= (eight * 0x0102040810204080U >> 56U) << col;
+    }
+    return bits;
+}
+
 TileHits::TileHits() {
-    constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
     depth.resize(pixels, none);
     certificate.resize(pixels);
     for (std::vector<float>& axis : gradient)
@@ -26,6 +58,7 @@ void TileHits::clear() {
     if (any_unsettled) std::ranges::fill(unsettled, none);
     if (any_cap) std::ranges::fill(cap, std::uint8_t{0});
     any_cap = false;
+    cover.known = false;
     any = false;
     any_unsettled = false;
     points.clear();

@@ -19,6 +19,24 @@ enum class Trend : std::int8_t { Falling = -1, Unknown = 0, Rising = 1 };
 /// A gradient of whatever size in floats, of which the direction counts.
 std::array<float, 3> float_gradient(const std::array<double, 3>& gradient);
 
+/// What is known of all rays of pixels, not only of those through their centres; in depths along
+/// the view axis, as TileRays has them. One item a pixel, in rows of tile_size.
+struct PixelCover {
+    bool known = false;   ///< else nothing here says anything
+    bool marked = false;  ///< else no ray of any pixel meets anything
+    /// Where one smooth sheet covers the pixel: on every ray f goes through 0 once between these.
+    /// +inf: none is known.
+    std::vector<float> from, to;
+    /// Before this no ray meets anything but that sheet; +inf: nor behind it, as far as it is seen.
+    std::vector<float> other_from;
+
+    /// Nothing is marked.
+    void clear();
+    /// A bit for each pixel of a row, the first one lowest: whether it may show more than one
+    /// smooth sheet, or less.
+    [[nodiscard]] std::uint64_t mixed_in_row(int row) const;
+};
+
 /// The hits of one surface in a tile, as a tracer found them. Arrays hold one item a pixel, in rows
 /// of tile_size. A pixel's ray is the one that ViewFrame::direction gives for its centre, up to
 /// shifts by 2^-48 of the distances of eye and box from the origin and from each other. With the
@@ -63,6 +81,7 @@ struct TileHits {
     /// normal.
     std::vector<std::uint8_t> cap;
     bool any_cap = false;  ///< else `cap` is 0 everywhere
+    PixelCover cover;
 
     TileHits();
     void clear();

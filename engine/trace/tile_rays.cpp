@@ -70,8 +70,9 @@ TileRays::TileRays(const TraceFrame& frame, const Tile& tile, int side)
       pixel_(view_.pixel_size(frame.image.height) * (view_.look_distance / distance_)),
       u_first_((tile.col + 0.5 - 0.5 * frame.image.width) * pixel_),
       v_first_((0.5 * frame.image.height - tile.row - 0.5) * pixel_),
-      u_most_(std::max(std::abs(u_first_), std::abs(u(side)))),
-      v_most_(std::max(std::abs(v_first_), std::abs(v(side)))),
+      beside_(frame.whole_pixels ? 0.5 : 0.0),
+      u_most_(std::max(std::abs(u(-beside_)), std::abs(u(side)))),
+      v_most_(std::max(std::abs(v(-beside_)), std::abs(v(side)))),
       extent_(std::min(clip_.size(), view_.look_distance)),
       tolerance_(tolerance_of(frame)),
       float_rays_(make_rays<float>()),
@@ -258,7 +259,7 @@ FrustumOf<Real> TileRays::frustum(int pixels) const {
     constexpr double unit = std::numeric_limits<Real>::epsilon();
     const auto number = [](double value) { return static_cast<Real>(value); };
     FrustumOf<Real> frustum{};
-    const double radius = 0.5 * (pixels - 1) * pixel_;
+    const double radius = radius_of(pixels) * pixel_;
     // The middle of a cell is off by half a unit of |u|.
     frustum.u_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * u_most_);
     frustum.v_radius = upper_end(Real{}, pixels == 1 ? 0.0 : radius + unit * v_most_);

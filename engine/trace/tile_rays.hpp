@@ -45,6 +45,10 @@ public:
     [[nodiscard]] double u(double col) const { return u_first_ + col * pixel_; }
     [[nodiscard]] double v(double row) const { return v_first_ - row * pixel_; }
     [[nodiscard]] double pixel() const { return pixel_; }
+    /// The middle of some pixels in a row, from the first one's centre; and the radius of their
+    /// rays: of those through their centres, or of all of them (TraceFrame::whole_pixels).
+    static constexpr double middle_of(int pixels) { return 0.5 * (pixels - 1); }
+    [[nodiscard]] double radius_of(int pixels) const { return middle_of(pixels) + beside_; }
     [[nodiscard]] double distance() const { return distance_; }
     /// The distance from the eye, or from the plane through it, to the plane s = 0.
     [[nodiscard]] double look_distance() const { return view_.look_distance; }
@@ -79,7 +83,7 @@ public:
     /// A distance surely no farther than depth s on the ray of (u, v).
     [[nodiscard]] float distance_before(double s, double u, double v) const;
 
-    /// The frustum of cells of `pixels` x `pixels` pixels.
+    /// The frustum of cells of `pixels` x `pixels` pixels; of one pixel its ray alone.
     template <class Real>
     [[nodiscard]] FrustumOf<Real> frustum(int pixels) const;
 
@@ -142,6 +146,7 @@ private:
     glm::dvec3 base_;
     double distance_;
     double pixel_, u_first_, v_first_;
+    double beside_;           ///< how far rays may be from the centres of their pixels, in pixels
     double u_most_, v_most_;  ///< of |u| and |v| in the tile
     double extent_, depth_error_, tolerance_;
     /// Distances of the clip box from the eye along the view axis.

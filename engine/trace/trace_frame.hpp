@@ -29,6 +29,7 @@ struct TraceFrame {
     SearchDepth depth;    ///< what `stop` comes to in this view
     Precision precision;  ///< of the kernel's code to use; it has it
     TimeLimit limit = {};
+    bool whole_pixels = false;  ///< TileHits::cover is wanted
     /// All parts of a union that may be seen in a tile, front to back: the first root is the first
     /// one of any of them, and where one is below 0 there is a root before. Empty: there is only
     /// `kernel`.
@@ -46,7 +47,8 @@ struct TraceFrame {
                 .stop = stop,
                 .depth = depth,
                 .precision = precision,
-                .limit = new_limit};
+                .limit = new_limit,
+                .whole_pixels = whole_pixels};
     }
 };
 

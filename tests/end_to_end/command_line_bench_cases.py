@@ -38,7 +38,7 @@ class BenchTest(ProgramTest):
             answer = json.loads(self.run_ok("bench", "--suite", "suite.json", "--size", 64, "--repeat",
                                             1, "--json", "-", *options).out)
             self.assertEqual(answer["shadows"], "--shadows" in options)
-            self.assertEqual(answer["antialias"], "--antialias" in options)
+            self.assertEqual(answer["antialias"], "iaa" if "--antialias" in options else "none")
             forms[options] = answer["surfaces"][0]["beams"]["form_per_ray"]
         self.assertLess(forms[()], forms["--shadows",])
         self.assertLess(forms["--shadows",], forms["--shadows", "--antialias"])

@@ -38,6 +38,14 @@ bool is_document(const UiState& state) {
     return state.edited.document.*flag;
 }
 
+bool has_smooth_edges(const UiState& state) {
+    return state.edited.document.antialias != Antialias::None;
+}
+
+void toggle_smooth_edges(UiState& state) {
+    state.edited.document.antialias = has_smooth_edges(state) ? Antialias::None : Antialias::Beams;
+}
+
 bool is_parallel(const std::optional<Camera>& camera) {
     return camera && camera->projection == Projection::Orthographic;
 }
@@ -200,8 +208,8 @@ constexpr auto table = std::to_array<Action>({
      .is_on = is_document<&Document::shadows>},
     {.section = picture,
      .name = "Smooth edges",
-     .run = toggle_document<&Document::antialias>,
-     .is_on = is_document<&Document::antialias>},
+     .run = toggle_smooth_edges,
+     .is_on = has_smooth_edges},
     {.section = picture,
      .name = "Axes",
      .keys = "A",

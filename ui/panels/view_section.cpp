@@ -48,8 +48,12 @@ void draw_light(Document& document) {
     ImGui::Checkbox("Shadows###shadows", &document.shadows);
     draw_tooltip("Let the surfaces throw shadows, once the picture rests.");
     ImGui::SameLine(0.0F, em(1.2F));
-    ImGui::Checkbox("Smooth edges###antialias", &document.antialias);
-    draw_tooltip("Five rays a pixel instead of one, once the picture rests.");
+    bool smooth = document.antialias != Antialias::None;
+    if (ImGui::Checkbox("Smooth edges###antialias", &smooth))
+        document.antialias = smooth ? Antialias::Beams : Antialias::None;
+    draw_tooltip(
+        "Show pixels part by part where they hold more than one smooth sheet, "
+        "once the picture rests.");
 }
 
 void draw_buttons(UiState& state) {

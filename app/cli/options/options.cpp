@@ -293,13 +293,26 @@ OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& te
     return values;
 }
 
-void take_look(const TraceText& text, Document& document) {
+OrInputError<Antialias> read_antialias(const std::string& text) {
+    const auto antialias = antialias_named(text);
+    if (!antialias) return wrong_input("--aa " + text + ": type iaa, none, 4, 9, 16 or 64");
+    return *antialias;
+}
+
+std::optional<InputError> take_look(const TraceText& text, Document& document) {
+    if (text.aa) {
+        const auto antialias = read_antialias(*text.aa);
+        if (!antialias) return antialias.error();
+        document.antialias = *antialias;
+    } else if (text.antialias) {
+        document.antialias = *text.antialias ? Antialias::Beams : Antialias::None;
+    }
     document.shadows = text.shadows.value_or(document.shadows);
-    document.antialias = text.antialias.value_or(document.antialias);
     document.jumps = text.jumps.value_or(document.jumps);
     document.axes = text.axes.value_or(document.axes);
     document.clip_box = text.clip_box.value_or(document.clip_box);
     document.grid = text.grid.value_or(document.grid);
+    return std::nullopt;
 }
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {

@@ -32,7 +32,8 @@ struct ViewText {
 /// Options for tracing and for the look, as typed.
 struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
-    /// True or false as given; absent: the document's choice.
+    std::optional<std::string> aa;  ///< as read_antialias reads it
+    /// True or false as given; absent: the document's choice. `antialias`: the same as an `aa`.
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
 };
 
@@ -58,7 +59,10 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
 /// Applies the given options for the look to the document.
-void take_look(const TraceText& text, Document& document);
+[[nodiscard]] std::optional<InputError> take_look(const TraceText& text, Document& document);
+
+/// Reads the value of --aa.
+OrInputError<Antialias> read_antialias(const std::string& text);
 
 /// Reads the options for tracing; those for the look belong to the document, see take_look.
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text);

@@ -202,7 +202,7 @@ struct Cells {
 template <class Real>
 void Cells<Real>::place(const TileRays& rays, int pixels, Real margin) {
     std::array<Real, tile_size> u, v;
-    const double half = 0.5 * (pixels - 1);
+    const double half = TileRays::middle_of(pixels);
     for (int first = 0; first < tile_size; first += pixels) {
         u[static_cast<std::size_t>(first)] = static_cast<Real>(rays.u(first + half));
         v[static_cast<std::size_t>(first)] = static_cast<Real>(rays.v(first + half));
@@ -228,12 +228,12 @@ void Cells<Real>::place(const TileRays& rays, int pixels, Real margin) {
 template <class Real>
 class CellJudge {
 public:
-    explicit CellJudge(int pixels) {
+    CellJudge(const TileRays& rays, int pixels) {
         // Middle and radius of a quarter in units of the tile's radius; the radius a little more,
         // for the roundings of the cells' places.
-        const double half = 0.5 * (pixels - 1);
-        offset_ = static_cast<Real>(0.25 * pixels / half);
-        radius_ = static_cast<Real>((0.5 * (0.5 * pixels - 1) / half) + 0x1p-10);
+        const double radius = rays.radius_of(pixels);
+        offset_ = static_cast<Real>(0.25 * pixels / radius);
+        radius_ = static_cast<Real>((rays.radius_of(pixels / 2) / radius) + 0x1p-10);
     }
     void judge(Cells<Real>& cells) const {
         for (std::size_t i = 0; i < cells.size; i += lanes<Real>)

@@ -38,10 +38,12 @@ public:
         if (run_ && run_->continues_with(leaf)) {
             run_->add(leaf);
             set_brackets<false>(leaf);
+            if (nearest_.cover.wanted()) add_cover<false>(leaf);
         } else {
             solve();
             run_.emplace(leaf);
             set_brackets<true>(leaf);
+            if (nearest_.cover.wanted()) add_cover<true>(leaf);
         }
     }
     /// Works off what has been added.
@@ -70,6 +72,11 @@ private:
     /// leaves before.
     template <bool first_of_run>
     void set_brackets(const Leaf<Real>& leaf);
+    /// Sets, or joins, where roots may be on all rays of the leaf's pixels.
+    template <bool first_of_run>
+    void add_cover(const Leaf<Real>& leaf);
+    /// Marks what is known of the whole pixels.
+    void mark_cover();
     /// Leaves out rows without brackets; false when none is left.
     bool compact();
     void find_roots();
@@ -144,6 +151,7 @@ private:
     Real per_least_ = 0;  ///< not below 1 / |df/ds|
     Real per_most_ = 0;   ///< not above it
     NewtonRays<Real, items> newton_;
+    alignas(64) Real cover_from_[items], cover_to_[items];
 };
 
 template <class Real, int pixels>
@@ -189,6 +197,60 @@ void LeafSolver<Real, pixels>::set_brackets(const Leaf<Real>& leaf) {
             hn::Store(join(before_to, hn::Max(before_to, ray_to), ray_to), d, newton_.to + i);
             hn::Store(hn::IfThenElse(better, guess, hn::Load(d, newton_.guess + i)), d,
                       newton_.guess + i);
+        }
+    }
+}
+
+template <class Real, int pixels>
+template <bool first_of_run>
+void LeafSolver<Real, pixels>::add_cover(const Leaf<Real>& leaf) {
+    const Real steepness = std::max(std::abs(leaf.kt), std::numeric_limits<Real>::min());
+    const Real scale = leaf.s_radius / std::copysign(steepness, leaf.kt);
+    // Rays are half a pixel from the centres at most; a little more for roundings.
+    const Real error = leaf.e + static_cast<Real>(0.5 + 0x1p-10 * tile_size) *
+                                    (std::abs(leaf.ku) + std::abs(leaf.kv));
+    const Real rounding =
+        8 * std::numeric_limits<Real>::epsilon() * (std::abs(leaf.s) + leaf.s_radius);
+    const V radius = hn::Set(d, error * std::abs(scale) + rounding);
+    const V from = hn::Set(d, leaf.from);
+    const V to = hn::Set(d, leaf.to);
+    const V by_col = hn::Set(d, leaf.ku * scale);
+    for (int row = 0; row < pixels; ++row) {
+        const Real first = leaf.s - (leaf.c - leaf.kv * static_cast<Real>(row)) * scale;
+        for (int col = 0; col < pixels; col += lanes) {
+            const int i = row * pixels + col;
+            const V middle =
+                hn::NegMulAdd(hn::Iota(d, static_cast<Real>(col)), by_col, hn::Set(d, first));
+            const V lo = hn::Max(hn::Sub(middle, radius), from);
+            const V hi = hn::Min(hn::Add(middle, radius), to);
+            // The brackets of a run's leaves touch where a sheet goes from one to the next.
+            const M some = hn::Le(lo, hi);
+            const V nowhere = hn::Inf(d);
+            const V before_from = first_of_run ? nowhere : hn::Load(d, cover_from_ + i);
+            const V before_to = first_of_run ? hn::Neg(nowhere) : hn::Load(d, cover_to_ + i);
+            hn::Store(hn::IfThenElse(some, hn::Min(before_from, lo), before_from), d,
+                      cover_from_ + i);
+            hn::Store(hn::IfThenElse(some, hn::Max(before_to, hi), before_to), d, cover_to_ + i);
+        }
+    }
+}
+
+template <class Real, int pixels>
+void LeafSolver<Real, pixels>::mark_cover() {
+    const int cols = std::min(pixels, tile_.cols - run_->col);
+    const int rows = std::min(pixels, tile_.rows - run_->row);
+    const bool may_cover = run_->inside && !run_->kinked && !run_->turns;
+    const V run_from = hn::Set(d, may_cover ? run_->from : std::numeric_limits<Real>::infinity());
+    const V run_to = hn::Set(d, run_->to);
+    for (int row = 0; row < rows; ++row) {
+        for (int col = 0; col < cols; col += lanes) {
+            const int i = row * pixels + col;
+            const V from = hn::Load(d, cover_from_ + i);
+            const V to = hn::Load(d, cover_to_ + i);
+            const M some = hn::Le(from, to);
+            const M covered = hn::And(some, hn::And(hn::Gt(from, run_from), hn::Lt(to, run_to)));
+            nearest_.cover.mark(d, first_pixel(row) + static_cast<std::size_t>(col), from, to, some,
+                                covered);
         }
     }
 }
@@ -249,6 +311,7 @@ void LeafSolver<Real, pixels>::evaluate(int steps) {
 template <class Real, int pixels>
 void LeafSolver<Real, pixels>::solve() {
     if (!run_) return;
+    if (nearest_.cover.wanted()) mark_cover();
     if (compact()) find_roots();
     run_.reset();
 }

@@ -9,6 +9,7 @@
 #endif
 
 #include "engine/real/scalar.hpp"
+#include "engine/trace/beam/cover_marks-inl.hpp"
 #include "engine/trace/simd/bit_bytes.hpp"
 #include "engine/trace/simd/vectors-inl.hpp"
 #include "engine/trace/tile_hits.hpp"
@@ -98,6 +99,7 @@ public:
     /// stands in TileHits::depth, whose distances BeamTile::write_hits makes of it in the end: an
     /// array of its own takes the quickest pictures some hundredths longer.
     Real* s = nullptr;
+    CoverMarks<Real> cover;
     /// Roots whose gradients are not known, or not for sure.
     struct Pending {
         std::uint32_t pixel;

@@ -69,6 +69,8 @@ private:
     [[nodiscard]] bool is_accurate(std::size_t cell) const;
     /// Whether f < 0 in all of a rejected cell.
     [[nodiscard]] bool is_below_zero(std::size_t cell) const;
+    /// Whether normal . view may change much within a pixel of the cell.
+    [[nodiscard]] bool turns(std::size_t cell, int pixels) const;
     /// Goes on with the cells of tiles that wait.
     void look_closer();
     /// The linear part of a cell's form in pixels, at the middle of the cell's slab.
@@ -81,8 +83,10 @@ private:
     };
     [[nodiscard]] PixelForm pixel_form(std::size_t cell, int pixels) const {
         const Forms<Real>& f = tree_.cells().forms;
-        const Real half = static_cast<Real>(0.5 * (pixels - 1));
-        return {f.c[cell] - f.k[0][cell] + f.k[1][cell], f.k[0][cell] / half, f.k[1][cell] / half};
+        const auto radius = static_cast<Real>(rays_.radius_of(pixels));
+        const auto first = static_cast<Real>(TileRays::middle_of(pixels) / rays_.radius_of(pixels));
+        return {f.c[cell] - first * f.k[0][cell] + first * f.k[1][cell], f.k[0][cell] / radius,
+                f.k[1][cell] / radius};
     }
     /// Solves the pixels of a smooth cell.
     void solve_leaf(std::size_t cell, int pixels, const Kernel* kernel);
@@ -94,6 +98,8 @@ private:
         Real radius;  ///< roots are no farther from where the form's linear part vanishes
         Real by_col;  ///< how much nearer that is from column to column
     };
+    /// Marks the cell's pixels on any of whose rays a root may be.
+    void leave_pixels(const LinearCell& linear, const PixelForm& form, int pixels);
     /// Stores where roots may be on the rays of a vector; returns on which there may be any.
     /// `middle`: where the linear part of the form vanishes on the first ray.
     LaneBits store_brackets(const LinearCell& linear, int first_col, int row, Real middle,
@@ -128,6 +134,7 @@ private:
 
 template <class Real>
 void BeamTile<Real>::trace() {
+    nearest_.cover.begin(frame_.whole_pixels, hits_.cover);
     if (tree_.empty()) return;
     nearest_.begin(hits_, tile_, rays_);
     for (int pixels = tile_size; pixels > 2 * least_pixels; pixels /= 2) {
@@ -141,6 +148,7 @@ void BeamTile<Real>::trace() {
     march_rays();
     nearest_.end();
     write_hits();
+    nearest_.cover.end();
 }
 
 template <class Real>
@@ -252,6 +260,22 @@ bool BeamTile<Real>::is_below_zero(std::size_t cell) const {
 }
 
 template <class Real>
+bool BeamTile<Real>::turns(std::size_t cell, int pixels) const {
+    constexpr Real most = 0.5;
+    const Cells<Real>& cells = tree_.cells();
+    const Forms<Real>& f = cells.forms;
+    // The form's linear part is f's gradient, in parts of the cell's radii.
+    const Real half =
+        static_cast<Real>(rays_.radius_of(pixels) * rays_.pixel() *
+                          (rays_.distance() + static_cast<double>(cells.places.s[cell])));
+    const Real across = (std::abs(f.k[0][cell]) + std::abs(f.k[1][cell])) / half;
+    const Real along = std::abs(f.k[2][cell]) / cells.places.s_radius[cell];
+    const Real change = f.slope_hi[cell] + f.slope_neg_lo[cell];
+    // A pixel's part of it, unless it is uneven.
+    return !(change <= most * static_cast<Real>(pixels) / 2 * std::max(across, along));
+}
+
+template <class Real>
 void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kernel) {
     const Cells<Real>& cells = tree_.cells();
     const Forms<Real>& f = cells.forms;
@@ -273,7 +297,8 @@ void BeamTile<Real>::solve_leaf(std::size_t cell, int pixels, const Kernel* kern
                     .slope_hi = f.slope_hi[cell],
                     .r = f.r[cell],
                     .kernel = kernel,
-                    .kinked = kernel->branches && f.branches_of(cell).may_hold_kink()};
+                    .kinked = kernel->branches && f.branches_of(cell).may_hold_kink(),
+                    .turns = nearest_.cover.wanted() && turns(cell, pixels)};
     if (pixels < leaf_pixels) {
         small_leaves_.add(leaf);
         return;
@@ -330,6 +355,7 @@ void BeamTile<Real>::write_row(int row) {
 
 template <class Real>
 void BeamTile<Real>::mark_unsettled(std::uint32_t pixel, double s) {
+    nearest_.cover.leave(pixel, s);
     hits_.mark_unsettled(
         {.col = static_cast<std::int16_t>(pixel % tile_size),
          .row = static_cast<std::int16_t>(pixel / tile_size)},

@@ -40,6 +40,7 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
         steep ? error * std::abs(scale) + rounding : std::numeric_limits<Real>::infinity();
     const LinearCell linear{cell, radius, form.ku * scale};
     const CellTile tile = cells.tile[cell];
+    if (nearest_.cover.wanted()) leave_pixels(linear, form, pixels);
     // Bracket the roots on all rays, a vector at a time.
     alignas(64) Real froms[least_pixels * least_pixels], tos[least_pixels * least_pixels];
     LaneBits bits = 0;
@@ -61,6 +62,30 @@ void BeamTile<Real>::march_pixels(std::size_t cell, int pixels, const Kernel* ke
                        .to = tos[i],
                        .step = tos[i] - froms[i],
                        .kernel = kernel});
+    }
+}
+
+template <class Real>
+void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& form, int pixels) {
+    const Cells<Real>& cells = tree_.cells();
+    const CellTile tile = cells.tile[linear.cell];
+    const Real kt = cells.forms.k[2][linear.cell];
+    const Real per_kt = std::abs(kt) > 0 ? cells.places.s_radius[linear.cell] / kt : 0;
+    const Real from = cells.from[linear.cell];
+    const Real to = cells.to[linear.cell];
+    // Rays are half a pixel from the centres at most.
+    const Real radius = linear.radius + static_cast<Real>(0.5) * std::abs(per_kt) *
+                                            (std::abs(form.ku) + std::abs(form.kv));
+    for (int row = 0; row < pixels && tile.row() + row < tile_.rows; ++row) {
+        for (int col = 0; col < pixels && tile.col() + col < tile_.cols; ++col) {
+            const Real at = form.at(static_cast<Real>(col), static_cast<Real>(row));
+            const Real middle = cells.places.s[linear.cell] - at * per_kt;
+            const Real lo = middle - radius > from ? middle - radius : from;
+            if (lo > to || middle + radius < from) continue;
+            const auto pixel =
+                static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col() + col);
+            nearest_.cover.leave(pixel, static_cast<double>(lo));
+        }
     }
 }
 

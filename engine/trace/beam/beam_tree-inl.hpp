@@ -158,9 +158,9 @@ private:
     void hide(CellTile tile, int pixels, Real to);
 
     [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
-        const double half = 0.5 * (pixels - 1);
-        return rays_.depths(rays_.u(col + half), rays_.v(row + half), half * rays_.pixel(),
-                            half * rays_.pixel());
+        const double half = TileRays::middle_of(pixels);
+        const double radius = rays_.radius_of(pixels) * rays_.pixel();
+        return rays_.depths(rays_.u(col + half), rays_.v(row + half), radius, radius);
     }
     /// The part by which cells are longer than their slabs: from size to size a little less, so
     /// that they lie in those that their kernels were specialized for.
@@ -192,9 +192,7 @@ void CellTree<Real>::start() {
     next_->clear();
     kernels_.clear();
     hidden_.fill(std::numeric_limits<Real>::infinity());
-    const double half = 0.5 * (tile_size - 1);
-    const double radius = half * rays_.pixel();
-    depths_ = rays_.depths(rays_.u(half), rays_.v(half), radius, radius);
+    depths_ = depths_of(0, 0, tile_size);
     s_most_ = std::max(std::abs(depths_.enter_lo), std::abs(depths_.exit_hi)) * (1.0 + 0x1p-10);
     depths_.exit_hi = std::min(depths_.exit_hi, rays_.limit());
     const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());

@@ -77,13 +77,9 @@ void CellTree<Real>::push_part(const UnionMember& part, int pixels) {
     const double width = rays_.pixel() * pixels * (rays_.distance() + from);
     const int slabs = static_cast<int>(std::clamp((to - from) / width + 0.5, 1.0, most_slabs));
     const Tiles tiles = tiles_of(part, pixels);
-    const double half = 0.5 * (pixels - 1);
-    const double radius = half * rays_.pixel();
     for (int row = tiles.first_row * pixels; row <= tiles.last_row * pixels; row += pixels) {
         for (int col = tiles.first_col * pixels; col <= tiles.last_col * pixels; col += pixels) {
-            const DepthRange depths =
-                inside ? depths_
-                       : rays_.depths(rays_.u(col + half), rays_.v(row + half), radius, radius);
+            const DepthRange depths = inside ? depths_ : depths_of(col, row, pixels);
             const double begin = std::max(from, depths.enter_lo);
             const double end = std::min(to, depths.exit_hi);
             if (!(begin <= end)) continue;

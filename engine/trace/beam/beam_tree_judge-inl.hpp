@@ -24,7 +24,7 @@ std::span<const CellRun> CellTree<Real>::judge(int pixels) {
     cells_->place(rays_, pixels, margin_of(pixels));
     for (CellRun& run : cells_->runs.all())
         evaluate(frame_, frustum, run, cells_->places, cells_->forms, counters_);
-    CellJudge<Real>(pixels).judge(*cells_);
+    CellJudge<Real>(rays_, pixels).judge(*cells_);
     for (const CellRun& run : cells_->runs.all()) {
         if (run.kernel->switches > 0 && !frame_.scene.jumps) narrow_by_pieces(run, frustum, pixels);
         reject_by_ranges(run, pixels);
@@ -46,7 +46,7 @@ void CellTree<Real>::narrow_by_pieces(const CellRun& run, const FrustumOf<Real>&
         pieces_.pieces.push(i, branches);
     }
     // Join what the pieces leave of each cell.
-    const CellJudge<Real> judge(pixels);
+    const CellJudge<Real> judge(rays_, pixels);
     const auto evaluate = [&](PieceList<Real>& list) {
         of.clear();
         of.make_room(list.size());
@@ -93,15 +93,16 @@ template <class Real>
 void CellTree<Real>::reject_by_ranges(const CellRun& run, int pixels) {
     ranges_.clear();
     asked_.clear();
-    const double half = 0.5 * (pixels - 1);
+    const double half = TileRays::middle_of(pixels);
+    const double radius = rays_.radius_of(pixels) * rays_.pixel();
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
         const bool told = cells_->forms.continuous[i] != 0 && cells_->forms.known(i) &&
                           !cells_->bit(&CellBits::flat, i);
         if (told || cells_->bit(&CellBits::rejected, i)) continue;
         asked_.push_back(i);
         ranges_.push(rays_.u(cells_->tile[i].col() + half), rays_.v(cells_->tile[i].row() + half),
-                     half * rays_.pixel(), half * rays_.pixel(),
-                     static_cast<double>(cells_->from[i]), static_cast<double>(cells_->to[i]));
+                     radius, radius, static_cast<double>(cells_->from[i]),
+                     static_cast<double>(cells_->to[i]));
     }
     ranges_.evaluate(*run.kernel);
     for (std::size_t k = 0; k < asked_.size(); ++k) {

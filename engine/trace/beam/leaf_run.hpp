@@ -20,6 +20,7 @@ struct Leaf {
     Real r;                   ///< see FormBatchOf
     const Kernel* kernel;     ///< of f in the cell
     bool kinked;              ///< f may have a kink in it
+    bool turns;               ///< normal . view may change much within a pixel
 };
 
 /// Smooth cells of one small tile that touch and slope the same way: together they hold at most
@@ -28,17 +29,19 @@ template <class Real>
 struct LeafRun {
     int col, row;
     bool inside;
-    Real to;                  ///< where the last slab ends
+    Real from, to;            ///< where the first slab begins, and the last one ends
     Real lo, hi;              ///< where the slopes hold
     Real slope_lo, slope_hi;  ///< of df/ds, of one sign
     Real r;
     const Kernel* kernel;  ///< of f in all of them
     bool kinked;           ///< f may have a kink in one
+    bool turns;            ///< normal . view may change much within a pixel in one
 
     explicit LeafRun(const Leaf<Real>& leaf)
         : col(leaf.col),
           row(leaf.row),
           inside(leaf.inside),
+          from(leaf.from),
           to(leaf.to),
           lo(leaf.s - leaf.s_radius),
           hi(end_of(leaf)),
@@ -46,7 +49,8 @@ struct LeafRun {
           slope_hi(leaf.slope_hi),
           r(leaf.r),
           kernel(leaf.kernel),
-          kinked(leaf.kinked) {}
+          kinked(leaf.kinked),
+          turns(leaf.turns) {}
 
     /// Where the cell ends; rounded downward, so that it is in the cell.
     static Real end_of(const Leaf<Real>& leaf) { return -(-leaf.s - leaf.s_radius); }
@@ -62,6 +66,7 @@ struct LeafRun {
         slope_hi = std::max(slope_hi, next.slope_hi);
         r = std::max(r, next.r);
         kinked = kinked || next.kinked;
+        turns = turns || next.turns;
     }
 };
 

@@ -64,7 +64,7 @@ TEST_F(SavedSession, GivesWayToTheCommandLine) {
     EXPECT_EQ(options->document.parameters.at("a").value, 7.0);
     EXPECT_EQ(options->document.stop.value, 9.0);
     EXPECT_FALSE(options->document.shadows);
-    EXPECT_TRUE(options->document.antialias);
+    EXPECT_EQ(options->document.antialias, Antialias::Beams);
     EXPECT_TRUE(options->document.jumps);
 }
 

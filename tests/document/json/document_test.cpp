@@ -145,7 +145,10 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "stop.rule is none of d_stop, epsilon and delta"},
         {with("look", R"({"mark_undecided": "yes"})"),
          "look.mark_undecided is neither true nor false"},
-        {with("look", R"({"antialias": 1})"), "look.antialias is neither true nor false"},
+        {with("look", R"({"antialias": 1})"),
+         "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
+        {with("look", R"({"antialias": "none"})"),
+         "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
         {R"({"zeroset": 1})", "statements is missing"}};
     for (const auto& [text, reason] : damages) {
         const auto read = document_from(text);

@@ -14,7 +14,7 @@
 namespace zeroset::test {
 namespace {
 
-Framebuffer picture_of(const std::string& text, bool antialias) {
+Framebuffer picture_of(const std::string& text, Antialias antialias) {
     const Scene scene = scene_of(text, Box::cube(1.2));
     Framebuffer frame(141, 101);
     TraceSettings settings;
@@ -24,8 +24,8 @@ Framebuffer picture_of(const std::string& text, bool antialias) {
 }
 
 TEST(Antialias, ChangesColoursAtEdgesOnly) {
-    const Framebuffer plain = picture_of("x^2 + y^2 + z^2 = 1", false);
-    const Framebuffer smooth = picture_of("x^2 + y^2 + z^2 = 1", true);
+    const Framebuffer plain = picture_of("x^2 + y^2 + z^2 = 1", Antialias::None);
+    const Framebuffer smooth = picture_of("x^2 + y^2 + z^2 = 1", Antialias::Beams);
     EXPECT_EQ(smooth.depth, plain.depth);
     EXPECT_EQ(smooth.certificate, plain.certificate);
     EXPECT_EQ(smooth.surface, plain.surface);
@@ -70,7 +70,8 @@ TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
         return count;
     };
     const std::string wire = "(x - 0.3 z)^2 + y^2 = 0.00002";
-    EXPECT_GT(rows_with(picture_of(wire, true)), rows_with(picture_of(wire, false)));
+    EXPECT_GT(rows_with(picture_of(wire, Antialias::Beams)),
+              rows_with(picture_of(wire, Antialias::None)));
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(ColorBy, ShadowsAndSmoothEdgesStay) {
     scene.coloring.values = {interpret_points(*parse("0.3"))};
     TraceSettings settings = usual();
     settings.shadows = true;
-    settings.antialias = true;
+    settings.antialias = Antialias::Beams;
     const Framebuffer frame = picture_of(scene, settings);
     const Framebuffer plain = picture_of(painted(scene, color_at(ColorMap::Aurora, 0.3)), settings);
     EXPECT_EQ(frame.color, plain.color);

@@ -20,7 +20,7 @@ constexpr int height = 139;
 
 struct Picture {
     std::string text;
-    bool antialias;
+    Antialias antialias;
 };
 
 void draw(const Picture& picture, Framebuffer& frame) {
@@ -41,25 +41,25 @@ void expect_as_if_new(const Picture& picture, const Framebuffer& frame) {
 
 TEST(Redraw, ShowsNothingOfThePicturesBefore) {
     Framebuffer frame(width, height);
-    for (const Picture& picture :
-         std::vector<Picture>{{"x^2 + y^2 + z^2 = 0.3", false},
-                              {"x^2 + y^2 + z^2 = 1", false},
-                              {"(x - 1)^2 + y^2 + z^2 = 0.1", false},
-                              {"(x + 1)^2 + y^2 + z^2 = 0.1", true},
-                              {"x^2 + y^2 + z^2 = 0.3", false},
-                              {"x = 5", false},
-                              {"1 / (x + y + z) = 0", false},  // undecided where nothing is drawn
-                              {"x = 5", false},
-                              {"floor(x) = 0.5", false},
-                              {"x^2 + y^2 + z^2 = 0.3", true},
-                              {"x = 5", false}}) {
+    for (const Picture& picture : std::vector<Picture>{
+             {"x^2 + y^2 + z^2 = 0.3", Antialias::None},
+             {"x^2 + y^2 + z^2 = 1", Antialias::None},
+             {"(x - 1)^2 + y^2 + z^2 = 0.1", Antialias::None},
+             {"(x + 1)^2 + y^2 + z^2 = 0.1", Antialias::Beams},
+             {"x^2 + y^2 + z^2 = 0.3", Antialias::None},
+             {"x = 5", Antialias::None},
+             {"1 / (x + y + z) = 0", Antialias::None},  // undecided where nothing is drawn
+             {"x = 5", Antialias::None},
+             {"floor(x) = 0.5", Antialias::None},
+             {"x^2 + y^2 + z^2 = 0.3", Antialias::Beams},
+             {"x = 5", Antialias::None}}) {
         draw(picture, frame);
         expect_as_if_new(picture, frame);
     }
 }
 
 TEST(Redraw, ShowsNothingOfWhatWasPaintedOver) {
-    const Picture picture{"x^2 + y^2 + z^2 = 0.3", false};
+    const Picture picture{"x^2 + y^2 + z^2 = 0.3", Antialias::None};
     Framebuffer frame(width, height);
     draw(picture, frame);
     paint_line(frame, {3.0, 5.0}, {200.0, 130.0}, 3.0, 0xFFFFFFFF);
@@ -77,8 +77,8 @@ TEST(Redraw, ShowsNothingOfAFrameThatWasDrawnFromItsDepths) {
     Framebuffer frame(width, height);
     render_frame(small, camera, {}, frame);
     known.draw(frame);
-    draw({"x^2 + y^2 + z^2 = 0.3", false}, frame);
-    expect_as_if_new({"x^2 + y^2 + z^2 = 0.3", false}, frame);
+    draw({"x^2 + y^2 + z^2 = 0.3", Antialias::None}, frame);
+    expect_as_if_new({"x^2 + y^2 + z^2 = 0.3", Antialias::None}, frame);
 }
 
 }  // namespace

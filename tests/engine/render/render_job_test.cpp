@@ -181,7 +181,7 @@ TEST(RenderJob, DrawsShadowsAndSmoothEdgesLast) {
     Watched watched;
     RenderRequest request = request_for("(z + 1) (x^2 + y^2 + z^2 - 0.25) = 0", 64, 64);
     request.settings.shadows = true;
-    request.settings.antialias = true;
+    request.settings.antialias = Antialias::Beams;
     const auto pictures = watched.pictures_until(watched.job.submit(request));
     ASSERT_EQ(pictures.size(), 4U);
     for (std::size_t i = 2; i < 4; ++i) {

@@ -145,10 +145,10 @@ TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
     click_at(section_line("view", 2));
     EXPECT_TRUE(state_.edited.document.shadows);
-    EXPECT_FALSE(state_.edited.document.antialias);
+    EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
     click_at(section_line("view", 2) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
     EXPECT_TRUE(state_.edited.document.shadows);
-    EXPECT_TRUE(state_.edited.document.antialias);
+    EXPECT_EQ(state_.edited.document.antialias, Antialias::Beams);
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Panels, testing::ValuesIn(all_looks()),

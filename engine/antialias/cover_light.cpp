@@ -1,0 +1,115 @@
+#include "engine/antialias/cover_light.hpp"
+
+#include "engine/image/background.hpp"
+#include "engine/image/gamma.hpp"
+#include "engine/light/light_tile.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t slots = std::size_t{tile_size} * tile_size;
+
+/// The pixel of sample k in a tile made of samples: one after the other in squares of 8 x 8, as
+/// those that follow each other are near each other.
+constexpr std::size_t slot_of(std::size_t k) {
+    const std::size_t square = k / 64;
+    const std::size_t row = square / 8 * 8 + k % 64 / 8;
+    const std::size_t col = square % 8 * 8 + k % 8;
+    return row * tile_size + col;
+}
+
+}  // namespace
+
+void CoverLight::put(const CoverSample& sample, std::size_t slot) {
+    cols_[slot] = sample.col;
+    rows_[slot] = sample.row;
+    surface_of_slot_[slot] = sample.surface;
+    TileHits& hits = hits_[sample.surface];
+    hits.any = true;
+    hits.depth[slot] = sample.distance;
+    hits.certificate[slot] = sample.certificate;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        hits.gradient[axis][slot] = sample.gradient[axis];
+}
+
+void CoverLight::take(std::span<Light> out) const {
+    for (const LitLayer& layer : lit_.layers()) {
+        for (std::size_t k = 0; k < out.size(); ++k) {
+            const std::size_t slot = slot_of(k);
+            if (surface_of_slot_[slot] != layer.surface) continue;
+            const auto row = static_cast<int>(slot / tile_size);
+            for (int channel = 0; channel < 3; ++channel)
+                out[k][static_cast<std::size_t>(channel)] =
+                    layer.light_row(row, channel)[slot % tile_size];
+        }
+    }
+}
+
+std::span<const Light> CoverLight::light(std::span<const TraceFrame> surfaces, bool shadows,
+                                         const TimeLimit& limit, const Tile& tile,
+                                         std::span<const CoverSample> samples, Counters& counters) {
+    cols_.resize(slots);
+    rows_.resize(slots);
+    surface_of_slot_.resize(slots);
+    hits_.resize(std::max(hits_.size(), surfaces.size()));
+    light_.assign(samples.size(), Light{});
+    const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
+    const Tile of_samples{.col = tile.col,
+                          .row = tile.row,
+                          .cols = tile_size,
+                          .rows = tile_size,
+                          .limits = nullptr,
+                          .places = &places};
+    for (std::size_t first = 0; first < samples.size() && !limit.over(); first += slots) {
+        const std::size_t count = std::min(slots, samples.size() - first);
+        for (TileHits& hits : hits_)
+            hits.clear();
+        for (std::size_t k = 0; k < count; ++k)
+            put(samples[first + k], slot_of(k));
+        const auto hits = std::span(hits_).first(surfaces.size());
+        light_tile(surfaces, shadows, limit, of_samples, hits, lit_, counters);
+        take(std::span(light_).subspan(first, count));
+    }
+    return light_;
+}
+
+void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
+                std::span<const CoverSample> samples, std::span<const Light> light,
+                const Canvas& out) {
+    struct Sum {
+        Light light{};
+        float area = 0.0F;
+    };
+    thread_local std::vector<Sum> sums;
+    sums.assign(slots, Sum());
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        Sum& sum = sums[samples[k].pixel];
+        sum.area += samples[k].area;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            sum.light[channel] += samples[k].area * std::clamp(light[k][channel], 0.0F, 1.0F);
+    }
+    for (const MixedPixel& pixel : pixels) {
+        const int row = tile.row + pixel.pixel / tile_size;
+        const int col = tile.col + pixel.pixel % tile_size;
+        const Sum& sum = sums[pixel.pixel];
+        const std::uint32_t behind = background_color(row, out.height);
+        // Threads are drawn wider than they are, so that there may be more than a pixel of parts.
+        const float area = std::min(sum.area, 1.0F);
+        const float scale = sum.area > 1.0F ? 1.0F / sum.area : 1.0F;
+        const auto alpha = static_cast<std::uint32_t>(area * 255.0F + 0.5F);
+        std::uint32_t color = (alpha == 0 ? 255U : alpha) << 24U;
+        for (unsigned channel = 0; channel < 3; ++channel) {
+            const float background = light_of_channel(behind >> 8 * channel & 0xFFU);
+            const float mixed = scale * sum.light[channel] + (1.0F - area) * background;
+            color |= channel_of_light(mixed) << 8 * channel;
+        }
+        out.pixels.color[out.index(col, row)] = color;
+    }
+    if (out.blank_rows != nullptr && !pixels.empty()) *out.blank_rows = 0;
+}
+
+}  // namespace zeroset

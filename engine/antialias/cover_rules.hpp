@@ -1,0 +1,36 @@
+#pragma once
+
+// How far pixels are divided, and what is good enough.
+
+namespace zeroset {
+
+/// Squares of these levels are not divided: where all their rays have roots, where not, where f is
+/// not known to be continuous, and for their colours.
+inline constexpr int last_level = 4;
+inline constexpr int last_edge_level = 6;
+inline constexpr int last_broken_level = 3;
+inline constexpr int last_color_level = 3;
+/// Where f may have kinks, and so an edge more than one colour.
+inline constexpr int last_kinked_edge_level = 2;
+/// From this level on rays that agree stand for a square.
+inline constexpr int first_flat_level = 2;
+/// The width of the enclosure of normal . view from which on a square is looked at closely for its
+/// colours; and where f may have kinks.
+inline constexpr double most_turn = 0.5;
+inline constexpr double most_turn_at_kinks = 0.15;
+/// The error of the f of a cell, in parts of its change across the square, from which on the cell
+/// is halved rather than the square divided.
+inline constexpr double most_cell_error = 0.25;
+/// What an edge may be off from a line: in pixels, and in parts of the square's side.
+inline constexpr double most_error_of_line = 1.0 / 200;
+inline constexpr double most_error_of_edge = 1.0 / 8;
+/// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the
+/// width from which on it would be known.
+inline constexpr double thread_width = 1.0 / 16;
+inline constexpr double thinnest_thread = 1.0 / 256;
+/// The first cell of a pixel whose own ray hits nothing, in its widths.
+inline constexpr double first_widths = 8.0;
+/// Less of a square is not worth a search.
+inline constexpr double least_share = 1e-3;
+
+}  // namespace zeroset

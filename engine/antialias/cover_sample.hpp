@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/image/framebuffer.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace zeroset {
+
+/// A part of a pixel that shows one surface, and a hit that stands for it.
+struct CoverSample {
+    std::uint16_t pixel;   ///< in the tile, in rows of tile_size
+    std::uint8_t surface;  ///< index in the scene
+    Certificate certificate;
+    float area;                     ///< of the part; that of a pixel is 1
+    float col, row;                 ///< where the hit's ray passes the image, as in RayPlaces
+    float distance;                 ///< of the hit along its ray, as in Framebuffer::depth
+    std::array<float, 3> gradient;  ///< of f at the hit
+};
+
+/// A pixel of which it is not known that one smooth sheet covers it, or nothing.
+struct MixedPixel {
+    std::uint16_t pixel;
+    float from;  ///< depth along the view axis, as TileRays has it, before which nothing is seen
+    float hit;   ///< how far the hit of its own ray is from the eye; +inf: there is none
+};
+
+}  // namespace zeroset

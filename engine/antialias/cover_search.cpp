@@ -1,0 +1,144 @@
+#include "engine/antialias/cover_search.hpp"
+
+#include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/sample_drafts.hpp"
+#include "engine/antialias/square_cells.hpp"
+#include "engine/antialias/square_edges.hpp"
+#include "engine/antialias/square_field.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+
+namespace zeroset {
+namespace {
+
+class CoverSearch {
+public:
+    CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays, Counters& counters);
+
+    void search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out);
+
+private:
+    using State = Front::State;
+    /// What to do next about a square, for one surface.
+    enum class Step : std::uint8_t { Evaluate, Edge, Crease, Divide, Close };
+    struct Choice {
+        Step step;
+        std::size_t surface;
+    };
+    /// A surface, and what is to be done about it, at once for many squares.
+    struct Work {
+        const TraceFrame& frame;
+        SampleDrafts drafts;
+        SquareEdges edges;
+        std::vector<std::size_t> at_cells, at_edges;  ///< squares
+
+        Work(const TraceFrame& of, std::size_t surface, SquareField& field, Counters& counters)
+            : frame(of),
+              drafts(static_cast<std::uint8_t>(surface)),
+              edges(of, surface, field, drafts, counters) {}
+        Work(const Work&) = delete;
+    };
+
+    [[nodiscard]] Choice choose(std::size_t square);
+    void sort_work();
+    /// Goes on with the open squares until each is closed or divided.
+    void finish_level();
+    [[nodiscard]] bool stopped() const { return work_.front().frame.stopped(); }
+
+    Counters& counters_;
+    SquareField field_;
+    std::vector<std::size_t> open_;  ///< squares
+    std::deque<Work> work_;          ///< of each surface
+};
+
+CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays,
+                         Counters& counters)
+    : counters_(counters), field_(rays, surfaces.size()) {
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        work_.emplace_back(surfaces[i], i, field_, counters);
+}
+
+auto CoverSearch::choose(std::size_t square) -> Choice {
+    const std::span<Front> fronts = field_.fronts(square);
+    std::size_t first = fronts.size();
+    for (std::size_t i = 0; i < fronts.size(); ++i) {
+        if (fronts[i].state == State::Gone) continue;
+        if (first == fronts.size() || fronts[i].at < fronts[first].at) first = i;
+    }
+    if (first == fronts.size()) return {.step = Step::Close, .surface = first};
+    const Front& front = fronts[first];
+    if (front.state == State::Going) return {.step = Step::Evaluate, .surface = first};
+    // What begins before the front ends is to be known, too.
+    const CoverSquare& at = field_.square(square);
+    for (std::size_t i = 0; i < fronts.size(); ++i) {
+        if (i == first || fronts[i].state == State::Gone || fronts[i].at >= front.to) continue;
+        if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
+        if (!at.is_ray() && at.level < last_level) return {.step = Step::Divide, .surface = i};
+    }
+    if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
+    const bool uneven = front.turn > most_turn_of(work_[first].frame);
+    if (uneven && !at.is_ray() && at.level < last_color_level)
+        return {.step = Step::Crease, .surface = first};
+    work_[first].drafts.add(at, square_middle, 1.0, front.at, front.to, Certificate::Certified);
+    return {.step = Step::Close, .surface = first};
+}
+
+void CoverSearch::sort_work() {
+    for (Work& work : work_) {
+        work.at_cells.clear();
+        work.at_edges.clear();
+    }
+    for (const std::size_t square : open_) {
+        const Choice choice = choose(square);
+        switch (choice.step) {
+            case Step::Evaluate: work_[choice.surface].at_cells.push_back(square); break;
+            case Step::Edge: work_[choice.surface].at_edges.push_back(square); break;
+            case Step::Crease: work_[choice.surface].edges.add_uneven(square); break;
+            case Step::Divide: field_.divide(square); break;
+            case Step::Close: break;
+        }
+    }
+    open_.clear();
+}
+
+void CoverSearch::finish_level() {
+    open_.clear();
+    for (std::size_t i = 0; i < field_.size(); ++i)
+        open_.push_back(i);
+    while (!open_.empty() && !stopped()) {
+        sort_work();
+        for (std::size_t i = 0; i < work_.size(); ++i) {
+            Work& work = work_[i];
+            advance_fronts(work.frame, i, field_, work.at_cells, counters_);
+            open_.insert(open_.end(), work.at_cells.begin(), work.at_cells.end());
+            work.edges.decide(work.at_edges, open_);
+        }
+    }
+}
+
+void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
+    for (const MixedPixel& pixel : pixels)
+        field_.begin(pixel);
+    do {
+        finish_level();
+    } while (!stopped() && field_.go_down());
+    if (stopped()) return;
+    for (const Work& work : work_)
+        work.drafts.write(work.frame, field_.rays(), out, counters_);
+}
+
+}  // namespace
+
+void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
+                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
+                Counters& counters) {
+    if (pixels.empty()) return;
+    Tile all = tile;
+    all.limits = nullptr;
+    const TileRays rays(surfaces.front(), all);
+    CoverSearch(surfaces, rays, counters).search(pixels, out);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/antialias/cover_sample.hpp"
+#include "engine/trace/tile.hpp"
+#include "engine/trace/trace_frame.hpp"
+
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// What pixels show, part by part [Florez08, sec. 5.5.2]: adds the samples of each to `out`. A part
+/// of a pixel that no sample stands for shows the background. Ends early when the frames' limit is
+/// over: then nothing is said of some pixels. In upward rounding.
+void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
+                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
+                Counters& counters);
+
+}  // namespace zeroset

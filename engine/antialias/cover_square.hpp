@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/antialias/square_rays.hpp"
+
+#include <cstdint>
+
+namespace zeroset {
+
+/// A square part of a pixel, or a ray that stands for a part.
+struct CoverSquare {
+    std::uint16_t pixel;          ///< in the tile, in rows of tile_size
+    std::uint8_t level = 0;       ///< the side is 2^-level of the pixel's
+    double col = 0.0, row = 0.0;  ///< of the middle, in pixels from the pixel's middle, downwards
+    double side = 1.0;            ///< in pixels; 0: a ray
+    double area = 1.0;            ///< of the part that it stands for, in pixels
+
+    [[nodiscard]] bool is_ray() const { return side == 0.0; }
+    /// A place of the square, as `col` and `row`.
+    [[nodiscard]] double col_of(const SquareRay& place) const { return col + 0.5 * side * place.x; }
+    [[nodiscard]] double row_of(const SquareRay& place) const { return row + 0.5 * side * place.y; }
+    /// The quarter about the middle of which that ray goes.
+    [[nodiscard]] CoverSquare quarter(const SquareRay& middle) const {
+        return {.pixel = pixel,
+                .level = static_cast<std::uint8_t>(level + 1U),
+                .col = col_of(middle),
+                .row = row_of(middle),
+                .side = 0.5 * side,
+                .area = 0.25 * area};
+    }
+    /// A ray that stands for some of it.
+    [[nodiscard]] CoverSquare ray(const SquareRay& place, double share) const {
+        return {.pixel = pixel,
+                .level = level,
+                .col = col_of(place),
+                .row = row_of(place),
+                .side = 0.0,
+                .area = share * area};
+    }
+};
+
+}  // namespace zeroset

@@ -1,0 +1,95 @@
+#include "engine/antialias/edge_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+struct HeightLine {
+    LinearOnSquare fit;
+    double off;  ///< twice what heights differ from it
+};
+
+HeightLine line_through(const std::array<double, square_ray_count>& h) {
+    const double mean = 0.25 * (h[1] + h[2] + h[3] + h[4]);
+    const double twist = 0.25 * std::abs(h[1] + h[4] - h[2] - h[3]);
+    // The mean over the square is that of the quadratic function through the heights.
+    return {.fit = {.value = h[0] + 4.0 / 3.0 * (mean - h[0]),
+                    .by_x = 0.5 * (h[2] + h[4] - h[1] - h[3]),
+                    .by_y = 0.5 * (h[3] + h[4] - h[1] - h[2])},
+            .off = 2.0 * (twist + std::abs(mean - h[0]))};
+}
+
+}  // namespace
+
+std::size_t EdgeSamples::roots() const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(height, [](double at) { return at <= 0.0; }));
+}
+
+std::size_t EdgeSamples::deepest() const {
+    return static_cast<std::size_t>(std::ranges::min_element(height) - height.begin());
+}
+
+EdgeSamples edge_samples(const SquareStretches& stretches) {
+    const auto positive = [](double f) { return f >= 0.0; };
+    const bool near = positive(stretches[0].near);
+    const bool far = positive(stretches[0].far);
+    const bool one_near = std::ranges::all_of(
+        stretches, [&](const RayStretch& ray) { return positive(ray.near) == near; });
+    const bool one_far = std::ranges::all_of(
+        stretches, [&](const RayStretch& ray) { return positive(ray.far) == far; });
+    EdgeSamples samples;
+    samples.known = true;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const RayStretch& ray = stretches[i];
+        samples.before_end[i] = !one_near;
+        samples.known = samples.known && std::isfinite(ray.near) && std::isfinite(ray.least);
+        if (ray.from > ray.to) {
+            samples.height[i] = std::numeric_limits<double>::infinity();
+            samples.known = false;
+        } else if (one_near) {
+            samples.height[i] = ray.least;
+        } else {
+            // The rays enter through a wall on which f changes its sign: where it is already that
+            // of the far end, the root is cut away.
+            samples.height[i] = far ? ray.near : -ray.near;
+            samples.known = samples.known && one_far && !ray.inner;
+        }
+    }
+    return samples;
+}
+
+std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
+    if (!samples.known) return std::nullopt;
+    const auto [fit, off] = line_through(samples.height);
+    if (off <= error * std::hypot(fit.by_x, fit.by_y)) return fit;
+    const double least = std::abs(fit.value) - std::abs(fit.by_x) - std::abs(fit.by_y);
+    return flat_too && least > 4.0 * off ? std::optional(fit) : std::nullopt;
+}
+
+bool is_all_below(const EdgeSamples& samples) {
+    if (!samples.known) return false;
+    const auto [fit, off] = line_through(samples.height);
+    return fit.value + std::abs(fit.by_x) + std::abs(fit.by_y) + 2.0 * off < 0.0;
+}
+
+bool is_touched(const EdgeSamples& samples) {
+    constexpr double most = 0.2;  // above that a thread is thicker than the square, or beside it
+    const auto [least, greatest] = std::ranges::minmax(samples.height);
+    return samples.known && least <= most * (greatest - least);
+}
+
+bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& stretches) {
+    constexpr double most = 1e-9;  // of f at the ends of stretches
+    if (!samples.known || samples.roots() == square_ray_count) return false;
+    double size = 0.0;
+    for (const RayStretch& ray : stretches)
+        size = std::max({size, std::abs(ray.near), std::abs(ray.far)});
+    return std::ranges::all_of(samples.height,
+                               [&](double height) { return std::abs(height) <= most * size; });
+}
+
+}  // namespace zeroset

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/antialias/half_square.hpp"
+#include "engine/antialias/ray_stretches.hpp"
+#include "engine/antialias/square_rays.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace zeroset {
+
+/// A stretch of each of a square's rays.
+using SquareStretches = std::array<RayStretch, square_ray_count>;
+
+/// What stretches of a square's rays tell of the part of it that has a root in them.
+struct EdgeSamples {
+    std::array<double, square_ray_count> height{};  ///< at most 0: the ray has a root
+    bool known = false;  ///< whether `height` may go smoothly with the place
+    /// Whether roots are before the far ends; else before the places of the least f.
+    std::array<bool, square_ray_count> before_end{};
+
+    [[nodiscard]] std::size_t roots() const;
+    /// The ray of the least height.
+    [[nodiscard]] std::size_t deepest() const;
+};
+EdgeSamples edge_samples(const SquareStretches& stretches);
+
+/// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
+bool is_touched(const EdgeSamples& samples);
+
+/// Whether f comes to 0 on all rays, and on none goes through it.
+bool is_touched_everywhere(const EdgeSamples& samples, const SquareStretches& stretches);
+
+/// Whether all of the square has a root, as far as the heights tell.
+bool is_all_below(const EdgeSamples& samples);
+
+/// The linear function through the heights, if it is one to within `error` of its slope; with
+/// `flat_too` also where it is far from 0 all over the square.
+std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too);
+
+}  // namespace zeroset

@@ -1,0 +1,52 @@
+#include "engine/antialias/sample_drafts.hpp"
+
+#include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/square_field.hpp"
+#include "engine/trace/tile_hits.hpp"
+
+namespace zeroset {
+
+void SampleDrafts::add(const CoverSquare& square, double share, const RayRoot& root) {
+    drafts_.push_back({.sample = {.pixel = square.pixel,
+                                  .surface = surface_,
+                                  .certificate = Certificate::Certified,
+                                  .area = static_cast<float>(share * square.area),
+                                  .col = static_cast<float>(root.col),
+                                  .row = static_cast<float>(root.row),
+                                  .distance = 0.0F,
+                                  .gradient = {}},
+                       .root = root,
+                       .found = true});
+}
+
+void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double share, double from,
+                       double to, Certificate certificate) {
+    add(square, share,
+        {.col = SquareField::col_of(square, place),
+         .row = SquareField::row_of(square, place),
+         .from = from,
+         .to = to,
+         .several = square.level >= last_level && !square.is_ray()});
+    drafts_.back().sample.certificate = certificate;
+    drafts_.back().found = false;
+}
+
+void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
+                         std::vector<CoverSample>& out, Counters& counters) const {
+    std::vector<RayRoot> roots;
+    for (const Draft& draft : drafts_) {
+        if (!draft.found) roots.push_back(draft.root);
+    }
+    find_roots(frame, rays, roots, counters);
+    auto next = roots.begin();
+    for (const Draft& draft : drafts_) {
+        const RayRoot& root = draft.found ? draft.root : *next++;
+        CoverSample sample = draft.sample;
+        sample.distance =
+            static_cast<float>(rays.distance_at(root.s, rays.u(root.col), rays.v(root.row)));
+        sample.gradient = float_gradient({root.gradient.x, root.gradient.y, root.gradient.z});
+        out.push_back(sample);
+    }
+}
+
+}  // namespace zeroset

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/antialias/cover_sample.hpp"
+#include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/ray_stretches.hpp"
+
+#include <vector>
+
+namespace zeroset {
+
+/// The samples of one surface, of which some wait for their roots.
+class SampleDrafts {
+public:
+    explicit SampleDrafts(std::uint8_t surface) : surface_(surface) {}
+
+    /// A sample that stands for a share of a square; its root lies between depths on the ray of a
+    /// place.
+    void add(const CoverSquare& square, const SquareRay& place, double share, double from,
+             double to, Certificate certificate);
+    /// A sample whose root is known.
+    void add(const CoverSquare& square, double share, const RayRoot& root);
+    /// Finds the roots and adds the samples to `out`.
+    void write(const TraceFrame& frame, const TileRays& rays, std::vector<CoverSample>& out,
+               Counters& counters) const;
+
+private:
+    /// A sample, and its root; `found`: else its bracket.
+    struct Draft {
+        CoverSample sample;
+        RayRoot root;
+        bool found;
+    };
+
+    std::uint8_t surface_;
+    std::vector<Draft> drafts_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/antialias/edge_fit.hpp"
+#include "engine/antialias/sample_drafts.hpp"
+#include "engine/antialias/square_field.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace zeroset {
+
+/// Squares all of whose rays have a root, to be shown by the sheets that these make up.
+class SquareCreases {
+public:
+    SquareCreases(const TraceFrame& frame, SquareField& field, SampleDrafts& drafts,
+                  Counters& counters)
+        : frame_(frame), field_(field), drafts_(drafts), counters_(counters) {}
+
+    /// A square that is covered between the ends of the front.
+    void add(std::size_t square, const Front& front);
+    /// A square of which this is known of its rays.
+    void add(std::size_t square, const SquareStretches& stretches, const EdgeSamples& samples);
+    /// Decides the squares that were added, or divides them.
+    void decide();
+
+private:
+    using Roots = std::array<RayRoot, square_ray_count>;
+    struct Task {
+        std::size_t square;
+        bool is_covered;  ///< not only the rays: all of it
+        Roots roots;
+    };
+    /// Whether the sheets through the roots are clear.
+    bool show(const Task& task, const Roots& roots);
+
+    const TraceFrame& frame_;
+    SquareField& field_;
+    SampleDrafts& drafts_;
+    Counters& counters_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,145 @@
+#include "engine/antialias/square_edges.hpp"
+
+#include "engine/antialias/cover_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square) {
+    const double error = square.level < last_edge_level
+                             ? std::min(most_error_of_line / square.side, most_error_of_edge)
+                             : 2.0 * most_error_of_edge;
+    return fit_edge(samples, error, square.level >= first_flat_level);
+}
+
+/// Where the root of a ray is that has one.
+double end_of(const RayStretch& ray, const EdgeSamples& samples, std::size_t i) {
+    return samples.before_end[i] ? ray.to : ray.at;
+}
+
+}  // namespace
+
+bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
+    if (!field_.fronts(square)[surface_].continuous || !stretch.has_root()) return pass(square);
+    drafts_.add(field_.square(square), square_middle, 1.0, stretch.from, stretch.at,
+                Certificate::Certified);
+    return false;
+}
+
+bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
+    const CoverSquare at = field_.square(square);
+    const Front& front = field_.fronts(square)[surface_];
+    const EdgeSamples samples = edge_samples(stretches);
+    if (!front.continuous) return take_rough(square, stretches, samples);
+    const auto fit = line_of(samples, at);
+    const bool is_inside = front.is_inside(front.at, front.to);
+    if (!is_inside) {
+        switch (walls_.add(square, stretches, fit)) {
+            case SquareWalls::Choice::None: break;
+            case SquareWalls::Choice::Sought: return false;
+            case SquareWalls::Choice::Outside: return pass(square);
+        }
+    }
+    if (!fit && is_inside) {
+        const auto thread = fit_thread(stretches, 0.5 * at.side, thinnest_thread / at.side);
+        if (thread) return take_thread(square, stretches, samples, *thread);
+    }
+    const bool all = samples.roots() == square_ray_count;
+    const bool kinked = frame_.kernel.branches;
+    const bool creased = all && (!fit || (kinked && is_all_below(samples)));
+    if (creased && at.level < last_color_level) {
+        creases_.add(square, stretches, samples);
+        return false;
+    }
+    return fit ? take_line(square, stretches, samples, *fit)
+               : take_rough(square, stretches, samples);
+}
+
+bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches,
+                            const EdgeSamples& samples, const LinearOnSquare& fit) {
+    const SquarePart part = part_below_zero(fit);
+    if (!(part.share > 0.0)) return pass(square);
+    const CoverSquare at = field_.square(square);
+    if (frame_.kernel.branches && at.level < last_kinked_edge_level) {
+        field_.divide(square);
+        return false;
+    }
+    const std::size_t deepest = samples.deepest();
+    const RayStretch& ray = stretches[deepest];
+    const bool is_hit = samples.height[deepest] <= 0.0;
+    drafts_.add(at, is_hit ? square_rays[deepest] : SquareRay{.x = part.x, .y = part.y}, part.share,
+                ray.from, end_of(ray, samples, deepest), Certificate::Certified);
+    field_.add_rest(square, surface_, samples, 1.0 - part.share, part_below_zero(-fit));
+    return false;
+}
+
+bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretches,
+                              const EdgeSamples& samples, const Thread& thread) {
+    if (thread.empty) return pass(square);
+    const CoverSquare at = field_.square(square);
+    const bool is_proved = thread.half_width > 0.0;
+    const double share = thread.share(is_proved ? thread.half_width : thread_width / at.side);
+    const RayStretch& ray = stretches[samples.deepest()];
+    if (share > 0.0)
+        drafts_.add(at, thread.middle(), share, ray.from, ray.at,
+                    is_proved ? Certificate::Certified : Certificate::Undecided);
+    // Behind the thread, and beside it, is what all rays meet.
+    EdgeSamples beside = samples;
+    beside.height.fill(1.0);
+    field_.add_rest(square, surface_, beside, 1.0 - share, {.share = 1.0, .x = 0.0, .y = 0.0});
+    return false;
+}
+
+bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretches,
+                             const EdgeSamples& samples) {
+    const CoverSquare at = field_.square(square);
+    const Front& front = field_.fronts(square)[surface_];
+    const std::size_t roots = samples.roots();
+    const bool is_inside = front.is_inside(front.at, front.to);
+    const bool sheet = front.continuous && is_inside && is_touched_everywhere(samples, stretches);
+    const bool all = sheet || (roots == square_ray_count && at.level >= last_level);
+    if (!all && at.level < (front.continuous ? last_edge_level : last_broken_level)) {
+        field_.divide(square);
+        return false;
+    }
+    // The square is as small as squares get: where f comes near to 0 it is drawn
+    // [Florez08, sec. 5.5.2].
+    const bool thread = !sheet && roots == 0;
+    if (!front.continuous || (thread && !(is_inside && is_touched(samples)))) return pass(square);
+    const std::size_t deepest = samples.deepest();
+    const RayStretch& ray = stretches[deepest];
+    const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;
+    drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, ray.from,
+                end_of(ray, samples, deepest),
+                roots == 0 ? Certificate::Undecided : Certificate::Certified);
+    field_.add_rest(square, surface_, samples, 1.0 - rooted, {.share = 1.0, .x = 0.0, .y = 0.0});
+    return false;
+}
+
+void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open) {
+    const bool are_rays = !squares.empty() && field_.square(squares.front()).is_ray();
+    const std::size_t count = are_rays ? 1 : square_ray_count;
+    std::vector<RayStretch> stretches;
+    stretches.reserve(squares.size() * count);
+    for (const std::size_t i : squares) {
+        const Front& front = field_.fronts(i)[surface_];
+        for (const SquareRay& ray : std::span(square_rays).first(count))
+            stretches.push_back(field_.stretch_of(field_.square(i), front, ray));
+    }
+    find_least(frame_, field_.rays(), stretches, counters_);
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        const auto of_square = std::span(stretches).subspan(k * count, count);
+        SquareStretches all{};
+        std::ranges::copy(of_square, all.begin());
+        const bool goes_on = are_rays ? take_ray(squares[k], all.front()) : take(squares[k], all);
+        if (goes_on) open.push_back(squares[k]);
+    }
+    walls_.decide();
+    creases_.decide();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/antialias/edge_fit.hpp"
+#include "engine/antialias/sample_drafts.hpp"
+#include "engine/antialias/square_creases.hpp"
+#include "engine/antialias/square_field.hpp"
+#include "engine/antialias/square_walls.hpp"
+#include "engine/antialias/thread_fit.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// Decides squares whose fronts are at an edge of a surface: by a line, a thread, a crease, a wall
+/// of the clip region; else by dividing them.
+class SquareEdges {
+public:
+    SquareEdges(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                SampleDrafts& drafts, Counters& counters)
+        : frame_(frame),
+          surface_(surface),
+          field_(field),
+          drafts_(drafts),
+          counters_(counters),
+          creases_(frame, field, drafts, counters),
+          walls_(frame, surface, field, drafts, counters) {}
+
+    /// A square that a root hides, in which normal . view changes much.
+    void add_uneven(std::size_t square) { creases_.add(square, field_.fronts(square)[surface_]); }
+    /// Decides these squares, all of one level, and those that were added; adds to `open` those
+    /// whose search goes on.
+    void decide(std::span<const std::size_t> squares, std::vector<std::size_t>& open);
+
+private:
+    /// Whether the search of the square goes on behind the edge.
+    bool take(std::size_t square, const SquareStretches& stretches);
+    bool take_line(std::size_t square, const SquareStretches& stretches, const EdgeSamples& samples,
+                   const LinearOnSquare& fit);
+    bool take_thread(std::size_t square, const SquareStretches& stretches,
+                     const EdgeSamples& samples, const Thread& thread);
+    bool take_rough(std::size_t square, const SquareStretches& stretches,
+                    const EdgeSamples& samples);
+    bool take_ray(std::size_t square, const RayStretch& stretch);
+    /// Nothing is seen of the surface at the edge.
+    bool pass(std::size_t square) {
+        field_.fronts(square)[surface_].pass();
+        return true;
+    }
+
+    const TraceFrame& frame_;
+    std::size_t surface_;
+    SquareField& field_;
+    SampleDrafts& drafts_;
+    Counters& counters_;
+    SquareCreases creases_;
+    SquareWalls walls_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,102 @@
+#include "engine/antialias/square_field.hpp"
+
+#include "engine/antialias/cover_rules.hpp"
+#include "engine/antialias/edge_fit.hpp"
+
+#include <cmath>
+
+namespace zeroset {
+
+void SquareField::place(const CoverSquare& square, Front& front) const {
+    const double radius = 0.5 * square.side * rays_.pixel();
+    const DepthRange depths = rays_.depths(rays_.u(col_of(square, square_middle)),
+                                           rays_.v(row_of(square, square_middle)), radius, radius);
+    front.at = std::max(front.at, depths.enter_lo);
+    front.end = depths.exit_hi;
+    front.inside_from = depths.enter_hi;
+    front.inside_to = depths.exit_lo;
+    front.state = front.at < front.end ? Front::State::Going : Front::State::Gone;
+}
+
+RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front,
+                                   const SquareRay& place) const {
+    const double col = col_of(square, place);
+    const double row = row_of(square, place);
+    RayStretch stretch{.col = col, .row = row, .from = front.at, .to = front.to};
+    if (front.is_inside(front.at, front.to)) return stretch;
+    const DepthRange depths = rays_.depths(rays_.u(col), rays_.v(row), 0.0, 0.0);
+    stretch.from = std::max(front.at, 0.5 * depths.enter_lo + 0.5 * depths.enter_hi);
+    stretch.to = std::min(front.to, 0.5 * depths.exit_lo + 0.5 * depths.exit_hi);
+    return stretch;
+}
+
+void SquareField::begin(const MixedPixel& pixel) {
+    const CoverSquare square{.pixel = pixel.pixel};
+    Front front;
+    front.at = static_cast<double>(pixel.from);
+    place(square, front);
+    if (front.state == Front::State::Gone) return;
+    // The first cell goes behind the hit of the pixel's own ray, if there is one.
+    const double u = rays_.u(col_of(square, square_middle));
+    const double v = rays_.v(row_of(square, square_middle));
+    const double hit =
+        static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+    const double fair = width_of(1.0, front.at);
+    front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+    squares_.push_back(square);
+    fronts_.insert(fronts_.end(), surfaces_, front);
+}
+
+void SquareField::divide(std::size_t square) {
+    for (const SquareRay& middle : std::span(square_rays).subspan(1))
+        add_part(square, squares_[square].quarter(middle));
+}
+
+void SquareField::add_part(std::size_t square, const CoverSquare& part) {
+    std::vector<Front>& of_part = part.is_ray() ? ray_fronts_ : next_fronts_;
+    const std::size_t first = of_part.size();
+    bool any = false;
+    for (const Front& of_whole : fronts(square)) {
+        Front front;
+        front.at = of_whole.at;
+        place(part, front);
+        if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
+        const double length = of_whole.state == Front::State::Going
+                                  ? of_whole.step
+                                  : 1.1 * (of_whole.to - of_whole.at);
+        front.step = std::max(length, fair_length(part, front.at));
+        any = any || front.state != Front::State::Gone;
+        of_part.push_back(front);
+    }
+    if (any) {
+        (part.is_ray() ? ray_squares_ : next_squares_).push_back(part);
+    } else {
+        of_part.resize(first);
+    }
+}
+
+void SquareField::add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples,
+                           double share, const SquarePart& rest) {
+    if (!(share > least_share)) return;
+    fronts(square)[surface].pass();
+    const CoverSquare at = squares_[square];
+    const auto beside = static_cast<double>(square_ray_count - samples.roots());
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        if (!(samples.height[i] <= 0.0)) add_part(square, at.ray(square_rays[i], share / beside));
+    }
+    if (beside == 0.0) add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
+}
+
+bool SquareField::go_down() {
+    squares_.swap(next_squares_);
+    fronts_.swap(next_fronts_);
+    next_squares_.clear();
+    next_fronts_.clear();
+    if (squares_.empty()) {
+        squares_.swap(ray_squares_);
+        fronts_.swap(ray_fronts_);
+    }
+    return !squares_.empty();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "engine/antialias/cover_sample.hpp"
+#include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/front.hpp"
+#include "engine/antialias/half_square.hpp"
+#include "engine/antialias/ray_stretches.hpp"
+#include "engine/trace/tile_rays.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+struct EdgeSamples;
+
+/// The squares of a tile's mixed pixels that are searched, level by level, and last the rays that
+/// stand for parts; of each the fronts of all surfaces.
+class SquareField {
+public:
+    SquareField(const TileRays& rays, std::size_t surfaces) : rays_(rays), surfaces_(surfaces) {}
+
+    [[nodiscard]] std::size_t size() const { return squares_.size(); }
+    [[nodiscard]] const CoverSquare& square(std::size_t i) const { return squares_[i]; }
+    /// The fronts of a square, one for each surface.
+    [[nodiscard]] std::span<Front> fronts(std::size_t i) {
+        return std::span(fronts_).subspan(i * surfaces_, surfaces_);
+    }
+    [[nodiscard]] const TileRays& rays() const { return rays_; }
+    /// The ray through a place of a square, as TileRays counts pixels.
+    [[nodiscard]] static double col_of(const CoverSquare& square, const SquareRay& place) {
+        return square.pixel % tile_size + square.col_of(place);
+    }
+    [[nodiscard]] static double row_of(const CoverSquare& square, const SquareRay& place) {
+        return static_cast<double>(square.pixel / tile_size) + square.row_of(place);
+    }
+    /// The width of so many pixels at a depth.
+    [[nodiscard]] double width_of(double pixels, double s) const {
+        return rays_.pixel() * pixels * (rays_.distance() + s);
+    }
+    /// The longest cell that is not halved. Thinner squares learn little from shorter cells: rays
+    /// do.
+    [[nodiscard]] double fair_length(const CoverSquare& square, double s) const {
+        return width_of(std::max(square.side, 0.25), s);
+    }
+    /// What the front leaves open on the ray of a place; empty outside of the clip region.
+    [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
+                                        const SquareRay& place) const;
+
+    void begin(const MixedPixel& pixel);
+    /// Goes on with the quarters of a square instead of it.
+    void divide(std::size_t square);
+    /// Goes on behind an edge of a surface with rays beside it; they stand for that share of the
+    /// square.
+    void add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples, double share,
+                  const SquarePart& rest);
+    /// Goes on with the next level; false when there is none.
+    bool go_down();
+
+private:
+    /// Begins a front, no nearer than `front.at`.
+    void place(const CoverSquare& square, Front& front) const;
+    /// Goes on with a part of a square, or with a ray that stands for one.
+    void add_part(std::size_t square, const CoverSquare& part);
+
+    const TileRays& rays_;
+    std::size_t surfaces_;
+    std::vector<CoverSquare> squares_, next_squares_, ray_squares_;
+    std::vector<Front> fronts_, next_fronts_, ray_fronts_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,82 @@
+#include "engine/antialias/square_walls.hpp"
+
+#include "engine/antialias/cover_rules.hpp"
+
+#include <utility>
+
+namespace zeroset {
+
+auto SquareWalls::add(std::size_t square, const SquareStretches& stretches,
+                      const std::optional<LinearOnSquare>& fit) -> Choice {
+    Task task{.square = square, .stretches = stretches, .places = {}, .ways = {}};
+    std::size_t outside_count = 0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        outside_count += stretches[i].is_empty() ? 1U : 0U;
+        task.places.push_back({.at = square_rays[i], .hit = stretches[i].has_root()});
+    }
+    const Front& front = field_.fronts(square)[surface_];
+    for (const SquareRay& corner : square_corners) {
+        const bool outside = field_.stretch_of(field_.square(square), front, corner).is_empty();
+        outside_count += outside ? 1U : 0U;
+        if (outside || fit)
+            task.places.push_back({.at = corner, .hit = !outside && fit->at(corner) <= 0.0});
+    }
+    const bool outside = outside_count == square_ray_count + square_corners.size();
+    if (outside && field_.square(square).level >= first_flat_level) return Choice::Outside;
+    const auto ways = outside_count > 0 ? wall_between(task.places) : std::nullopt;
+    if (!ways) return Choice::None;
+    task.ways = *ways;
+    tasks_.push_back(std::move(task));
+    return Choice::Sought;
+}
+
+void SquareWalls::narrow() {
+    constexpr int halvings = 9;
+    std::vector<RayStretch> stretches;
+    for (int i = 0; i < halvings; ++i) {
+        stretches.clear();
+        for (const Task& task : tasks_) {
+            const Front& front = field_.fronts(task.square)[surface_];
+            for (std::size_t way = 0; way < 2; ++way)
+                stretches.push_back(
+                    field_.stretch_of(field_.square(task.square), front, task.ways.middle(way)));
+        }
+        find_least(frame_, field_.rays(), stretches, counters_);
+        for (std::size_t k = 0; k < stretches.size(); ++k) {
+            WallWays& ways = tasks_[k / 2].ways;
+            const SquareRay middle = ways.middle(k % 2);
+            (stretches[k].has_root() ? ways.hit : ways.miss)[k % 2] = middle;
+        }
+    }
+}
+
+void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
+    EdgeSamples samples;
+    std::size_t hit = 0;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        const bool has_root = task.stretches[i].has_root();
+        samples.height[i] = has_root ? -1.0 : 1.0;
+        if (has_root) hit = i;
+    }
+    const double share = part_below_zero(line).share;
+    const RayStretch& ray = task.stretches[hit];
+    drafts_.add(field_.square(task.square), square_rays[hit], share, ray.from, ray.at,
+                Certificate::Certified);
+    field_.add_rest(task.square, surface_, samples, 1.0 - share, part_below_zero(-line));
+}
+
+void SquareWalls::decide() {
+    if (tasks_.empty()) return;
+    narrow();
+    for (const Task& task : tasks_) {
+        const auto line = line_of_wall(task.places, task.ways);
+        if (line) {
+            show(task, *line);
+        } else if (field_.square(task.square).level < last_edge_level) {
+            field_.divide(task.square);
+        }
+    }
+    tasks_.clear();
+}
+
+}  // namespace zeroset

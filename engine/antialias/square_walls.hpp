@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/antialias/edge_fit.hpp"
+#include "engine/antialias/sample_drafts.hpp"
+#include "engine/antialias/square_field.hpp"
+#include "engine/antialias/wall_line.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace zeroset {
+
+/// Squares that a wall of the clip region may cut: where rays run along the wall, its line in the
+/// square is sought by halving.
+class SquareWalls {
+public:
+    SquareWalls(const TraceFrame& frame, std::size_t surface, SquareField& field,
+                SampleDrafts& drafts, Counters& counters)
+        : frame_(frame), surface_(surface), field_(field), drafts_(drafts), counters_(counters) {}
+
+    /// Whether a wall is sought in a square, or the square is outside of the clip region.
+    enum class Choice : std::uint8_t { None, Sought, Outside };
+    /// `fit`: the edge without the wall, where it is known.
+    Choice add(std::size_t square, const SquareStretches& stretches,
+               const std::optional<LinearOnSquare>& fit);
+    /// Decides the squares that were added, or divides them.
+    void decide();
+
+private:
+    struct Task {
+        std::size_t square;
+        SquareStretches stretches;
+        std::vector<WallPlace> places;
+        WallWays ways;
+    };
+    /// Halves the ways of all tasks until they are short.
+    void narrow();
+    void show(const Task& task, const LinearOnSquare& line);
+
+    const TraceFrame& frame_;
+    std::size_t surface_;
+    SquareField& field_;
+    SampleDrafts& drafts_;
+    Counters& counters_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,92 @@
+// What is proved of whole pixels, not only of the rays through their centres.
+// Included once for each instruction set, after Highway.
+
+#if defined(ZEROSET_COVER_MARKS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ZEROSET_COVER_MARKS_INL
+#undef ZEROSET_COVER_MARKS_INL
+#else
+#define ZEROSET_COVER_MARKS_INL
+#endif
+
+#include "engine/real/scalar.hpp"
+#include "engine/trace/simd/vectors-inl.hpp"
+#include "engine/trace/tile.hpp"
+#include "engine/trace/tile_hits.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace zeroset::HWY_NAMESPACE {
+
+/// For each pixel of a tile, the nearest sheet that covers all of it, and where something else may
+/// be.
+template <class Real>
+class CoverMarks {
+public:
+    /// Begins a tile in which cells hold all rays of their pixels, and marks go to `out`; else
+    /// nothing is marked.
+    void begin(bool wanted, PixelCover& out) {
+        out_ = wanted ? &out : nullptr;
+        if (!wanted) return;
+        out.clear();
+        if constexpr (std::is_same_v<Real, float>) {
+            from_ = out.from.data();
+            to_ = out.to.data();
+            other_from_ = out.other_from.data();
+        } else {
+            own_.assign(3 * out.from.size(), std::numeric_limits<Real>::infinity());
+            from_ = own_.data();
+            to_ = from_ + out.from.size();
+            other_from_ = to_ + out.from.size();
+        }
+    }
+    [[nodiscard]] bool wanted() const { return out_ != nullptr; }
+    /// Of the pixels from `pixel` on those in `some` may hold roots between `from` and `to`; on all
+    /// rays of those in `covered`, which are among them, is one there.
+    template <class D>
+    HWY_INLINE void mark(D tag, std::size_t pixel, hn::Vec<D> from, hn::Vec<D> to, hn::Mask<D> some,
+                         hn::Mask<D> covered) {
+        out_->marked = true;
+        const auto old_from = hn::LoadU(tag, &from_[pixel]);
+        const auto old_to = hn::LoadU(tag, &to_[pixel]);
+        const auto nearer = hn::And(covered, hn::Lt(to, old_to));
+        const auto none = hn::Inf(tag);
+        const auto displaced = hn::IfThenElse(nearer, old_from, hn::IfThenElse(some, from, none));
+        hn::StoreU(hn::Min(hn::LoadU(tag, &other_from_[pixel]), displaced), tag,
+                   &other_from_[pixel]);
+        hn::StoreU(hn::IfThenElse(nearer, from, old_from), tag, &from_[pixel]);
+        hn::StoreU(hn::IfThenElse(nearer, to, old_to), tag, &to_[pixel]);
+    }
+    /// From a depth on nothing is known of a pixel.
+    void leave(std::size_t pixel, double from) {
+        if (out_ == nullptr) return;
+        out_->marked = true;
+        other_from_[pixel] = std::min(other_from_[pixel], -upper_end(Real{}, -from));
+    }
+    void end() {
+        if constexpr (!std::is_same_v<Real, float>) {
+            if (out_ == nullptr || !out_->marked) return;
+            const auto below = [](Real depth) { return -float_above(-depth); };
+            for (std::size_t pixel = 0; pixel < out_->from.size(); ++pixel) {
+                out_->from[pixel] = below(from_[pixel]);
+                out_->to[pixel] = float_above(to_[pixel]);
+                out_->other_from[pixel] = below(other_from_[pixel]);
+            }
+        }
+    }
+
+private:
+    PixelCover* out_ = nullptr;  ///< nullptr: nothing is wanted
+    Real* from_ = nullptr;
+    Real* to_ = nullptr;
+    Real* other_from_ = nullptr;
+    std::vector<Real> own_;  ///< depths that have no place in `out_`
+};
+
+}  // namespace zeroset::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

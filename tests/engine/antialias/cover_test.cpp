@@ -1,0 +1,165 @@
+#include "engine/antialias/cover_search.hpp"
+#include "engine/real/rounding.hpp"
+#include "engine/trace/tile_grid.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The parts of pixels that surfaces cover, against closed forms.
+
+namespace zeroset::test {
+namespace {
+
+constexpr int side = 40;              ///< of the pictures, in pixels
+constexpr double pixel = 2.0 / side;  ///< of the world, whose unit square they show
+constexpr double most_error = 1.0 / 256;
+
+/// Looks down the z axis, with parallel rays: column c shows x = (c - side / 2) pixel.
+Camera from_above() {
+    return {.eye = {0, 0, 2},
+            .look_at = {0, 0, 0},
+            .up = {0, 1, 0},
+            .fov_rad = 2.0 * std::atan(0.5),
+            .projection = Projection::Orthographic};
+}
+
+/// The part of each pixel that the scene covers.
+std::vector<double> cover_of(const Scene& scene) {
+    const ViewFrame view(from_above());
+    const UpwardRounding upward;
+    const std::vector<TraceFrame> frames{
+        trace_frame(scene, scene.surfaces.front(), view, {.width = side, .height = side}, {})};
+    const Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
+    std::vector<MixedPixel> pixels;
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col)
+            pixels.push_back({.pixel = static_cast<std::uint16_t>(row * tile_size + col),
+                              .from = -std::numeric_limits<float>::infinity(),
+                              .hit = std::numeric_limits<float>::infinity()});
+    }
+    std::vector<CoverSample> samples;
+    Counters counters;
+    find_cover(frames, tile, pixels, samples, counters);
+    std::vector<double> cover(std::size_t{side} * side, 0.0);
+    for (const CoverSample& sample : samples)
+        cover[static_cast<std::size_t>(sample.pixel / tile_size * side +
+                                       sample.pixel % tile_size)] +=
+            static_cast<double>(sample.area);
+    return cover;
+}
+
+/// The part of a pixel that a convex shape covers. `shape(x)`: where its y begins and ends.
+double area_in(int col, int row, const auto& shape) {
+    constexpr int slices = 4000;
+    const double left = (col - side / 2) * pixel;
+    const double bottom = (side / 2 - row - 1) * pixel;
+    double sum = 0.0;
+    for (int i = 0; i < slices; ++i) {
+        const std::pair<double, double> y = shape(left + (i + 0.5) / slices * pixel);
+        sum += std::max(0.0, std::min(y.second, bottom + pixel) - std::max(y.first, bottom));
+    }
+    return sum / slices / pixel;
+}
+
+void expect_cover(const Scene& scene, const auto& shape, const std::string& what) {
+    const std::vector<double> cover = cover_of(scene);
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col) {
+            const double found = cover[static_cast<std::size_t>(row * side + col)];
+            ASSERT_NEAR(found, area_in(col, row, shape), most_error)
+                << what << " at " << col << ", " << row;
+        }
+    }
+}
+
+std::string text_of(double number) { return "(" + std::to_string(number) + ")"; }
+
+class Cover : public testing::Test {
+protected:
+    double between(double lo, double hi) {
+        return std::uniform_real_distribution<double>(lo, hi)(random_);
+    }
+
+private:
+    std::mt19937 random_{3};
+};
+
+TEST_F(Cover, OfADisc) {
+    for (int i = 0; i < 6; ++i) {
+        const double a = between(-0.2, 0.2);
+        const double b = between(-0.2, 0.2);
+        const double r = between(3.0, 14.0) * pixel;
+        const std::string text =
+            "(x-" + text_of(a) + ")^2 + (y-" + text_of(b) + ")^2 + z^2 = " + text_of(r) + "^2";
+        const auto disc = [&](double x) {
+            const double half = std::sqrt(std::max(0.0, r * r - (x - a) * (x - a)));
+            return std::pair(b - half, b + half);
+        };
+        expect_cover(scene_of(text, Box::cube(1.5)), disc, text);
+    }
+}
+
+/// The y for which n . (x, y) <= offset.
+auto half_plane(double angle, double offset) {
+    return [=](double x) {
+        const double end = (offset - x * std::cos(angle)) / std::sin(angle);
+        return std::sin(angle) > 0.0 ? std::pair(-2.0, end) : std::pair(end, 2.0);
+    };
+}
+
+TEST_F(Cover, OfAHalfPlaneThatIsCutOff) {
+    for (int i = 0; i < 6; ++i) {
+        const double angle = between(-3.0, 3.0);
+        const double offset = between(-0.5, 0.5);
+        Scene scene = scene_of("z = 0.1 x", Box::cube(1.5));
+        scene.region.sections.push_back(
+            {.normal = {std::cos(angle), std::sin(angle), 0}, .offset = offset, .cap = false});
+        expect_cover(scene, half_plane(angle, offset), "angle " + std::to_string(angle));
+    }
+}
+
+TEST_F(Cover, OfAHalfPlaneThatIsASolidsFace) {
+    for (int i = 0; i < 6; ++i) {
+        const double angle = between(-3.0, 3.0);
+        const double offset = between(-0.5, 0.5);
+        const std::string text = "max(abs(z) - 0.3, " + text_of(std::cos(angle)) + "x + " +
+                                 text_of(std::sin(angle)) + "y - " + text_of(offset) + ")";
+        expect_cover(scene_of(text, Box::cube(1.5)), half_plane(angle, offset), text);
+    }
+}
+
+TEST_F(Cover, OfALineOfASixteenthOfAPixel) {
+    for (int i = 0; i < 6; ++i) {
+        const double angle = between(0.2, 3.0);
+        const double offset = between(-0.4, 0.4);
+        const double half = pixel / 32;
+        const std::string text = "(" + text_of(std::cos(angle)) + "x + " +
+                                 text_of(std::sin(angle)) + "y - " + text_of(offset) +
+                                 ")^2 + z^2 = " + std::to_string(half) + "^2";
+        const auto line = [&](double x) {
+            return std::pair((offset - half - x * std::cos(angle)) / std::sin(angle),
+                             (offset + half - x * std::cos(angle)) / std::sin(angle));
+        };
+        expect_cover(scene_of(text, Box::cube(1.5)), line, text);
+    }
+}
+
+TEST_F(Cover, OfWhatIsNotThereIsNothing) {
+    for (const char* const text : {"x^2 + y^2 + z^2 = -1", "z = 5", "1 + exp(x)"}) {
+        for (const double part : cover_of(scene_of(text, Box::cube(1.5))))
+            ASSERT_EQ(part, 0.0) << text;
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test
