@@ -26,8 +26,8 @@ inline constexpr double most_error_of_line = 1.0 / 200;
 inline constexpr double most_error_of_edge = 1.0 / 8;
 /// As wide, in pixels, threads are drawn of which no ray is known to have a root; and half the
 /// width from which on it would be known.
-inline constexpr double thread_width = 1.0 / 16;
-inline constexpr double thinnest_thread = 1.0 / 256;
+inline constexpr double thread_width = 1.0 / 8;
+inline constexpr double thinnest_thread = 1.0 / 80;
 /// The first cell of a pixel whose own ray hits nothing, in its widths.
 inline constexpr double first_widths = 8.0;
 /// Less of a square is not worth a search.

@@ -62,6 +62,18 @@ EdgeSamples edge_samples(const SquareStretches& stretches) {
     return samples;
 }
 
+EdgeSamples entry_samples(const SquareStretches& stretches) {
+    const double sign = stretches[0].near >= 0.0 ? 1.0 : -1.0;
+    EdgeSamples samples;
+    samples.known = true;
+    for (std::size_t i = 0; i < square_ray_count; ++i) {
+        samples.height[i] = -sign * stretches[i].near;
+        samples.known =
+            samples.known && !stretches[i].is_empty() && std::isfinite(stretches[i].near);
+    }
+    return samples;
+}
+
 std::optional<LinearOnSquare> fit_edge(const EdgeSamples& samples, double error, bool flat_too) {
     if (!samples.known) return std::nullopt;
     const auto [fit, off] = line_through(samples.height);

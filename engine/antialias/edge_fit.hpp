@@ -25,6 +25,9 @@ struct EdgeSamples {
     [[nodiscard]] std::size_t deepest() const;
 };
 EdgeSamples edge_samples(const SquareStretches& stretches);
+/// The same of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
+/// as a wall has cut the root away.
+EdgeSamples entry_samples(const SquareStretches& stretches);
 
 /// Whether the heights, all above 0, come so near to it that a thread may pass between the rays.
 bool is_touched(const EdgeSamples& samples);

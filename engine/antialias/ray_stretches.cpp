@@ -131,7 +131,7 @@ struct LeastSearch {
         (place.slope < 0.0 ? lo : hi) = place;
     }
     [[nodiscard]] bool narrow() const {
-        return (hi.s - lo.s) * std::min(-lo.slope, hi.slope) <= 1e-3 * size;
+        return (hi.s - lo.s) * std::min(-lo.slope, hi.slope) <= 1e-7 * size;
     }
 };
 

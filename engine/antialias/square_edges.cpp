@@ -16,6 +16,15 @@ std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSqu
     return fit_edge(samples, error, square.level >= first_flat_level);
 }
 
+/// The edge of a root that rays may miss at their far ends, or have cut away where they enter.
+std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples,
+                                            const SquareStretches& stretches,
+                                            const CoverSquare& square) {
+    const EdgeSamples entry = entry_samples(stretches);
+    if (is_all_below(entry)) return line_of(samples, square);
+    return is_all_below(samples) ? line_of(entry, square) : std::nullopt;
+}
+
 /// Where the root of a ray is that has one.
 double end_of(const RayStretch& ray, const EdgeSamples& samples, std::size_t i) {
     return samples.before_end[i] ? ray.to : ray.at;
@@ -35,8 +44,9 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
     const Front& front = field_.fronts(square)[surface_];
     const EdgeSamples samples = edge_samples(stretches);
     if (!front.continuous) return take_rough(square, stretches, samples);
-    const auto fit = line_of(samples, at);
     const bool is_inside = front.is_inside(front.at, front.to);
+    const bool one_entry = is_inside || samples.before_end.front();
+    const auto fit = one_entry ? line_of(samples, at) : line_at_walls(samples, stretches, at);
     if (!is_inside) {
         switch (walls_.add(square, stretches, fit)) {
             case SquareWalls::Choice::None: break;
@@ -45,12 +55,12 @@ bool SquareEdges::take(std::size_t square, const SquareStretches& stretches) {
         }
     }
     if (!fit && is_inside) {
-        const auto thread = fit_thread(stretches, 0.5 * at.side, thinnest_thread / at.side);
+        const auto thread = fit_thread(stretches, 0.5 * at.side, 2.0 * thinnest_thread / at.side);
         if (thread) return take_thread(square, stretches, samples, *thread);
     }
     const bool all = samples.roots() == square_ray_count;
     const bool kinked = frame_.kernel.branches;
-    const bool creased = all && (!fit || (kinked && is_all_below(samples)));
+    const bool creased = all && is_inside && (!fit || (kinked && is_all_below(samples)));
     if (creased && at.level < last_color_level) {
         creases_.add(square, stretches, samples);
         return false;

@@ -128,6 +128,26 @@ TEST_F(Cover, OfAHalfPlaneThatIsCutOff) {
     }
 }
 
+TEST_F(Cover, OfAHalfPlaneThatIsCutOffAslant) {
+    for (const double z : {-0.6, 0.6}) {
+        for (int i = 0; i < 4; ++i) {
+            const double angle = between(-3.0, 3.0);
+            const double offset = between(-0.4, 0.4);
+            Scene scene = scene_of("z = 0.1 x", Box::cube(1.5));
+            const double across = std::sqrt(1.0 - z * z);
+            const glm::dvec3 normal(across * std::cos(angle), across * std::sin(angle), z);
+            scene.region.sections.push_back({.normal = normal, .offset = offset, .cap = false});
+            // On the surface z is 0.1 x.
+            const auto part = [&](double x) {
+                const double end = (offset - (normal.x + 0.1 * normal.z) * x) / normal.y;
+                return normal.y > 0.0 ? std::pair(-2.0, end) : std::pair(end, 2.0);
+            };
+            expect_cover(scene, part,
+                         "z " + std::to_string(z) + ", angle " + std::to_string(angle));
+        }
+    }
+}
+
 TEST_F(Cover, OfAHalfPlaneThatIsASolidsFace) {
     for (int i = 0; i < 6; ++i) {
         const double angle = between(-3.0, 3.0);
@@ -151,6 +171,29 @@ TEST_F(Cover, OfALineOfASixteenthOfAPixel) {
                              (offset + half - x * std::cos(angle)) / std::sin(angle));
         };
         expect_cover(scene_of(text, Box::cube(1.5)), line, text);
+    }
+}
+
+TEST_F(Cover, OfAThreadWithoutWidthIsUnbroken) {
+    for (int i = 0; i < 6; ++i) {
+        const double angle = between(0.2, 3.0);
+        const double offset = between(-0.4, 0.4);
+        const std::string text = "(" + text_of(std::cos(angle)) + "x + " +
+                                 text_of(std::sin(angle)) + "y - " + text_of(offset) +
+                                 ")^2 + z^2 = 0";
+        const std::vector<double> cover = cover_of(scene_of(text, Box::cube(1.5)));
+        constexpr double half = 0.01 * pixel;
+        const auto line = [&](double x) {
+            return std::pair((offset - half - x * std::cos(angle)) / std::sin(angle),
+                             (offset + half - x * std::cos(angle)) / std::sin(angle));
+        };
+        for (int row = 0; row < side; ++row) {
+            for (int col = 0; col < side; ++col) {
+                const double length = area_in(col, row, line) / 0.02;  // in pixels
+                const double found = cover[static_cast<std::size_t>(row * side + col)];
+                ASSERT_NEAR(found, 0.125 * length, 0.02) << text << " at " << col << ", " << row;
+            }
+        }
     }
 }
 
