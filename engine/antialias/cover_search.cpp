@@ -81,7 +81,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    work_[first].drafts.add(at, square_middle, 1.0, front.at, front.to, Certificate::Certified);
+    work_[first].drafts.add(at, front);
     return {.step = Step::Close, .surface = first};
 }
 

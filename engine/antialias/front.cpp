@@ -6,6 +6,9 @@ namespace zeroset {
 namespace {
 
 constexpr int most_open_cells = 8;
+/// Of a cell's length, from one to the next.
+constexpr double most_growth = 4.0;
+constexpr double least_growth = 0.125;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
 constexpr double most_fair_lengths = 8.0;
 
@@ -37,7 +40,13 @@ void Front::leave_open(const CellVerdict& cell) {
 
 void Front::take_root(const CellVerdict& cell, const FrontRules& rules) {
     const double width = cell.root_to - cell.root_from;
-    if (cell.turn > rules.most_turn && cell.to - cell.from > 3.0 * (width + rules.margin)) {
+    const double length = cell.to - cell.from;
+    if (!cell.monotone && length > 2.0 * rules.fair_length) {
+        // There may be several roots on a ray, of which the first is wanted.
+        step = 0.5 * length;
+        return;
+    }
+    if (cell.turn > rules.most_turn && length > 3.0 * (width + rules.margin)) {
         // A long cell tells more of f beside the sheet than of the sheet.
         const double spare = 0.25 * width + rules.margin;
         at = std::max(cell.from, cell.root_from - spare);
@@ -48,6 +57,7 @@ void Front::take_root(const CellVerdict& cell, const FrontRules& rules) {
     at = cell.root_from;
     to = cell.root_to;
     turn = cell.turn;
+    monotone = cell.monotone;
 }
 
 void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
@@ -55,7 +65,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     if (cell.rejected) {
         if (is_open()) return end_stretch(at);
         at = cell.to;
-        step = 2.0 * length;
+        step = std::clamp(cell.stretch, 1.0, most_growth) * length;
         stretched = false;
         if (at >= end) state = State::Gone;
         return;
@@ -67,7 +77,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
         return take_root(cell, rules);
     }
     if (!cell.precise && length > 1.5 * rules.fair_length) {
-        step = std::max(0.5 * length, rules.fair_length);
+        step = std::max(std::clamp(cell.stretch, least_growth, 0.5) * length, rules.fair_length);
         return;
     }
     // Make a cell longer that all rays seem to leave with a root.

@@ -10,10 +10,13 @@ struct CellVerdict {
     double from, to;  ///< the slab
     bool rejected;    ///< no ray has a root
     bool continuous;  ///< f is
+    bool monotone;    ///< f rises on all rays, or falls: there is at most one root on each
     bool precise;     ///< the form's error is small beside its change across the square
     /// Where its linear part lets roots be, perhaps beyond the slab.
     double root_from, root_to;
     double turn;  ///< the width of the enclosure of normal . view
+    /// How much longer the next cell may be: rejected, or precise, if f goes on as it does here.
+    double stretch;
 };
 
 /// What the search along a beam goes by.
@@ -46,7 +49,8 @@ struct Front {
     double open_from = none;
     /// Within the clip region all rays are between these.
     double inside_from = 0.0, inside_to = 0.0;
-    double turn = 0.0;  ///< Rooted: the width of the enclosure of normal . view
+    double turn = 0.0;      ///< Rooted: the width of the enclosure of normal . view
+    bool monotone = false;  ///< Rooted: there is one root on each ray; else there may be more
 
     [[nodiscard]] bool is_open() const { return open_from < none; }
     /// Whether all rays are within the clip region between two depths.

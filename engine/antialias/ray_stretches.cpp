@@ -140,26 +140,25 @@ struct RootSearch {
     RayRoot* root;
     double lo, hi, f_lo, f_hi;
     double next;
-    int side = 0;  ///< the end that stood last: -1 lo, 1 hi
+    int stood = 0;            ///< steps in a row that kept the same end
+    bool was_before = false;  ///< the last one kept the far end
 
-    /// The next place: where the secant vanishes, unless one end stands still.
-    void choose() {
+    /// Begins where the secant vanishes.
+    void begin() {
         const double part = f_lo / (f_lo - f_hi);
         next = lo + (part > 0.0 && part < 1.0 ? part : 0.5) * (hi - lo);
     }
-    /// [Dowell and Jarratt 1971, the Illinois rule.]
-    void take(double f) {
-        if ((f > 0) == (f_lo > 0)) {
-            lo = next;
-            f_lo = f;
-            if (side == 1) f_hi *= 0.5;
-            side = 1;
-        } else {
-            hi = next;
-            f_hi = f;
-            if (side == -1) f_lo *= 0.5;
-            side = -1;
-        }
+    /// Takes f there, and goes on by Newton's method; where that leaves the bracket, or one end has
+    /// stood still, to its middle.
+    void take(double f, double slope) {
+        const bool before = (f > 0) == (f_lo > 0);
+        (before ? lo : hi) = next;
+        (before ? f_lo : f_hi) = f;
+        stood = before == was_before ? stood + 1 : 0;
+        was_before = before;
+        const double newton = next - f / slope;
+        const bool fits = newton > lo && newton < hi && stood < 3;
+        next = fits ? newton : 0.5 * lo + 0.5 * hi;
     }
 };
 
@@ -239,25 +238,26 @@ std::vector<RootSearch> bracket_roots(RayValues& values, std::span<RayRoot> root
     return open;
 }
 
-void narrow_roots(const TraceFrame& frame, RayValues& values, double tolerance,
+/// Until a step is shorter than `fine` pixels.
+void narrow_roots(const TraceFrame& frame, const TileRays& rays, RayValues& values,
                   std::vector<RootSearch>& open) {
+    constexpr double fine = 1.0 / 1024;
     constexpr int most_steps = 40;
     for (int step = 0; step < most_steps && !open.empty() && !frame.stopped(); ++step) {
         values.clear();
-        for (RootSearch& search : open) {
-            search.choose();
+        for (const RootSearch& search : open)
             values.ask(search.root->col, search.root->row, search.next);
-        }
         values.evaluate();
         std::size_t kept = 0;
         for (std::size_t i = 0; i < open.size(); ++i) {
             RootSearch& search = open[i];
-            const double f = values.f(i);
-            const double step_to_root = std::abs(f / values.slope(i));
+            const double least = fine * rays.pixel() * (rays.distance() + search.next);
+            const double tolerance = std::max(least, rays.tolerance());
             search.root->s = search.next;
-            search.take(f);
-            if (!(step_to_root <= tolerance) && search.hi - search.lo > tolerance)
-                open[kept++] = search;
+            search.take(values.f(i), values.slope(i));
+            const bool is_near = std::abs(search.next - search.root->s) <= tolerance;
+            search.root->s = search.next;
+            if (!is_near && search.hi - search.lo > tolerance) open[kept++] = search;
         }
         open.resize(kept);
     }
@@ -290,7 +290,9 @@ void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot
     RayValues values(frame, rays, counters);
     std::vector<bool> falls;
     std::vector<RootSearch> open = bracket_roots(values, roots, falls);
-    narrow_roots(frame, values, rays.tolerance(), open);
+    for (RootSearch& search : open)
+        search.begin();
+    narrow_roots(frame, rays, values, open);
     // The branch that leads to the root is the one before it.
     values.clear();
     for (const RayRoot& root : roots)

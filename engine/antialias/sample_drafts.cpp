@@ -1,6 +1,5 @@
 #include "engine/antialias/sample_drafts.hpp"
 
-#include "engine/antialias/cover_rules.hpp"
 #include "engine/antialias/square_field.hpp"
 #include "engine/trace/tile_hits.hpp"
 
@@ -26,9 +25,14 @@ void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double
          .row = SquareField::row_of(square, place),
          .from = from,
          .to = to,
-         .several = square.level >= last_level && !square.is_ray()});
+         .several = true});
     drafts_.back().sample.certificate = certificate;
     drafts_.back().found = false;
+}
+
+void SampleDrafts::add(const CoverSquare& square, const Front& front) {
+    add(square, square_middle, 1.0, front.at, front.to, Certificate::Certified);
+    drafts_.back().root.several = !front.monotone;
 }
 
 void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,

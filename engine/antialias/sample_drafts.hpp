@@ -2,6 +2,7 @@
 
 #include "engine/antialias/cover_sample.hpp"
 #include "engine/antialias/cover_square.hpp"
+#include "engine/antialias/front.hpp"
 #include "engine/antialias/ray_stretches.hpp"
 
 #include <vector>
@@ -17,6 +18,8 @@ public:
     /// place.
     void add(const CoverSquare& square, const SquareRay& place, double share, double from,
              double to, Certificate certificate);
+    /// A sample for all of a square, which has roots between the ends of the front.
+    void add(const CoverSquare& square, const Front& front);
     /// A sample whose root is known.
     void add(const CoverSquare& square, double share, const RayRoot& root);
     /// Finds the roots and adds the samples to `out`.

@@ -55,10 +55,18 @@ CellVerdict SquareCells<Real>::verdict_of(const CoverSquare& square, const Front
         .to = front.next(),
         .rejected = cells_.nowhere[cell] != 0 || std::abs(c) > aside + error + std::abs(along),
         .continuous = known && cells_.continuous[cell] != 0,
+        .monotone = cells_.slope_hi[cell] < 0 || cells_.slope_neg_lo[cell] < 0,
         .precise = known && error <= most_cell_error * aside,
         .root_from = -Front::none,
         .root_to = Front::none,
-        .turn = 0.0};
+        .turn = 0.0,
+        .stretch = 1.0};
+    // The error goes with the square of the length, or nearly so.
+    if (verdict.rejected) {
+        verdict.stretch = std::abs(c) / (aside + error + std::abs(along));
+    } else if (known) {
+        verdict.stretch = std::sqrt(most_cell_error * aside / error);
+    }
     if (verdict.rejected || !known || along == 0.0) return verdict;
     constexpr double slack = 16 * std::numeric_limits<Real>::epsilon();
     const double at = -c / along;

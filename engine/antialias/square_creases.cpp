@@ -14,7 +14,8 @@ void SquareCreases::add(std::size_t square, const Front& front) {
         task.roots[i] = {.col = SquareField::col_of(at, square_rays[i]),
                          .row = SquareField::row_of(at, square_rays[i]),
                          .from = front.at,
-                         .to = front.to};
+                         .to = front.to,
+                         .several = !front.monotone};
     }
     tasks_.push_back(task);
 }

@@ -100,7 +100,7 @@ bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretch
     // Behind the thread, and beside it, is what all rays meet.
     EdgeSamples beside = samples;
     beside.height.fill(1.0);
-    field_.add_rest(square, surface_, beside, 1.0 - share, {.share = 1.0, .x = 0.0, .y = 0.0});
+    field_.add_rest(square, surface_, beside, 1.0 - share, {.share = 0.0, .x = 0.0, .y = 0.0});
     return false;
 }
 
@@ -126,7 +126,7 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, ray.from,
                 end_of(ray, samples, deepest),
                 roots == 0 ? Certificate::Undecided : Certificate::Certified);
-    field_.add_rest(square, surface_, samples, 1.0 - rooted, {.share = 1.0, .x = 0.0, .y = 0.0});
+    field_.add_rest(square, surface_, samples, 1.0 - rooted, {.share = 0.0, .x = 0.0, .y = 0.0});
     return false;
 }
 

@@ -65,6 +65,8 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
                                   ? of_whole.step
                                   : 1.1 * (of_whole.to - of_whole.at);
         front.step = std::max(length, fair_length(part, front.at));
+        // Cells of rays have no width: long ones tell as much.
+        if (part.is_ray()) front.step = std::max(front.step, 0.25 * (front.end - front.at));
         any = any || front.state != Front::State::Gone;
         of_part.push_back(front);
     }
@@ -80,11 +82,14 @@ void SquareField::add_rest(std::size_t square, std::size_t surface, const EdgeSa
     if (!(share > least_share)) return;
     fronts(square)[surface].pass();
     const CoverSquare at = squares_[square];
-    const auto beside = static_cast<double>(square_ray_count - samples.roots());
+    const std::size_t roots = samples.roots();
+    // In a large square, and where the rest is not known, several rays stand for it.
+    const bool several = roots < square_ray_count && (at.level == 0 || !(rest.share > 0.0));
+    if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
+    const double part = share / static_cast<double>(square_ray_count - roots);
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        if (!(samples.height[i] <= 0.0)) add_part(square, at.ray(square_rays[i], share / beside));
+        if (!(samples.height[i] <= 0.0)) add_part(square, at.ray(square_rays[i], part));
     }
-    if (beside == 0.0) add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
 }
 
 bool SquareField::go_down() {

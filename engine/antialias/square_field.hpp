@@ -53,7 +53,7 @@ public:
     /// Goes on with the quarters of a square instead of it.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with rays beside it; they stand for that share of the
-    /// square.
+    /// square. `rest`: the part of the square beside the edge; of share 0: not known.
     void add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples, double share,
                   const SquarePart& rest);
     /// Goes on with the next level; false when there is none.
