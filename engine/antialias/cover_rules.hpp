@@ -8,7 +8,7 @@ namespace zeroset {
 /// not known to be continuous, and for their colours.
 inline constexpr int last_level = 4;
 inline constexpr int last_edge_level = 6;
-inline constexpr int last_broken_level = 3;
+inline constexpr int last_broken_level = 1;
 inline constexpr int last_color_level = 3;
 /// Where f may have kinks, and so an edge more than one colour.
 inline constexpr int last_kinked_edge_level = 2;

@@ -73,7 +73,9 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     const bool begins = cell.root_from > cell.from;
     const bool ends = cell.root_to < cell.to;
     if (cell.continuous && begins && ends && is_inside(cell.root_from, cell.root_to)) {
-        if (is_open()) return end_stretch(cell.root_from);
+        // So far before the roots that the next cell holds them, too.
+        const double spare = cell.root_to - cell.root_from + rules.margin;
+        if (is_open()) return end_stretch(std::max(cell.from, cell.root_from - spare));
         return take_root(cell, rules);
     }
     if (!cell.precise && length > 1.5 * rules.fair_length) {

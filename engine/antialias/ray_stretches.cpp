@@ -225,6 +225,7 @@ std::vector<RootSearch> bracket_roots(RayValues& values, std::span<RayRoot> root
             const double f_lo = values.f(first + static_cast<std::size_t>(i) - 1);
             const double f_hi = values.f(first + static_cast<std::size_t>(i));
             if (!(f_lo * f_hi < 0.0)) continue;
+            root.found = true;
             open.push_back({.root = &root,
                             .lo = place(root, i - 1),
                             .hi = place(root, i),
@@ -293,10 +294,15 @@ void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot
     for (RootSearch& search : open)
         search.begin();
     narrow_roots(frame, rays, values, open);
-    // The branch that leads to the root is the one before it.
+    // The branch that leads to the root is the one before it. Where f only comes to 0, its gradient
+    // vanishes there.
+    constexpr double before = 1.0 / 64;  // in pixels
     values.clear();
-    for (const RayRoot& root : roots)
-        values.ask(root.col, root.row, root.s - 2.0 * rays.tolerance());
+    for (const RayRoot& root : roots) {
+        const double step = before * rays.pixel() * (rays.distance() + root.s);
+        values.ask(root.col, root.row,
+                   root.s - std::max(root.found ? 0.0 : step, 2.0 * rays.tolerance()));
+    }
     values.evaluate();
     for (std::size_t i = 0; i < roots.size(); ++i) {
         RayRoot& root = roots[i];

@@ -38,7 +38,8 @@ struct RayRoot {
     double from, to;
     bool several = false;  ///< it may hold several roots: the first is wanted that samples show
 
-    double s = 0.0;  ///< out: to a thousandth of a pixel; the far end if f has one sign at both
+    bool found = false;  ///< out: f goes through 0
+    double s = 0.0;      ///< out: to a thousandth of a pixel; the far end if f has one sign at both
     /// out: right before the root. Seen along the ray f goes the way that it goes at the root, even
     /// where it hardly does.
     glm::dvec3 gradient = glm::dvec3(0.0);

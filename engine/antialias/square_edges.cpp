@@ -116,10 +116,14 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
         field_.divide(square);
         return false;
     }
+    if (!front.continuous) {
+        field_.divide_into_rays(square);
+        return false;
+    }
     // The square is as small as squares get: where f comes near to 0 it is drawn
     // [Florez08, sec. 5.5.2].
     const bool thread = !sheet && roots == 0;
-    if (!front.continuous || (thread && !(is_inside && is_touched(samples)))) return pass(square);
+    if (thread && !(is_inside && is_touched(samples))) return pass(square);
     const std::size_t deepest = samples.deepest();
     const RayStretch& ray = stretches[deepest];
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;

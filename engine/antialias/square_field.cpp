@@ -52,6 +52,11 @@ void SquareField::divide(std::size_t square) {
         add_part(square, squares_[square].quarter(middle));
 }
 
+void SquareField::divide_into_rays(std::size_t square) {
+    for (const SquareRay& ray : square_rays)
+        add_part(square, squares_[square].ray(ray, 1.0 / square_ray_count));
+}
+
 void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     std::vector<Front>& of_part = part.is_ray() ? ray_fronts_ : next_fronts_;
     const std::size_t first = of_part.size();

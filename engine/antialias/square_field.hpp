@@ -56,6 +56,8 @@ public:
     /// square. `rest`: the part of the square beside the edge; of share 0: not known.
     void add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples, double share,
                   const SquarePart& rest);
+    /// Goes on with the rays of a square instead of it.
+    void divide_into_rays(std::size_t square);
     /// Goes on with the next level; false when there is none.
     bool go_down();
 

@@ -10,6 +10,14 @@
 namespace zeroset {
 namespace {
 
+/// light_of_channel of all channels.
+const std::array<float, 256> channel_lights = [] {
+    std::array<float, 256> lights{};
+    for (std::uint32_t channel = 0; channel < 256; ++channel)
+        lights[channel] = light_of_channel(channel);
+    return lights;
+}();
+
 /// The mean of opaque colours, in linear light.
 struct MeanColor {
     std::array<float, 3> light{};
@@ -17,7 +25,7 @@ struct MeanColor {
 
     void add(std::uint32_t color, bool hit) {
         for (std::size_t channel = 0; channel < 3; ++channel)
-            light[channel] += light_of_channel(color >> 8 * channel & 0xFFU);
+            light[channel] += channel_lights[color >> 8 * channel & 0xFFU];
         ++count;
         hits += hit ? 1 : 0;
     }
@@ -36,13 +44,15 @@ struct MeanColor {
 
 void blend_finer(const Framebuffer& finer, int across, const PixelRect& rect,
                  Framebuffer& picture) {
+    const auto side = static_cast<std::size_t>(across);
     for (int row = 0; row < rect.rows; ++row) {
         for (int col = 0; col < rect.cols; ++col) {
+            const std::size_t first = finer.index(across * col, across * row);
             MeanColor mean;
-            for (int part = 0; part < across * across; ++part) {
-                const std::size_t at =
-                    finer.index(across * col + part % across, across * row + part / across);
-                mean.add(finer.color[at], std::isfinite(finer.depth[at]));
+            for (std::size_t y = 0; y < side; ++y) {
+                const std::size_t left = first + y * static_cast<std::size_t>(finer.width);
+                for (std::size_t at = left; at < left + side; ++at)
+                    mean.add(finer.color[at], std::isfinite(finer.depth[at]));
             }
             picture.color[picture.index(rect.col + col, rect.row + row)] = mean.color();
         }
