@@ -77,6 +77,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
         if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
         if (!at.is_ray() && at.level < last_level) return {.step = Step::Divide, .surface = i};
     }
+    if (!at.is_ray() && at.level < at.least_level) return {.step = Step::Divide, .surface = first};
     if (front.state == State::Edged) return {.step = Step::Edge, .surface = first};
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)

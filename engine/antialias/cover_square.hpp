@@ -8,11 +8,12 @@ namespace zeroset {
 
 /// A square part of a pixel, or a ray that stands for a part.
 struct CoverSquare {
-    std::uint16_t pixel;          ///< in the tile, in rows of tile_size
-    std::uint8_t level = 0;       ///< the side is 2^-level of the pixel's
-    double col = 0.0, row = 0.0;  ///< of the middle, in pixels from the pixel's middle, downwards
-    double side = 1.0;            ///< in pixels; 0: a ray
-    double area = 1.0;            ///< of the part that it stands for, in pixels
+    std::uint16_t pixel;           ///< in the tile, in rows of tile_size
+    std::uint8_t level = 0;        ///< the side is 2^-level of the pixel's
+    std::uint8_t least_level = 0;  ///< squares above it are divided in any case
+    double col = 0.0, row = 0.0;   ///< of the middle, in pixels from the pixel's middle, downwards
+    double side = 1.0;             ///< in pixels; 0: a ray
+    double area = 1.0;             ///< of the part that it stands for, in pixels
 
     [[nodiscard]] bool is_ray() const { return side == 0.0; }
     /// A place of the square, as `col` and `row`.
@@ -22,6 +23,7 @@ struct CoverSquare {
     [[nodiscard]] CoverSquare quarter(const SquareRay& middle) const {
         return {.pixel = pixel,
                 .level = static_cast<std::uint8_t>(level + 1U),
+                .least_level = least_level,
                 .col = col_of(middle),
                 .row = row_of(middle),
                 .side = 0.5 * side,

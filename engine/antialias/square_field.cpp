@@ -31,7 +31,7 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
 }
 
 void SquareField::begin(const MixedPixel& pixel) {
-    const CoverSquare square{.pixel = pixel.pixel};
+    const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
     Front front;
     front.at = static_cast<double>(pixel.from);
     place(square, front);

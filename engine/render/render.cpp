@@ -2,6 +2,7 @@
 
 #include "engine/antialias/cover_light.hpp"
 #include "engine/antialias/cover_search.hpp"
+#include "engine/antialias/mixed_pixels.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
 #include "engine/light/encode.hpp"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <limits>
@@ -172,48 +172,13 @@ void TilePainter::trace(Tile tile, const TimeLimit& limit, Workspace& workspace,
         workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));
 }
 
-/// What the surfaces make of a pixel: whether it may show more than one smooth sheet, or less.
-std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_t at) {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    // The nearest sheet, and what else there may be.
-    float from = none;
-    float to = none;
-    float other = none;
-    float hit = none;
-    for (const TileHits& of : hits) {
-        const PixelCover& cover = of.cover;
-        hit = std::min(hit, of.depth[at]);
-        if (!cover.known) other = -none;
-        if (!cover.known || !cover.marked) continue;
-        const bool nearer = cover.to[at] < to;
-        other = std::min({other, cover.other_from[at], nearer ? from : cover.from[at]});
-        if (nearer) from = cover.from[at];
-        if (nearer) to = cover.to[at];
-    }
-    const float first = std::min(from, other);
-    if (!(first < none) || to < other) return std::nullopt;
-    return MixedPixel{.pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit};
-}
-
-/// The pixels of which it is not known that one smooth sheet covers them, or nothing.
-void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out) {
-    const bool alone = hits.size() == 1 && hits.front().cover.known;
-    for (int row = 0; row < tile.rows; ++row) {
-        const std::uint64_t all = ~std::uint64_t{0} >> (tile_size - tile.cols);
-        std::uint64_t bits = alone ? hits.front().cover.mixed_in_row(row) & all : all;
-        for (; bits != 0; bits &= bits - 1) {
-            const auto mixed = mixed_pixel(
-                hits, static_cast<std::size_t>(row * tile_size + std::countr_zero(bits)));
-            if (mixed) out.push_back(*mixed);
-        }
-    }
-}
-
 void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                          const Canvas& out, Counters& counters) const {
     workspace.mixed.clear();
     workspace.samples.clear();
-    find_mixed(tile, std::span(workspace.hits).first(surfaces_.size()), workspace.mixed);
+    const auto hits = std::span(workspace.hits).first(surfaces_.size());
+    find_mixed(tile, hits, workspace.mixed);
+    if (shadows_) add_shadow_edges(tile, workspace.lit.layers(), hits, workspace.mixed);
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());

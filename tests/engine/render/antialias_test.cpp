@@ -55,6 +55,33 @@ TEST(Antialias, ChangesColoursAtEdgesOnly) {
     EXPECT_GT(mixed, 50U);
 }
 
+TEST(Antialias, IsNearToManyRaysAtEdgesOfSurfacesAndShadows) {
+    const auto picture = [](Antialias antialias) {
+        const Scene scene = scene_of("min(z + 0.8, x^2 + y^2 + z^2 - 0.4)", Box::cube(1.2));
+        Framebuffer frame(181, 131);
+        TraceSettings settings;
+        settings.shadows = true;
+        settings.antialias = antialias;
+        render_frame(scene, default_camera(scene.clip), settings, frame);
+        return frame;
+    };
+    const Framebuffer many = picture(Antialias::Rays64);
+    const auto far_pixels = [&](const Framebuffer& frame) {
+        std::size_t count = 0;
+        for (std::size_t at = 0; at < frame.color.size(); ++at) {
+            int change = 0;
+            for (unsigned shift = 0; shift < 24; shift += 8)
+                change =
+                    std::max(change, std::abs(static_cast<int>(many.color[at] >> shift & 255U) -
+                                              static_cast<int>(frame.color[at] >> shift & 255U)));
+            count += change > 16 ? 1U : 0U;
+        }
+        return count;
+    };
+    EXPECT_LE(far_pixels(picture(Antialias::Beams)), 6U);
+    EXPECT_GT(far_pixels(picture(Antialias::None)), 200U);
+}
+
 TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
     // A wire thinner than a pixel: broken without, seamless with more rays.
     const auto rows_with = [](const Framebuffer& frame) {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/antialias/cover_sample.hpp"
+#include "engine/light/lit_tile.hpp"
+#include "engine/trace/tile.hpp"
+
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// Adds to `out` the pixels of a tile of which the surfaces' hits do not tell that one smooth sheet
+/// covers them, or nothing; all of them where a tracer says nothing of whole pixels.
+void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out);
+
+/// Adds pixels beside which the shadow on the same surface begins or ends to `mixed`, those of one
+/// tile; they are divided until samples tell how much of them the light reaches.
+void add_shadow_edges(const Tile& tile, std::span<const LitLayer> layers,
+                      std::span<const TileHits> hits, std::vector<MixedPixel>& mixed);
+
+}  // namespace zeroset
