@@ -74,7 +74,7 @@ Json json_of(Antialias antialias) {
 }
 
 Antialias antialias_of(const Json& json, const std::string& place) {
-    if (json.is_boolean()) return json.get<bool>() ? Antialias::Beams : Antialias::None;
+    if (json.is_boolean()) return smooth_edges(json.get<bool>());
     const auto rays = antialias_named(json.dump());
     if (!rays || *rays == Antialias::None)
         throw Damage{place + " is neither true nor false, nor 4, 9, 16 or 64"};

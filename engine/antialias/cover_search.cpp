@@ -21,7 +21,7 @@ public:
 
 private:
     using State = Front::State;
-    /// What to do next about a square, for one surface.
+    /// The next step for a square, which is about one surface.
     enum class Step : std::uint8_t { Evaluate, Edge, Crease, Divide, Close };
     struct Choice {
         Step step;
@@ -70,7 +70,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     if (first == fronts.size()) return {.step = Step::Close, .surface = first};
     const Front& front = fronts[first];
     if (front.state == State::Going) return {.step = Step::Evaluate, .surface = first};
-    // What begins before the front ends is to be known, too.
+    // Surfaces that may begin before this front ends are searched first.
     const CoverSquare& at = field_.square(square);
     for (std::size_t i = 0; i < fronts.size(); ++i) {
         if (i == first || fronts[i].state == State::Gone || fronts[i].at >= front.to) continue;

@@ -9,7 +9,7 @@
 
 namespace zeroset {
 
-/// What pixels show, part by part [Florez08, sec. 5.5.2]: adds the samples of each to `out`. A part
+/// Finds what pixels show, part by part [Florez08, sec. 5.5.2], and adds samples to `out`. A part
 /// of a pixel that no sample stands for shows the background. Ends early when the frames' limit is
 /// over: then nothing is said of some pixels. In upward rounding.
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,

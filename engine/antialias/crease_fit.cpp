@@ -6,15 +6,11 @@
 namespace zeroset {
 namespace {
 
-/// Normals whose directions have at least this cosine are of one sheet.
+/// Normals whose directions have at least this cosine are of one sheet; and of an even one.
 constexpr double one_sheet = 0.97;
-
-using Roots = std::array<RayRoot, square_ray_count>;
-
+constexpr double even_sheet = 0.9995;
 /// Rays at more than 60 degrees from the normal graze.
 constexpr double least_cosine = 0.5;
-/// Those of an even sheet.
-constexpr double even_sheet = 0.9995;
 
 bool are_within(double cosine, const RayRoot& a, const RayRoot& b) {
     // NaN: they are not.
@@ -33,7 +29,7 @@ LinearOnSquare plane_at(const RayRoot& root, const SquareRay& ray, double half_s
 
 }  // namespace
 
-std::optional<Creased> fit_crease(const Roots& roots, double half_side) {
+std::optional<Creased> fit_crease(const SquareRoots& roots, double half_side) {
     // The sheet of the middle's root, and the other one.
     std::array<bool, square_ray_count> is_other{};
     std::size_t other = 0;

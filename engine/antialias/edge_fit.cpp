@@ -33,6 +33,22 @@ std::size_t EdgeSamples::deepest() const {
     return static_cast<std::size_t>(std::ranges::min_element(height) - height.begin());
 }
 
+RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
+    const RayStretch& ray = stretches[i];
+    return {.col = ray.col,
+            .row = ray.row,
+            .from = ray.from,
+            .to = before_end[i] ? ray.to : ray.at,
+            .several = true};
+}
+
+SquareRayFlags EdgeSamples::misses() const {
+    SquareRayFlags none{};
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        none[i] = !(height[i] <= 0.0);
+    return none;
+}
+
 EdgeSamples edge_samples(const SquareStretches& stretches) {
     const auto positive = [](double f) { return f >= 0.0; };
     const bool near = positive(stretches[0].near);
@@ -47,7 +63,7 @@ EdgeSamples edge_samples(const SquareStretches& stretches) {
         const RayStretch& ray = stretches[i];
         samples.before_end[i] = !one_near;
         samples.known = samples.known && std::isfinite(ray.near) && std::isfinite(ray.least);
-        if (ray.from > ray.to) {
+        if (ray.is_empty()) {
             samples.height[i] = std::numeric_limits<double>::infinity();
             samples.known = false;
         } else if (one_near) {

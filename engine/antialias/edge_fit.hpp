@@ -10,10 +10,7 @@
 
 namespace zeroset {
 
-/// A stretch of each of a square's rays.
-using SquareStretches = std::array<RayStretch, square_ray_count>;
-
-/// What stretches of a square's rays tell of the part of it that has a root in them.
+/// The part of a square that has a root, as stretches of its rays tell it.
 struct EdgeSamples {
     std::array<double, square_ray_count> height{};  ///< at most 0: the ray has a root
     bool known = false;  ///< whether `height` may go smoothly with the place
@@ -21,11 +18,15 @@ struct EdgeSamples {
     std::array<bool, square_ray_count> before_end{};
 
     [[nodiscard]] std::size_t roots() const;
+    /// The bracket of ray i's root, or of where f comes nearest to 0.
+    [[nodiscard]] RayRoot bracket(const SquareStretches& stretches, std::size_t i) const;
+    /// The rays that have no root.
+    [[nodiscard]] SquareRayFlags misses() const;
     /// The ray of the least height.
     [[nodiscard]] std::size_t deepest() const;
 };
 EdgeSamples edge_samples(const SquareStretches& stretches);
-/// The same of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
+/// Samples of the sign of f where the rays enter: above 0 where it is not that of the middle ray,
 /// as a wall has cut the root away.
 EdgeSamples entry_samples(const SquareStretches& stretches);
 

@@ -6,7 +6,7 @@ namespace zeroset {
 namespace {
 
 constexpr int most_open_cells = 8;
-/// Of a cell's length, from one to the next.
+/// How much longer than the cell before it a cell is at most, and how much shorter.
 constexpr double most_growth = 4.0;
 constexpr double least_growth = 0.125;
 /// Roots that lie in fewer fair lengths are looked for in one cell.
@@ -65,7 +65,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     if (cell.rejected) {
         if (is_open()) return end_stretch(at);
         at = cell.to;
-        step = std::clamp(cell.stretch, 1.0, most_growth) * length;
+        step = std::clamp(cell.growth, 1.0, most_growth) * length;
         stretched = false;
         if (at >= end) state = State::Gone;
         return;
@@ -79,7 +79,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
         return take_root(cell, rules);
     }
     if (!cell.precise && length > 1.5 * rules.fair_length) {
-        step = std::max(std::clamp(cell.stretch, least_growth, 0.5) * length, rules.fair_length);
+        step = std::max(std::clamp(cell.growth, least_growth, 0.5) * length, rules.fair_length);
         return;
     }
     // Make a cell longer that all rays seem to leave with a root.

@@ -5,7 +5,7 @@
 
 namespace zeroset {
 
-/// What the form of a cell, a slab of a square's beam, says of all its rays.
+/// A cell, a slab of a square's beam, as its form judges all of its rays.
 struct CellVerdict {
     double from, to;  ///< the slab
     bool rejected;    ///< no ray has a root
@@ -16,10 +16,10 @@ struct CellVerdict {
     double root_from, root_to;
     double turn;  ///< the width of the enclosure of normal . view
     /// How much longer the next cell may be: rejected, or precise, if f goes on as it does here.
-    double stretch;
+    double growth;
 };
 
-/// What the search along a beam goes by.
+/// The lengths and bounds that steer the search along a beam.
 struct FrontRules {
     double fair_length;  ///< of the longest cell that is not halved
     double most_turn;    ///< of a square that one sample stands for

@@ -1,6 +1,7 @@
 #include "engine/antialias/mixed_pixels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +11,7 @@
 namespace zeroset {
 namespace {
 
-/// What the surfaces make of a pixel: whether it may show more than one smooth sheet, or less.
+/// A pixel that may show more than one smooth sheet, or less, by the hits of the surfaces.
 std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_t at) {
     constexpr float none = std::numeric_limits<float>::infinity();
     // The nearest sheet, and what else there may be.

@@ -162,10 +162,6 @@ struct RootSearch {
     }
 };
 
-}  // namespace
-
-namespace {
-
 /// Takes f at the ends of stretches; returns those in which df/ds changes its sign.
 std::vector<LeastSearch> begin_least(RayValues& values, std::span<RayStretch> stretches) {
     for (const RayStretch& stretch : stretches) {
@@ -239,7 +235,7 @@ std::vector<RootSearch> bracket_roots(RayValues& values, std::span<RayRoot> root
     return open;
 }
 
-/// Until a step is shorter than `fine` pixels.
+/// Narrows brackets until a step is shorter than `fine` pixels.
 void narrow_roots(const TraceFrame& frame, const TileRays& rays, RayValues& values,
                   std::vector<RootSearch>& open) {
     constexpr double fine = 1.0 / 1024;

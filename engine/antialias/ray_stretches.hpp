@@ -1,10 +1,12 @@
 #pragma once
 
+#include "engine/antialias/square_rays.hpp"
 #include "engine/trace/tile_rays.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <span>
 
 namespace zeroset {
@@ -16,9 +18,8 @@ struct RayStretch {
 
     double near = 0.0;  ///< out: f at `from`
     double far = 0.0;   ///< out: f at `to`
-    double least =
-        0.0;          ///< out: the least of f where near >= 0, else of -f: at most 0 behind a root
-    double at = 0.0;  ///< out: where that is
+    /// out: the least of f where near >= 0, else of -f: at most 0 behind a root; and where that is
+    double least = 0.0, at = 0.0;
     bool inner = false;  ///< out: df/ds is 0 there; else it is at an end
     /// out: how `least` changes from ray to ray, a pixel to the right and downwards.
     double by_col = 0.0, by_row = 0.0;
@@ -27,6 +28,9 @@ struct RayStretch {
     [[nodiscard]] bool has_root() const { return !is_empty() && least <= 0.0; }
     [[nodiscard]] bool is_empty() const { return !(from <= to); }
 };
+
+/// A stretch of each of a square's rays.
+using SquareStretches = std::array<RayStretch, square_ray_count>;
 
 /// Fills in what is `out`. In double; in upward rounding, as all here.
 void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
@@ -47,6 +51,10 @@ struct RayRoot {
     double cosine = 0.0;                ///< out: of the angle between ray and normal
 };
 
+/// A root of each of a square's rays.
+using SquareRoots = std::array<RayRoot, square_ray_count>;
+
+/// Fills in what is `out`.
 void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
                 Counters& counters);
 

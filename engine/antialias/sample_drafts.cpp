@@ -15,7 +15,7 @@ void SampleDrafts::add(const CoverSquare& square, double share, const RayRoot& r
                                   .distance = 0.0F,
                                   .gradient = {}},
                        .root = root,
-                       .found = true});
+                       .is_known = true});
 }
 
 void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double share, double from,
@@ -27,7 +27,7 @@ void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double
          .to = to,
          .several = true});
     drafts_.back().sample.certificate = certificate;
-    drafts_.back().found = false;
+    drafts_.back().is_known = false;
 }
 
 void SampleDrafts::add(const CoverSquare& square, const Front& front) {
@@ -39,12 +39,12 @@ void SampleDrafts::write(const TraceFrame& frame, const TileRays& rays,
                          std::vector<CoverSample>& out, Counters& counters) const {
     std::vector<RayRoot> roots;
     for (const Draft& draft : drafts_) {
-        if (!draft.found) roots.push_back(draft.root);
+        if (!draft.is_known) roots.push_back(draft.root);
     }
     find_roots(frame, rays, roots, counters);
     auto next = roots.begin();
     for (const Draft& draft : drafts_) {
-        const RayRoot& root = draft.found ? draft.root : *next++;
+        const RayRoot& root = draft.is_known ? draft.root : *next++;
         CoverSample sample = draft.sample;
         sample.distance =
             static_cast<float>(rays.distance_at(root.s, rays.u(root.col), rays.v(root.row)));

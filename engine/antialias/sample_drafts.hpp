@@ -27,11 +27,11 @@ public:
                Counters& counters) const;
 
 private:
-    /// A sample, and its root; `found`: else its bracket.
+    /// A sample, and its root; `is_known`: else its bracket.
     struct Draft {
         CoverSample sample;
         RayRoot root;
-        bool found;
+        bool is_known;
     };
 
     std::uint8_t surface_;

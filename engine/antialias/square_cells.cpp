@@ -60,12 +60,12 @@ CellVerdict SquareCells<Real>::verdict_of(const CoverSquare& square, const Front
         .root_from = -Front::none,
         .root_to = Front::none,
         .turn = 0.0,
-        .stretch = 1.0};
+        .growth = 1.0};
     // The error goes with the square of the length, or nearly so.
     if (verdict.rejected) {
-        verdict.stretch = std::abs(c) / (aside + error + std::abs(along));
+        verdict.growth = std::abs(c) / (aside + error + std::abs(along));
     } else if (known) {
-        verdict.stretch = std::sqrt(most_cell_error * aside / error);
+        verdict.growth = std::sqrt(most_cell_error * aside / error);
     }
     if (verdict.rejected || !known || along == 0.0) return verdict;
     constexpr double slack = 16 * std::numeric_limits<Real>::epsilon();

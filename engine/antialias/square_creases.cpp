@@ -23,18 +23,12 @@ void SquareCreases::add(std::size_t square, const Front& front) {
 void SquareCreases::add(std::size_t square, const SquareStretches& stretches,
                         const EdgeSamples& samples) {
     Task task{.square = square, .is_covered = is_all_below(samples), .roots = {}};
-    for (std::size_t i = 0; i < square_ray_count; ++i) {
-        const RayStretch& ray = stretches[i];
-        task.roots[i] = {.col = ray.col,
-                         .row = ray.row,
-                         .from = ray.from,
-                         .to = samples.before_end[i] ? ray.to : ray.at,
-                         .several = true};
-    }
+    for (std::size_t i = 0; i < square_ray_count; ++i)
+        task.roots[i] = samples.bracket(stretches, i);
     tasks_.push_back(task);
 }
 
-bool SquareCreases::show(const Task& task, const Roots& roots) {
+bool SquareCreases::show(const Task& task, const SquareRoots& roots) {
     const CoverSquare& square = field_.square(task.square);
     const auto creased = fit_crease(roots, 0.5 * square.side);
     if (!creased || (!task.is_covered && creased->grazed)) return false;
@@ -58,7 +52,7 @@ void SquareCreases::decide() {
         roots.insert(roots.end(), task.roots.begin(), task.roots.end());
     find_roots(frame_, field_.rays(), roots, counters_);
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
-        Roots of_square{};
+        SquareRoots of_square{};
         std::ranges::copy(std::span(roots).subspan(k * square_ray_count, square_ray_count),
                           of_square.begin());
         if (!show(tasks_[k], of_square)) field_.divide(tasks_[k].square);

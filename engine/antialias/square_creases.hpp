@@ -4,7 +4,6 @@
 #include "engine/antialias/sample_drafts.hpp"
 #include "engine/antialias/square_field.hpp"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -25,14 +24,13 @@ public:
     void decide();
 
 private:
-    using Roots = std::array<RayRoot, square_ray_count>;
     struct Task {
         std::size_t square;
         bool is_covered;  ///< not only the rays: all of it
-        Roots roots;
+        SquareRoots roots;
     };
     /// Whether the sheets through the roots are clear.
-    bool show(const Task& task, const Roots& roots);
+    bool show(const Task& task, const SquareRoots& roots);
 
     const TraceFrame& frame_;
     SquareField& field_;

@@ -3,11 +3,12 @@
 #include "engine/antialias/cover_rules.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 namespace zeroset {
 namespace {
+
+constexpr SquarePart unknown_part{.share = 0.0, .x = 0.0, .y = 0.0};
 
 std::optional<LinearOnSquare> line_of(const EdgeSamples& samples, const CoverSquare& square) {
     const double error = square.level < last_edge_level
@@ -23,11 +24,6 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples,
     const EdgeSamples entry = entry_samples(stretches);
     if (is_all_below(entry)) return line_of(samples, square);
     return is_all_below(samples) ? line_of(entry, square) : std::nullopt;
-}
-
-/// Where the root of a ray is that has one.
-double end_of(const RayStretch& ray, const EdgeSamples& samples, std::size_t i) {
-    return samples.before_end[i] ? ray.to : ray.at;
 }
 
 }  // namespace
@@ -79,11 +75,11 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
         return false;
     }
     const std::size_t deepest = samples.deepest();
-    const RayStretch& ray = stretches[deepest];
+    const RayRoot root = samples.bracket(stretches, deepest);
     const bool is_hit = samples.height[deepest] <= 0.0;
     drafts_.add(at, is_hit ? square_rays[deepest] : SquareRay{.x = part.x, .y = part.y}, part.share,
-                ray.from, end_of(ray, samples, deepest), Certificate::Certified);
-    field_.add_rest(square, surface_, samples, 1.0 - part.share, part_below_zero(-fit));
+                root.from, root.to, Certificate::Certified);
+    field_.add_rest(square, surface_, samples.misses(), 1.0 - part.share, part_below_zero(-fit));
     return false;
 }
 
@@ -98,9 +94,9 @@ bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretch
         drafts_.add(at, thread.middle(), share, ray.from, ray.at,
                     is_proved ? Certificate::Certified : Certificate::Undecided);
     // Behind the thread, and beside it, is what all rays meet.
-    EdgeSamples beside = samples;
-    beside.height.fill(1.0);
-    field_.add_rest(square, surface_, beside, 1.0 - share, {.share = 0.0, .x = 0.0, .y = 0.0});
+    SquareRayFlags beside{};
+    beside.fill(true);
+    field_.add_rest(square, surface_, beside, 1.0 - share, unknown_part);
     return false;
 }
 
@@ -125,12 +121,11 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     const bool thread = !sheet && roots == 0;
     if (thread && !(is_inside && is_touched(samples))) return pass(square);
     const std::size_t deepest = samples.deepest();
-    const RayStretch& ray = stretches[deepest];
+    const RayRoot root = samples.bracket(stretches, deepest);
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;
-    drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, ray.from,
-                end_of(ray, samples, deepest),
-                roots == 0 ? Certificate::Undecided : Certificate::Certified);
-    field_.add_rest(square, surface_, samples, 1.0 - rooted, {.share = 0.0, .x = 0.0, .y = 0.0});
+    drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, root.from,
+                root.to, roots == 0 ? Certificate::Undecided : Certificate::Certified);
+    field_.add_rest(square, surface_, samples.misses(), 1.0 - rooted, unknown_part);
     return false;
 }
 

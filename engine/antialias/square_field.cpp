@@ -1,7 +1,6 @@
 #include "engine/antialias/square_field.hpp"
 
 #include "engine/antialias/cover_rules.hpp"
-#include "engine/antialias/edge_fit.hpp"
 
 #include <cmath>
 
@@ -82,18 +81,17 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     }
 }
 
-void SquareField::add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples,
+void SquareField::add_rest(std::size_t square, std::size_t surface, const SquareRayFlags& misses,
                            double share, const SquarePart& rest) {
     if (!(share > least_share)) return;
     fronts(square)[surface].pass();
     const CoverSquare at = squares_[square];
-    const std::size_t roots = samples.roots();
+    const auto count = static_cast<double>(std::ranges::count(misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several = roots < square_ray_count && (at.level == 0 || !(rest.share > 0.0));
+    const bool several = count > 0.0 && (at.level == 0 || !(rest.share > 0.0));
     if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
-    const double part = share / static_cast<double>(square_ray_count - roots);
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        if (!(samples.height[i] <= 0.0)) add_part(square, at.ray(square_rays[i], part));
+        if (misses[i]) add_part(square, at.ray(square_rays[i], share / count));
     }
 }
 

@@ -14,8 +14,6 @@
 
 namespace zeroset {
 
-struct EdgeSamples;
-
 /// The squares of a tile's mixed pixels that are searched, level by level, and last the rays that
 /// stand for parts; of each the fronts of all surfaces.
 class SquareField {
@@ -45,17 +43,17 @@ public:
     [[nodiscard]] double fair_length(const CoverSquare& square, double s) const {
         return width_of(std::max(square.side, 0.25), s);
     }
-    /// What the front leaves open on the ray of a place; empty outside of the clip region.
+    /// The stretch of a place's ray that the front leaves open; empty outside of the clip region.
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
                                         const SquareRay& place) const;
 
     void begin(const MixedPixel& pixel);
     /// Goes on with the quarters of a square instead of it.
     void divide(std::size_t square);
-    /// Goes on behind an edge of a surface with rays beside it; they stand for that share of the
-    /// square. `rest`: the part of the square beside the edge; of share 0: not known.
-    void add_rest(std::size_t square, std::size_t surface, const EdgeSamples& samples, double share,
-                  const SquarePart& rest);
+    /// Goes on behind an edge of a surface with rays beside it, some of `misses`; they stand for
+    /// that share of the square. `rest`: the part beside the edge; of share 0: not known.
+    void add_rest(std::size_t square, std::size_t surface, const SquareRayFlags& misses,
+                  double share, const SquarePart& rest);
     /// Goes on with the rays of a square instead of it.
     void divide_into_rays(std::size_t square);
     /// Goes on with the next level; false when there is none.

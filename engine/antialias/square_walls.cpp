@@ -51,18 +51,17 @@ void SquareWalls::narrow() {
 }
 
 void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
-    EdgeSamples samples;
+    SquareRayFlags misses{};
     std::size_t hit = 0;
     for (std::size_t i = 0; i < square_ray_count; ++i) {
-        const bool has_root = task.stretches[i].has_root();
-        samples.height[i] = has_root ? -1.0 : 1.0;
-        if (has_root) hit = i;
+        misses[i] = !task.stretches[i].has_root();
+        if (!misses[i]) hit = i;
     }
     const double share = part_below_zero(line).share;
     const RayStretch& ray = task.stretches[hit];
     drafts_.add(field_.square(task.square), square_rays[hit], share, ray.from, ray.at,
                 Certificate::Certified);
-    field_.add_rest(task.square, surface_, samples, 1.0 - share, part_below_zero(-line));
+    field_.add_rest(task.square, surface_, misses, 1.0 - share, part_below_zero(-line));
 }
 
 void SquareWalls::decide() {

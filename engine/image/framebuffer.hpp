@@ -32,7 +32,7 @@ inline constexpr std::uint8_t no_surface = 255;
 struct Framebuffer {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R lowest; A: 255, or see blend_finer
+    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R lowest; A: 255, or of antialiasing
     std::vector<float> depth;          ///< distances as in ViewFrame; +inf: a miss
     std::vector<Certificate> certificate;
     std::vector<std::uint8_t> surface;  ///< index of the surface drawn, or no_surface

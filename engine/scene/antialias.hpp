@@ -16,6 +16,9 @@ enum class Antialias : std::uint8_t {
     Rays64,
 };
 
+/// The way of pictures whose edges are smooth, or not.
+constexpr Antialias smooth_edges(bool on) { return on ? Antialias::Beams : Antialias::None; }
+
 /// none, iaa, 4, 9, 16 or 64; 1 is none, too.
 std::string_view name_of(Antialias antialias);
 std::optional<Antialias> antialias_named(std::string_view name);

@@ -43,7 +43,7 @@ bool has_smooth_edges(const UiState& state) {
 }
 
 void toggle_smooth_edges(UiState& state) {
-    state.edited.document.antialias = has_smooth_edges(state) ? Antialias::None : Antialias::Beams;
+    state.edited.document.antialias = smooth_edges(!has_smooth_edges(state));
 }
 
 bool is_parallel(const std::optional<Camera>& camera) {

@@ -50,7 +50,7 @@ void draw_light(Document& document) {
     ImGui::SameLine(0.0F, em(1.2F));
     bool smooth = document.antialias != Antialias::None;
     if (ImGui::Checkbox("Smooth edges###antialias", &smooth))
-        document.antialias = smooth ? Antialias::Beams : Antialias::None;
+        document.antialias = smooth_edges(smooth);
     draw_tooltip(
         "Show pixels part by part where they hold more than one smooth sheet, "
         "once the picture rests.");

@@ -305,7 +305,7 @@ std::optional<InputError> take_look(const TraceText& text, Document& document) {
         if (!antialias) return antialias.error();
         document.antialias = *antialias;
     } else if (text.antialias) {
-        document.antialias = *text.antialias ? Antialias::Beams : Antialias::None;
+        document.antialias = smooth_edges(*text.antialias);
     }
     document.shadows = text.shadows.value_or(document.shadows);
     document.jumps = text.jumps.value_or(document.jumps);
