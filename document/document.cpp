@@ -38,6 +38,7 @@ void keep_settings(Document& document, const Document& of) {
     document.stop = of.stop;
     document.shadows = of.shadows;
     document.antialias = of.antialias;
+    document.light = of.light;
     document.jumps = of.jumps;
     document.axes = of.axes;
     document.clip_box = of.clip_box;

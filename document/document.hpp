@@ -21,7 +21,8 @@ struct Statement {
     std::string text;  ///< UTF-8; usually one statement
     bool visible = true;
     std::optional<std::uint32_t> color;  ///< 0xRRGGBB of a surface's front; none: not chosen yet
-    SolidSide solid = SolidSide::Automatic;  ///< which side of its surface is solid
+    SolidSide solid = SolidSide::Automatic;        ///< which side of its surface is solid
+    std::optional<double> opacity = std::nullopt;  ///< of its surface, 0 to 1; none: the look's
 
     bool operator==(const Statement&) const = default;
 };
@@ -71,6 +72,7 @@ struct Document {
     glm::dvec3 up{0.0, 0.0, 1.0};
     bool trackball = false;  ///< dragging turns freely
     ColorChoice coloring;
+    LightChoice light;
     std::vector<Marker> markers;  ///< in the order of their creation
 
     bool operator==(const Document&) const = default;

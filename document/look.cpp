@@ -1,5 +1,7 @@
 #include "document/look.hpp"
 
+#include "engine/base/enum_names.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -8,6 +10,8 @@
 
 namespace zeroset {
 namespace {
+
+constexpr auto contour_names = enum_names<Contours>("none", "height", "xyz", "expression");
 
 /// `number` without the zeros at the end of its decimals.
 std::string shortened(std::string number) {
@@ -24,6 +28,10 @@ std::string all_digits(double number) {
 }
 
 }  // namespace
+
+std::string_view name_of(Contours contours) { return contour_names.of(contours); }
+
+std::optional<Contours> contours_named(std::string_view name) { return contour_names.named(name); }
 
 int add_marker(std::vector<Marker>& markers, const glm::dvec3& at) {
     if (markers.size() >= most_markers) return 0;

@@ -1,25 +1,70 @@
 #pragma once
 
+#include "engine/image/background.hpp"
 #include "engine/image/color_map.hpp"
 #include "engine/scene/coloring.hpp"
+#include "engine/scene/lighting.hpp"
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
 
-/// The quantity that colours all surfaces, and its scale.
+/// The number whose contour lines are drawn.
+enum class Contours : std::uint8_t {
+    None,
+    Height,       ///< the coordinate upwards
+    Coordinates,  ///< each of x, y and z: the grid of the coordinate system
+    Expression,
+};
+/// As it is typed: none, height, xyz, expression.
+std::string_view name_of(Contours contours);
+std::optional<Contours> contours_named(std::string_view name);
+
+inline constexpr double least_line_px = 0.25;
+inline constexpr double most_line_px = 20.0;
+
+/// Lines on all surfaces.
+struct LineChoice {
+    Contours contours = Contours::None;
+    std::string expression = {};  ///< for Contours::Expression; UTF-8
+    /// From line to line; above 0. None: some twenty lines in the clip box, 1 for expressions.
+    std::optional<double> step = std::nullopt;
+    double width_px = 1.4;       ///< least_line_px to most_line_px
+    bool intersections = false;  ///< lines where two surfaces meet
+
+    bool operator==(const LineChoice&) const = default;
+};
+
+/// The quantity that colours all surfaces, and its scale; and lines on them.
 struct ColorChoice {
     ColorBy by = ColorBy::Plain;
     std::string expression = {};                     ///< for ColorBy::Expression; UTF-8
     std::optional<ColorMap> map = std::nullopt;      ///< none: usual_map(by)
     std::optional<ValueRange> range = std::nullopt;  ///< none: found from the picture
+    LineChoice lines = {};
 
     bool operator==(const ColorChoice&) const = default;
 };
+
+/// How all surfaces are lit, and what they look as if they were made of.
+struct LightChoice {
+    Look look = Look::Standard;
+    std::vector<Light> lights = {};  ///< at most max_lights; none: the look's own
+    int reflections = 0;             ///< 0 to max_reflections
+    double absorption = 0.0;         ///< 0 to max_absorption, as in Lighting
+    Tone tone = Tone::Plain;
+    /// None: the window's own, or the dark one of pictures.
+    std::optional<Background> background = std::nullopt;
+
+    bool operator==(const LightChoice&) const = default;
+};
+inline constexpr double max_absorption = 1e6;
 
 /// A point that was kept, and the number that names it.
 struct Marker {

@@ -15,13 +15,25 @@ namespace {
 // LLVM takes about 0.1 ms for a node where only values are compiled.
 constexpr std::size_t most_nodes = 4'000;
 
-std::expected<Expr, InputError> expression_of(const ColorChoice& choice, const RowProgram& rows) {
-    if (trimmed(choice.expression).empty()) {
-        return wrong_input("there is no expression to colour by; type one such as x^2 + y^2");
+/// `what`: it is for.
+std::expected<Expr, InputError> expression_of(const std::string& text, const RowProgram& rows,
+                                              const std::string& what) {
+    if (trimmed(text).empty()) {
+        return wrong_input("there is no expression " + what + "; type one such as x^2 + y^2");
     }
-    auto expression = read_value(choice.expression, rows.text, rows.program->parameters);
-    if (!expression) return std::unexpected(input_error(expression.error(), choice.expression));
+    auto expression = read_value(text, rows.text, rows.program->parameters);
+    if (!expression) return std::unexpected(input_error(expression.error(), text));
     return std::move(*expression);
+}
+
+std::expected<Expr, InputError> color_expression(const ColorChoice& choice,
+                                                 const RowProgram& rows) {
+    return expression_of(choice.expression, rows, "to colour by");
+}
+
+std::expected<Expr, InputError> contour_expression(const LineChoice& lines,
+                                                   const RowProgram& rows) {
+    return expression_of(lines.expression, rows, "for contour lines");
 }
 
 /// The expression that `by` shows for a surface f = 0.
@@ -38,14 +50,51 @@ PointFunction code_of(const Expr& expr) {
     return interpret_points(expr);
 }
 
+/// The greatest of 1, 2, 5 times a power of ten that is no more than `length`.
+double even_step(double length) {
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double digit : {5.0, 2.0}) {
+        if (digit * power <= length) return digit * power;
+    }
+    return power;
+}
+
+SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, const glm::dvec3& up,
+                      const Box& clip) {
+    constexpr double lines_a_box = 20.0;
+    SurfaceLines lines;
+    lines.width_px = static_cast<float>(choice.width_px);
+    lines.intersections = choice.intersections;
+    switch (choice.contours) {
+        case Contours::None: break;
+        case Contours::Height: lines.contours = {{.along = up}}; break;
+        case Contours::Coordinates:
+            lines.contours = {{.along = {1, 0, 0}}, {.along = {0, 1, 0}}, {.along = {0, 0, 1}}};
+            break;
+        case Contours::Expression:
+            // The last expression that could be read may still be another one.
+            if (formulas.contours) lines.contours = {{.code = formulas.contours}};
+            break;
+    }
+    const bool in_box = choice.contours != Contours::Expression;
+    lines.step = choice.step.value_or(in_box ? even_step(clip.size() / lines_a_box * 1.5) : 1.0);
+    return lines;
+}
+
 }  // namespace
 
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice) {
     ColorFormulas formulas{.by = choice.by, .expression = choice.expression, .values = {}};
+    if (choice.lines.contours == Contours::Expression) {
+        const auto expression = contour_expression(choice.lines, rows);
+        if (!expression) return std::unexpected(expression.error());
+        formulas.contour_expression = choice.lines.expression;
+        formulas.contours = code_of(*expression);
+    }
     if (!has_formula(choice.by)) return formulas;
     if (choice.by == ColorBy::Expression) {
-        const auto expression = expression_of(choice, rows);
+        const auto expression = color_expression(choice, rows);
         if (!expression) return std::unexpected(expression.error());
         formulas.values.assign(rows.program->surfaces.size(), code_of(*expression));
         return formulas;
@@ -57,12 +106,18 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
 
 std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice) {
     if (choice.by != ColorBy::Expression) return std::nullopt;
-    const auto expression = expression_of(choice, rows);
+    const auto expression = color_expression(choice, rows);
+    return expression ? std::nullopt : std::optional(expression.error());
+}
+
+std::optional<InputError> check_contours(const RowProgram& rows, const LineChoice& lines) {
+    if (lines.contours != Contours::Expression) return std::nullopt;
+    const auto expression = contour_expression(lines, rows);
     return expression ? std::nullopt : std::optional(expression.error());
 }
 
 Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
-                     const std::vector<std::size_t>& shown, const glm::dvec3& up) {
+                     const std::vector<std::size_t>& shown, const glm::dvec3& up, const Box& clip) {
     Coloring coloring;
     coloring.by = formulas.by;
     coloring.map = choice.map.value_or(usual_map(coloring.by));
@@ -76,6 +131,7 @@ Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
     }
     coloring.up = glm::dvec3(0.0);
     coloring.up[axis] = up[axis] < 0.0 ? -1.0 : 1.0;
+    coloring.lines = lines_of(choice.lines, formulas, coloring.up, clip);
     return coloring;
 }
 

@@ -18,6 +18,8 @@ struct ColorFormulas {
     ColorBy by = ColorBy::Plain;
     std::string expression;
     std::vector<PointFunction> values;  ///< one for each surface; empty unless has_formula(by)
+    std::string contour_expression = {};
+    PointFunction contours = {};  ///< of Contours::Expression
 };
 
 /// Makes the functions for the surfaces as they were typed, in machine code unless that would take
@@ -27,10 +29,12 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
 
 /// Returns the error that color_formulas would give, if any.
 std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice);
+/// The same of the expression of its contour lines.
+std::optional<InputError> check_contours(const RowProgram& rows, const LineChoice& lines);
 
 /// Colours a scene by the choice. `shown`: indices of the program's surfaces in the scene. Heights
 /// are measured along the axis nearest to `up`, the camera's up.
 Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
-                     const std::vector<std::size_t>& shown, const glm::dvec3& up);
+                     const std::vector<std::size_t>& shown, const glm::dvec3& up, const Box& clip);
 
 }  // namespace zeroset

@@ -37,9 +37,13 @@ public:
 
 private:
     void add_colors(FormulaResult& result) {
-        const ColorChoice& choice = result.choice;
+        ColorChoice choice = result.choice;
+        result.contour_error = check_contours(*last_, choice.lines);
+        if (result.contour_error) choice.lines = {};
+        const bool has_contours = choice.lines.contours == Contours::Expression;
+        const std::string contours = has_contours ? choice.lines.expression : "";
         if (colors_ == nullptr || colors_->by != choice.by ||
-            colors_->expression != choice.expression) {
+            colors_->expression != choice.expression || colors_->contour_expression != contours) {
             auto colors = color_formulas(*last_, choice);
             if (colors) {
                 colors_ = std::make_shared<const ColorFormulas>(std::move(*colors));

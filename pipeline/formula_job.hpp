@@ -25,6 +25,7 @@ struct FormulaResult {
     /// Colours for the formula. After an error the last ones that could be made, or plain ones.
     std::shared_ptr<const ColorFormulas> colors = {};
     std::optional<InputError> color_error = {};
+    std::optional<InputError> contour_error = {};  ///< of the expression of the contour lines
 };
 
 /// Reads and compiles the newest sheet in the background. The UI thread may call all members; none

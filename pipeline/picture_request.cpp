@@ -16,7 +16,11 @@ std::vector<ShownSurface> visible_surfaces(const Document& document,
     for (std::size_t i = 0; i < surface_rows.size(); ++i) {
         const auto row = std::ranges::find(document.statements, surface_rows[i], &Statement::id);
         if (row == document.statements.end() || !row->visible) continue;
-        shown.push_back({.index = i, .row = row->id, .color = row->color, .solid = row->solid});
+        shown.push_back({.index = i,
+                         .row = row->id,
+                         .color = row->color,
+                         .solid = row->solid,
+                         .opacity = row->opacity});
     }
     return shown;
 }
@@ -34,6 +38,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
         .region = document.region,
         .camera = camera_of(document, size_px),
         .coloring = document.coloring,
+        .light = document.light,
         .jumps = document.jumps,
         .settings = settings,
         .size_px = size_px,
@@ -42,6 +47,7 @@ PictureRequest picture_request(std::shared_ptr<const Formula> formula,
     };
     request.settings.shadows = document.shadows;
     request.settings.antialias = document.antialias;
+    request.settings.reflections = document.light.reflections;
     request.surfaces = visible_surfaces(document, request.formula->surface_rows);
     request.uniforms.push_back(request.formula->uses_w() ? document.w.value : 0.0);
     for (const std::string& name : request.formula->program->parameters)
@@ -84,14 +90,21 @@ Scene scene_of(const PictureRequest& request) {
     scene.region = request.region;
     scene.jumps = request.jumps;
     scene.uniforms = uniforms_of(request);
+    scene.lighting = {.look = request.light.look,
+                      .lights = request.light.lights,
+                      .opacity = {},
+                      .absorption = request.light.absorption,
+                      .tone = request.light.tone};
+    scene.background = request.light.background.value_or(Background());
     for (const ShownSurface& surface : request.surfaces) {
         scene.surfaces.push_back(formula.kernels[surface.index]);
         scene.solids.push_back({surface.solid, formula.unrestricted[surface.index]});
+        scene.lighting.opacity.push_back(surface.opacity);
         scene.colors.push_back(surface.color ? surface_colors(*surface.color)
                                              : colors_of(surface.index));
     }
-    scene.coloring =
-        coloring_of(request.coloring, *request.colors, shown_indices(request), request.camera.up);
+    scene.coloring = coloring_of(request.coloring, *request.colors, shown_indices(request),
+                                 request.camera.up, request.clip);
     return scene;
 }
 

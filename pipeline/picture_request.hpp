@@ -23,6 +23,7 @@ struct ShownSurface {
     int row = 0;                         ///< id of its row in the document
     std::optional<std::uint32_t> color;  ///< front colour, 0xRRGGBB; none: the palette's
     SolidSide solid = SolidSide::Automatic;
+    std::optional<double> opacity = std::nullopt;  ///< none: the look's
 
     bool operator==(const ShownSurface&) const = default;
 };
@@ -36,6 +37,7 @@ struct PictureRequest {
     Region region;
     Camera camera;
     ColorChoice coloring;
+    LightChoice light;
     bool jumps = false;
     TraceSettings settings;
     glm::ivec2 size_px{0};
@@ -46,7 +48,7 @@ struct PictureRequest {
 };
 
 /// Makes the request for a picture of the document. `formula`: made from the document's rows.
-/// Shadows and antialiasing come from the document, all other settings from `settings`.
+/// Shadows, antialiasing and mirrors come from the document, all other settings from `settings`.
 PictureRequest picture_request(std::shared_ptr<const Formula> formula,
                                std::shared_ptr<const ColorFormulas> colors,
                                const Document& document, const TraceSettings& settings,

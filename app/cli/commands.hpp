@@ -20,6 +20,7 @@ struct RenderCommand {
     std::optional<std::string> output, depth, certificate, stats, repeat, budget;
     std::vector<std::string> probes;  ///< COL,ROW each
     bool no_legend = false;
+    bool alpha = false;  ///< the picture's background is transparent
 };
 int run_render(const RenderCommand& command);
 

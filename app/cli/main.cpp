@@ -55,6 +55,10 @@ void add_look_options(CLI::App& app, LookText& look) {
     add_value(app, "--color-range", look.color_range,
               "the numbers at the ends of the colours: A,B, or auto (default)");
     add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
+    add_value(app, "--contours", look.contours,
+              "contour lines: height, xyz (the coordinates' grid), an expression, or none; then, "
+              "each after a ;, step S and width PIXELS");
+    add_switch(app, "intersections", look.intersections, "draw lines where two surfaces meet");
     add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
 }
 
@@ -81,11 +85,30 @@ void add_view_options(CLI::App& app, ViewText& view) {
     add_repeated(app, "--solid", view.solids,
                  "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
                  "surfaces or of one: 2:f>0; may be repeated");
+    add_repeated(app, "--opacity", view.opacities,
+                 "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
     app.add_flag("--fit", view.fit,
                  "look at all of the surface; without --box the clip box follows it, too");
     add_look_options(app, view.look);
+}
+
+void add_light_options(CLI::App& app, LightText& light) {
+    add_value(app, "--look", light.look,
+              "standard (default), matte, porcelain, metal, glass, clay or technical");
+    add_repeated(app, "--light", light.lights,
+                 "a light instead of the look's own: X,Y,Z towards it, or camera X,Y,Z (right, up, "
+                 "back); then, each after a ;, power P, size DEGREES (soft shadows), color "
+                 "#RRGGBB; up to four times");
+    add_value(app, "--reflections", light.reflections,
+              "how often a ray is mirrored, 0 (default) to 5");
+    add_value(app, "--absorption", light.absorption,
+              "how much of other colours solids swallow of what is seen through them, per unit of "
+              "length (default 0)");
+    add_value(app, "--background", light.background,
+              "#RRGGBB, #RRGGBB,#RRGGBB from top to bottom, or default");
+    add_value(app, "--tone", light.tone, "bright light: plain (default, cut off) or filmic");
 }
 
 void add_trace_options(CLI::App& app, TraceText& trace) {
@@ -105,6 +128,7 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
     add_value(app, "--aa", trace.aa,
               "smooth edges: iaa (exact, by beams), none, or 4, 9, 16, 64 rays a pixel")
         ->excludes(smooth);
+    add_light_options(app, trace.light);
     add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
     add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
@@ -173,6 +197,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
     add_repeated(*render_app, "--probe", render.probes,
                  "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
+    render_app->add_flag("--alpha", render.alpha, "leave the background transparent");
     render_app->add_flag("--no-legend", render.no_legend,
                          "leave out what says which colour stands for which number");
     add_value(*render_app, "--repeat", render.repeat,

@@ -190,7 +190,8 @@ std::expected<void, std::string> write_files(const RenderCommand& command,
                                    .legend = !command.no_legend};
         const auto finished = finish_picture({made, &frame}, subject);
         if (!finished) return std::unexpected(finished.error());
-        written = write_png(*command.output, **finished);
+        written = command.alpha ? write_png(*command.output, without_background(frame, **finished))
+                                : write_png(*command.output, **finished);
     }
     if (written && command.depth) written = write_pfm(*command.depth, frame);
     if (written && command.certificate)

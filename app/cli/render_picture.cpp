@@ -53,7 +53,8 @@ Framebuffer undecided_frame(const Size& size) {
     Framebuffer frame(size.width, size.height);
     for (int row = 0; row < size.height; ++row) {
         for (int col = 0; col < size.width; ++col)
-            frame.color[frame.index(col, row)] = background_color(row, size.height);
+            frame.color[frame.index(col, row)] =
+                background_color(frame.background, row, size.height);
     }
     frame.depth.assign(frame.depth.size(), std::numeric_limits<float>::infinity());
     frame.certificate.assign(frame.certificate.size(), Certificate::Undecided);

@@ -163,6 +163,9 @@ void Desktop::take_formula() {
     // An expression that is still empty is no error.
     const bool typed = !trimmed(result->choice.expression).empty();
     reading.color_error = typed && result->color_error ? result->color_error->reason : "";
+    const bool contours_typed = !trimmed(result->choice.lines.expression).empty();
+    reading.contour_error =
+        contours_typed && result->contour_error ? result->contour_error->reason : "";
     reading.reports = result->reading.reports;
     reading.surface_rows = result->reading.surface_rows;
     if (result->formula) {

@@ -9,6 +9,11 @@ namespace {
 ColorChoice choice_of(const Document& document) {
     ColorChoice choice;
     choice.by = document.coloring.by;
+    const LineChoice& lines = document.coloring.lines;
+    if (lines.contours == Contours::Expression) {
+        choice.lines.contours = lines.contours;
+        choice.lines.expression = lines.expression;
+    }
     if (choice.by == ColorBy::Expression) choice.expression = document.coloring.expression;
     return choice;
 }

@@ -1,6 +1,7 @@
 #include "document/json/document_json.hpp"
 
 #include "document/json/json_fields.hpp"
+#include "document/json/light_json.hpp"
 #include "document/json/look_json.hpp"
 #include "document/json/region_json.hpp"
 #include "engine/base/enum_names.hpp"
@@ -18,18 +19,13 @@
 namespace zeroset {
 namespace {
 
-std::string hexadecimal(std::uint32_t color) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
-    return text.data();
-}
-
 Json json_of(const Statement& statement) {
     Json json{{"text", statement.text}};
     if (!statement.visible) json["visible"] = false;
     if (statement.color) json["color"] = hexadecimal(*statement.color);
     if (statement.solid != SolidSide::Automatic)
         json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
+    if (statement.opacity) json["opacity"] = *statement.opacity;
     return json;
 }
 
@@ -89,18 +85,6 @@ Json look_of(const Document& document) {
     return look;
 }
 
-std::uint32_t color_of(const Json& json, const std::string& place) {
-    const std::string text = string_of(json, place);
-    std::uint32_t color = 0;
-    const char* const end = text.data() + text.size();
-    const bool hash = text.size() == 7 && text.front() == '#';
-    const auto read = std::from_chars(text.data() + (hash ? 1 : 0), end, color, 16);
-    if (!hash || read.ec != std::errc() || read.ptr != end) {
-        throw Damage{place + " is no colour such as #3399FF"};
-    }
-    return color;
-}
-
 SolidSide solid_of(const Json& json, const std::string& place) {
     const std::string text = string_of(json, place);
     if (text == "f<0") return SolidSide::Below;
@@ -121,6 +105,8 @@ Statement statement_of(const Json& json, const std::string& place,
     }
     if (const Json* solid = fields.find("solid"))
         statement.solid = solid_of(*solid, fields.at("solid"));
+    if (const Json* opacity = fields.find("opacity"))
+        statement.opacity = number_in(*opacity, fields.at("opacity"), 0.0, 1.0);
     return statement;
 }
 
@@ -241,6 +227,7 @@ ReadDocument document_of(const Json& json) {
     if (const Json* stop = fields.find("stop")) document.stop = stop_of(*stop, unknown);
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
+    if (const Json* light = fields.find("light")) document.light = light_choice_of(*light, unknown);
     if (const Json* markers = fields.find("markers"))
         document.markers = markers_of(*markers, unknown);
     document = renumbered(std::move(document), 1);
@@ -282,6 +269,7 @@ std::string text_of(const Document& document) {
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);
     if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
+    if (document.light != LightChoice()) json["light"] = json_of(document.light);
     if (!document.markers.empty()) json["markers"] = json_of(document.markers);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

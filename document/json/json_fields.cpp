@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace zeroset {
@@ -39,6 +40,14 @@ double number_of(const Json& json, const std::string& place) {
     const auto number = json.get<double>();
     if (!(std::abs(number) <= largest_number)) throw Damage{place + " is too large a number"};
     return number;
+}
+
+double number_in(const Json& json, const std::string& place, double least, double most) {
+    const double number = number_of(json, place);
+    if (number >= least && number <= most) return number;
+    std::array<char, 64> range{};
+    std::snprintf(range.data(), range.size(), " is not between %g and %g", least, most);
+    throw Damage{place + range.data()};
 }
 
 std::string string_of(const Json& json, const std::string& place) {

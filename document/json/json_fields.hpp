@@ -49,6 +49,8 @@ private:
 // Readers of values. They throw Damage that names `place` where a value is of another kind.
 
 double number_of(const Json& json, const std::string& place);
+/// A number from `least` to `most`.
+double number_in(const Json& json, const std::string& place, double least, double most);
 std::string string_of(const Json& json, const std::string& place);
 bool flag_of(const Json& json, const std::string& place);
 

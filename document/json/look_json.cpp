@@ -13,6 +13,37 @@ ValueRange range_of(const Json& json) {
     return {.lo = lo, .hi = hi};
 }
 
+Json json_of(const LineChoice& lines) {
+    Json json{{"contours", name_of(lines.contours)},
+              {"width_px", lines.width_px},
+              {"intersections", lines.intersections}};
+    if (!lines.expression.empty()) json["expression"] = lines.expression;
+    if (lines.step) json["step"] = *lines.step;
+    return json;
+}
+
+LineChoice lines_of(const Json& json, std::vector<std::string>& unknown) {
+    Fields fields(json, "color.lines", unknown);
+    LineChoice lines;
+    if (const Json* contours = fields.find("contours")) {
+        const auto named = contours_named(string_of(*contours, fields.at("contours")));
+        if (!named)
+            throw Damage{fields.at("contours") + " is none of none, height, xyz, expression"};
+        lines.contours = *named;
+    }
+    if (const Json* expression = fields.find("expression"))
+        lines.expression = string_of(*expression, fields.at("expression"));
+    if (const Json* step = fields.find("step")) {
+        lines.step = number_of(*step, fields.at("step"));
+        if (!(*lines.step > 0.0)) throw Damage{fields.at("step") + " is not above 0"};
+    }
+    if (const Json* width = fields.find("width_px"))
+        lines.width_px = number_in(*width, fields.at("width_px"), least_line_px, most_line_px);
+    if (const Json* intersections = fields.find("intersections"))
+        lines.intersections = flag_of(*intersections, fields.at("intersections"));
+    return lines;
+}
+
 }  // namespace
 
 Json json_of(const ColorChoice& coloring) {
@@ -20,6 +51,7 @@ Json json_of(const ColorChoice& coloring) {
     if (!coloring.expression.empty()) json["expression"] = coloring.expression;
     if (coloring.map) json["map"] = name_of(*coloring.map);
     if (coloring.range) json["range"] = Json::array({coloring.range->lo, coloring.range->hi});
+    if (coloring.lines != LineChoice()) json["lines"] = json_of(coloring.lines);
     return json;
 }
 
@@ -37,6 +69,7 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
         if (!coloring.map) throw Damage{"color.map is no colour map"};
     }
     if (const Json* range = fields.find("range")) coloring.range = range_of(*range);
+    if (const Json* lines = fields.find("lines")) coloring.lines = lines_of(*lines, unknown);
     return coloring;
 }
 

@@ -2,7 +2,6 @@
 
 #include "engine/image/background.hpp"
 #include "engine/image/gamma.hpp"
-#include "engine/light/light_tile.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,7 +35,7 @@ void CoverLight::put(const CoverSample& sample, std::size_t slot) {
         hits.gradient[axis][slot] = sample.gradient[axis];
 }
 
-void CoverLight::take(std::span<Light> out) const {
+void CoverLight::take(std::span<CoverColor> out) const {
     for (const LitLayer& layer : lit_.layers()) {
         for (std::size_t k = 0; k < out.size(); ++k) {
             const std::size_t slot = slot_of(k);
@@ -45,18 +44,21 @@ void CoverLight::take(std::span<Light> out) const {
             for (int channel = 0; channel < 3; ++channel)
                 out[k][static_cast<std::size_t>(channel)] =
                     layer.light_row(row, channel)[slot % tile_size];
+            out[k][3] = layer.cover.empty() ? 1.0F : layer.cover[slot];
         }
     }
 }
 
-std::span<const Light> CoverLight::light(std::span<const TraceFrame> surfaces, bool shadows,
-                                         const TimeLimit& limit, const Tile& tile,
-                                         std::span<const CoverSample> samples, Counters& counters) {
+std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
+                                              std::span<const TraceFrame> surfaces,
+                                              const TimeLimit& limit, const Tile& tile,
+                                              std::span<const CoverSample> samples,
+                                              Counters& counters) {
     cols_.resize(slots);
     rows_.resize(slots);
     surface_of_slot_.resize(slots);
     hits_.resize(std::max(hits_.size(), surfaces.size()));
-    light_.assign(samples.size(), Light{});
+    light_.assign(samples.size(), CoverColor{});
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
     const Tile of_samples{.col = tile.col,
                           .row = tile.row,
@@ -71,17 +73,17 @@ std::span<const Light> CoverLight::light(std::span<const TraceFrame> surfaces, b
         for (std::size_t k = 0; k < count; ++k)
             put(samples[first + k], slot_of(k));
         const auto hits = std::span(hits_).first(surfaces.size());
-        light_tile(surfaces, shadows, limit, of_samples, hits, lit_, counters);
+        frame_light.light(surfaces, limit, of_samples, hits, lit_, counters);
         take(std::span(light_).subspan(first, count));
     }
     return light_;
 }
 
 void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
-                std::span<const CoverSample> samples, std::span<const Light> light,
+                std::span<const CoverSample> samples, std::span<const CoverColor> light,
                 const Canvas& out) {
     struct Sum {
-        Light light{};
+        CoverColor light{};
         float area = 0.0F;
     };
     thread_local std::vector<Sum> sums;
@@ -89,18 +91,18 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
     for (std::size_t k = 0; k < samples.size(); ++k) {
         Sum& sum = sums[samples[k].pixel];
         sum.area += samples[k].area;
-        for (std::size_t channel = 0; channel < 3; ++channel)
+        for (std::size_t channel = 0; channel < 4; ++channel)
             sum.light[channel] += samples[k].area * std::clamp(light[k][channel], 0.0F, 1.0F);
     }
     for (const MixedPixel& pixel : pixels) {
         const int row = tile.row + pixel.pixel / tile_size;
         const int col = tile.col + pixel.pixel % tile_size;
         const Sum& sum = sums[pixel.pixel];
-        const std::uint32_t behind = background_color(row, out.height);
+        const std::uint32_t behind = background_color(out.pixels.background, row, out.height);
         // Threads are drawn wider than they are, so that there may be more than a pixel of parts.
         const float area = std::min(sum.area, 1.0F);
         const float scale = sum.area > 1.0F ? 1.0F / sum.area : 1.0F;
-        const auto alpha = static_cast<std::uint32_t>(area * 255.0F + 0.5F);
+        const auto alpha = static_cast<std::uint32_t>(scale * sum.light[3] * 255.0F + 0.5F);
         std::uint32_t color = (alpha == 0 ? 255U : alpha) << 24U;
         for (unsigned channel = 0; channel < 3; ++channel) {
             const float background = light_of_channel(behind >> 8 * channel & 0xFFU);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/antialias/cover_sample.hpp"
+#include "engine/appearance/frame_light.hpp"
 #include "engine/light/encode.hpp"
 #include "engine/light/lit_tile.hpp"
 #include "engine/trace/trace_frame.hpp"
@@ -11,33 +12,35 @@
 
 namespace zeroset {
 
-/// Linear light, red, green and blue.
-using Light = std::array<float, 3>;
+/// Linear light, red, green and blue; and how much of what is seen is not the background.
+using CoverColor = std::array<float, 4>;
 
 /// Room for lighting samples; one for each thread.
 class CoverLight {
 public:
     /// The light that each sample's hit sends to the eye. Ends early when the limit is over: then
     /// some of it is undefined. In upward rounding.
-    std::span<const Light> light(std::span<const TraceFrame> surfaces, bool shadows,
-                                 const TimeLimit& limit, const Tile& tile,
-                                 std::span<const CoverSample> samples, Counters& counters);
+    std::span<const CoverColor> light(const FrameLight& frame_light,
+                                      std::span<const TraceFrame> surfaces, const TimeLimit& limit,
+                                      const Tile& tile, std::span<const CoverSample> samples,
+                                      Counters& counters);
 
 private:
     void put(const CoverSample& sample, std::size_t slot);
-    void take(std::span<Light> out) const;
+    void take(std::span<CoverColor> out) const;
 
     std::vector<float> cols_, rows_;
     std::vector<std::uint8_t> surface_of_slot_;
     std::vector<TileHits> hits_;
     LitTile lit_;
-    std::vector<Light> light_;
+    std::vector<CoverColor> light_;
 };
 
 /// Draws pixels of a tile again: the light of their samples by area, before the background. Their
-/// alpha is the area of all samples, or 255 where there is none.
+/// alpha is the area of all samples as far as the background is not seen, or 255 where there is
+/// none.
 void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
-                std::span<const CoverSample> samples, std::span<const Light> light,
+                std::span<const CoverSample> samples, std::span<const CoverColor> light,
                 const Canvas& out);
 
 }  // namespace zeroset

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace zeroset {
 
@@ -23,6 +24,9 @@ Excerpt excerpt(std::string_view line, std::size_t caret);
 
 /// `text` without blanks and line ends at its ends.
 std::string_view trimmed(std::string_view text);
+
+/// The parts of `text` between separators, trimmed; one at least.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// The number as a person would write it, with at most `digits` significant digits.
 std::string short_number(double value, int digits = 6);

@@ -133,6 +133,12 @@ std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer
     return write_file(path, bytes);
 }
 
+std::expected<void, FileError> write_png(const fs::path& path, const RgbaImage& image) {
+    const std::vector<std::byte> bytes = png_of(image);
+    if (bytes.empty()) return cannot_write(path, "the PNG encoder failed");
+    return write_file(path, bytes);
+}
+
 std::expected<void, FileError> write_pfm(const fs::path& path, const Framebuffer& frame) {
     static_assert(std::endian::native == std::endian::little);
     const std::string header =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
+#include "engine/image/rgba_image.hpp"
 
 #include <expected>
 #include <filesystem>
@@ -27,6 +28,9 @@ std::expected<void, FileError> check_writable(const std::filesystem::path& path)
 /// Writes the colours as an 8-bit RGB PNG.
 std::expected<void, FileError> write_png(const std::filesystem::path& path,
                                          const Framebuffer& frame);
+
+/// Writes the image as a PNG with transparency.
+std::expected<void, FileError> write_png(const std::filesystem::path& path, const RgbaImage& image);
 
 /// Writes the depths as a grayscale PFM: little endian, rows from the bottom, +inf for a miss.
 std::expected<void, FileError> write_pfm(const std::filesystem::path& path,

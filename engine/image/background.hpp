@@ -4,7 +4,15 @@
 
 namespace zeroset {
 
+/// What is behind the surfaces: an even change from top to bottom, in colours 0xRRGGBB.
+struct Background {
+    std::uint32_t top = 0x2C323A;
+    std::uint32_t bottom = 0x121418;
+
+    bool operator==(const Background&) const = default;
+};
+
 /// The background of an image row, RGBA as in Framebuffer.
-std::uint32_t background_color(int row, int height);
+std::uint32_t background_color(const Background& background, int row, int height);
 
 }  // namespace zeroset

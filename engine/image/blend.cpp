@@ -18,21 +18,22 @@ const std::array<float, 256> channel_lights = [] {
     return lights;
 }();
 
-/// The mean of opaque colours, in linear light.
+/// The mean of colours, in linear light.
 struct MeanColor {
     std::array<float, 3> light{};
-    int count = 0, hits = 0;
+    int count = 0;
+    std::uint32_t cover = 0;  ///< the sum of the hits' alpha
 
     void add(std::uint32_t color, bool hit) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             light[channel] += channel_lights[color >> 8 * channel & 0xFFU];
         ++count;
-        hits += hit ? 1 : 0;
+        cover += hit ? color >> 24U : 0U;
     }
-    /// With the share of hits as alpha; 255 where there is none.
+    /// With the mean of the hits' alpha; 255 where there is none.
     [[nodiscard]] std::uint32_t color() const {
-        const std::uint32_t alpha =
-            hits == 0 ? 255U : static_cast<std::uint32_t>((255 * hits + count / 2) / count);
+        const auto colors = static_cast<std::uint32_t>(count);
+        const std::uint32_t alpha = cover == 0 ? 255U : (cover + colors / 2U) / colors;
         std::uint32_t mean = alpha << 24U;
         for (std::size_t channel = 0; channel < 3; ++channel)
             mean |= channel_of_light(light[channel] / static_cast<float>(count)) << 8 * channel;

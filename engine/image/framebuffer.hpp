@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/image/background.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -32,10 +34,11 @@ inline constexpr std::uint8_t no_surface = 255;
 struct Framebuffer {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R lowest; A: 255, or of antialiasing
+    std::vector<std::uint32_t> color;  ///< RGBA, 8 bits each, R lowest; A: see blend.hpp
     std::vector<float> depth;          ///< distances as in ViewFrame; +inf: a miss
     std::vector<Certificate> certificate;
     std::vector<std::uint8_t> surface;  ///< index of the surface drawn, or no_surface
+    Background background = {};         ///< that `color` is mixed with
     /// Rows that render_frame left blank when it last drew here, so that it need not draw them
     /// again: for each of its tiles, row by row, a bit for each row of pixels, the first one
     /// lowest; set where all its pixels are misses in the background's colour. Empty: nothing is

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -22,6 +23,16 @@ constexpr float light_of_channel(std::uint32_t channel) {
 inline std::uint32_t channel_of_light(float light) {
     const float shown = std::sqrt(std::clamp(light, 0.0F, 1.0F));
     return static_cast<std::uint32_t>(shown * 255.0F + 0.5F);
+}
+
+/// The linear light, red, green and blue, of a colour 0xRRGGBB; and the colour nearest to a light.
+constexpr std::array<float, 3> light_of_color(std::uint32_t color) {
+    return {light_of_channel(color >> 16U & 0xFFU), light_of_channel(color >> 8U & 0xFFU),
+            light_of_channel(color & 0xFFU)};
+}
+inline std::uint32_t color_of_light(const std::array<float, 3>& light) {
+    return channel_of_light(light[0]) << 16U | channel_of_light(light[1]) << 8U |
+           channel_of_light(light[2]);
 }
 
 }  // namespace zeroset

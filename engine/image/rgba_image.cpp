@@ -1,8 +1,11 @@
 #include "engine/image/rgba_image.hpp"
 
+#include "engine/image/blend.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace zeroset {
 namespace {
@@ -69,6 +72,26 @@ void spread_colors(RgbaImage& image) {
 }
 
 }  // namespace
+
+RgbaImage without_background(const Framebuffer& frame, const Framebuffer& painted) {
+    constexpr std::uint32_t opaque = 0xFF000000U;
+    RgbaImage image{.width = frame.width, .height = frame.height, .pixels = painted.color};
+    const auto columns = static_cast<std::size_t>(frame.width);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const std::uint32_t color = frame.color[i];
+        const auto row = static_cast<int>(i / columns);
+        if (painted.color[i] != color ||
+            (frame.depth[i] < std::numeric_limits<float>::infinity() && !is_partly_drawn(color))) {
+            image.pixels[i] |= opaque;
+        } else if (is_partly_drawn(color)) {
+            image.pixels[i] =
+                without_background(color, background_color(frame.background, row, frame.height));
+        } else {
+            image.pixels[i] = 0;
+        }
+    }
+    return image;
+}
 
 RgbaImage halved(const Framebuffer& frame) {
     RgbaImage image{.width = frame.width / 2, .height = frame.height / 2, .pixels = {}};

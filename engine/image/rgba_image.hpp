@@ -16,6 +16,10 @@ struct RgbaImage {
     bool operator==(const RgbaImage&) const = default;
 };
 
+/// What of `frame` is not its background. `painted`: the frame with what was drawn over it, which
+/// is not transparent.
+RgbaImage without_background(const Framebuffer& frame, const Framebuffer& painted);
+
 /// `frame`, whose sides are even, at half its size. Each pixel is the mean of the drawn ones among
 /// four; its alpha is their share. Transparent pixels next to drawn ones take their colour, so that
 /// a stretched picture has no fringe.

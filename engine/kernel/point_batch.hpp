@@ -53,6 +53,13 @@ public:
                 .gradient = {from(gradient_[0]), from(gradient_[1]), from(gradient_[2])}};
     }
     ValueBatchOf<Real> batch(const Real* uniforms) { return batch(0, size(), uniforms); }
+    /// Calls a function of values for all points, some at a time, until `stopped()`.
+    template <class Function, class Stopped>
+    void evaluate(const Function& function, const Real* uniforms, const Stopped& stopped) {
+        constexpr std::size_t at_once = 256;
+        for (std::size_t i = 0; i < size() && !stopped(); i += at_once)
+            function(batch(i, std::min(at_once, size() - i), uniforms));
+    }
 
     /// The number of points that were set.
     [[nodiscard]] std::size_t count() const { return count_; }

@@ -43,7 +43,7 @@ struct Row {
 Row row_of(const Tile& tile, int row, const Canvas& out) {
     return {.first = out.index(tile.col, tile.row + row),
             .count = static_cast<std::size_t>(tile.cols),
-            .background = background_color(tile.row + row, out.height)};
+            .background = background_color(out.pixels.background, tile.row + row, out.height)};
 }
 
 /// A bit for each pixel of a row of a tile, the first one lowest.
@@ -121,6 +121,16 @@ void write_facts(RowBits hit, const Certificate* known, std::uint8_t surface, co
     }
 }
 
+/// The alpha of hits from `pixel` on: at least 1, or they would be taken for misses.
+HWY_INLINE hn::Vec<decltype(du<float>)> alpha_of(const LitLayer& layer, std::size_t pixel) {
+    if (layer.cover.empty()) return hn::Set(du<float>, 0xFF000000U);
+    const V<float> cover = hn::LoadU(d<float>, &layer.cover[pixel]);
+    const V<float> part = hn::Mul(cover, hn::Set(d<float>, 255.0F));
+    const V<float> alpha =
+        hn::Max(hn::Min(part, hn::Set(d<float>, 255.0F)), hn::Set(d<float>, 1.0F));
+    return hn::ShiftLeft<24>(hn::BitCast(du<float>, hn::NearestInt(alpha)));
+}
+
 /// Encodes the light of hits, and copies their depths.
 void encode_row(const LitLayer& layer, int row, std::uint32_t background, const RowTarget& to) {
     const float* const depths = &layer.hits->depth[static_cast<std::size_t>(row) * tile_size];
@@ -129,7 +139,7 @@ void encode_row(const LitLayer& layer, int row, std::uint32_t background, const 
         auto color = hn::Set(du<float>, background);
         const auto bits = static_cast<LaneBits>(hit >> col & first_bits(lanes<float>));
         if (bits != 0) {
-            auto lit = hn::Set(du<float>, 0xFF000000U);
+            auto lit = alpha_of(layer, static_cast<std::size_t>(row) * tile_size + col);
             for (int channel = 0; channel < 3; ++channel) {
                 const V<float> light = hn::LoadU(d<float>, layer.light_row(row, channel) + col);
                 lit = hn::Or(lit, hn::ShiftLeftSame(encoded(light), 8 * channel));

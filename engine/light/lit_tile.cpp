@@ -20,6 +20,7 @@ void LitTile::begin(std::span<const TileHits> hits) {
         layer.hits = &hits[i];
         if (layer.any_dark) std::ranges::fill(layer.key_light, 1.0F);
         layer.any_dark = false;
+        layer.cover.clear();
         for (std::vector<float>& channel : layer.reflectance)
             channel.clear();
     }

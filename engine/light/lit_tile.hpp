@@ -40,6 +40,8 @@ struct LitLayer {
     /// The reflectances of hits, red, green and blue, where the scene is coloured by more than its
     /// surfaces; else empty.
     std::array<std::vector<float>, 3> reflectance;
+    /// How much of what is seen at hits is not the background, 0 to 1; empty: all.
+    std::vector<float> cover;
     TileBits hit_rows{};  ///< of hits
     /// Linear light from hits towards the eye; 1 is the brightest that a picture shows. For each
     /// row of pixels tile_size reds, then as many greens, then blues.

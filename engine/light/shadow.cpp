@@ -1,7 +1,6 @@
 #include "engine/light/shadow.hpp"
 
 #include "engine/light/light_places.hpp"
-#include "engine/light/shade.hpp"
 #include "engine/light/shadow_kernel.hpp"
 #include "engine/light/shadow_search.hpp"
 #include "engine/trace/frame_union.hpp"
@@ -32,8 +31,8 @@ glm::dvec3 gradient_of(const TileHits& hits) {
 
 /// The light as an eye with parallel rays that sees the whole clip box. It is upright where the
 /// surface is steepest in its view: hits of a surface that it sees from aside lie in a thin box.
-ViewFrame light_view(const TraceFrame& frame, const glm::dvec3& gradient) {
-    const UnitVector to_light = key_light(frame.view);
+ViewFrame light_view(const TraceFrame& frame, const UnitVector& to_light,
+                     const glm::dvec3& gradient) {
     const glm::dvec3 steepest = gradient - glm::dot(gradient, to_light) * to_light;
     const double size = glm::length(steepest);
     const bool is_known = std::isfinite(size) && size > 1e-3 * glm::length(gradient);
@@ -216,20 +215,11 @@ void search_surface(const TraceFrame& frame, const TraceFrame& light, const Ligh
     search_square(search, whole_tile, found, counters);
 }
 
-void darken(const TileBits& dark, LitLayer& layer) {
-    for (std::size_t row = 0; row < tile_size; ++row) {
-        for (std::uint64_t bits = dark[row]; bits != 0; bits &= bits - 1) {
-            const auto col = static_cast<std::size_t>(std::countr_zero(bits));
-            layer.key_light[row * tile_size + col] = 0.0F;
-            layer.any_dark = true;
-        }
-    }
-}
-
 }  // namespace
 
-ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
-                        const Tile& tile, std::span<LitLayer> layers, Counters& counters) {
+ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
+                        const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
+                        Counters& counters) {
     ShadowBits found;
     if (layers.empty()) return found;
     thread_local LightPlaces places;
@@ -238,7 +228,8 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& l
     places.outside = {};
     turned.clear();
     TileBits open{};
-    const ViewFrame light = light_view(surfaces.front(), gradient_of(*layers.front().hits));
+    const ViewFrame light =
+        light_view(surfaces.front(), to_light, gradient_of(*layers.front().hits));
     for (const LitLayer& layer : layers) {
         turned.push_back(find_places(surfaces.front(), light, tile, *layer.hits, places));
         for (std::size_t row = 0; row < tile_size; ++row)
@@ -253,9 +244,21 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& l
                        found, counters);
         open = without(open, proved_dark(found));
     }
-    for (std::size_t k = 0; k < layers.size(); ++k)
-        darken(both(found.dark, turned[k]), layers[k]);
     return found;
+}
+
+void darken(const TileBits& dark, std::span<LitLayer> layers) {
+    for (LitLayer& layer : layers) {
+        for (std::size_t row = 0; row < tile_size; ++row) {
+            for (std::uint64_t bits = dark[row]; bits != 0; bits &= bits - 1) {
+                const auto col = static_cast<std::size_t>(std::countr_zero(bits));
+                const std::size_t pixel = row * tile_size + col;
+                if (!(layer.hits->depth[pixel] < std::numeric_limits<float>::infinity())) continue;
+                layer.key_light[pixel] = 0.0F;
+                layer.any_dark = true;
+            }
+        }
+    }
 }
 
 }  // namespace zeroset

@@ -2,16 +2,21 @@
 
 #include "engine/light/lit_tile.hpp"
 #include "engine/trace/trace_frame.hpp"
+#include "engine/view/unit_vector.hpp"
 
 #include <span>
 
 namespace zeroset {
 
-/// Finds which hits of a tile's layers the key light does not reach, by beams from squares of them
-/// to the light [Knoll07 5.6, Florez08 5.4.4]: nothing that throws a shadow is missed, however
-/// thin. The light's rays are parallel. The gradients of the hits are known. What is not found
-/// within `limit` is lit. In upward rounding.
-ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const TimeLimit& limit,
-                        const Tile& tile, std::span<LitLayer> layers, Counters& counters);
+/// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the
+/// light [Knoll07 5.6, Florez08 5.4.4]: nothing that throws a shadow is missed, however thin. The
+/// light's rays are parallel. The gradients of the hits are known. What is not found within `limit`
+/// is lit. In upward rounding.
+ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
+                        const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
+                        Counters& counters);
+
+/// Takes the key light from the hits that do not have it.
+void darken(const TileBits& dark, std::span<LitLayer> layers);
 
 }  // namespace zeroset

@@ -3,10 +3,10 @@
 #include "engine/antialias/cover_light.hpp"
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
+#include "engine/appearance/frame_light.hpp"
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
 #include "engine/light/encode.hpp"
-#include "engine/light/light_tile.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/trace/caps.hpp"
@@ -71,8 +71,9 @@ Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
 /// A scene at one resolution, tile by tile.
 class TilePainter {
 public:
+    /// `fineness`: pixels of `image` across one of the picture.
     TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                const ImageSize& image);
+                const ImageSize& image, int fineness);
     /// In upward rounding.
     TileState paint(Tile tile, const TimeLimit& limit, Workspace& workspace, const Canvas& out,
                     Counters& counters) const;
@@ -99,7 +100,7 @@ private:
     }
 
     const Tracer& tracer_;
-    bool shadows_;
+    FrameLight light_;
     bool beams_;  ///< pixels that show more than one smooth sheet are drawn part by part
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
@@ -108,9 +109,9 @@ private:
 };
 
 TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceSettings& settings,
-                         const ImageSize& image)
+                         const ImageSize& image, int fineness)
     : tracer_(*find_tracer(settings.tracer)),
-      shadows_(settings.shadows),
+      light_(scene, view, settings, fineness),
       beams_(antialias_of(scene, settings) == Antialias::Beams) {
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
         surfaces_.push_back(trace_frame(scene, scene.surfaces[i], view, image, settings.stop));
@@ -178,7 +179,8 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     workspace.samples.clear();
     const auto hits = std::span(workspace.hits).first(surfaces_.size());
     find_mixed(tile, hits, workspace.mixed);
-    if (shadows_) add_shadow_edges(tile, workspace.lit.layers(), hits, workspace.mixed);
+    if (light_.settings().shadows)
+        add_shadow_edges(tile, workspace.lit.layers(), hits, workspace.mixed);
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
@@ -186,7 +188,7 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
         frames.push_back(frame_of(i, tile, limit));
     find_cover(frames, tile, workspace.mixed, workspace.samples, counters);
     const auto light =
-        workspace.cover_light.light(surfaces_, shadows_, limit, tile, workspace.samples, counters);
+        workspace.cover_light.light(light_, surfaces_, limit, tile, workspace.samples, counters);
     if (limit.over()) return;
     draw_cover(tile, workspace.mixed, workspace.samples, light, out);
 }
@@ -201,7 +203,7 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
         if (!hits[i].points.empty())
             find_gradients(frame_of(i, tile, limit), tile, hits[i], counters);
     }
-    light_tile(surfaces_, shadows_, limit, tile, hits, workspace.lit, counters);
+    light_.light(surfaces_, limit, tile, hits, workspace.lit, counters);
     if (limit.cancelled()) return TileState::Waiting;
     encode_tile(tile, hits, workspace.lit, out);
     if (beams_ && !limit.over()) smooth(tile, limit, workspace, out, counters);
@@ -230,14 +232,14 @@ public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                  Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
-          painter_(scene, view_, settings, {.width = out.width, .height = out.height}),
+          painter_(scene, view_, settings, {.width = out.width, .height = out.height}, 1),
           across_(rays_across(antialias_of(scene, settings))),
           out_(out),
           watch_(watch) {
         if (across_ > 1)
             fine_painter_.emplace(
                 scene, view_, settings,
-                ImageSize{.width = across_ * out.width, .height = across_ * out.height});
+                ImageSize{.width = across_ * out.width, .height = across_ * out.height}, across_);
     }
     /// `blank_rows`: the tile's of the picture. In upward rounding.
     TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
@@ -288,6 +290,7 @@ TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspac
         thread_local Framebuffer fine;
         const int side = across_ * tile_size;
         if (fine.width != side) fine = Framebuffer(side, side);
+        fine.background = out_.background;
         if (!paint_fine(tile, limit, workspace, fine, counters)) return TileState::Rough;
         blank_rows = 0;
         blend_finer(fine, across_, pixels, out_);
@@ -305,6 +308,8 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
     const NearestRounding nearest;  // the view does not depend on the caller's mode
     const FramePainter painter(scene, camera, settings, frame, watch);
     const TileGrid grid(frame.width, frame.height);
+    if (frame.background != scene.background) frame.blank_rows.clear();
+    frame.background = scene.background;
     frame.blank_rows.resize(grid.size());
     const int threads = settings.threads > 0 ? settings.threads : core_count();
     Turns turns(grid.size(), threads, watch.limit, watch.first_turn);

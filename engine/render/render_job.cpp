@@ -162,7 +162,7 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
     GrowingPicture growing(smaller.request, pool_,
-                           {.settings = stages_of(work.request.settings).front(),
+                           {.settings = stages_of(work.request).front(),
                             .limit = {.cancel = &cancel_, .until = Clock::now() + within},
                             .first_turn = pace_.first_turn});
     const bool drawn = growing.draw();
@@ -179,16 +179,23 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
 }
 
 /// The settings of full pictures, which are drawn one after the other.
-std::vector<TraceSettings> RenderJob::stages_of(const TraceSettings& settings) {
+std::vector<TraceSettings> RenderJob::stages_of(const RenderRequest& request) {
+    const TraceSettings& settings = request.settings;
     std::vector<TraceSettings> stages;
     TraceSettings stage = settings;
     stage.shadows = false;
     stage.antialias = Antialias::None;
+    stage.reflections = 0;
+    stage.soft_light = false;
     stages.push_back(stage);
     stage.shadows = settings.shadows;
     if (settings.shadows) stages.push_back(stage);
     stage.antialias = settings.antialias;
     if (settings.antialias != Antialias::None) stages.push_back(stage);
+    stage.reflections = settings.reflections;
+    if (settings.reflections > 0) stages.push_back(stage);
+    stage.soft_light = settings.soft_light;
+    if (settings.soft_light && has_soft_light(request.scene.lighting)) stages.push_back(stage);
     return stages;
 }
 
@@ -199,7 +206,7 @@ void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> p
         result.frame_ms = elapsed_ms;
         publish(work, std::move(result));
     };
-    const std::vector<TraceSettings> stages = stages_of(work.request.settings);
+    const std::vector<TraceSettings> stages = stages_of(work.request);
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i > 0 && !rests(work)) return;
         GrowingPicture growing(work.request, pool_,

@@ -44,8 +44,8 @@ struct RenderPace {
 
 /// Renders the newest request in the background. A first picture comes as quickly as it takes to
 /// draw one at a resolution that holds 60 a second; then, unless requests follow one another, the
-/// full one, which replaces it tile by tile, with shadows and antialiased where that is wanted. All
-/// members may be called from the UI thread; none waits for a frame.
+/// full one, which replaces it tile by tile, with shadows, smooth edges, mirrors and soft light
+/// where they are wanted. All members may be called from the UI thread; none waits for a frame.
 class RenderJob {
 public:
     /// `on_frame` is called from the job's threads after each picture.
@@ -117,9 +117,10 @@ private:
     };
     /// A picture of the moment, by so many pixels along a side, with whatever code there is.
     First draw_first(const Work& work, double scale, std::chrono::milliseconds within);
-    /// The surfaces, then their shadows, then smooth edges, each over the picture before.
+    /// The surfaces, then their shadows, then smooth edges, mirrors, soft light, each over the
+    /// picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);
-    static std::vector<TraceSettings> stages_of(const TraceSettings& settings);
+    static std::vector<TraceSettings> stages_of(const RenderRequest& request);
     /// Whether no other request has come, nor comes for a while if this one was part of a motion.
     bool rests(const Work& work);
     /// Makes the request the one that is drawn; with the mutex held.

@@ -2,6 +2,7 @@
 
 #include "engine/image/color_map.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "engine/scene/surface_lines.hpp"
 
 #include <glm/glm.hpp>
 
@@ -57,6 +58,7 @@ struct Coloring {
     std::optional<ValueRange> range = std::nullopt;  ///< nothing: to be found from the picture
     std::vector<PointFunction> values = {};          ///< of each surface, if has_formula(by)
     glm::dvec3 up{0.0, 0.0, 1.0};                    ///< for Height; of length 1
+    SurfaceLines lines = {};
 
     bool operator==(const Coloring&) const = default;
 };

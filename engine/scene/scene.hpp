@@ -1,7 +1,9 @@
 #pragma once
 
+#include "engine/image/background.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/scene/coloring.hpp"
+#include "engine/scene/lighting.hpp"
 #include "engine/scene/palette.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/box.hpp"
@@ -38,6 +40,8 @@ struct Scene {
     std::vector<Solid> solids = {};          ///< of the surfaces; that of those beyond is Solid()
     Region region = {};
     Coloring coloring = {};  ///< over `colors`; with a range where one is needed
+    Lighting lighting = {};
+    Background background = {};
     /// Whether places are drawn, too, where f changes its sign in a jump
     /// (engine/algebra/switches.hpp). By the tracer of beams.
     bool jumps = false;

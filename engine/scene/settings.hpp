@@ -28,9 +28,11 @@ inline constexpr int max_d_stop = 22;
 struct TraceSettings {
     std::string tracer = "beams";
     StopCriterion stop;
-    int threads = 0;       ///< 0: all cores
-    bool shadows = false;  ///< of the key light
+    int threads = 0;  ///< 0: all cores
+    bool shadows = false;
     Antialias antialias = Antialias::None;
+    int reflections = 0;     ///< surfaces that a ray is mirrored at, 0 to max_reflections
+    bool soft_light = true;  ///< broad lights throw soft shadows, hollows of some looks are dark
 
     bool operator==(const TraceSettings&) const = default;
 };

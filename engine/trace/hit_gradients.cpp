@@ -52,10 +52,8 @@ private:
         batch_.pad();
     }
     void take(const Kernel& kernel, std::span<Sample> samples) {
-        constexpr std::size_t at_once = 256;
-        const double* const uniforms = frame_.scene.uniforms.points<double>();
-        for (std::size_t i = 0; i < batch_.size() && !frame_.stopped(); i += at_once)
-            kernel.value(batch_.batch(i, std::min(at_once, batch_.size() - i), uniforms));
+        batch_.evaluate(kernel.in_double.value, frame_.scene.uniforms.points<double>(),
+                        [this] { return frame_.stopped(); });
         for (std::size_t i = 0; i < samples.size(); ++i) {
             const double f = batch_.f(i);
             if (!(f <= samples[i].f) && std::isfinite(samples[i].f)) continue;

@@ -104,7 +104,8 @@ TEST(Coloring, FollowsTheChoiceAndTheSurfacesShown) {
     const Colored colored("x = 1; x^2 + y^2 = 2", {ColorBy::Gradient});
     ColorChoice choice{ColorBy::Gradient};
     choice.range = ValueRange{1, 2};
-    const Coloring coloring = coloring_of(choice, *colored.formulas, {1}, {0.1, -0.9, 0.2});
+    const Coloring coloring =
+        coloring_of(choice, *colored.formulas, {1}, {0.1, -0.9, 0.2}, Box::cube(2));
     EXPECT_EQ(coloring.by, ColorBy::Gradient);
     EXPECT_EQ(coloring.map, ColorMap::Aurora);
     EXPECT_EQ(coloring.range, (ValueRange{1, 2}));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/light/shade.hpp"
 #include "engine/light/shadow.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/tracers.hpp"
@@ -36,7 +37,8 @@ inline ShadowTile shadow_tile(const std::vector<TraceFrame>& frames, const Tile&
         nearest.keep_nearest(result.hits[i], static_cast<std::uint8_t>(i));
     LitTile lit;
     lit.begin(result.hits);
-    result.shadows = find_shadows(frames, {}, tile, lit.layers(), counters);
+    result.shadows =
+        find_shadows(frames, key_light(frames.front().view), {}, tile, lit.layers(), counters);
     return result;
 }
 

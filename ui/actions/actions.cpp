@@ -74,9 +74,29 @@ void turn(UiState& state) {
 
 template <ColorBy by>
 void color_by(UiState& state) {
-    state.edited.document.coloring = {.by = by,
-                                      .expression = state.edited.document.coloring.expression};
+    ColorChoice& coloring = state.edited.document.coloring;
+    coloring = {.by = by, .expression = coloring.expression, .lines = coloring.lines};
     if (by == ColorBy::Expression) state.edited.layout.look_open = true;
+}
+
+template <Look look>
+void take_look(UiState& state) {
+    state.edited.document.light.look = look;
+}
+
+template <Look look>
+bool has_look(const UiState& state) {
+    return state.edited.document.light.look == look;
+}
+
+template <Contours contours>
+void take_contours(UiState& state) {
+    state.edited.document.coloring.lines.contours = contours;
+}
+
+template <Contours contours>
+bool has_contours(const UiState& state) {
+    return state.edited.document.coloring.lines.contours == contours;
 }
 
 template <ColorBy by>
@@ -201,6 +221,56 @@ constexpr auto table = std::to_array<Action>({
      .name = "Color by an expression",
      .run = color_by<ColorBy::Expression>,
      .is_on = is_colored_by<ColorBy::Expression>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: standard",
+     .run = take_look<Look::Standard>,
+     .is_on = has_look<Look::Standard>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: matte",
+     .run = take_look<Look::Matte>,
+     .is_on = has_look<Look::Matte>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: porcelain",
+     .run = take_look<Look::Porcelain>,
+     .is_on = has_look<Look::Porcelain>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: metal",
+     .run = take_look<Look::Metal>,
+     .is_on = has_look<Look::Metal>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: glass",
+     .run = take_look<Look::Glass>,
+     .is_on = has_look<Look::Glass>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: clay",
+     .run = take_look<Look::Clay>,
+     .is_on = has_look<Look::Clay>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Look: technical",
+     .run = take_look<Look::Technical>,
+     .is_on = has_look<Look::Technical>,
+     .chooses = true},
+    {.section = picture,
+     .name = "No contour lines",
+     .run = take_contours<Contours::None>,
+     .is_on = has_contours<Contours::None>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Contour lines of height",
+     .run = take_contours<Contours::Height>,
+     .is_on = has_contours<Contours::Height>,
+     .chooses = true},
+    {.section = picture,
+     .name = "Contour lines of x, y and z",
+     .run = take_contours<Contours::Coordinates>,
+     .is_on = has_contours<Contours::Coordinates>,
      .chooses = true},
     {.section = picture,
      .name = "Shadows",
@@ -334,6 +404,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: Look",
      .run = toggle_layout<&Layout::look_open>,
      .is_on = is_layout<&Layout::look_open>},
+    {.section = window,
+     .name = "Section: Light",
+     .run = toggle_layout<&Layout::light_open>,
+     .is_on = is_layout<&Layout::light_open>},
     {.section = window,
      .name = "Section: Markers",
      .run = toggle_layout<&Layout::markers_open>,

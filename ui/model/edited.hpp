@@ -15,6 +15,7 @@ struct Layout {
     bool folded = false;
     bool view_open = true;  ///< the section of the view's settings
     bool look_open = false;
+    bool light_open = false;
     bool markers_open = false;
     bool space_open = false;
     bool clip_open = false;

@@ -32,7 +32,8 @@ struct ReadingFacts {
     std::vector<int> surface_rows;        ///< the row of each surface
     std::vector<std::string> parameters;  ///< that have a slider
     bool uses_w = false;
-    std::string color_error;  ///< what is wrong with the expression of the colours; or empty
+    std::string color_error;    ///< what is wrong with the expression of the colours; or empty
+    std::string contour_error;  ///< the same of the contour lines
 };
 
 /// The document as a file with a history.

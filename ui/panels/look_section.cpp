@@ -34,15 +34,16 @@ void draw_color_by(ColorChoice& coloring) {
     for (const ColorBy by : color_modes()) {
         if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
         // Settings of the old quantity mean nothing for the new one.
-        coloring = {.by = by, .expression = coloring.expression};
+        coloring = {.by = by, .expression = coloring.expression, .lines = coloring.lines};
     }
     ImGui::EndCombo();
 }
 
-void draw_expression(std::string& expression, const std::string& error, const Palette& colors) {
+void draw_expression(const char* id, std::string& expression, const std::string& error,
+                     const Palette& colors) {
     draw_label("of", about_expression);
     ImGui::PushFont(font(FontRole::Formula));
-    ImGui::InputTextWithHint("##color_expression", "x^2 + y^2", &expression);
+    ImGui::InputTextWithHint(id, "x^2 + y^2", &expression);
     ImGui::PopFont();
     if (error.empty()) return;
     draw_label("", "");
@@ -115,6 +116,46 @@ void draw_range(ColorChoice& coloring, const std::optional<Legend>& legend) {
     if ((lo || hi) && range.lo < range.hi) coloring.range = range;
 }
 
+const char* shown_name(Contours contours) {
+    switch (contours) {
+        case Contours::None: return "None";
+        case Contours::Height: return "Height";
+        case Contours::Coordinates: return "Grid of x, y, z";
+        case Contours::Expression: return "An expression";
+    }
+    return "";
+}
+
+/// Draws the field of the step between contour lines; empty: chosen by itself.
+void draw_step(LineChoice& lines) {
+    double step = lines.step.value_or(0.0);
+    const char* const format = lines.step ? "step %.5g" : "step by itself";
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    if (ImGui::InputDouble("##step", &step, 0.0, 0.0, format) && step <= largest_number)
+        lines.step = step > 0.0 ? std::optional(step) : std::nullopt;
+    draw_tooltip("From line to line; 0: chosen by itself.");
+}
+
+void draw_lines(LineChoice& lines, const std::string& error, const Palette& colors) {
+    draw_label("lines", "Contour lines: where a number is a whole multiple of a step.");
+    const bool has_lines = lines.contours != Contours::None;
+    if (has_lines) ImGui::SetNextItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##contours", shown_name(lines.contours))) {
+        for (const Contours contours :
+             {Contours::None, Contours::Height, Contours::Coordinates, Contours::Expression}) {
+            if (ImGui::Selectable(shown_name(contours), contours == lines.contours))
+                lines.contours = contours;
+        }
+        ImGui::EndCombo();
+    }
+    if (has_lines) {
+        ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+        draw_step(lines);
+    }
+    if (lines.contours == Contours::Expression)
+        draw_expression("##contour_expression", lines.expression, error, colors);
+}
+
 void draw_undecided(Document& document, Theme theme) {
     ImGui::Checkbox("Mark undecided###undecided", &document.mark_undecided);
     draw_tooltip(
@@ -150,7 +191,9 @@ void draw_undecided(Document& document, Theme theme) {
 
 float look_section_height(const Document& document, const ReadingFacts& reading) {
     const ColorChoice& coloring = document.coloring;
-    float rows = 2.0F;
+    float rows = 3.0F;
+    if (coloring.lines.contours == Contours::Expression)
+        rows += reading.contour_error.empty() ? 1.0F : 2.0F;
     if (coloring.by == ColorBy::Expression) rows += reading.color_error.empty() ? 1.0F : 2.0F;
     if (has_range(coloring.by)) rows += 2.0F;
     const float lines = document.mark_undecided ? 3.0F : 0.0F;
@@ -162,12 +205,14 @@ void draw_look_section(Edited& edited, const Shown& shown) {
     ColorChoice& coloring = edited.document.coloring;
     draw_color_by(coloring);
     if (coloring.by == ColorBy::Expression) {
-        draw_expression(coloring.expression, shown.reading.color_error, palette(edited.theme));
+        draw_expression("##color_expression", coloring.expression, shown.reading.color_error,
+                        palette(edited.theme));
     }
     if (has_range(coloring.by)) {
         draw_map(coloring);
         draw_range(coloring, shown.picture.legend);
     }
+    draw_lines(coloring.lines, shown.reading.contour_error, palette(edited.theme));
     draw_undecided(edited.document, edited.theme);
 }
 

@@ -4,6 +4,7 @@
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/clip_section.hpp"
 #include "ui/panels/document_menu.hpp"
+#include "ui/panels/light_section.hpp"
 #include "ui/panels/look_section.hpp"
 #include "ui/panels/marker_section.hpp"
 #include "ui/panels/space_section.hpp"
@@ -116,7 +117,7 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
-constexpr std::array<FoldedSection, 5> sections{
+constexpr std::array<FoldedSection, 6> sections{
     {{.title = "View",
       .id = "##view",
       .open = &Layout::view_open,
@@ -130,6 +131,11 @@ constexpr std::array<FoldedSection, 5> sections{
           [](const UiState& state) {
               return look_section_height(state.edited.document, state.shown.reading);
           }},
+     {.title = "Light",
+      .id = "##light",
+      .open = &Layout::light_open,
+      .draw = [](UiState& state) { draw_light_section(state.edited); },
+      .height = [](const UiState& state) { return light_section_height(state.edited.document); }},
      {.title = "Clip",
       .id = "##clip",
       .open = &Layout::clip_open,

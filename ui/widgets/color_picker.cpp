@@ -79,6 +79,20 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
     ImGui::PopStyleVar();
 }
 
+/// Draws the slider of the surface's opacity. As long as it is not moved the look decides.
+void draw_opacity(Statement& statement) {
+    ImGui::TextDisabled("Opacity");
+    draw_tooltip(
+        "How much of what is behind the surface it hides; a right click leaves it to the look");
+    auto percent = static_cast<float>(100.0 * statement.opacity.value_or(1.0));
+    ImGui::SetNextItemWidth(popup_width());
+    const char* const format = statement.opacity ? "%.0f %%" : "as the look has it";
+    if (ImGui::SliderFloat("##opacity", &percent, 0.0F, 100.0F, format,
+                           ImGuiSliderFlags_AlwaysClamp))
+        statement.opacity = 0.01 * static_cast<double>(std::round(percent));
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();
+}
+
 }  // namespace
 
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
@@ -104,6 +118,7 @@ void draw_surface_popup(const char* id, Statement& statement, const Palette& col
     ImGui::SetNextItemWidth(popup_width());
     if (ImGui::ColorPicker3("##any", parts.data(), flags)) statement.color = color_of(parts);
     ImGui::Dummy(ImVec2(0.0F, em(0.1F)));
+    draw_opacity(statement);
     draw_solid_choice(statement, colors);
     ImGui::EndPopup();
 }

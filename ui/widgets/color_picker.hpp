@@ -12,8 +12,8 @@ namespace zeroset::ui {
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
                     const Statement& statement, const Palette& colors, bool hovered);
 
-/// Draws the popup `id` if it is open: the palette's colours, a picker of any other colour, and the
-/// side that is solid. Edits the colour and the side in `statement`.
+/// Draws the popup `id` if it is open: the palette's colours, a picker of any other colour, how
+/// opaque the surface is, and the side that is solid. Edits these in `statement`.
 void draw_surface_popup(const char* id, Statement& statement, const Palette& colors);
 
 }  // namespace zeroset::ui

@@ -62,7 +62,8 @@ void draw_label(const std::string& label, const std::string& explanation) {
     const bool cut = draw_elided(label, em(label_width - 0.3F));
     ImGui::PopStyleColor();
     draw_tooltip(cut ? label + "\n" + explanation : explanation);
-    ImGui::SameLine(left + em(label_width));
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + em(label_width));
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
 

@@ -38,15 +38,18 @@ void Texture::upload(const Framebuffer& frame, std::uint32_t behind,
     constexpr std::uint32_t opaque = 0xFF000000U;
     pixels_.resize(frame.color.size());
     const auto columns = static_cast<std::size_t>(frame.width);
+    // One that was chosen is shown; else the window's own takes its place.
+    const bool own_background = frame.background != Background();
     backgrounds_.clear();
     for (int row = 0; row < frame.height; ++row)
-        backgrounds_.push_back(background_color(row, frame.height));
+        backgrounds_.push_back(background_color(frame.background, row, frame.height));
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         const bool drawn = std::isfinite(frame.depth[i]);
         const std::uint32_t color = frame.color[i];
-        pixels_[i] = is_partly_drawn(color) ? without_background(color, backgrounds_[i / columns])
-                     : drawn                ? color | opaque
-                                            : behind & ~opaque;
+        pixels_[i] = own_background           ? color | opaque
+                     : is_partly_drawn(color) ? without_background(color, backgrounds_[i / columns])
+                     : drawn                  ? color | opaque
+                                              : behind & ~opaque;
         if (!tint) continue;
         const bool striped = drawn && !is_on_stripe(i, frame.width);
         if (frame.certificate[i] == Certificate::Undecided) {

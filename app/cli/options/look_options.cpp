@@ -1,7 +1,10 @@
 #include "app/cli/options/look_options.hpp"
 
 #include "app/cli/options/options.hpp"
+#include "engine/base/text.hpp"
 #include "pipeline/input_error.hpp"
+
+#include <string_view>
 
 namespace zeroset {
 namespace {
@@ -39,7 +42,47 @@ std::optional<InputError> read_range(const std::string& text, ColorChoice& color
     return std::nullopt;
 }
 
+/// The number behind a word that begins a part such as "step 0.5"; nothing where it does not, or
+/// where that is no number.
+std::optional<double> number_behind(std::string_view part, std::string_view word) {
+    if (!part.starts_with(word)) return std::nullopt;
+    part.remove_prefix(word.size());
+    if (part.empty() || (part.front() != ' ' && part.front() != '=')) return std::nullopt;
+    const auto number = read_number("--contours", std::string(trimmed(part.substr(1))));
+    return number ? std::optional(*number) : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<InputError> read_contours(const std::string& text, LineChoice& lines) {
+    const std::vector<std::string_view> parts = split(text, ';');
+    const auto named = contours_named(parts.front());
+    const bool is_name = named && *named != Contours::Expression;
+    lines.contours = is_name ? *named : Contours::Expression;
+    if (!is_name) lines.expression = parts.front();
+    lines.step.reset();
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const auto step = number_behind(parts[i], "step");
+        const auto width = number_behind(parts[i], "width");
+        if (step && *step > 0.0) {
+            lines.step = step;
+        } else if (width && *width >= least_line_px && *width <= most_line_px) {
+            lines.width_px = *width;
+        } else {
+            return InputError{.reason = "--contours " + text +
+                                        ": after a ; type step S, above 0, " +
+                                        "or width PIXELS, 0.25 to 20"};
+        }
+    }
+    return std::nullopt;
+}
+
+InputError contours_error(const InputError& error) {
+    InputError result = error;
+    result.reason = "--contours: " + error.reason;
+    if (!error.line.empty()) result.reason += " (or type none, height or xyz)";
+    return result;
+}
 
 std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
                                     std::vector<Marker>& markers) {
@@ -50,6 +93,10 @@ std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
     if (text.color_range) {
         if (auto error = read_range(*text.color_range, coloring)) return error;
     }
+    if (text.contours) {
+        if (auto error = read_contours(*text.contours, coloring.lines)) return error;
+    }
+    coloring.lines.intersections = text.intersections.value_or(coloring.lines.intersections);
     for (const std::string& mark : text.marks) {
         const auto at = read_numbers("--mark", mark, 3);
         if (!at) return at.error();

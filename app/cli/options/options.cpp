@@ -18,16 +18,6 @@
 namespace zeroset {
 namespace {
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(trimmed(text.substr(0, end)));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
-
 template <class Number>
 std::optional<Number> number_from(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
@@ -192,9 +182,15 @@ std::optional<InputError> take_appearance(const ViewText& view, InputDocument& i
     if (auto error = read_look(view.look, document.coloring, document.markers)) return error;
     const auto solids = read_solids(view.solids);
     if (!solids) return solids.error();
+    const auto opacities = read_opacities(view.opacities);
+    if (!opacities) return opacities.error();
     if (!input.rows) return std::nullopt;
     if (auto missing = check_solids(*input.rows->program, *solids)) return missing;
+    if (auto missing = check_opacities(*input.rows->program, *opacities)) return missing;
     take_solids(*solids, input.rows->surface_rows, document);
+    take_opacities(*opacities, input.rows->surface_rows, document);
+    if (const auto wrong = check_contours(*input.rows, document.coloring.lines))
+        return contours_error(*wrong);
     const auto wrong = check_coloring(*input.rows, document.coloring);
     return wrong ? std::optional(color_by_error(*wrong)) : std::nullopt;
 }
@@ -307,6 +303,7 @@ std::optional<InputError> take_look(const TraceText& text, Document& document) {
     } else if (text.antialias) {
         document.antialias = smooth_edges(*text.antialias);
     }
+    if (auto wrong = take_light(text.light, document.light)) return wrong;
     document.shadows = text.shadows.value_or(document.shadows);
     document.jumps = text.jumps.value_or(document.jumps);
     document.axes = text.axes.value_or(document.axes);

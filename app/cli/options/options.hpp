@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/options/light_options.hpp"
 #include "app/cli/options/look_options.hpp"
 #include "document/document.hpp"
 #include "engine/scene/settings.hpp"
@@ -22,7 +23,7 @@ namespace zeroset {
 /// The view options as typed; empty where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
-    std::vector<std::string> sections, solids;
+    std::vector<std::string> sections, solids, opacities;
     bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
     bool fit = false;
@@ -35,6 +36,7 @@ struct TraceText {
     std::optional<std::string> aa;  ///< as read_antialias reads it
     /// True or false as given; absent: the document's choice. `antialias`: the same as an `aa`.
     std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
+    LightText light;
 };
 
 /// A requested document with the options for view, colours and solids applied.

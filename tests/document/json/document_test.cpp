@@ -6,6 +6,7 @@
 #include "document/json/document_json.hpp"
 #include "document/play.hpp"
 #include "document/row_program.hpp"
+#include "engine/image/gamma.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +41,23 @@ Document rich_document() {
     document.up = {0, 1, 0.5};
     document.statements[0].solid = SolidSide::Above;
     document.statements[1].solid = SolidSide::Below;
+    document.statements[1].opacity = 0.25;
+    document.light = {.look = Look::Glass,
+                      .lights = {{.towards = {1, 2, -3},
+                                  .with_camera = false,
+                                  .color = light_of_color(0xFFEECC),
+                                  .power = 1.5,
+                                  .radius_deg = 7.5},
+                                 {}},
+                      .reflections = 3,
+                      .absorption = 0.75,
+                      .tone = Tone::Filmic,
+                      .background = Background{.top = 0xABCDEF, .bottom = 0x123456}};
+    document.coloring.lines = {.contours = Contours::Expression,
+                               .expression = "x y",
+                               .step = 0.125,
+                               .width_px = 2.5,
+                               .intersections = true};
     return document;
 }
 
@@ -149,6 +167,25 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
         {with("look", R"({"antialias": "none"})"),
          "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
+        {with("light", R"({"look": "gold"})"), "light.look is no look"},
+        {with("light", R"({"tone": "loud"})"), "light.tone is neither plain nor filmic"},
+        {with("light", R"({"reflections": 1.5})"),
+         "light.reflections is no whole number from 0 to 5"},
+        {with("light", R"({"absorption": -1})"), "light.absorption is not between 0 and 1e+06"},
+        {with("light", R"({"background": [1]})"),
+         "light.background is neither a colour such as #3399FF nor a list of two"},
+        {with("light", R"({"lights": [{"towards": [0, 0, 0]}]})"),
+         "light.lights[0].towards is zero"},
+        {with("light", R"({"lights": [{"towards": [1, 0, 0], "with": "me"}]})"),
+         "light.lights[0].with is neither camera nor world"},
+        {with("light", R"({"lights": [{"towards": [1, 0, 0], "power": 101}]})"),
+         "light.lights[0].power is not between 0 and 100"},
+        {with("color", R"({"by": "plain", "lines": {"contours": "all"}})"),
+         "color.lines.contours is none of none, height, xyz, expression"},
+        {with("color", R"({"by": "plain", "lines": {"step": 0}})"),
+         "color.lines.step is not above 0"},
+        {with("statements", R"([{"text": "x = 1", "opacity": 2}])"),
+         "statements[0].opacity is not between 0 and 1"},
         {R"({"zeroset": 1})", "statements is missing"}};
     for (const auto& [text, reason] : damages) {
         const auto read = document_from(text);

@@ -134,10 +134,10 @@ TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
     state_.edited.layout.view_open = false;
     state_.edited.layout.look_open = true;
     EXPECT_EQ(legend(draw()), 0);
-    click_at(section_line("look", 1));
+    click_at(section_line("look", 2));
     EXPECT_TRUE(state_.edited.document.mark_undecided);
     OffscreenWindow::point({-1, -1}, false);
-    section_line("look", 2);
+    section_line("look", 3);
     EXPECT_GT(legend(draw()), px(8) * px(8));
 }
 

@@ -1,0 +1,129 @@
+#include "document/json/light_json.hpp"
+
+#include "engine/image/gamma.hpp"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+
+namespace zeroset {
+namespace {
+
+Json json_of(const Light& light) {
+    return {{"towards", array_of(light.towards)},
+            {"with", light.with_camera ? "camera" : "world"},
+            {"color", hexadecimal(color_of_light(light.color))},
+            {"power", light.power},
+            {"radius_deg", light.radius_deg}};
+}
+
+bool is_with_camera(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    if (text != "camera" && text != "world") throw Damage{place + " is neither camera nor world"};
+    return text == "camera";
+}
+
+Light light_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
+    Fields fields(json, place, unknown);
+    Light light;
+    light.towards = vector_of(fields.get("towards"), fields.at("towards"));
+    if (glm::length(light.towards) == 0.0) throw Damage{fields.at("towards") + " is zero"};
+    if (const Json* with = fields.find("with"))
+        light.with_camera = is_with_camera(*with, fields.at("with"));
+    if (const Json* color = fields.find("color"))
+        light.color = light_of_color(color_of(*color, fields.at("color")));
+    if (const Json* power = fields.find("power"))
+        light.power = number_in(*power, fields.at("power"), 0.0, max_power);
+    if (const Json* radius = fields.find("radius_deg"))
+        light.radius_deg = number_in(*radius, fields.at("radius_deg"), 0.0, half_sphere_deg);
+    return light;
+}
+
+/// One colour, or those of the top and the bottom.
+Background background_of(const Json& json) {
+    const std::string place = "light.background";
+    if (json.is_string()) {
+        const std::uint32_t color = color_of(json, place);
+        return {.top = color, .bottom = color};
+    }
+    if (!json.is_array() || json.size() != 2)
+        throw Damage{place + " is neither a colour such as #3399FF nor a list of two"};
+    return {.top = color_of(json[0], place), .bottom = color_of(json[1], place)};
+}
+
+std::vector<Light> lights_of(const Json& json, std::vector<std::string>& unknown) {
+    if (!json.is_array()) throw Damage{"light.lights is no list"};
+    if (json.size() > max_lights) throw Damage{"light.lights has more than 4 lights"};
+    std::vector<Light> lights;
+    for (const Json& item : json) {
+        const std::string place = "light.lights[" + std::to_string(lights.size()) + "]";
+        lights.push_back(light_of(item, place, unknown));
+    }
+    return lights;
+}
+
+}  // namespace
+
+std::string hexadecimal(std::uint32_t color) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
+    return text.data();
+}
+
+std::uint32_t color_of(const Json& json, const std::string& place) {
+    const std::string text = string_of(json, place);
+    std::uint32_t color = 0;
+    const char* const end = text.data() + text.size();
+    const bool hash = text.size() == 7 && text.front() == '#';
+    const auto read = std::from_chars(text.data() + (hash ? 1 : 0), end, color, 16);
+    if (!hash || read.ec != std::errc() || read.ptr != end) {
+        throw Damage{place + " is no colour such as #3399FF"};
+    }
+    return color;
+}
+
+Json json_of(const LightChoice& light) {
+    Json json{{"look", name_of(light.look)},
+              {"reflections", light.reflections},
+              {"absorption", light.absorption},
+              {"tone", name_of(light.tone)}};
+    if (light.background)
+        json["background"] = {hexadecimal(light.background->top),
+                              hexadecimal(light.background->bottom)};
+    if (light.lights.empty()) return json;
+    json["lights"] = Json::array();
+    for (const Light& item : light.lights)
+        json["lights"].push_back(json_of(item));
+    return json;
+}
+
+LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown) {
+    Fields fields(json, "light", unknown);
+    LightChoice light;
+    if (const Json* look = fields.find("look")) {
+        const auto named = look_named(string_of(*look, "light.look"));
+        if (!named) throw Damage{"light.look is no look"};
+        light.look = *named;
+    }
+    if (const Json* tone = fields.find("tone")) {
+        const auto named = tone_named(string_of(*tone, "light.tone"));
+        if (!named) throw Damage{"light.tone is neither plain nor filmic"};
+        light.tone = *named;
+    }
+    if (const Json* reflections = fields.find("reflections")) {
+        const bool whole = reflections->is_number_integer();
+        const auto count = whole ? reflections->get<std::int64_t>() : -1;
+        if (count < 0 || count > max_reflections)
+            throw Damage{"light.reflections is no whole number from 0 to 5"};
+        light.reflections = static_cast<int>(count);
+    }
+    if (const Json* absorption = fields.find("absorption"))
+        light.absorption = number_in(*absorption, "light.absorption", 0.0, max_absorption);
+    if (const Json* background = fields.find("background"))
+        light.background = background_of(*background);
+    if (const Json* lights = fields.find("lights")) light.lights = lights_of(*lights, unknown);
+    return light;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "document/json/json_fields.hpp"
+#include "document/look.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Conversions of the field "light" of a document, and of colours. Reading throws Damage.
+
+namespace zeroset {
+
+/// 0xRRGGBB as "#RRGGBB".
+std::string hexadecimal(std::uint32_t color);
+std::uint32_t color_of(const Json& json, const std::string& place);
+
+Json json_of(const LightChoice& light);
+LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown);
+
+}  // namespace zeroset

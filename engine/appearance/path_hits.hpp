@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/rays/scene_ray.hpp"
+#include "engine/trace/tile_hits.hpp"
+#include "engine/trace/trace_frame.hpp"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// A ray on its way from the eye, or what it hits.
+struct PathRay {
+    SceneRay ray;
+    std::size_t pixel;         ///< of the tile
+    glm::vec3 weight;          ///< of its light in the pixel's
+    int mirrors = 0;           ///< that it came by
+    int layers = 0;            ///< translucent surfaces that it passed
+    double before = 0.0;       ///< the way from the eye to the ray's origin
+    std::uint64_t inside = 0;  ///< solids that it is in: a bit for each of the first 64 surfaces
+
+    [[nodiscard]] bool is_mirrored() const { return mirrors > 0; }
+};
+
+/// A hit of such a ray, as far as it is needed to light it.
+struct PathHit {
+    PathRay path;
+    RayHit hit;
+    bool is_cap = false;
+    bool is_first = false;  ///< seen by the eye itself, and so with known shadows
+
+    [[nodiscard]] glm::dvec3 point() const { return path.ray.at(hit.t); }
+    [[nodiscard]] double distance() const { return path.before + hit.t; }
+    /// The gradient's direction, on the side that the ray came from; towards there where there is
+    /// no gradient.
+    [[nodiscard]] glm::dvec3 normal() const;
+};
+
+/// The hits of a surface in a tile, one after the other, to the digits of double where Newton's
+/// method leads there.
+std::vector<PathHit> first_path_hits(const TraceFrame& surface, std::uint8_t number,
+                                     const Tile& tile, const TileHits& hits, Counters& counters);
+
+}  // namespace zeroset

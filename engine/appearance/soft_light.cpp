@@ -1,0 +1,99 @@
+#include "engine/appearance/soft_light.hpp"
+
+#include "engine/rays/first_roots.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t rays_a_hit = 16;
+
+/// A number in [0, 1) that looks random.
+double noise(std::uint32_t seed) {
+    seed = (seed ^ (seed >> 16U)) * 0x7FEB352DU;
+    seed = (seed ^ (seed >> 15U)) * 0x846CA68BU;
+    return static_cast<double>(seed ^ (seed >> 16U)) * 0x1p-32;
+}
+
+/// A place of the unit disc: the k-th of some that are evenly spread over it [Vogel79].
+glm::dvec2 disc_place(std::size_t k, std::uint32_t seed) {
+    const double radius =
+        std::sqrt((static_cast<double>(k) + noise(2 * seed)) / static_cast<double>(rays_a_hit));
+    const double turn = noise(2 * seed + 1) + static_cast<double>(k) * 0.6180339887498949;
+    const double angle = 2.0 * glm::pi<double>() * turn;
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// Two directions across `axis`, all of length 1 and at right angles.
+std::array<glm::dvec3, 2> across(const glm::dvec3& axis) {
+    const glm::dvec3 aside =
+        std::abs(axis.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 a = glm::normalize(glm::cross(axis, aside));
+    return {a, glm::cross(axis, a)};
+}
+
+/// The part of its rays that is free, of each hit. `direction(hit, place)`: that of a place of the
+/// disc; rays that would go into the surface are not free.
+template <class Direction>
+std::vector<float> free_part(std::span<const TraceFrame> surfaces, std::span<const SoftHit> hits,
+                             double reach, const Direction& direction, Counters& counters) {
+    std::vector<float> parts;
+    parts.reserve(hits.size());
+    std::vector<SceneRay> rays;
+    std::array<std::uint8_t, rays_a_hit> blocked{};
+    for (const SoftHit& hit : hits) {
+        rays.clear();
+        for (std::size_t k = 0; k < rays_a_hit; ++k) {
+            const glm::dvec3 towards = direction(hit, disc_place(k, hit.seed));
+            if (!(glm::dot(towards, hit.normal) > 1e-3)) continue;
+            rays.push_back(leaving(hit, towards));
+            rays.back().to = reach;
+        }
+        find_blocked(surfaces, rays, std::span(blocked).first(rays.size()), counters);
+        const auto free = std::count(blocked.begin(),
+                                     blocked.begin() + static_cast<std::ptrdiff_t>(rays.size()), 0);
+        parts.push_back(static_cast<float>(free) / static_cast<float>(rays_a_hit));
+    }
+    return parts;
+}
+
+}  // namespace
+
+SceneRay leaving(const SoftHit& hit, const glm::dvec3& direction) {
+    SceneRay ray = hit.ray;
+    ray.direction = UnitVector(direction);
+    const double cosine = std::abs(glm::dot(glm::dvec3(ray.direction), hit.normal));
+    ray.own_error = hit.error / std::max(cosine, 1e-3);
+    return ray;
+}
+
+std::vector<float> broad_light(std::span<const TraceFrame> surfaces, std::span<const SoftHit> hits,
+                               const glm::dvec3& towards, double radius_rad, Counters& counters) {
+    const std::array<glm::dvec3, 2> aside = across(towards);
+    // Even over the cap of the sphere that the light covers.
+    const double depth = 1.0 - std::cos(radius_rad);
+    const auto direction = [&](const SoftHit& /*hit*/, const glm::dvec2& place) {
+        const double down = depth * glm::dot(place, place);
+        const double out = std::sqrt(depth * (2.0 - down));
+        return (1.0 - down) * towards + out * (place.x * aside[0] + place.y * aside[1]);
+    };
+    return free_part(surfaces, hits, std::numeric_limits<double>::infinity(), direction, counters);
+}
+
+std::vector<float> open_sky(std::span<const TraceFrame> surfaces, std::span<const SoftHit> hits,
+                            double reach, Counters& counters) {
+    const auto direction = [](const SoftHit& hit, const glm::dvec2& place) {
+        const std::array<glm::dvec3, 2> aside = across(hit.normal);
+        const double up = std::sqrt(std::max(1.0 - glm::dot(place, place), 0.0));
+        return up * hit.normal + place.x * aside[0] + place.y * aside[1];
+    };
+    return free_part(surfaces, hits, reach, direction, counters);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,306 @@
+#include "engine/rays/root_search.hpp"
+
+#include "engine/kernel/form_cells.hpp"
+#include "engine/kernel/range_boxes.hpp"
+#include "engine/real/scalar.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t parts = batch_multiple;
+
+/// f on a cell of the ray, at the place t in [-1, 1] from its near end to the far one: within
+/// `spread` of c + along t.
+template <class Real>
+struct Cell {
+    Real c, along, spread;
+    bool falls, rises;  ///< f surely does, all along the cell
+    bool continuous, nowhere;
+
+    [[nodiscard]] bool is_monotone() const { return falls || rises; }
+    /// The sign that f goes towards.
+    [[nodiscard]] int trend() const { return rises ? 1 : -1; }
+};
+
+enum class Answer : std::uint8_t {
+    Free,
+    Root,
+    Approaching,  ///< f rises or falls towards 0, from a known sign
+    Open,
+};
+struct Verdict {
+    Answer answer;
+    int sign = 0;  ///< of f at the far end of a free cell; 0: not known
+};
+
+/// Cells that follow each other, in all of which f surely rises, or surely falls, towards 0: it is
+/// not known yet whether it gets there.
+struct Approach {
+    double from, to;
+    int trend;
+};
+
+/// Where the search stands on its way.
+struct Progress {
+    bool left;  ///< the root at the ray's origin is behind
+    int sign;   ///< of f there, or where `approach` begins, if it is known; else 0
+    bool unsettled = false;
+    std::optional<Approach> approach = std::nullopt;
+};
+
+/// Whether f at the far end surely has the other sign than `sign`.
+template <class Real>
+bool turned(const Cell<Real>& f, int sign) {
+    return (sign > 0 && f.c + f.along + f.spread < 0) || (sign < 0 && f.spread - f.along - f.c < 0);
+}
+
+template <class Real>
+Verdict judge(const Cell<Real>& f, const Progress& at, RootWish wish) {
+    const Real size = std::abs(f.c);
+    const Real steepness = std::abs(f.along);
+    const int sign = at.approach ? 0 : at.sign;
+    if (f.nowhere) return {.answer = Answer::Free};
+    if (size > steepness + f.spread) return {.answer = Answer::Free, .sign = f.c > 0 ? 1 : -1};
+    if (!f.continuous) return {.answer = Answer::Open};
+    if (f.is_monotone() && (!at.left || sign == f.trend()))
+        return {.answer = Answer::Free, .sign = f.trend()};
+    if (!at.left) return {.answer = Answer::Open};
+    const bool holds_root = steepness > size + f.spread || turned(f, sign);
+    const bool enough = f.is_monotone() || wish == RootWish::Any;
+    if (holds_root && enough) return {.answer = Answer::Root};
+    const bool approaches = f.is_monotone() && at.sign == -f.trend() &&
+                            (!at.approach || at.approach->trend == f.trend());
+    return {.answer = approaches ? Answer::Approaching : Answer::Open};
+}
+
+template <class Real>
+class Search {
+public:
+    Search(const TraceFrame& surface, const SceneRay& ray, bool is_own, RootWish wish,
+           Counters& counters)
+        : surface_(surface),
+          ray_(ray),
+          wish_(wish),
+          counters_(counters),
+          own_error_(is_own ? ray.own_error : 0.0),
+          place_error_(place_error(surface)),
+          at_{.left = !is_own, .sign = 0} {
+        const double cell = std::ldexp(surface.scene.clip.size(), -surface.depth.wanted);
+        const double extent = std::min(surface.scene.clip.size(), surface.view.look_distance);
+        finest_ = std::max({0x1p-16 * extent, 4 * cell, 64 * place_error_});
+        for (int i = 0; i < 3; ++i)
+            frustum_.forward[i] = static_cast<Real>(ray.direction[i]);
+    }
+
+    RootFinding run() {
+        RootFinding finding;
+        const double from = ray_.from - own_error_;
+        if (from < ray_.to) divide(from, ray_.to);
+        finding.bracket = found_;
+        finding.unsettled = at_.unsettled || (at_.approach && !found_);
+        return finding;
+    }
+
+private:
+    /// Searches a stretch, by `parts` cells; whether the search is over.
+    bool divide(double from, double to);
+    void evaluate(double from, double to);
+    [[nodiscard]] Cell<Real> cell(std::size_t i) const {
+        return {.c = cells_.c[i],
+                .along = cells_.k[2][i],
+                .spread = cells_.e[i],
+                .falls = cells_.slope_hi[i] < 0,
+                .rises = cells_.slope_neg_lo[i] < 0,
+                .continuous = cells_.continuous[i] != 0,
+                .nowhere = cells_.nowhere[i] != 0};
+    }
+    /// Takes what is known of a cell that is not divided; whether the search is over.
+    bool take(const Cell<Real>& f, const Verdict& verdict, double from, double to);
+    /// Takes a cell behind an approach; whether f was 0 in that.
+    bool ends_approach(const Cell<Real>& f, const Verdict& verdict);
+    bool take_root(const Cell<Real>& f, double from, double to);
+    bool take_approach();
+    int sign_by_boxes(double from, double to);
+    bool take_undecided(const Cell<Real>& f, double from, double to);
+
+    const TraceFrame& surface_;
+    const SceneRay& ray_;
+    RootWish wish_;
+    Counters& counters_;
+    double own_error_, place_error_;
+    double finest_;  ///< a cell that is no longer is not divided
+    FrustumOf<Real> frustum_{};
+    FormCells<Real, parts> cells_;
+    Progress at_;
+    std::optional<RootBracket> found_;
+};
+
+template <class Real>
+void Search<Real>::evaluate(double from, double to) {
+    constexpr double unit = std::numeric_limits<Real>::epsilon();
+    const double middle = 0.5 * from + 0.5 * to;
+    const glm::dvec3 base = ray_.at(middle);
+    for (int i = 0; i < 3; ++i) {
+        frustum_.base[i] = static_cast<Real>(base[i]);
+        // The error of making `base`, in units of this format.
+        const double base_error = 0x1p-50 / unit * (std::abs(ray_.origin[i]) + std::abs(middle));
+        frustum_.size[i] = upper_end(Real{}, (std::abs(base[i]) + base_error) * (1.0 + 0x1p-20));
+        frustum_.direction_size[i] =
+            upper_end(Real{}, std::abs(ray_.direction[i]) * (1.0 + 0x1p-20));
+    }
+    const double width = (to - from) / parts;
+    const double radius = 0.5 * width + place_error_;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const double s = from - middle + (static_cast<double>(i) + 0.5) * width;
+        cells_.u[i] = 0;
+        cells_.v[i] = 0;
+        cells_.s[i] = static_cast<Real>(s);
+        const double off = std::abs(static_cast<double>(cells_.s[i]) - s);
+        cells_.s_radius[i] = upper_end(Real{}, radius + off);
+    }
+    counters_.form += parts;
+    surface_.kernel.ray_form(
+        cells_.batch(parts, frustum_, surface_.scene.uniforms.template boxes<Real>()));
+}
+
+template <class Real>
+bool Search<Real>::take(const Cell<Real>& f, const Verdict& verdict, double from, double to) {
+    if (at_.approach && verdict.answer != Answer::Approaching && ends_approach(f, verdict))
+        return true;
+    switch (verdict.answer) {
+        case Answer::Free:
+            at_.left = true;
+            at_.sign = verdict.sign;
+            return false;
+        case Answer::Root: return take_root(f, from, to);
+        case Answer::Approaching:
+            at_.approach = {
+                .from = at_.approach ? at_.approach->from : from, .to = to, .trend = f.trend()};
+            return turned(f, at_.sign) && take_approach();
+        case Answer::Open: break;
+    }
+    return take_undecided(f, from, to);
+}
+
+template <class Real>
+bool Search<Real>::ends_approach(const Cell<Real>& f, const Verdict& verdict) {
+    // The sign at the near end of this cell, which is the far end of the approach.
+    int sign = 0;
+    if (verdict.answer == Answer::Free) sign = verdict.sign;
+    if (verdict.answer == Answer::Root && f.is_monotone()) sign = -f.trend();
+    if (sign == at_.approach->trend) return take_approach();
+    at_.unsettled = at_.unsettled || sign == 0;
+    at_.approach.reset();
+    return false;
+}
+
+template <class Real>
+bool Search<Real>::take_approach() {
+    const Approach& approach = *at_.approach;
+    found_ = RootBracket{.from = approach.from,
+                         .to = approach.to,
+                         .guess = approach.to,
+                         .sign_before = -approach.trend,
+                         .is_proved = !at_.unsettled};
+    return true;
+}
+
+template <class Real>
+bool Search<Real>::take_root(const Cell<Real>& f, double from, double to) {
+    const double middle = 0.5 * from + 0.5 * to;
+    const double half = 0.5 * (to - from);
+    const double t = static_cast<double>(f.c) / -static_cast<double>(f.along);
+    const int before = f.is_monotone() ? -f.trend() : at_.sign;
+    found_ = RootBracket{.from = from,
+                         .to = to,
+                         .guess = middle + half * (std::abs(t) <= 1.0 ? t : 0.0),
+                         .sign_before = before,
+                         .is_proved = !at_.unsettled};
+    return true;
+}
+
+/// The sign of f on a stretch, by boxes about parts of it, in double; 0: not known. Beside a pole
+/// those are tighter than forms.
+template <class Real>
+int Search<Real>::sign_by_boxes(double from, double to) {
+    RangeBoxes<double, parts> boxes;
+    const double width = (to - from) / parts;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const double near = from + static_cast<double>(i) * width;
+        const glm::dvec3 a = ray_.at(near);
+        const glm::dvec3 b = ray_.at(near + width);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto axis = static_cast<int>(k);
+            boxes.ends[k][i] = place_error_ - std::min(a[axis], b[axis]);
+            boxes.ends[k + 3][i] = place_error_ + std::max(a[axis], b[axis]);
+        }
+    }
+    counters_.range += parts;
+    surface_.kernel.range(boxes.batch(parts, surface_.scene.uniforms.template boxes<double>()));
+    bool above = true;
+    bool below = true;
+    for (std::size_t i = 0; i < parts; ++i) {
+        above = above && boxes.f_neg_lo[i] < 0.0;
+        below = below && boxes.f_hi[i] < 0.0;
+    }
+    return above == below ? 0 : above ? 1 : -1;
+}
+
+/// Takes a cell that is not to be divided any more.
+template <class Real>
+bool Search<Real>::take_undecided(const Cell<Real>& f, double from, double to) {
+    if (const int sign = sign_by_boxes(from, to); sign != 0) {
+        at_.sign = sign;
+        at_.left = true;
+        return false;
+    }
+    at_.unsettled = true;
+    // Beside the origin it is the root there that cannot be told from others; beside a pole there
+    // is no enclosure.
+    if (!at_.left || !f.continuous || !std::isfinite(f.spread) || !std::isfinite(f.c)) {
+        at_.sign = 0;
+        return false;
+    }
+    found_ = RootBracket{.from = from,
+                         .to = to,
+                         .guess = 0.5 * from + 0.5 * to,
+                         .sign_before = 0,
+                         .is_proved = false};
+    return true;
+}
+
+template <class Real>
+bool Search<Real>::divide(double from, double to) {
+    if (surface_.stopped()) return true;
+    evaluate(from, to);
+    std::array<Cell<Real>, parts> cells;
+    for (std::size_t i = 0; i < parts; ++i)
+        cells[i] = cell(i);
+    const double width = (to - from) / parts;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const double near = from + static_cast<double>(i) * width;
+        const double far = i + 1 == parts ? to : near + width;
+        const double least = at_.left ? finest_ : std::max(finest_, 8.0 * own_error_);
+        const Verdict verdict = judge(cells[i], at_, wish_);
+        const bool divides = verdict.answer == Answer::Open && width > least;
+        if (divides ? divide(near, far) : take(cells[i], verdict, near, far)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+RootFinding search_ray(const TraceFrame& surface, const SceneRay& ray, bool is_own, RootWish wish,
+                       Counters& counters) {
+    if (surface.precision == Precision::Double)
+        return Search<double>(surface, ray, is_own, wish, counters).run();
+    return Search<float>(surface, ray, is_own, wish, counters).run();
+}
+
+}  // namespace zeroset

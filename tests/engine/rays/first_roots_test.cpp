@@ -1,0 +1,130 @@
+#include "engine/rays/first_roots.hpp"
+
+#include "engine/real/rounding.hpp"
+#include "tests/support/random_numbers.hpp"
+#include "tests/support/rays.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+// First roots on single rays, by closed forms.
+
+namespace zeroset::test {
+namespace {
+
+/// A scene of texts, one surface each, as frames.
+struct Frames {
+    Scene scene;
+    std::vector<TraceFrame> frames;
+
+    Frames(const std::vector<std::string>& texts, const Box& clip)
+        : scene(scene_of(texts[0], clip)) {
+        for (std::size_t i = 1; i < texts.size(); ++i)
+            scene.surfaces.push_back(scene_of(texts[i], clip).surfaces[0]);
+        const ViewFrame view(default_camera(clip));
+        for (const Kernel& kernel : scene.surfaces)
+            frames.push_back(trace_frame(scene, kernel, view, {.width = 64, .height = 64}, {}));
+    }
+    [[nodiscard]] std::vector<RayHit> hits(const std::vector<SceneRay>& rays) const {
+        const UpwardRounding upward;
+        std::vector<RayHit> found(rays.size());
+        Counters counters;
+        find_first_hits(frames, rays, found, counters);
+        return found;
+    }
+};
+
+glm::dvec3 random_direction(RandomNumbers& random) {
+    for (;;) {
+        const glm::dvec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (glm::length(v) > 0.1 && glm::length(v) < 1.0) return v;
+    }
+}
+
+TEST(FirstRoots, FromInsideASphereAreWhereItsClosedFormSays) {
+    const Frames of({"x^2 + y^2 + z^2 = 1"}, Box::cube(2));
+    RandomNumbers random(1);
+    std::vector<SceneRay> rays;
+    for (int i = 0; i < 200; ++i)
+        rays.push_back({.origin = 0.9 * random_direction(random),
+                        .direction = UnitVector(random_direction(random))});
+    const std::vector<RayHit> hits = of.hits(rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double b = glm::dot(rays[i].origin, glm::dvec3(rays[i].direction));
+        const double c = glm::dot(rays[i].origin, rays[i].origin) - 1.0;
+        EXPECT_NEAR(hits[i].t, -b + std::sqrt(b * b - c), 1e-12);
+        EXPECT_EQ(hits[i].certificate, Certificate::Certified);
+        const glm::dvec3 normal = glm::normalize(hits[i].gradient);
+        EXPECT_NEAR(glm::dot(normal, rays[i].at(hits[i].t)), 1.0, 1e-9);
+    }
+}
+
+TEST(FirstRoots, OfARayFromTheSurfaceLeaveOutWhereItBegins) {
+    const Frames of({"x^2 + y^2 + z^2 = 1"}, Box::cube(2));
+    RandomNumbers random(2);
+    std::vector<SceneRay> rays;
+    for (int i = 0; i < 400; ++i) {
+        const UnitVector at(random_direction(random));
+        const UnitVector along(random_direction(random));
+        const double cosine = std::abs(glm::dot(glm::dvec3(at), glm::dvec3(along)));
+        if (cosine < 0.01) continue;
+        // The origin is off the sphere by what rounding makes of a depth.
+        rays.push_back({.origin = (1.0 + random.uniform(-1e-7, 1e-7)) * glm::dvec3(at),
+                        .direction = along,
+                        .own = 0,
+                        .own_error = 2e-7 / cosine});
+    }
+    const std::vector<RayHit> hits = of.hits(rays);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double inwards = -glm::dot(rays[i].origin, glm::dvec3(rays[i].direction));
+        EXPECT_EQ(hits[i].is_hit(), inwards > 0.0) << i;
+        if (inwards > 0.0) {
+            EXPECT_NEAR(hits[i].t, 2.0 * inwards, 1e-5) << i;
+        }
+        EXPECT_NE(hits[i].certificate, Certificate::Undecided) << i;
+    }
+}
+
+TEST(FirstRoots, OfSeveralSurfacesAreTheNearest) {
+    const Frames of({"x = 1", "x = 0.5", "x^2 + y^2 + z^2 = 0.01"}, Box::cube(2));
+    const std::vector<RayHit> hits =
+        of.hits({{.origin = {-1, 0, 0}, .direction = UnitVector({1, 0, 0})},
+                 {.origin = {-1, 1, 0}, .direction = UnitVector({1, 0, 0})},
+                 {.origin = {1.5, 1, 0}, .direction = UnitVector({-1, 0, 0})},
+                 {.origin = {1.5, 1, 0}, .direction = UnitVector({0, 1, 0})}});
+    EXPECT_EQ(hits[0].surface, 2);
+    EXPECT_NEAR(hits[0].t, 0.9, 1e-12);
+    EXPECT_EQ(hits[1].surface, 1);
+    EXPECT_EQ(hits[2].surface, 0);
+    EXPECT_FALSE(hits[3].is_hit());
+    EXPECT_EQ(hits[3].certificate, Certificate::Miss);
+}
+
+TEST(FirstRoots, DoNotLeaveOutAThinSheetOrOneBehindAPole) {
+    // A shell of 1e-4, and a surface behind one at which f goes to infinity.
+    const Frames of({"max(x^2 - 1e-8, -y)", "1/(x - 0.5) = 4"}, Box::cube(2));
+    const std::vector<RayHit> hits =
+        of.hits({{.origin = {-1, 1, 0}, .direction = UnitVector({1, 0, 0})},
+                 {.origin = {0.1, 1, 0}, .direction = UnitVector({1, 0, 0})}});
+    EXPECT_NEAR(hits[0].t, 1.0 - 1e-4, 1e-9);
+    EXPECT_EQ(hits[0].certificate, Certificate::Certified);
+    EXPECT_EQ(hits[1].surface, 1);
+    EXPECT_NEAR(hits[1].t, 0.65, 1e-9);
+}
+
+TEST(FirstRoots, AreOnlyInTheRegion) {
+    Frames of({"x^2 + y^2 + z^2 = 1"}, Box::cube(2));
+    of.scene.region.sections.push_back(make_section({1, 0, 0}, 0.5));
+    const SceneRay right{.origin = {0, 0, 0}, .direction = UnitVector({1, 0, 0})};
+    const SceneRay left{.origin = {0, 0, 0}, .direction = UnitVector({-1, 0, 0})};
+    const std::vector<RayHit> hits = of.hits({right, left});
+    EXPECT_FALSE(hits[0].is_hit());
+    EXPECT_NEAR(clipped(right, of.scene).to, 0.5, 1e-15);
+    EXPECT_NEAR(hits[1].t, 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace zeroset::test

@@ -1,0 +1,209 @@
+#include "ui/panels/light_section.hpp"
+
+#include "engine/image/gamma.hpp"
+#include "engine/scene/lighting.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/light_ball.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr float ball_rows = 3.0F;  ///< the height of a light's ball, in lines of the panel
+
+std::string shown_name(Look look) {
+    std::string name(name_of(look));
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name;
+}
+
+const char* about(Look look) {
+    switch (look) {
+        case Look::Standard: return "A little gloss; quickest to draw.";
+        case Look::Matte: return "No gloss at all.";
+        case Look::Porcelain: return "Whitish, under a clear glaze.";
+        case Look::Metal: return "Mirrors its surroundings in its own colour.";
+        case Look::Glass: return "Mostly seen through, mirrors where it is seen from aside.";
+        case Look::Clay: return "Matte and muted, darker in its hollows.";
+        case Look::Technical: return "Pale, with lines at silhouettes, creases and edges.";
+    }
+    return "";
+}
+
+void draw_look(LightChoice& light) {
+    draw_label("look", "What the surfaces look as if they were made of.");
+    if (!ImGui::BeginCombo("##look", shown_name(light.look).c_str(), ImGuiComboFlags_HeightLarge))
+        return;
+    for (const Look look : looks()) {
+        if (ImGui::Selectable(shown_name(look).c_str(), look == light.look)) light.look = look;
+        draw_tooltip(about(look));
+    }
+    ImGui::EndCombo();
+}
+
+void draw_mirrors(LightChoice& light) {
+    draw_label("mirrors",
+               "How often light is mirrored from surface to surface, once the picture rests.");
+    draw_integer_slider("##mirrors", light.reflections, 0, max_reflections,
+                        light.reflections == 0 ? "off" : nullptr);
+}
+
+void draw_amount(const char* label, const char* about, double& value, double usual_value, double hi,
+                 double most) {
+    draw_label(label, about);
+    const Slider usual{.value = usual_value, .lo = 0.0, .hi = hi};
+    Slider slider = usual;
+    set_value(slider, value);
+    draw_slider((std::string("##") + label).c_str(), slider, usual, 0.0F);
+    value = std::clamp(slider.value, 0.0, most);
+}
+
+void draw_tint(LightChoice& light) {
+    draw_amount(
+        "tint",
+        "How much solids swallow of what is seen through them, of the colours that they are "
+        "not, on a way of length 1. For surfaces that are not opaque.",
+        light.absorption, 0.0, 5.0, max_absorption);
+}
+
+std::array<float, 3> parts_of(std::uint32_t color) {
+    return {static_cast<float>(color >> 16U & 0xFFU) / 255.0F,
+            static_cast<float>(color >> 8U & 0xFFU) / 255.0F,
+            static_cast<float>(color & 0xFFU) / 255.0F};
+}
+
+std::uint32_t color_of(const std::array<float, 3>& parts) {
+    std::uint32_t color = 0;
+    for (const float part : parts)
+        color = color << 8U | static_cast<std::uint32_t>(std::lround(part * 255.0F));
+    return color;
+}
+
+/// A field that shows a colour; a click opens a picker. True when another one was picked.
+bool draw_color(const char* id, std::uint32_t& color, const char* about) {
+    std::array<float, 3> parts = parts_of(color);
+    constexpr ImGuiColorEditFlags flags =
+        ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip |
+        ImGuiColorEditFlags_PickerHueWheel;
+    const bool picked = ImGui::ColorEdit3(id, parts.data(), flags);
+    draw_tooltip(about);
+    if (picked) color = color_of(parts);
+    return picked;
+}
+
+void draw_tone(LightChoice& light) {
+    bool filmic = light.tone == Tone::Filmic;
+    if (ImGui::Checkbox("Filmic###filmic", &filmic))
+        light.tone = filmic ? Tone::Filmic : Tone::Plain;
+    draw_tooltip("Bright light is compressed, so that highlights keep their colour.");
+    ImGui::SameLine(0.0F, em(1.2F));
+    bool own = light.background.has_value();
+    if (ImGui::Checkbox("Background###background", &own))
+        light.background =
+            own ? std::optional(Background{.top = 0xFFFFFF, .bottom = 0xE4E8EC}) : std::nullopt;
+    draw_tooltip("Colours behind the surfaces, from top to bottom, in place of the theme's.");
+    if (!light.background) return;
+    ImGui::SameLine(0.0F, em(0.6F));
+    draw_color("##top", light.background->top, "The background's top");
+    ImGui::SameLine(0.0F, em(0.3F));
+    draw_color("##bottom", light.background->bottom, "The background's bottom");
+}
+
+/// The light's direction as one sees it: to the right, upwards and out of the screen.
+glm::dvec3 in_view(const Light& light, const std::optional<Camera>& camera) {
+    if (light.with_camera || !camera) return light.towards;
+    const ViewFrame view(*camera);
+    return {glm::dot(light.towards, view.right), glm::dot(light.towards, view.up),
+            -glm::dot(light.towards, view.forward)};
+}
+
+glm::dvec3 from_view(const glm::dvec3& seen, bool with_camera,
+                     const std::optional<Camera>& camera) {
+    if (with_camera || !camera) return seen;
+    const ViewFrame view(*camera);
+    return seen.x * view.right + seen.y * view.up - seen.z * view.forward;
+}
+
+/// Draws the settings of one light; false when the user removes it.
+bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette& colors) {
+    const float line = ImGui::GetFrameHeightWithSpacing();
+    const float size = ball_rows * line - ImGui::GetStyle().ItemSpacing.y;
+    glm::dvec3 seen = in_view(light, camera);
+    if (draw_light_ball("##ball", seen, size, colors))
+        light.towards = from_view(seen, light.with_camera, camera);
+    draw_tooltip("Drag to aim the light; a right click takes it to the other side.");
+    ImGui::SameLine(0.0F, em(0.8F));
+    ImGui::BeginGroup();
+    draw_amount("power", "How bright it is.", light.power, Light().power, 2.0, max_power);
+    double across = 2.0 * light.radius_deg;
+    draw_amount("size", "How large it is as seen from the surface, in degrees: soft shadows.",
+                across, 0.0, 45.0, 2.0 * half_sphere_deg);
+    light.radius_deg = 0.5 * across;
+    std::uint32_t color = color_of_light(light.color);
+    if (draw_color("##color", color, "The light's colour")) light.color = light_of_color(color);
+    ImGui::SameLine(0.0F, em(0.6F));
+    if (ImGui::Checkbox("With camera###with", &light.with_camera))
+        light.towards = from_view(seen, light.with_camera, camera);
+    draw_tooltip("The light goes with the camera; else it stays in the world.");
+    const float button = ImGui::GetFrameHeight();
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
+    const bool removed = icon_button("##remove", Icon::Cross,
+                                     {.size = button, .color = colors.quiet}, "Remove the light");
+    ImGui::EndGroup();
+    return !removed;
+}
+
+void draw_lights(Edited& edited) {
+    std::vector<Light>& lights = edited.document.light.lights;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool kept = draw_light(lights[i], edited.document.camera, palette(edited.theme));
+        ImGui::PopID();
+        if (!kept) {
+            lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(i));
+            break;
+        }
+    }
+    if (lights.size() == max_lights) return;
+    if (ImGui::Button(lights.empty() ? "Lights of my own" : "Add a light",
+                      ImVec2(-FLT_MIN, 0.0F))) {
+        lights.push_back({});
+        if (lights.size() > 1) lights.back().towards = {0.8, -0.1, 0.45};
+    }
+    draw_tooltip(lights.empty() ? "Up to four lights, in place of the look's own."
+                                : "Up to four lights.");
+}
+
+}  // namespace
+
+float light_section_height(const Document& document) {
+    const auto lights = static_cast<float>(document.light.lights.size());
+    const float add = document.light.lights.size() < max_lights ? 1.0F : 0.0F;
+    return (4.0F + add + ball_rows * lights) * ImGui::GetFrameHeightWithSpacing();
+}
+
+void draw_light_section(Edited& edited) {
+    LightChoice& light = edited.document.light;
+    draw_look(light);
+    draw_mirrors(light);
+    draw_tint(light);
+    draw_tone(light);
+    draw_lights(edited);
+}
+
+}  // namespace zeroset::ui
