@@ -1,8 +1,8 @@
 #include "engine/antialias/mixed_pixels.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,32 +34,67 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
     return MixedPixel{.pixel = static_cast<std::uint16_t>(at), .from = first, .hit = hit};
 }
 
-/// Pixels of a row beside which the shadow on the same surface begins or ends.
-std::uint64_t shadow_edges(const LitLayer& layer, const Tile& tile, int row) {
-    const auto lit_in = [&](int of, std::uint64_t& hits) {
-        hits = 0;
-        std::uint64_t lit = 0;
-        if (of < 0 || of >= tile.rows) return lit;
-        hits = layer.hit_rows[static_cast<std::size_t>(of)];
-        for (std::uint64_t bits = hits; bits != 0; bits &= bits - 1) {
-            const auto col = static_cast<unsigned>(std::countr_zero(bits));
-            const auto at = static_cast<std::size_t>(of) * tile_size + col;
-            if (layer.key_light[at] > 0.0F) lit |= std::uint64_t{1} << col;
+/// Hits of a layer that the key light reaches.
+TileBits lit_hits(const LitLayer& layer, const Tile& tile) {
+    TileBits lit{};
+    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
+        for (std::uint64_t bits = layer.hit_rows[row]; bits != 0; bits &= bits - 1) {
+            const auto col = static_cast<std::size_t>(std::countr_zero(bits));
+            if (layer.key_light[row * tile_size + col] > 0.0F) lit[row] |= std::uint64_t{1} << col;
         }
-        return lit;
-    };
-    std::uint64_t hits = 0;
-    const std::uint64_t lit = lit_in(row, hits);
-    const auto differ = [&](std::uint64_t other, std::uint64_t other_hits) {
-        return (lit ^ other) & hits & other_hits;
-    };
-    std::uint64_t edges = differ(lit << 1U, hits << 1U) | differ(lit >> 1U, hits >> 1U);
-    for (const int beside : {row - 1, row + 1}) {
-        std::uint64_t other_hits = 0;
-        const std::uint64_t other = lit_in(beside, other_hits);
-        edges |= differ(other, other_hits);
     }
-    return edges;
+    return lit;
+}
+
+/// Adds the hits beside which the shadow on the same surface begins or ends.
+void add_shadow_edges(const LitLayer& layer, const Tile& tile, TileBits& edges) {
+    const TileBits lit = lit_hits(layer, tile);
+    const TileBits& hits = layer.hit_rows;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(tile.rows); ++row) {
+        const auto differ = [&](std::uint64_t other, std::uint64_t other_hits) {
+            return (lit[row] ^ other) & hits[row] & other_hits;
+        };
+        edges[row] |= differ(lit[row] << 1U, hits[row] << 1U);
+        edges[row] |= differ(lit[row] >> 1U, hits[row] >> 1U);
+        if (row > 0) edges[row] |= differ(lit[row - 1], hits[row - 1]);
+        if (row + 1 < static_cast<std::size_t>(tile.rows))
+            edges[row] |= differ(lit[row + 1], hits[row + 1]);
+    }
+}
+
+/// Whether the lights of two hits look different: by more than this part of the brightest.
+bool look_different(const LitLayer& layer, std::size_t a, std::size_t b) {
+    constexpr float least = 0.09F;
+    const auto shown = [&](std::size_t at, int channel) {
+        const float* const row = layer.light_row(static_cast<int>(at / tile_size), channel);
+        return std::sqrt(std::clamp(row[at % tile_size], 0.0F, 1.0F));
+    };
+    for (int channel = 0; channel < 3; ++channel) {
+        if (std::abs(shown(a, channel) - shown(b, channel)) > least) return true;
+    }
+    return false;
+}
+
+/// Adds the hits beside which the same surface looks different.
+void add_contrasts(const LitLayer& layer, const Tile& tile, TileBits& edges) {
+    const auto rows = static_cast<std::size_t>(tile.rows);
+    const auto compare = [&](std::size_t row, std::size_t col, std::size_t by_row,
+                             std::size_t by_col) {
+        const std::uint64_t bit = std::uint64_t{1} << col;
+        const std::uint64_t other = std::uint64_t{1} << (col + by_col);
+        if ((layer.hit_rows[row + by_row] & other) == 0) return;
+        const std::size_t at = row * tile_size + col;
+        if (!look_different(layer, at, at + by_row * tile_size + by_col)) return;
+        edges[row] |= bit;
+        edges[row + by_row] |= other;
+    };
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (std::uint64_t bits = layer.hit_rows[row]; bits != 0; bits &= bits - 1) {
+            const auto col = static_cast<std::size_t>(std::countr_zero(bits));
+            if (col + 1 < tile_size) compare(row, col, 0, 1);
+            if (row + 1 < rows) compare(row, col, 1, 0);
+        }
+    }
 }
 
 }  // namespace
@@ -77,14 +112,15 @@ void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<Mi
     }
 }
 
-void add_shadow_edges(const Tile& tile, std::span<const LitLayer> layers,
-                      std::span<const TileHits> hits, std::vector<MixedPixel>& mixed) {
+void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,
+                     std::span<const TileHits> hits, bool contrasts,
+                     std::vector<MixedPixel>& mixed) {
     constexpr std::uint8_t level = 2;
     const std::size_t before = mixed.size();
-    std::array<std::uint64_t, tile_size> edges{};
+    TileBits edges{};
     for (const LitLayer& layer : layers) {
-        for (int row = 0; row < tile.rows && layer.any_dark; ++row)
-            edges[static_cast<std::size_t>(row)] |= shadow_edges(layer, tile, row);
+        if (layer.any_dark) add_shadow_edges(layer, tile, edges);
+        if (contrasts) add_contrasts(layer, tile, edges);
     }
     for (std::size_t i = 0; i < before; ++i) {
         const std::uint16_t at = mixed[i].pixel;

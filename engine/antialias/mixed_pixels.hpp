@@ -14,8 +14,10 @@ namespace zeroset {
 void find_mixed(const Tile& tile, std::span<const TileHits> hits, std::vector<MixedPixel>& out);
 
 /// Adds pixels beside which the shadow on the same surface begins or ends to `mixed`, those of one
-/// tile; they are divided until samples tell how much of them the light reaches.
-void add_shadow_edges(const Tile& tile, std::span<const LitLayer> layers,
-                      std::span<const TileHits> hits, std::vector<MixedPixel>& mixed);
+/// tile; `contrasts`: and those beside which it looks different, as where mirrors show an edge.
+/// They are divided until samples tell how much of them the light reaches.
+void add_light_edges(const Tile& tile, std::span<const LitLayer> layers,
+                     std::span<const TileHits> hits, bool contrasts,
+                     std::vector<MixedPixel>& mixed);
 
 }  // namespace zeroset

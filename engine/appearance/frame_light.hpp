@@ -25,6 +25,8 @@ public:
                std::span<const TileHits> hits, LitTile& out, Counters& counters) const;
 
     [[nodiscard]] const TraceSettings& settings() const { return settings_; }
+    /// Whether smooth surfaces may show edges that are not shadows of the key light.
+    [[nodiscard]] bool shows_contrasts() const { return by_rays_; }
     [[nodiscard]] const HitShader& shader() const { return shader_; }
     /// How opaque a surface is, 0 to 1.
     [[nodiscard]] float opacity(std::size_t surface) const;

@@ -179,8 +179,7 @@ void TilePainter::smooth(const Tile& tile, const TimeLimit& limit, Workspace& wo
     workspace.samples.clear();
     const auto hits = std::span(workspace.hits).first(surfaces_.size());
     find_mixed(tile, hits, workspace.mixed);
-    if (light_.settings().shadows)
-        add_shadow_edges(tile, workspace.lit.layers(), hits, workspace.mixed);
+    add_light_edges(tile, workspace.lit.layers(), hits, light_.shows_contrasts(), workspace.mixed);
     if (workspace.mixed.empty()) return;
     std::vector<TraceFrame> frames;
     frames.reserve(surfaces_.size());
