@@ -51,6 +51,11 @@ public:
 private:
     using LitParts = std::array<float, max_lights>;
 
+    /// Whether rays go on from a surface's hits.
+    [[nodiscard]] bool rays_go_on(std::size_t surface) const {
+        const bool is_soft = light_.settings().soft_light && has_soft_light(scene_.lighting);
+        return is_soft || light_.settings().reflections > 0 || light_.opacity(surface) < 1.0F;
+    }
     void find_first_shadows(std::span<const LitLayer> layers);
     /// Lights the hits, and lists the rays that go on from them.
     void shade(std::span<const PathHit> hits);
@@ -62,8 +67,8 @@ private:
     [[nodiscard]] SoftHit soft_hit(const PathHit& hit) const;
     void add_mirrored(const PathHit& hit, const glm::vec3& weight);
     void add_straight(const PathHit& hit, const glm::vec3& weight);
-    /// Follows the rays to what they hit, or away.
-    std::vector<PathHit> follow();
+    /// Follows the rays away, or to what they hit: `hits`.
+    void follow(std::vector<PathHit>& hits);
     /// What solids leave of the light on a way of this length.
     [[nodiscard]] glm::vec3 left_by_solids(std::uint64_t inside, double length) const;
     void write(std::span<LitLayer> layers) const;
@@ -289,14 +294,14 @@ glm::vec3 PathLight::background(std::size_t pixel) const {
             light_of_channel(color >> 16U & 0xFFU)};
 }
 
-std::vector<PathHit> PathLight::follow() {
+void PathLight::follow(std::vector<PathHit>& hits) {
     std::vector<SceneRay> rays;
     rays.reserve(rays_.size());
     for (const PathRay& path : rays_)
         rays.push_back(path.ray);
     std::vector<RayHit> found(rays.size());
     find_first_hits(surfaces_, rays, found, counters_);
-    std::vector<PathHit> hits;
+    hits.clear();
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         PathRay& path = rays_[i];
         const double length = found[i].is_hit() ? found[i].t : clipped(path.ray, scene_).to;
@@ -312,7 +317,6 @@ std::vector<PathHit> PathLight::follow() {
         }
     }
     rays_.clear();
-    return hits;
 }
 
 void PathLight::write(std::span<LitLayer> layers) const {
@@ -337,16 +341,19 @@ void PathLight::write(std::span<LitLayer> layers) const {
 
 void PathLight::run(std::span<LitLayer> layers) {
     find_first_shadows(layers);
-    std::vector<PathHit> hits;
+    // Kept, as asking for so much room anew takes longer than to fill it.
+    thread_local std::vector<PathHit> hits;
+    hits.clear();
     for (const LitLayer& layer : layers) {
-        const auto found =
-            first_path_hits(surfaces_[layer.surface], layer.surface, tile_, *layer.hits, counters_);
-        hits.insert(hits.end(), found.begin(), found.end());
+        const TraceFrame& surface = surfaces_[layer.surface];
+        const std::size_t first = hits.size();
+        add_first_hits(surface, layer.surface, tile_, *layer.hits, hits);
+        if (rays_go_on(layer.surface)) sharpen(surface, std::span(hits).subspan(first), counters_);
     }
     while (!hits.empty()) {
         shade(hits);
         if (limit_.over()) break;
-        hits = follow();
+        follow(hits);
     }
     write(layers);
 }

@@ -76,9 +76,8 @@ glm::dvec3 PathHit::normal() const {
     return glm::dot(normal, along) > 0.0 ? -normal : normal;
 }
 
-std::vector<PathHit> first_path_hits(const TraceFrame& surface, std::uint8_t number,
-                                     const Tile& tile, const TileHits& hits, Counters& counters) {
-    std::vector<PathHit> found;
+void add_first_hits(const TraceFrame& surface, std::uint8_t number, const Tile& tile,
+                    const TileHits& hits, std::vector<PathHit>& out) {
     for (int row = 0; row < tile.rows; ++row) {
         for (int col = 0; col < tile.cols; ++col) {
             const auto pixel = static_cast<std::size_t>(row * tile_size + col);
@@ -87,20 +86,22 @@ std::vector<PathHit> first_path_hits(const TraceFrame& surface, std::uint8_t num
             const PixelRay ray = pixel_ray(surface.view, tile.place(col, row), surface.image);
             const glm::dvec3 gradient(hits.gradient[0][pixel], hits.gradient[1][pixel],
                                       hits.gradient[2][pixel]);
-            found.push_back({.path = {.ray = {.origin = ray.origin, .direction = ray.direction},
-                                      .pixel = pixel,
-                                      .weight = glm::vec3(1.0F)},
-                             .hit = {.t = distance,
-                                     .surface = number,
-                                     .certificate = hits.certificate[pixel],
-                                     .error = depth_error(surface, distance),
-                                     .gradient = gradient},
-                             .is_cap = hits.any_cap && hits.cap[pixel] != 0,
-                             .is_first = true});
+            out.push_back({.path = {.ray = {.origin = ray.origin, .direction = ray.direction},
+                                    .pixel = pixel,
+                                    .weight = glm::vec3(1.0F)},
+                           .hit = {.t = distance,
+                                   .surface = number,
+                                   .certificate = hits.certificate[pixel],
+                                   .error = depth_error(surface, distance),
+                                   .gradient = gradient},
+                           .is_cap = hits.any_cap && hits.cap[pixel] != 0,
+                           .is_first = true});
         }
     }
-    if (!found.empty()) Sharpener(surface, found, counters).run();
-    return found;
+}
+
+void sharpen(const TraceFrame& surface, std::span<PathHit> hits, Counters& counters) {
+    if (!hits.empty()) Sharpener(surface, hits, counters).run();
 }
 
 }  // namespace zeroset

@@ -41,9 +41,12 @@ struct PathHit {
     [[nodiscard]] glm::dvec3 normal() const;
 };
 
-/// The hits of a surface in a tile, one after the other, to the digits of double where Newton's
-/// method leads there.
-std::vector<PathHit> first_path_hits(const TraceFrame& surface, std::uint8_t number,
-                                     const Tile& tile, const TileHits& hits, Counters& counters);
+/// Adds the hits of a surface in a tile to `out`.
+void add_first_hits(const TraceFrame& surface, std::uint8_t number, const Tile& tile,
+                    const TileHits& hits, std::vector<PathHit>& out);
+
+/// Takes hits of a surface along their rays to the digits of double, where Newton's method leads
+/// there: rays that go on from them begin nearer to it.
+void sharpen(const TraceFrame& surface, std::span<PathHit> hits, Counters& counters);
 
 }  // namespace zeroset
