@@ -25,7 +25,7 @@ void find_colors(const TraceFrame& frame, const Tile& tile, LitLayer& layer, Cou
             if (!std::isfinite(distance)) continue;
             const PixelRay ray = pixel_ray(frame.view, tile.place(col, row), frame.image);
             pixels.push_back(pixel);
-            colored.push_back({.point = {ray.at(distance), distance},
+            colored.push_back({.point = {.at = ray.at(distance), .distance = distance},
                                .gradient = {hits.gradient[0][pixel], hits.gradient[1][pixel],
                                             hits.gradient[2][pixel]},
                                .is_cap = hits.any_cap && hits.cap[pixel] != 0,
