@@ -65,7 +65,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     std::size_t first = fronts.size();
     for (std::size_t i = 0; i < fronts.size(); ++i) {
         if (fronts[i].state == State::Gone) continue;
-        if (first == fronts.size() || fronts[i].at < fronts[first].at) first = i;
+        if (first == fronts.size() || fronts[i].free_to() < fronts[first].free_to()) first = i;
     }
     if (first == fronts.size()) return {.step = Step::Close, .surface = first};
     const Front& front = fronts[first];
@@ -73,7 +73,8 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     // Surfaces that may begin before this front ends are searched first.
     const CoverSquare& at = field_.square(square);
     for (std::size_t i = 0; i < fronts.size(); ++i) {
-        if (i == first || fronts[i].state == State::Gone || fronts[i].at >= front.to) continue;
+        if (i == first || fronts[i].state == State::Gone || fronts[i].free_to() >= front.to)
+            continue;
         if (fronts[i].state == State::Going) return {.step = Step::Evaluate, .surface = i};
         if (!at.is_ray() && at.level < last_level) return {.step = Step::Divide, .surface = i};
     }

@@ -57,6 +57,10 @@ struct Front {
     [[nodiscard]] bool is_inside(double from, double until) const {
         return from >= inside_from && until <= inside_to;
     }
+    /// Before this there is no root.
+    [[nodiscard]] double free_to() const {
+        return state == State::Going && is_open() ? open_from : at;
+    }
     /// Where the next cell ends.
     [[nodiscard]] double next() const { return at + step < end ? at + step : end; }
     /// Takes what is known of the next cell.

@@ -1,6 +1,7 @@
 #include "engine/render/render.hpp"
 
 #include "engine/antialias/cover_light.hpp"
+#include "engine/antialias/cover_limits.hpp"
 #include "engine/antialias/cover_search.hpp"
 #include "engine/antialias/mixed_pixels.hpp"
 #include "engine/appearance/frame_light.hpp"
@@ -38,6 +39,7 @@ struct Workspace {
     NearestSurfaces nearest;
     LitTile lit;
     CapFinder caps;
+    std::vector<float> cover_limits;  ///< Tile::limits of whole pixels
     std::vector<UnionMember> union_members;
     std::vector<MixedPixel> mixed;
     std::vector<CoverSample> samples;
@@ -162,12 +164,18 @@ void TilePainter::trace(Tile tile, const TimeLimit& limit, Workspace& workspace,
     const bool several = surfaces_.size() > 1;
     workspace.hits.resize(std::max(workspace.hits.size(), surfaces_.size()));
     if (several) workspace.nearest.clear();
+    if (several && beams_)
+        workspace.cover_limits.assign(std::size_t{tile_size} * tile_size,
+                                      std::numeric_limits<float>::infinity());
     if (!solid_signs_.empty()) workspace.caps.enter(surfaces_.front(), tile);
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         trace_surface(i, tile, limit, workspace, counters);
         if (!several || limit.cancelled()) return;
         workspace.nearest.add(workspace.hits[i], static_cast<std::uint8_t>(i));
         tile.limits = workspace.nearest.limits();
+        if (!beams_) continue;
+        narrow_limits(surfaces_[i], tile, workspace.hits[i], workspace.cover_limits);
+        tile.limits = workspace.cover_limits.data();
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
         workspace.nearest.keep_nearest(workspace.hits[i], static_cast<std::uint8_t>(i));

@@ -227,5 +227,62 @@ TEST(Looks, ShowTheSameSurfaceEachInItsWay) {
     }
 }
 
+/// The mean of the hits' colours in a quarter of a picture, and how far they are from it on the
+/// mean: 0 to 255.
+struct Tint {
+    double red, green, blue, spread;
+};
+Tint tint_of(const Framebuffer& frame, int quarter) {
+    std::array<double, 3> sum{};
+    std::array<double, 3> squares{};
+    double count = 0.0;
+    for (int row = quarter / 2 * side / 2; row < (quarter / 2 + 1) * side / 2; ++row) {
+        for (int col = quarter % 2 * side / 2; col < (quarter % 2 + 1) * side / 2; ++col) {
+            const std::size_t at = frame.index(col, row);
+            if (frame.surface[at] == no_surface) continue;
+            count += 1.0;
+            for (unsigned i = 0; i < 3; ++i) {
+                const double channel = frame.color[at] >> 8U * i & 0xFFU;
+                sum[i] += channel;
+                squares[i] += channel * channel;
+            }
+        }
+    }
+    double variance = 0.0;
+    for (unsigned i = 0; i < 3; ++i)
+        variance += squares[i] / count - sum[i] / count * sum[i] / count;
+    return {sum[0] / count, sum[1] / count, sum[2] / count, std::sqrt(variance)};
+}
+
+TEST(Looks, StayAsTheyWereSeenToBeRight) {
+    Scene scene =
+        scene_of_texts({"x^4 + y^4 + z^4 - (x^2 + y^2 + z^2) = -0.4", "z = -0.95"}, Box::cube(1.3));
+    const Camera camera = default_camera(scene.clip);
+    const std::vector<std::pair<Look, std::array<Tint, 2>>> known{
+        {Look::Standard, {{{86.6, 131.5, 186.0, 62.0}, {51.7, 111.7, 126.4, 49.9}}}},
+        {Look::Matte, {{{68.9, 123.7, 186.7, 53.5}, {42.8, 112.3, 128.4, 55.1}}}},
+        {Look::Porcelain, {{{141.6, 162.7, 194.4, 68.5}, {112.7, 137.8, 147.3, 51.2}}}},
+        {Look::Metal, {{{113.8, 129.6, 154.1, 93.2}, {89.1, 111.9, 122.4, 74.4}}}},
+        {Look::Glass, {{{106.1, 109.9, 121.2, 42.2}, {86.2, 97.4, 99.7, 34.0}}}},
+        {Look::Clay, {{{141.3, 143.5, 160.5, 58.9}, {114.0, 119.9, 121.7, 54.1}}}},
+        {Look::Technical, {{{154.1, 159.6, 167.5, 127.4}, {126.9, 133.2, 136.4, 105.2}}}},
+    };
+    ASSERT_EQ(known.size(), looks().size());
+    for (const auto& [look, tints] : known) {
+        scene.lighting.look = look;
+        TraceSettings settings;
+        settings.shadows = true;
+        settings.reflections = look == Look::Matte || look == Look::Clay ? 0 : 2;
+        const Framebuffer frame = picture_of(scene, camera, settings);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Tint tint = tint_of(frame, i == 0 ? 0 : 3);
+            EXPECT_NEAR(tint.red, tints[i].red, 1.0) << name_of(look);
+            EXPECT_NEAR(tint.green, tints[i].green, 1.0) << name_of(look);
+            EXPECT_NEAR(tint.blue, tints[i].blue, 1.0) << name_of(look);
+            EXPECT_NEAR(tint.spread, tints[i].spread, 1.5) << name_of(look);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace zeroset::test

@@ -55,6 +55,19 @@ TEST(Antialias, ChangesColoursAtEdgesOnly) {
     EXPECT_GT(mixed, 50U);
 }
 
+/// Pixels that differ by more than 16 of 255 in a channel.
+std::size_t far_pixels(const Framebuffer& a, const Framebuffer& b) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; at < a.color.size(); ++at) {
+        int change = 0;
+        for (unsigned shift = 0; shift < 24; shift += 8)
+            change = std::max(change, std::abs(static_cast<int>(a.color[at] >> shift & 255U) -
+                                               static_cast<int>(b.color[at] >> shift & 255U)));
+        count += change > 16 ? 1U : 0U;
+    }
+    return count;
+}
+
 TEST(Antialias, IsNearToManyRaysAtEdgesOfSurfacesAndShadows) {
     const auto picture = [](Antialias antialias) {
         const Scene scene = scene_of("min(z + 0.8, x^2 + y^2 + z^2 - 0.4)", Box::cube(1.2));
@@ -66,20 +79,45 @@ TEST(Antialias, IsNearToManyRaysAtEdgesOfSurfacesAndShadows) {
         return frame;
     };
     const Framebuffer many = picture(Antialias::Rays64);
-    const auto far_pixels = [&](const Framebuffer& frame) {
-        std::size_t count = 0;
-        for (std::size_t at = 0; at < frame.color.size(); ++at) {
-            int change = 0;
-            for (unsigned shift = 0; shift < 24; shift += 8)
-                change =
-                    std::max(change, std::abs(static_cast<int>(many.color[at] >> shift & 255U) -
-                                              static_cast<int>(frame.color[at] >> shift & 255U)));
-            count += change > 16 ? 1U : 0U;
-        }
-        return count;
+    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 6U);
+    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
+}
+
+TEST(Antialias, IsNearToManyRaysWhereSurfacesMeetAndHideEachOther) {
+    const auto picture = [](Antialias antialias) {
+        Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
+        for (const char* const text : {"(x - 0.7)^2 + y^2 + (z - 0.3)^2 = 0.8", "z = 0.2 x - 0.2"})
+            scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
+        Framebuffer frame(181, 131);
+        TraceSettings settings;
+        settings.antialias = antialias;
+        render_frame(scene, default_camera(scene.clip), settings, frame);
+        return frame;
     };
-    EXPECT_LE(far_pixels(picture(Antialias::Beams)), 6U);
-    EXPECT_GT(far_pixels(picture(Antialias::None)), 200U);
+    const Framebuffer many = picture(Antialias::Rays64);
+    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 2U);
+    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
+}
+
+TEST(Antialias, IsNearToManyRaysInMirrorsAndBehindTranslucentSurfaces) {
+    const auto picture = [](Antialias antialias) {
+        Scene scene = scene_of("z = -0.7", Box::cube(1.5));
+        scene.surfaces.push_back(scene_of("x^2 + y^2 + z^2 = 0.4", scene.clip).surfaces.front());
+        scene.surfaces.push_back(
+            scene_of("(x + 0.2)^2 + (y + 1)^2 + z^2 = 0.16", scene.clip).surfaces.front());
+        scene.lighting.look = Look::Porcelain;
+        scene.lighting.opacity = {1.0, 1.0, 0.3};
+        Framebuffer frame(181, 131);
+        TraceSettings settings;
+        settings.reflections = 2;
+        settings.soft_light = false;
+        settings.antialias = antialias;
+        render_frame(scene, default_camera(scene.clip), settings, frame);
+        return frame;
+    };
+    const Framebuffer many = picture(Antialias::Rays64);
+    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 20U);
+    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
 }
 
 TEST(Antialias, ShowsWhatLiesBetweenThePixels) {
