@@ -65,6 +65,15 @@ WRONG_OPTIONS = [
     (["--threads", "1.5"], ["--threads", "1.5"]),
     (["--repeat", "0"], ["--repeat"]),
     (["--repeat", "999999999999"], ["--repeat"]),
+    (["--look", "gold"], ["--look", "gold", "metal"]),
+    (["--reflections", "6"], ["--reflections"]),
+    (["--opacity", "2"], ["--opacity", "2"]),
+    (["--opacity", "3:0.5"], ["--opacity", "3"]),
+    (["--absorption", "-1"], ["--absorption"]),
+    (["--light", "1,2"], ["--light", "1,2", "X,Y,Z"]),
+    (["--tone", "loud"], ["--tone", "filmic"]),
+    (["--background", "white"], ["--background", "#RRGGBB"]),
+    (["--contours", "height;step 0"], ["--contours", "step"]),
     (["surplus"], ["surplus"]),
     (["-o", "second.png"], ["output"]),
 ]
@@ -158,6 +167,12 @@ class WrongInputTest(ProgramTest):
                                            ["--color-by: ", *words])
                 self.assertEqual(lines[1].strip(), expression)
                 self.assertEqual(lines[2].index("^") - lines[1].index(expression), column)
+
+    def test_an_expression_of_contours_has_its_own_errors(self):
+        command = ["render", "x", "-o", "picture.png", "--contours", "x +"]
+        lines = self.check_refused(run(*command, cwd=self.folder), WRONG,
+                                   ["--contours: ", "height or xyz"])
+        self.assertEqual(lines[2].index("^") - lines[1].index("x +"), 3)
 
     def test_commands(self):
         for command, words in WRONG_COMMANDS:

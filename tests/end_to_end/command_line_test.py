@@ -151,6 +151,24 @@ class RenderTest(ProgramTest):
         for one, other in zip(depths[0], depths[3]):
             self.assertTrue(one == other or abs(one - other) < 2e-6 * one, (one, other))
 
+    def test_looks_lights_and_lines_change_the_colours_only(self):
+        depths, pictures = [], set()
+        for options in ([], ["--look", "matte"], ["--look", "porcelain"], ["--look", "metal"],
+                        ["--look", "glass"], ["--look", "clay"], ["--look", "technical"],
+                        ["--reflections", 2], ["--opacity", 0.5], ["--tone", "filmic"],
+                        ["--light", "1,2,3; power 1"], ["--contours", "height"],
+                        ["--contours", "x y; step 0.5"], ["--background", "#FFFFFF"]):
+            depths.append(self.depth("@tangle", "--size", "80x60", "-o", "out.png",
+                                     *options).values)
+            pictures.add((self.folder / "out.png").read_bytes())
+        self.assertEqual(len(pictures), len(depths))
+        self.assertEqual([depths[0]] * len(depths), depths)
+
+    def test_a_background_may_be_transparent(self):
+        for options, colour_type in (([], 2), (["--alpha"], 6)):
+            self.depth("@sphere", "--size", "80x60", "-o", "out.png", "--aa", "iaa", *options)
+            self.assertEqual((self.folder / "out.png").read_bytes()[25], colour_type)
+
     def test_a_document_keeps_its_look(self):
         file = self.folder / "look.zeroset.json"
 

@@ -11,8 +11,9 @@ namespace zeroset {
 
 /// Options for looks and lights, as typed; empty where an option was not given.
 struct LightText {
-    std::optional<std::string> look, reflections, absorption, tone, background;
-    std::vector<std::string> lights;
+    std::optional<std::string> look = {}, reflections = {}, absorption = {}, tone = {};
+    std::optional<std::string> background = {};
+    std::vector<std::string> lights = {};
 };
 
 /// Applies the options to `light`. Returns an error if one is wrong.
