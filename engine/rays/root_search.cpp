@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace zeroset {
 namespace {
@@ -101,15 +102,21 @@ public:
     RootFinding run() {
         RootFinding finding;
         const double from = ray_.from - own_error_;
-        if (from < ray_.to) divide(from, ray_.to);
+        if (from < ray_.to) divide(from, ray_.to, std::numeric_limits<Real>::infinity());
         finding.bracket = found_;
         finding.unsettled = at_.unsettled || (at_.approach && !found_);
         return finding;
     }
 
 private:
-    /// Searches a stretch, by `parts` cells; whether the search is over.
-    bool divide(double from, double to);
+    template <class Other>
+    friend class Search;  // float goes on in double
+
+    /// Searches a stretch, by `parts` cells; whether the search is over. `whole`: the spread of a
+    /// cell that is the stretch.
+    bool divide(double from, double to, Real whole);
+    /// The same in double, where it is rounding that keeps cells in float from being decided.
+    bool divide_in_double(double from, double to);
     void evaluate(double from, double to);
     [[nodiscard]] Cell<Real> cell(std::size_t i) const {
         return {.c = cells_.c[i],
@@ -275,8 +282,26 @@ bool Search<Real>::take_undecided(const Cell<Real>& f, double from, double to) {
     return true;
 }
 
+/// Whether smaller cells tell no more: spreads fall with the square of the length, or nearly so,
+/// until rounding makes all of them.
 template <class Real>
-bool Search<Real>::divide(double from, double to) {
+bool is_noise(const Cell<Real>& f, Real whole) {
+    return f.continuous && f.spread > Real(0.5) * whole && std::isfinite(f.spread);
+}
+
+template <class Real>
+bool Search<Real>::divide_in_double(double from, double to) {
+    Search<double> finer(surface_, ray_, false, wish_, counters_);
+    finer.own_error_ = own_error_;
+    finer.at_ = at_;
+    const bool over = finer.divide(from, to, std::numeric_limits<double>::infinity());
+    at_ = finer.at_;
+    found_ = finer.found_;
+    return over;
+}
+
+template <class Real>
+bool Search<Real>::divide(double from, double to, Real whole) {
     if (surface_.stopped()) return true;
     evaluate(from, to);
     std::array<Cell<Real>, parts> cells;
@@ -289,7 +314,12 @@ bool Search<Real>::divide(double from, double to) {
         const double least = at_.left ? finest_ : std::max(finest_, 8.0 * own_error_);
         const Verdict verdict = judge(cells[i], at_, wish_);
         const bool divides = verdict.answer == Answer::Open && width > least;
-        if (divides ? divide(near, far) : take(cells[i], verdict, near, far)) return true;
+        if (divides && std::is_same_v<Real, float> && is_noise(cells[i], whole)) {
+            if (divide_in_double(near, far)) return true;
+        } else if (divides ? divide(near, far, cells[i].spread)
+                           : take(cells[i], verdict, near, far)) {
+            return true;
+        }
     }
     return false;
 }
