@@ -156,9 +156,9 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
     std::uint32_t color = color_of_light(light.color);
     if (draw_color("##color", color, "The light's colour")) light.color = light_of_color(color);
     ImGui::SameLine(0.0F, em(0.6F));
-    if (ImGui::Checkbox("With camera###with", &light.with_camera))
+    if (ImGui::Checkbox("Camera###with", &light.with_camera))
         light.towards = from_view(seen, light.with_camera, camera);
-    draw_tooltip("The light goes with the camera; else it stays in the world.");
+    draw_tooltip("The light turns with the camera; else it stays where it is in the world.");
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);

@@ -1,5 +1,6 @@
 #include "ui/widgets/light_ball.hpp"
 
+#include <glm/gtc/constants.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -14,21 +15,43 @@ std::uint32_t gray(double light) {
     return 0xFF000000U | level << 16U | level << 8U | level;
 }
 
-/// The lit ball, in squares of a few pixels.
+/// The lit ball, as a mesh of rings and sectors that is coloured at its corners.
 void draw_ball(ImDrawList& canvas, const ImVec2& centre, float radius, const glm::dvec3& light) {
-    constexpr int steps = 36;
-    const float step = 2.0F * radius / steps;
-    for (int row = 0; row < steps; ++row) {
-        for (int col = 0; col < steps; ++col) {
-            const double x = (col + 0.5) * 2.0 / steps - 1.0;
-            const double y = 1.0 - (row + 0.5) * 2.0 / steps;
-            const double square = x * x + y * y;
-            if (square > 1.0) continue;
-            const glm::dvec3 normal(x, y, std::sqrt(1.0 - square));
-            const ImVec2 lo(centre.x - radius + static_cast<float>(col) * step,
-                            centre.y - radius + static_cast<float>(row) * step);
-            canvas.AddRectFilled(lo, ImVec2(lo.x + step + 0.5F, lo.y + step + 0.5F),
-                                 gray(0.08 + 0.75 * std::max(glm::dot(normal, light), 0.0)));
+    constexpr int rings = 10;
+    constexpr int sectors = 32;
+    constexpr int triangles = sectors * (2 * rings - 1);
+    const ImVec2 uv = ImGui::GetFontTexUvWhitePixel();
+    canvas.PrimReserve(3 * triangles, 1 + rings * sectors);
+    const auto first = canvas._VtxCurrentIdx;
+    const auto write = [&](double x, double y) {
+        const glm::dvec3 normal(x, y, std::sqrt(std::max(1.0 - x * x - y * y, 0.0)));
+        canvas.PrimWriteVtx(ImVec2(centre.x + radius * static_cast<float>(x),
+                                   centre.y - radius * static_cast<float>(y)),
+                            uv, gray(0.08 + 0.75 * std::max(glm::dot(normal, light), 0.0)));
+    };
+    write(0.0, 0.0);
+    for (int ring = 1; ring <= rings; ++ring) {
+        for (int sector = 0; sector < sectors; ++sector) {
+            const double angle = 2.0 * glm::pi<double>() * sector / sectors;
+            const double out = static_cast<double>(ring) / rings;
+            write(out * std::cos(angle), out * std::sin(angle));
+        }
+    }
+    // Corner 0 is the middle, then come those of each ring.
+    const auto corner = [&](int ring, int sector) {
+        const int at = ring == 0 ? 0 : 1 + (ring - 1) * sectors + sector % sectors;
+        return static_cast<ImDrawIdx>(first + static_cast<unsigned>(at));
+    };
+    const auto triangle = [&](ImDrawIdx a, ImDrawIdx b, ImDrawIdx c) {
+        for (const ImDrawIdx at : {a, b, c})
+            canvas.PrimWriteIdx(at);
+    };
+    for (int ring = 1; ring <= rings; ++ring) {
+        for (int sector = 0; sector < sectors; ++sector) {
+            triangle(corner(ring - 1, sector), corner(ring, sector), corner(ring, sector + 1));
+            if (ring > 1)
+                triangle(corner(ring - 1, sector), corner(ring, sector + 1),
+                         corner(ring - 1, sector + 1));
         }
     }
 }
@@ -71,8 +94,6 @@ bool draw_light_ball(const char* id, glm::dvec3& towards, float size, const Pale
     const glm::dvec3 light = glm::normalize(towards);
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     draw_ball(canvas, centre, radius, light);
-    // The rim over the squares' corners.
-    canvas.AddCircle(centre, radius + em(0.1F), colors.bar, 48, em(0.3F));
     canvas.AddCircle(centre, radius - em(0.08F),
                      ImGui::IsItemHovered() ? colors.accent : colors.border, 48, em(0.1F));
     const ImVec2 at(centre.x + radius * static_cast<float>(light.x),
