@@ -1,7 +1,10 @@
 #include "document/colors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace zeroset {
@@ -44,6 +47,21 @@ const std::vector<std::uint32_t>& palette_fronts() {
         return colors;
     }();
     return fronts;
+}
+
+std::string color_text(std::uint32_t color) {
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
+    return text.data();
+}
+
+std::optional<std::uint32_t> color_from(std::string_view text) {
+    std::uint32_t color = 0;
+    if (text.size() != 7 || text.front() != '#') return std::nullopt;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + 1, end, color, 16);
+    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
+    return color;
 }
 
 SurfaceColors surface_colors(std::uint32_t front) {

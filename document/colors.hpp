@@ -5,12 +5,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
 
 /// The colours as which the fronts of the palette show, 0xRRGGBB.
 const std::vector<std::uint32_t>& palette_fronts();
+
+/// A colour 0xRRGGBB as "#RRGGBB", and read from that.
+std::string color_text(std::uint32_t color);
+std::optional<std::uint32_t> color_from(std::string_view text);
 
 /// Colours of the two sides of a surface whose front shows as `front` (0xRRGGBB): the palette's
 /// pair, or for other fronts the palette's back that differs most.

@@ -29,7 +29,7 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
 
 /// Returns the error that color_formulas would give, if any.
 std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice);
-/// The same of the expression of its contour lines.
+/// Returns the error in the expression of the contour lines, if any.
 std::optional<InputError> check_contours(const RowProgram& rows, const LineChoice& lines);
 
 /// Colours a scene by the choice. `shown`: indices of the program's surfaces in the scene. Heights

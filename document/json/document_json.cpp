@@ -1,5 +1,6 @@
 #include "document/json/document_json.hpp"
 
+#include "document/colors.hpp"
 #include "document/json/json_fields.hpp"
 #include "document/json/light_json.hpp"
 #include "document/json/look_json.hpp"
@@ -22,7 +23,7 @@ namespace {
 Json json_of(const Statement& statement) {
     Json json{{"text", statement.text}};
     if (!statement.visible) json["visible"] = false;
-    if (statement.color) json["color"] = hexadecimal(*statement.color);
+    if (statement.color) json["color"] = color_text(*statement.color);
     if (statement.solid != SolidSide::Automatic)
         json["solid"] = statement.solid == SolidSide::Below ? "f<0" : "f>0";
     if (statement.opacity) json["opacity"] = *statement.opacity;

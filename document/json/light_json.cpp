@@ -1,11 +1,9 @@
 #include "document/json/light_json.hpp"
 
+#include "document/colors.hpp"
 #include "engine/image/gamma.hpp"
 
-#include <array>
-#include <charconv>
 #include <cstdint>
-#include <cstdio>
 
 namespace zeroset {
 namespace {
@@ -13,7 +11,7 @@ namespace {
 Json json_of(const Light& light) {
     return {{"towards", array_of(light.towards)},
             {"with", light.with_camera ? "camera" : "world"},
-            {"color", hexadecimal(color_of_light(light.color))},
+            {"color", color_text(color_of_light(light.color))},
             {"power", light.power},
             {"radius_deg", light.radius_deg}};
 }
@@ -65,22 +63,10 @@ std::vector<Light> lights_of(const Json& json, std::vector<std::string>& unknown
 
 }  // namespace
 
-std::string hexadecimal(std::uint32_t color) {
-    std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%06X", color & 0xFFFFFFU);
-    return text.data();
-}
-
 std::uint32_t color_of(const Json& json, const std::string& place) {
-    const std::string text = string_of(json, place);
-    std::uint32_t color = 0;
-    const char* const end = text.data() + text.size();
-    const bool hash = text.size() == 7 && text.front() == '#';
-    const auto read = std::from_chars(text.data() + (hash ? 1 : 0), end, color, 16);
-    if (!hash || read.ec != std::errc() || read.ptr != end) {
-        throw Damage{place + " is no colour such as #3399FF"};
-    }
-    return color;
+    const auto color = color_from(string_of(json, place));
+    if (!color) throw Damage{place + " is no colour such as #3399FF"};
+    return *color;
 }
 
 Json json_of(const LightChoice& light) {
@@ -89,8 +75,8 @@ Json json_of(const LightChoice& light) {
               {"absorption", light.absorption},
               {"tone", name_of(light.tone)}};
     if (light.background)
-        json["background"] = {hexadecimal(light.background->top),
-                              hexadecimal(light.background->bottom)};
+        json["background"] = {color_text(light.background->top),
+                              color_text(light.background->bottom)};
     if (light.lights.empty()) return json;
     json["lights"] = Json::array();
     for (const Light& item : light.lights)

@@ -11,8 +11,6 @@
 
 namespace zeroset {
 
-/// 0xRRGGBB as "#RRGGBB".
-std::string hexadecimal(std::uint32_t color);
 std::uint32_t color_of(const Json& json, const std::string& place);
 
 Json json_of(const LightChoice& light);

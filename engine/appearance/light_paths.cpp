@@ -69,7 +69,7 @@ private:
     void add_straight(const PathHit& hit, const glm::vec3& weight);
     /// Follows the rays away, or to what they hit: `hits`.
     void follow(std::vector<PathHit>& hits);
-    /// What solids leave of the light on a way of this length.
+    /// The part of the light that solids leave on a way of this length.
     [[nodiscard]] glm::vec3 left_by_solids(std::uint64_t inside, double length) const;
     void write(std::span<LitLayer> layers) const;
     [[nodiscard]] glm::vec3 background(std::size_t pixel) const;
@@ -141,8 +141,7 @@ SoftHit PathLight::soft_hit(const PathHit& hit) const {
 void PathLight::ask_shadows(std::span<const PathHit> hits, std::size_t light,
                             std::span<LitParts> parts) {
     const SeenLight& of = shader_.lights()[light];
-    // What is seen in mirrors or through other surfaces has sharp shadows. All hits are first ones
-    // or none is.
+    // Only hits that the eye sees itself have soft shadows. All hits are first ones or none is.
     const bool is_soft = of.radius_rad > 0.0 && light_.settings().soft_light && hits[0].is_first;
     std::vector<std::size_t> places;
     std::vector<SoftHit> asked;
@@ -208,12 +207,9 @@ std::vector<float> PathLight::openness(std::span<const PathHit> hits) {
 }
 
 void PathLight::add_mirrored(const PathHit& hit, const glm::vec3& weight) {
-    const glm::dvec3 along = hit.path.ray.direction;
-    const glm::dvec3 normal = hit.normal();
     if (greatest(weight) < least_weight) return;
     PathRay next = hit.path;
-    const SoftHit start = soft_hit(hit);
-    next.ray = leaving(start, along - 2.0 * glm::dot(along, normal) * normal);
+    next.ray = leaving(soft_hit(hit), hit.mirrored());
     next.weight = weight;
     next.before = hit.distance();
     ++next.mirrors;
@@ -262,12 +258,9 @@ void PathLight::shade(std::span<const PathHit> hits) {
         if (hit.path.mirrors < light_.settings().reflections) {
             add_mirrored(hit, hit.path.weight * light.mirror);
         } else {
-            const glm::vec3 along(hit.path.ray.direction);
-            const glm::vec3 normal(hit.normal());
-            const glm::vec3 reflected = along - 2.0F * glm::dot(along, normal) * normal;
-            sums_[hit.path.pixel] +=
-                hit.path.weight * light.mirror *
-                shader_.surroundings().seen(reflected, shader_.material().roughness);
+            sums_[hit.path.pixel] += hit.path.weight * light.mirror *
+                                     shader_.surroundings().seen(glm::vec3(hit.mirrored()),
+                                                                 shader_.material().roughness);
         }
     }
 }
@@ -276,8 +269,7 @@ glm::vec3 PathLight::left_by_solids(std::uint64_t inside, double length) const {
     glm::vec3 left(1.0F);
     for (std::size_t i = 0; inside != 0; ++i, inside >>= 1U) {
         if ((inside & 1U) == 0) continue;
-        const SurfaceColors& colors =
-            i < scene_.colors.size() ? scene_.colors[i] : zeroset::colors_of(i);
+        const SurfaceColors& colors = scene_.colors_of_surface(i);
         const glm::vec3 color(colors.front[0], colors.front[1], colors.front[2]);
         const auto depth = static_cast<float>(scene_.lighting.absorption * length);
         left *= glm::exp(-depth * (1.0F - color));
@@ -304,8 +296,10 @@ void PathLight::follow(std::vector<PathHit>& hits) {
     hits.clear();
     for (std::size_t i = 0; i < rays_.size(); ++i) {
         PathRay& path = rays_[i];
-        const double length = found[i].is_hit() ? found[i].t : clipped(path.ray, scene_).to;
-        if (path.inside != 0 && length > 0.0) path.weight *= left_by_solids(path.inside, length);
+        if (path.inside != 0) {
+            const double length = found[i].is_hit() ? found[i].t : clipped(path.ray, scene_).to;
+            if (length > 0.0) path.weight *= left_by_solids(path.inside, length);
+        }
         if (found[i].is_hit()) {
             hits.push_back({.path = path, .hit = found[i]});
         } else if (path.is_mirrored()) {

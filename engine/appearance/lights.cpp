@@ -8,9 +8,7 @@ namespace zeroset {
 namespace {
 
 SeenLight seen(const Light& light, const ViewFrame& view) {
-    const glm::dvec3& to = light.towards;
-    const glm::dvec3 towards =
-        light.with_camera ? to.x * view.right + to.y * view.up - to.z * view.forward : to;
+    const glm::dvec3 towards = light.with_camera ? view.from_view(light.towards) : light.towards;
     return {.towards = glm::normalize(towards),
             .color = static_cast<float>(light.power) *
                      glm::vec3(light.color[0], light.color[1], light.color[2]),
@@ -26,12 +24,11 @@ std::vector<SeenLight> lights_of(const Lighting& lighting, const ViewFrame& view
     for (const Light& light : lighting.lights)
         lights.push_back(seen(light, view));
     if (!lights.empty()) return lights;
-    const glm::dvec3 fill = 0.8 * view.right - 0.1 * view.up - 0.45 * view.forward;
     lights.push_back({.towards = key_light(view),
                       .color = glm::vec3(0.85F),
                       .radius_rad = 0.0,
                       .casts_shadows = true});
-    lights.push_back({.towards = glm::normalize(fill),
+    lights.push_back({.towards = fill_light(view),
                       .color = glm::vec3(0.26F),
                       .radius_rad = 0.0,
                       .casts_shadows = false});

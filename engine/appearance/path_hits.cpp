@@ -1,7 +1,7 @@
 #include "engine/appearance/path_hits.hpp"
 
 #include "engine/kernel/point_batch.hpp"
-#include "engine/view/pixel_ray.hpp"
+#include "engine/trace/hit_rays.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,26 +78,19 @@ glm::dvec3 PathHit::normal() const {
 
 void add_first_hits(const TraceFrame& surface, std::uint8_t number, const Tile& tile,
                     const TileHits& hits, std::vector<PathHit>& out) {
-    for (int row = 0; row < tile.rows; ++row) {
-        for (int col = 0; col < tile.cols; ++col) {
-            const auto pixel = static_cast<std::size_t>(row * tile_size + col);
-            const auto distance = static_cast<double>(hits.depth[pixel]);
-            if (!std::isfinite(distance)) continue;
-            const PixelRay ray = pixel_ray(surface.view, tile.place(col, row), surface.image);
-            const glm::dvec3 gradient(hits.gradient[0][pixel], hits.gradient[1][pixel],
-                                      hits.gradient[2][pixel]);
-            out.push_back({.path = {.ray = {.origin = ray.origin, .direction = ray.direction},
-                                    .pixel = pixel,
-                                    .weight = glm::vec3(1.0F)},
-                           .hit = {.t = distance,
-                                   .surface = number,
-                                   .certificate = hits.certificate[pixel],
-                                   .error = depth_error(surface, distance),
-                                   .gradient = gradient},
-                           .is_cap = hits.any_cap && hits.cap[pixel] != 0,
-                           .is_first = true});
-        }
-    }
+    const auto add = [&](std::size_t pixel, const PixelRay& ray, double distance) {
+        out.push_back({.path = {.ray = {.origin = ray.origin, .direction = ray.direction},
+                                .pixel = pixel,
+                                .weight = glm::vec3(1.0F)},
+                       .hit = {.t = distance,
+                               .surface = number,
+                               .certificate = hits.certificate[pixel],
+                               .error = depth_error(surface, distance),
+                               .gradient = hits.gradient_at(pixel)},
+                       .is_cap = hits.any_cap && hits.cap[pixel] != 0,
+                       .is_first = true});
+    };
+    for_each_hit(surface, tile, hits, add);
 }
 
 void sharpen(const TraceFrame& surface, std::span<PathHit> hits, Counters& counters) {

@@ -39,6 +39,10 @@ struct PathHit {
     /// The gradient's direction, on the side that the ray came from; towards there where there is
     /// no gradient.
     [[nodiscard]] glm::dvec3 normal() const;
+    /// The direction in which a mirror there sends the ray on.
+    [[nodiscard]] glm::dvec3 mirrored() const {
+        return glm::reflect(glm::dvec3(path.ray.direction), normal());
+    }
 };
 
 /// Adds the hits of a surface in a tile to `out`.

@@ -22,7 +22,7 @@ struct LitHit {
     float open;                         ///< how much of what is around does
 };
 
-/// What a hit sends to the eye, in linear light.
+/// The light, linear, that a hit sends to the eye.
 struct HitLight {
     glm::vec3 body;   ///< out of the body, if it is opaque
     glm::vec3 gloss;  ///< mirrored by its surface from lights, and all around if that is not traced

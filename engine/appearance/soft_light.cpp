@@ -38,19 +38,20 @@ std::array<glm::dvec3, 2> across(const glm::dvec3& axis) {
     return {a, glm::cross(axis, a)};
 }
 
-/// The part of its rays that is free, of each hit. `direction(hit, place)`: that of a place of the
-/// disc; rays that would go into the surface are not free.
-template <class Direction>
+/// The part of its rays that is free, of each hit. `directions_of(hit)`: a function from places of
+/// the disc to directions; rays that would go into the surface are not free.
+template <class Directions>
 std::vector<float> free_part(std::span<const TraceFrame> surfaces, std::span<const SoftHit> hits,
-                             double reach, const Direction& direction, Counters& counters) {
+                             double reach, const Directions& directions_of, Counters& counters) {
     std::vector<float> parts;
     parts.reserve(hits.size());
     std::vector<SceneRay> rays;
     std::array<std::uint8_t, rays_a_hit> blocked{};
     for (const SoftHit& hit : hits) {
         rays.clear();
+        const auto direction = directions_of(hit);
         for (std::size_t k = 0; k < rays_a_hit; ++k) {
-            const glm::dvec3 towards = direction(hit, disc_place(k, hit.seed));
+            const glm::dvec3 towards = direction(disc_place(k, hit.seed));
             if (!(glm::dot(towards, hit.normal) > 1e-3)) continue;
             rays.push_back(leaving(hit, towards));
             rays.back().to = reach;
@@ -78,22 +79,25 @@ std::vector<float> broad_light(std::span<const TraceFrame> surfaces, std::span<c
     const std::array<glm::dvec3, 2> aside = across(towards);
     // Even over the cap of the sphere that the light covers.
     const double depth = 1.0 - std::cos(radius_rad);
-    const auto direction = [&](const SoftHit& /*hit*/, const glm::dvec2& place) {
+    const auto direction = [&](const glm::dvec2& place) {
         const double down = depth * glm::dot(place, place);
         const double out = std::sqrt(depth * (2.0 - down));
         return (1.0 - down) * towards + out * (place.x * aside[0] + place.y * aside[1]);
     };
-    return free_part(surfaces, hits, std::numeric_limits<double>::infinity(), direction, counters);
+    return free_part(
+        surfaces, hits, std::numeric_limits<double>::infinity(),
+        [&](const SoftHit& /*hit*/) { return direction; }, counters);
 }
 
 std::vector<float> open_sky(std::span<const TraceFrame> surfaces, std::span<const SoftHit> hits,
                             double reach, Counters& counters) {
-    const auto direction = [](const SoftHit& hit, const glm::dvec2& place) {
-        const std::array<glm::dvec3, 2> aside = across(hit.normal);
-        const double up = std::sqrt(std::max(1.0 - glm::dot(place, place), 0.0));
-        return up * hit.normal + place.x * aside[0] + place.y * aside[1];
+    const auto directions_of = [](const SoftHit& hit) {
+        return [normal = hit.normal, aside = across(hit.normal)](const glm::dvec2& place) {
+            const double up = std::sqrt(std::max(1.0 - glm::dot(place, place), 0.0));
+            return up * normal + place.x * aside[0] + place.y * aside[1];
+        };
     };
-    return free_part(surfaces, hits, reach, direction, counters);
+    return free_part(surfaces, hits, reach, directions_of, counters);
 }
 
 }  // namespace zeroset

@@ -4,7 +4,7 @@
 
 namespace zeroset {
 
-/// What is behind the surfaces: an even change from top to bottom, in colours 0xRRGGBB.
+/// The colours behind the surfaces: an even change from top to bottom, 0xRRGGBB.
 struct Background {
     std::uint32_t top = 0x2C323A;
     std::uint32_t bottom = 0x121418;

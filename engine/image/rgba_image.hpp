@@ -16,7 +16,7 @@ struct RgbaImage {
     bool operator==(const RgbaImage&) const = default;
 };
 
-/// What of `frame` is not its background. `painted`: the frame with what was drawn over it, which
+/// Takes its background out of `frame`. `painted`: the frame with what was drawn over it, which
 /// is not transparent.
 RgbaImage without_background(const Framebuffer& frame, const Framebuffer& painted);
 

@@ -1,7 +1,7 @@
 #include "engine/light/draw_lines.hpp"
 
 #include "engine/kernel/point_batch.hpp"
-#include "engine/view/pixel_ray.hpp"
+#include "engine/trace/hit_rays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -29,7 +28,11 @@ struct Place {
     glm::dvec3 along;        ///< of the ray, of length 1
     glm::dvec3 right, down;  ///< on the tangent plane, a pixel to the right and downwards
     double facing;           ///< the cosine between normal and ray, at least 0
-    double pixel_size;       ///< world units
+
+    /// How fast a number of this gradient changes on the plane from pixel to pixel.
+    [[nodiscard]] double rate_of(const glm::dvec3& gradient) const {
+        return std::hypot(glm::dot(gradient, right), glm::dot(gradient, down));
+    }
 };
 
 /// The part of a pixel that a line of this width covers, at a distance in pixels.
@@ -52,6 +55,7 @@ public:
         cover_.resize(places_.size());
     }
 
+    [[nodiscard]] bool has_places() const { return !places_.empty(); }
     void draw_contours();
     void draw_intersections();
     void draw_outlines();
@@ -64,11 +68,22 @@ private:
     [[nodiscard]] double width_at(const Place& place) const {
         return line_width_ * std::min(1.0, 3.0 * place.facing);
     }
+    /// A number at a place, and how fast it changes from pixel to pixel.
+    struct Change {
+        double here, rate;
+    };
+    [[nodiscard]] std::vector<Change> changes_of(const PointNumber& number);
+    /// Calls a function at each place, and at parts of pixels to the right and below on its plane:
+    /// three points each, one after the other. `part_of(place)`: of a pixel.
+    template <class PartOf>
+    PointBatch<double> values_beside(std::span<const Place> places, const PartOf& part_of,
+                                     const PointFunction& function, PointBatch<double>::Asks asks);
     void draw_contours_of(const PointNumber& number);
     void draw_edge(const glm::dvec3& normal, double offset);
     void draw_silhouettes();
     void draw_creases();
-    [[nodiscard]] std::optional<glm::dvec3> normal_at(int col, int row) const;
+    /// The direction of the gradient of a pixel's hit, if there is one.
+    [[nodiscard]] std::optional<glm::dvec3> normal_of(std::size_t pixel) const;
 
     std::span<const TraceFrame> surfaces_;
     const TraceFrame& frame_;
@@ -81,74 +96,86 @@ private:
     std::vector<double> cover_;  ///< of each place
 };
 
-void LinePainter::list_places() {
-    const TileHits& hits = *layer_.hits;
-    const ViewFrame& view = frame_.view;
-    for (int row = 0; row < tile_.rows; ++row) {
-        for (int col = 0; col < tile_.cols; ++col) {
-            const auto pixel = static_cast<std::size_t>(row * tile_size + col);
-            const auto distance = static_cast<double>(hits.depth[pixel]);
-            if (!std::isfinite(distance)) continue;
-            const glm::dvec3 gradient(hits.gradient[0][pixel], hits.gradient[1][pixel],
-                                      hits.gradient[2][pixel]);
-            const double size = glm::length(gradient);
-            if (!(size > 0.0) || !std::isfinite(size)) continue;
-            const PixelRay ray = pixel_ray(view, tile_.place(col, row), frame_.image);
-            const glm::dvec3 along = ray.direction;
-            const glm::dvec3 point = ray.at(distance);
-            const glm::dvec3 normal = gradient / size;
-            const double cosine = glm::dot(normal, along);
-            if (std::abs(cosine) < 1e-6) continue;
-            const double depth = glm::dot(point - view.eye, view.forward);
-            const double pixel_size = view.pixel_width(frame_.image.height, depth);
-            const auto on_plane = [&](const glm::dvec3& step) {
-                return pixel_size * (step - along * (glm::dot(normal, step) / cosine));
-            };
-            places_.push_back({.pixel = pixel,
-                               .point = point,
-                               .normal = cosine > 0.0 ? -normal : normal,
-                               .along = along,
-                               .right = on_plane(view.right),
-                               .down = on_plane(-view.up),
-                               .facing = std::abs(cosine),
-                               .pixel_size = pixel_size});
-        }
+std::optional<glm::dvec3> LinePainter::normal_of(std::size_t pixel) const {
+    const glm::dvec3 gradient = layer_.hits->gradient_at(pixel);
+    const double size = glm::length(gradient);
+    if (!(size > 0.0) || !std::isfinite(size)) return std::nullopt;
+    return gradient / size;
+}
+
+template <class PartOf>
+PointBatch<double> LinePainter::values_beside(std::span<const Place> places, const PartOf& part_of,
+                                              const PointFunction& function,
+                                              PointBatch<double>::Asks asks) {
+    PointBatch<double> batch(3 * places.size(), asks);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Place& place = places[i];
+        const double part = part_of(place);
+        const std::array points{place.point, place.point + part * place.right,
+                                place.point + part * place.down};
+        for (std::size_t k = 0; k < 3; ++k)
+            batch.set(3 * i + k, points[k].x, points[k].y, points[k].z);
     }
+    batch.pad();
+    counters_.value += 3 * places.size();
+    batch.evaluate(function, frame_.scene.uniforms.points<double>(),
+                   [this] { return frame_.stopped(); });
+    return batch;
+}
+
+void LinePainter::list_places() {
+    const ViewFrame& view = frame_.view;
+    const auto add_place = [&](std::size_t pixel, const PixelRay& ray, double distance) {
+        const auto normal = normal_of(pixel);
+        if (!normal) return;
+        const glm::dvec3 along = ray.direction;
+        const glm::dvec3 point = ray.at(distance);
+        const double cosine = glm::dot(*normal, along);
+        if (std::abs(cosine) < 1e-6) return;
+        const double depth = glm::dot(point - view.eye, view.forward);
+        const double pixel_size = view.pixel_width(frame_.image.height, depth);
+        const auto on_plane = [&](const glm::dvec3& step) {
+            return pixel_size * (step - along * (glm::dot(*normal, step) / cosine));
+        };
+        places_.push_back({.pixel = pixel,
+                           .point = point,
+                           .normal = cosine > 0.0 ? -*normal : *normal,
+                           .along = along,
+                           .right = on_plane(view.right),
+                           .down = on_plane(-view.up),
+                           .facing = std::abs(cosine)});
+    };
+    for_each_hit(frame_, tile_, *layer_.hits, add_place);
+}
+
+std::vector<LinePainter::Change> LinePainter::changes_of(const PointNumber& number) {
+    std::vector<Change> changes;
+    changes.reserve(places_.size());
+    if (!number.code) {
+        for (const Place& place : places_)
+            changes.push_back(
+                {.here = glm::dot(number.along, place.point), .rate = place.rate_of(number.along)});
+        return changes;
+    }
+    constexpr double part = 0.25;
+    const auto some = [](const Place& /*place*/) { return part; };
+    const PointBatch<double> batch =
+        values_beside(places_, some, number.code, PointBatch<double>::Asks::Value);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const double here = batch.f(3 * i);
+        changes.push_back(
+            {.here = here,
+             .rate = std::hypot(batch.f(3 * i + 1) - here, batch.f(3 * i + 2) - here) / part});
+    }
+    return changes;
 }
 
 void LinePainter::draw_contours_of(const PointNumber& number) {
-    const std::size_t count = places_.size();
-    std::vector<std::array<double, 3>> values(count);  // there, to the right, below
-    if (number.code) {
-        PointBatch<double> batch(3 * count, PointBatch<double>::Asks::Value);
-        for (std::size_t i = 0; i < count; ++i) {
-            const Place& place = places_[i];
-            const std::array points{place.point, place.point + 0.25 * place.right,
-                                    place.point + 0.25 * place.down};
-            for (std::size_t k = 0; k < 3; ++k)
-                batch.set(3 * i + k, points[k].x, points[k].y, points[k].z);
-        }
-        batch.pad();
-        counters_.value += 3 * count;
-        batch.evaluate(number.code, frame_.scene.uniforms.points<double>(),
-                       [this] { return frame_.stopped(); });
-        for (std::size_t i = 0; i < count; ++i) {
-            const double here = batch.f(3 * i);
-            values[i] = {here, 4.0 * (batch.f(3 * i + 1) - here),
-                         4.0 * (batch.f(3 * i + 2) - here)};
-        }
-    } else {
-        for (std::size_t i = 0; i < count; ++i) {
-            const Place& place = places_[i];
-            values[i] = {glm::dot(number.along, place.point), glm::dot(number.along, place.right),
-                         glm::dot(number.along, place.down)};
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto [here, right, down] = values[i];
-        const double rate = std::hypot(right, down);  // a pixel
-        const double spacing = lines_.step / rate;    // pixels
+    const std::vector<Change> changes = changes_of(number);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        const auto [here, rate] = changes[i];
         if (!std::isfinite(here) || !(rate < std::numeric_limits<double>::infinity())) continue;
+        const double spacing = lines_.step / rate;  // pixels
         const double steps = here / lines_.step;
         const double distance = std::abs(steps - std::round(steps)) * spacing;
         const double width = width_at(places_[i]);
@@ -165,7 +192,6 @@ void LinePainter::draw_contours() {
 
 void LinePainter::draw_intersections() {
     const std::size_t count = places_.size();
-    if (count == 0) return;
     PointBatch<double> batch(count);
     for (std::size_t i = 0; i < count; ++i)
         batch.set(i, places_[i].point.x, places_[i].point.y, places_[i].point.z);
@@ -179,9 +205,7 @@ void LinePainter::draw_intersections() {
             const Place& place = places_[i];
             const glm::dvec3 gradient(batch.gradient(0, i), batch.gradient(1, i),
                                       batch.gradient(2, i));
-            const double rate =
-                std::hypot(glm::dot(gradient, place.right), glm::dot(gradient, place.down));
-            const double distance = std::abs(batch.f(i)) / rate;
+            const double distance = std::abs(batch.f(i)) / place.rate_of(gradient);
             if (std::isfinite(distance)) add(i, cover_of(distance, 2.0 * width_at(place)));
         }
     }
@@ -192,75 +216,58 @@ void LinePainter::draw_edge(const glm::dvec3& normal, double offset) {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Place& place = places_[i];
         if (layer_.hits->any_cap && layer_.hits->cap[place.pixel] != 0) continue;
-        const double rate = std::hypot(glm::dot(normal, place.right), glm::dot(normal, place.down));
-        const double distance = (offset - glm::dot(normal, place.point)) / rate;
+        const double distance = (offset - glm::dot(normal, place.point)) / place.rate_of(normal);
         if (distance < line_width_ + 1.0)
             add(i, cover_of(std::abs(distance), 2.0 * width_at(place)));
     }
 }
 
-std::optional<glm::dvec3> LinePainter::normal_at(int col, int row) const {
-    if (col < 0 || row < 0 || col >= tile_.cols || row >= tile_.rows) return std::nullopt;
-    const auto pixel = static_cast<std::size_t>(row * tile_size + col);
-    const TileHits& hits = *layer_.hits;
-    if (!std::isfinite(hits.depth[pixel])) return std::nullopt;
-    const glm::dvec3 gradient(hits.gradient[0][pixel], hits.gradient[1][pixel],
-                              hits.gradient[2][pixel]);
-    const double size = glm::length(gradient);
-    if (!(size > 0.0) || !std::isfinite(size)) return std::nullopt;
-    return gradient / size;
-}
-
 /// Near a silhouette the square of the cosine between normal and ray falls evenly to 0: how fast,
 /// the normals a little beside the hit tell.
 void LinePainter::draw_silhouettes() {
-    std::vector<std::size_t> slanted;
+    std::vector<std::size_t> at;
+    std::vector<Place> slanted;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        if (places_[i].facing < 0.5) slanted.push_back(i);
+        if (!(places_[i].facing < 0.5)) continue;
+        at.push_back(i);
+        slanted.push_back(places_[i]);
     }
     if (slanted.empty()) return;
-    PointBatch<double> batch(3 * slanted.size());
     const auto part_of = [](const Place& place) { return 0.05 * place.facing; };
-    for (std::size_t k = 0; k < slanted.size(); ++k) {
-        const Place& place = places_[slanted[k]];
-        const double part = part_of(place);
-        const std::array points{place.point, place.point + part * place.right,
-                                place.point + part * place.down};
-        for (std::size_t at = 0; at < 3; ++at)
-            batch.set(3 * k + at, points[at].x, points[at].y, points[at].z);
-    }
-    batch.pad();
-    counters_.value += 3 * slanted.size();
-    batch.evaluate(frame_.kernel.in_double.value, frame_.scene.uniforms.points<double>(),
-                   [this] { return frame_.stopped(); });
-    for (std::size_t k = 0; k < slanted.size(); ++k) {
-        const Place& place = places_[slanted[k]];
-        const auto square_at = [&](std::size_t at) {
-            const glm::dvec3 gradient(batch.gradient(0, 3 * k + at), batch.gradient(1, 3 * k + at),
-                                      batch.gradient(2, 3 * k + at));
-            const double cosine = glm::dot(gradient, place.along) / glm::length(gradient);
+    const PointBatch<double> batch = values_beside(slanted, part_of, frame_.kernel.in_double.value,
+                                                   PointBatch<double>::Asks::Gradient);
+    for (std::size_t i = 0; i < slanted.size(); ++i) {
+        const auto square_at = [&](std::size_t point) {
+            const glm::dvec3 gradient(batch.gradient(0, point), batch.gradient(1, point),
+                                      batch.gradient(2, point));
+            const double cosine = glm::dot(gradient, slanted[i].along) / glm::length(gradient);
             return cosine * cosine;
         };
-        const double here = square_at(0);
-        const double rate = std::hypot(square_at(1) - here, square_at(2) - here) / part_of(place);
+        const double here = square_at(3 * i);
+        const double rate = std::hypot(square_at(3 * i + 1) - here, square_at(3 * i + 2) - here) /
+                            part_of(slanted[i]);
         const double distance = here / rate;
-        if (std::isfinite(distance)) add(slanted[k], cover_of(distance, 2.0 * line_width_));
+        if (std::isfinite(distance)) add(at[i], cover_of(distance, 2.0 * line_width_));
     }
 }
 
 /// Draws where the normals of neighbours on one surface differ much.
 void LinePainter::draw_creases() {
+    const auto is_crease = [&](const Place& place, int right, int down) {
+        const int col = static_cast<int>(place.pixel % tile_size) + right;
+        const int row = static_cast<int>(place.pixel / tile_size) + down;
+        if (col < 0 || row < 0 || col >= tile_.cols || row >= tile_.rows) return false;
+        const auto beside = static_cast<std::size_t>(row * tile_size + col);
+        if (!std::isfinite(layer_.hits->depth[beside])) return false;
+        const auto normal = normal_of(beside);
+        return normal && std::abs(glm::dot(*normal, place.normal)) < crease_cosine;
+    };
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Place& place = places_[i];
         if (place.facing < 0.3) continue;
-        const int col = static_cast<int>(place.pixel % tile_size);
-        const int row = static_cast<int>(place.pixel / tile_size);
-        for (const auto& [right, down] :
-             {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-            const auto normal = normal_at(col + right, row + down);
-            if (normal && std::abs(glm::dot(*normal, place.normal)) < crease_cosine)
-                add(i, std::min(0.5 * line_width_, 1.0));
-        }
+        if (is_crease(place, 1, 0) || is_crease(place, -1, 0) || is_crease(place, 0, 1) ||
+            is_crease(place, 0, -1))
+            add(i, std::min(0.5 * line_width_, 1.0));
     }
 }
 
@@ -281,8 +288,8 @@ void LinePainter::draw_outlines() {
     for (std::size_t i = 0; i < places_.size(); ++i) {
         const Place& place = places_[i];
         const glm::dvec3 from = place.point - ball.centre;
-        const double rate = std::hypot(glm::dot(from, place.right), glm::dot(from, place.down));
-        const double left = 0.5 * (ball.radius * ball.radius - glm::dot(from, from)) / rate;
+        const double left =
+            0.5 * (ball.radius * ball.radius - glm::dot(from, from)) / place.rate_of(from);
         if (left < line_width_ + 1.0) add(i, cover_of(std::abs(left), 2.0 * width_at(place)));
     }
 }
@@ -309,6 +316,7 @@ void draw_lines(std::span<const TraceFrame> surfaces, bool outlines, int finenes
     if (!lines.any() && !outlines) return;
     for (LitLayer& layer : layers) {
         LinePainter painter(surfaces, fineness, tile, layer, counters);
+        if (!painter.has_places()) continue;
         painter.draw_contours();
         if (lines.intersections) painter.draw_intersections();
         if (outlines) painter.draw_outlines();

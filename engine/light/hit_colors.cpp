@@ -8,8 +8,7 @@ namespace zeroset {
 namespace {
 
 Reflectance plain_color(const Scene& scene, std::size_t surface, bool is_front) {
-    const SurfaceColors& colors =
-        surface < scene.colors.size() ? scene.colors[surface] : colors_of(surface);
+    const SurfaceColors& colors = scene.colors_of_surface(surface);
     const float(&side)[3] = is_front ? colors.front : colors.back;
     return {side[0], side[1], side[2]};
 }

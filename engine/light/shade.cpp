@@ -124,7 +124,7 @@ void tone_caps(const TraceFrame& frame, const Tile& tile, int row, const TileHit
     for (int col = 0; col < tile.cols; ++col) {
         const auto at = static_cast<std::size_t>(row * tile_size + col);
         if (hits.cap[at] == 0) continue;
-        const glm::dvec3 normal(hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]);
+        const glm::dvec3 normal = hits.gradient_at(at);
         const glm::dvec3 point = frame.view.point(tile.place(col, row), frame.image,
                                                   static_cast<double>(hits.depth[at]));
         const auto pixel = static_cast<std::size_t>(col);
@@ -144,9 +144,7 @@ void write_row(const Paint& paint, int row, RowBits hit, const RowLight& light, 
 }
 
 void shade_layer(const TraceFrame& frame, const Tile& tile, LitLayer& layer) {
-    const std::vector<SurfaceColors>& colors = frame.scene.colors;
-    const Shading shading(frame.view, layer.surface < colors.size() ? colors[layer.surface]
-                                                                    : colors_of(layer.surface));
+    const Shading shading(frame.view, frame.scene.colors_of_surface(layer.surface));
     const RayDirections rays(frame, tile, shading.key);
     const bool by_pixel = !layer.reflectance[0].empty();
     RowLight light;
@@ -178,7 +176,11 @@ HWY_EXPORT(shade_layer);
 }  // namespace
 
 UnitVector key_light(const ViewFrame& view) {
-    return UnitVector(-0.45 * view.right + 0.65 * view.up - 0.75 * view.forward);
+    return UnitVector(view.from_view({-0.45, 0.65, 0.75}));
+}
+
+UnitVector fill_light(const ViewFrame& view) {
+    return UnitVector(view.from_view({0.8, -0.1, 0.45}));
 }
 
 void shade(const TraceFrame& frame, const Tile& tile, LitLayer& layer) {

@@ -13,5 +13,7 @@ void shade(const TraceFrame& frame, const Tile& tile, LitLayer& layer);
 
 /// Towards the light that makes highlights and shadows, which moves with the camera.
 UnitVector key_light(const ViewFrame& view);
+/// Towards the other light, which softens the shade of the first one.
+UnitVector fill_light(const ViewFrame& view);
 
 }  // namespace zeroset

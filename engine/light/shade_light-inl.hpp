@@ -82,8 +82,7 @@ struct Shading {
     Shading(const ViewFrame& view, const SurfaceColors& colors)
         : key(key_light(view)),
           half_key(splat(0.5 * key)),
-          half_fill(
-              splat(0.5 * glm::normalize(0.8 * view.right - 0.1 * view.up - 0.45 * view.forward))),
+          half_fill(splat(0.5 * fill_light(view))),
           half_up(splat(0.5 * view.up)) {
         for (int channel = 0; channel < 3; ++channel) {
             front[channel] = hn::Set(d<float>, colors.front[channel]);

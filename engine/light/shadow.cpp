@@ -24,7 +24,7 @@ glm::dvec3 gradient_of(const TileHits& hits) {
     for (std::size_t i = 0; i < 64; ++i) {
         const std::size_t at = (pixels / 2 + tile_size / 2 + i * step) % pixels;
         if (!(hits.depth[at] < std::numeric_limits<float>::infinity())) continue;
-        return {hits.gradient[0][at], hits.gradient[1][at], hits.gradient[2][at]};
+        return hits.gradient_at(at);
     }
     return glm::dvec3(0.0);
 }

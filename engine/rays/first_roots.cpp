@@ -91,16 +91,17 @@ void Polish::advance() {
     }
 }
 
-/// The surface's first roots that are nearer than what the hits hold.
+/// Finds the surface's first roots that are nearer than the hits so far. `rays`: within the clip
+/// box and the region.
 void find_nearer(const TraceFrame& surface, std::uint8_t number, std::span<const SceneRay> rays,
                  std::span<RayHit> hits, Counters& counters) {
     std::vector<Seeker> seekers;
     for (std::size_t i = 0; i < rays.size() && !surface.stopped(); ++i) {
-        SceneRay ray = clipped(rays[i], surface.scene);
+        SceneRay ray = rays[i];
         ray.to = std::min(ray.to, hits[i].t);
         if (!(ray.from < ray.to)) continue;
         const RootFinding found =
-            search_ray(surface, ray, rays[i].own == number, RootWish::First, counters);
+            search_ray(surface, ray, ray.own == number, RootWish::First, counters);
         if (found.unsettled) hits[i].certificate = Certificate::Undecided;
         if (found.bracket)
             seekers.push_back({.ray = i, .bracket = *found.bracket, .at = found.bracket->guess});
@@ -125,8 +126,12 @@ void find_first_hits(std::span<const TraceFrame> surfaces, std::span<const Scene
                      std::span<RayHit> hits, Counters& counters) {
     assert(hits.size() == rays.size());
     std::ranges::fill(hits, RayHit());
+    std::vector<SceneRay> inside;
+    inside.reserve(rays.size());
+    for (const SceneRay& ray : rays)
+        inside.push_back(clipped(ray, surfaces.front().scene));
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-        find_nearer(surfaces[i], static_cast<std::uint8_t>(i), rays, hits, counters);
+        find_nearer(surfaces[i], static_cast<std::uint8_t>(i), inside, hits, counters);
 }
 
 void find_blocked(std::span<const TraceFrame> surfaces, std::span<const SceneRay> rays,

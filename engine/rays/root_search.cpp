@@ -115,7 +115,7 @@ private:
     /// Searches a stretch, by `parts` cells; whether the search is over. `whole`: the spread of a
     /// cell that is the stretch.
     bool divide(double from, double to, Real whole);
-    /// The same in double, where it is rounding that keeps cells in float from being decided.
+    /// Divides a stretch in double, where rounding keeps cells in float from being decided.
     bool divide_in_double(double from, double to);
     void evaluate(double from, double to);
     [[nodiscard]] Cell<Real> cell(std::size_t i) const {

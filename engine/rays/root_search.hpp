@@ -16,7 +16,7 @@ struct RootBracket {
     bool is_proved;   ///< a root is there, one only, and nothing before it
 };
 
-/// What is known of a ray.
+/// The outcome of the search of a ray.
 struct RootFinding {
     std::optional<RootBracket> bracket;
     bool unsettled = false;  ///< a part of the ray before could not be decided

@@ -12,7 +12,7 @@
 
 namespace zeroset {
 
-/// What surfaces look as if they were made of.
+/// The material that surfaces look as if they were made of.
 enum class Look : std::uint8_t {
     Standard,   ///< a little gloss under two lights, quick
     Matte,      ///< reflects alike in all directions

@@ -45,6 +45,10 @@ struct Scene {
     /// Whether places are drawn, too, where f changes its sign in a jump
     /// (engine/algebra/switches.hpp). By the tracer of beams.
     bool jumps = false;
+
+    [[nodiscard]] const SurfaceColors& colors_of_surface(std::size_t surface) const {
+        return surface < colors.size() ? colors[surface] : colors_of(surface);
+    }
 };
 
 }  // namespace zeroset

@@ -83,6 +83,11 @@ struct TileHits {
     bool any_cap = false;  ///< else `cap` is 0 everywhere
     PixelCover cover;
 
+    /// That of the hit of a pixel, in rows of tile_size.
+    [[nodiscard]] glm::dvec3 gradient_at(std::size_t pixel) const {
+        return {gradient[0][pixel], gradient[1][pixel], gradient[2][pixel]};
+    }
+
     TileHits();
     void clear();
     /// Adds a hit whose gradient is to be found.

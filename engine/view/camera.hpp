@@ -57,6 +57,14 @@ struct ViewFrame {
     [[nodiscard]] double pixel_width(int height_px, double distance) const {
         return parallel() ? pixel_at_look(height_px) : pixel_size(height_px) * distance;
     }
+    /// A vector that points so far to the right, upwards and backwards, to the viewer, in world
+    /// axes; and back.
+    [[nodiscard]] glm::dvec3 from_view(const glm::dvec3& v) const {
+        return v.x * right + v.y * up - v.z * forward;
+    }
+    [[nodiscard]] glm::dvec3 to_view(const glm::dvec3& v) const {
+        return {glm::dot(v, right), glm::dot(v, up), -glm::dot(v, forward)};
+    }
     /// Direction (not normalised, 1 along forward) of the ray through a point of the image.
     [[nodiscard]] glm::dvec3 direction(const PixelPoint& at, const ImageSize& image) const;
     /// The point of that ray at t = 0.

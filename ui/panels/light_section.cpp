@@ -5,15 +5,14 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/color_picker.hpp"
 #include "ui/widgets/light_ball.hpp"
 #include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cfloat>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -80,31 +79,6 @@ void draw_tint(LightChoice& light) {
         light.absorption, 0.0, 5.0, max_absorption);
 }
 
-std::array<float, 3> parts_of(std::uint32_t color) {
-    return {static_cast<float>(color >> 16U & 0xFFU) / 255.0F,
-            static_cast<float>(color >> 8U & 0xFFU) / 255.0F,
-            static_cast<float>(color & 0xFFU) / 255.0F};
-}
-
-std::uint32_t color_of(const std::array<float, 3>& parts) {
-    std::uint32_t color = 0;
-    for (const float part : parts)
-        color = color << 8U | static_cast<std::uint32_t>(std::lround(part * 255.0F));
-    return color;
-}
-
-/// A field that shows a colour; a click opens a picker. True when another one was picked.
-bool draw_color(const char* id, std::uint32_t& color, const char* about) {
-    std::array<float, 3> parts = parts_of(color);
-    constexpr ImGuiColorEditFlags flags =
-        ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip |
-        ImGuiColorEditFlags_PickerHueWheel;
-    const bool picked = ImGui::ColorEdit3(id, parts.data(), flags);
-    draw_tooltip(about);
-    if (picked) color = color_of(parts);
-    return picked;
-}
-
 void draw_tone(LightChoice& light) {
     bool filmic = light.tone == Tone::Filmic;
     if (ImGui::Checkbox("Filmic###filmic", &filmic))
@@ -118,24 +92,19 @@ void draw_tone(LightChoice& light) {
     draw_tooltip("Colours behind the surfaces, from top to bottom, in place of the theme's.");
     if (!light.background) return;
     ImGui::SameLine(0.0F, em(0.6F));
-    draw_color("##top", light.background->top, "The background's top");
+    draw_color_field("##top", light.background->top, "The background's top");
     ImGui::SameLine(0.0F, em(0.3F));
-    draw_color("##bottom", light.background->bottom, "The background's bottom");
+    draw_color_field("##bottom", light.background->bottom, "The background's bottom");
 }
 
 /// The light's direction as one sees it: to the right, upwards and out of the screen.
 glm::dvec3 in_view(const Light& light, const std::optional<Camera>& camera) {
-    if (light.with_camera || !camera) return light.towards;
-    const ViewFrame view(*camera);
-    return {glm::dot(light.towards, view.right), glm::dot(light.towards, view.up),
-            -glm::dot(light.towards, view.forward)};
+    return light.with_camera || !camera ? light.towards : ViewFrame(*camera).to_view(light.towards);
 }
 
-glm::dvec3 from_view(const glm::dvec3& seen, bool with_camera,
-                     const std::optional<Camera>& camera) {
-    if (with_camera || !camera) return seen;
-    const ViewFrame view(*camera);
-    return seen.x * view.right + seen.y * view.up - seen.z * view.forward;
+/// Aims the light where one sees it.
+void aim(Light& light, const glm::dvec3& seen, const std::optional<Camera>& camera) {
+    light.towards = light.with_camera || !camera ? seen : ViewFrame(*camera).from_view(seen);
 }
 
 /// Draws the settings of one light; false when the user removes it.
@@ -143,8 +112,7 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float size = ball_rows * line - ImGui::GetStyle().ItemSpacing.y;
     glm::dvec3 seen = in_view(light, camera);
-    if (draw_light_ball("##ball", seen, size, colors))
-        light.towards = from_view(seen, light.with_camera, camera);
+    if (draw_light_ball("##ball", seen, size, colors)) aim(light, seen, camera);
     draw_tooltip("Drag to aim the light; a right click takes it to the other side.");
     ImGui::SameLine(0.0F, em(0.8F));
     ImGui::BeginGroup();
@@ -154,10 +122,10 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
                 across, 0.0, 45.0, 2.0 * half_sphere_deg);
     light.radius_deg = 0.5 * across;
     std::uint32_t color = color_of_light(light.color);
-    if (draw_color("##color", color, "The light's colour")) light.color = light_of_color(color);
+    if (draw_color_field("##color", color, "The light's colour"))
+        light.color = light_of_color(color);
     ImGui::SameLine(0.0F, em(0.6F));
-    if (ImGui::Checkbox("Camera###with", &light.with_camera))
-        light.towards = from_view(seen, light.with_camera, camera);
+    if (ImGui::Checkbox("Camera###with", &light.with_camera)) aim(light, seen, camera);
     draw_tooltip("The light turns with the camera; else it stays where it is in the world.");
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine();

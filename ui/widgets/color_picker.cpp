@@ -123,4 +123,15 @@ void draw_surface_popup(const char* id, Statement& statement, const Palette& col
     ImGui::EndPopup();
 }
 
+bool draw_color_field(const char* id, std::uint32_t& color, const char* about) {
+    std::array<float, 3> parts = parts_of(color);
+    constexpr ImGuiColorEditFlags flags =
+        ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoLabel | ImGuiColorEditFlags_NoTooltip |
+        ImGuiColorEditFlags_PickerHueWheel;
+    const bool picked = ImGui::ColorEdit3(id, parts.data(), flags);
+    draw_tooltip(about);
+    if (picked) color = color_of(parts);
+    return picked;
+}
+
 }  // namespace zeroset::ui

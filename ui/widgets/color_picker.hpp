@@ -3,6 +3,8 @@
 #include "document/document.hpp"
 #include "ui/style/theme.hpp"
 
+#include <cstdint>
+
 struct ImDrawList;
 struct ImVec2;
 
@@ -15,5 +17,9 @@ void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
 /// Draws the popup `id` if it is open: the palette's colours, a picker of any other colour, how
 /// opaque the surface is, and the side that is solid. Edits these in `statement`.
 void draw_surface_popup(const char* id, Statement& statement, const Palette& colors);
+
+/// Draws a field that shows a colour 0xRRGGBB; a click opens a picker. True when another one was
+/// picked.
+bool draw_color_field(const char* id, std::uint32_t& color, const char* about);
 
 }  // namespace zeroset::ui

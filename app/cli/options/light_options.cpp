@@ -1,11 +1,10 @@
 #include "app/cli/options/light_options.hpp"
 
 #include "app/cli/options/options.hpp"
+#include "document/colors.hpp"
 #include "engine/base/text.hpp"
 #include "engine/image/gamma.hpp"
 
-#include <charconv>
-#include <cstdint>
 #include <string_view>
 
 namespace zeroset {
@@ -19,23 +18,6 @@ std::unexpected<InputError> wrong_light(const std::string& text) {
     return wrong_input("--light " + text + ": " + light_help);
 }
 
-/// The rest of `text` behind a word that begins it; nothing where it does not.
-std::optional<std::string> behind(std::string_view text, std::string_view word) {
-    if (!text.starts_with(word)) return std::nullopt;
-    const std::string_view rest = text.substr(word.size());
-    if (rest.empty() || (rest.front() != ' ' && rest.front() != '=')) return std::nullopt;
-    return std::string(trimmed(rest.substr(1)));
-}
-
-std::optional<std::uint32_t> color_from(const std::string& text) {
-    std::uint32_t color = 0;
-    if (text.size() != 7 || text.front() != '#') return std::nullopt;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data() + 1, end, color, 16);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return color;
-}
-
 /// Takes "power 2" and the like; whether it is one of them.
 bool take_part(const std::string& part, Light& light) {
     const auto number = [](const std::string& text, double most) -> std::optional<double> {
@@ -43,17 +25,17 @@ bool take_part(const std::string& part, Light& light) {
         if (!value || *value < 0.0 || *value > most) return std::nullopt;
         return *value;
     };
-    if (const auto power = behind(part, "power")) {
+    if (const auto power = value_behind(part, "power")) {
         const auto value = number(*power, max_power);
         light.power = value.value_or(0.0);
         return value.has_value();
     }
-    if (const auto size = behind(part, "size")) {
+    if (const auto size = value_behind(part, "size")) {
         const auto value = number(*size, 2.0 * half_sphere_deg);
         light.radius_deg = 0.5 * value.value_or(0.0);
         return value.has_value();
     }
-    if (const auto color = behind(part, "color")) {
+    if (const auto color = value_behind(part, "color")) {
         const auto value = color_from(*color);
         light.color = light_of_color(value.value_or(0));
         return value.has_value();
@@ -78,7 +60,7 @@ OrInputError<Light> read_light(const std::string& text) {
     const std::vector<std::string_view> parts = split(text, ';');
     std::string direction(trimmed(parts.front()));
     Light light;
-    const auto of_camera = behind(direction, "camera");
+    const auto of_camera = value_behind(direction, "camera");
     light.with_camera = of_camera.has_value();
     if (of_camera) direction = *of_camera;
     const auto numbers = read_numbers("--light", direction, 3);
@@ -94,8 +76,8 @@ OrInputError<Light> read_light(const std::string& text) {
 OrInputError<std::optional<Background>> read_background(const std::string& text) {
     if (text == "default") return std::nullopt;
     const std::vector<std::string_view> parts = split(text, ',');
-    const auto top = color_from(std::string(parts.front()));
-    const auto bottom = color_from(std::string(parts.back()));
+    const auto top = color_from(parts.front());
+    const auto bottom = color_from(parts.back());
     if (parts.size() > 2 || !top || !bottom) {
         return wrong_input("--background " + text +
                            ": type #RRGGBB, #RRGGBB,#RRGGBB from top to bottom, or default");

@@ -45,11 +45,9 @@ std::optional<InputError> read_range(const std::string& text, ColorChoice& color
 /// The number behind a word that begins a part such as "step 0.5"; nothing where it does not, or
 /// where that is no number.
 std::optional<double> number_behind(std::string_view part, std::string_view word) {
-    if (!part.starts_with(word)) return std::nullopt;
-    part.remove_prefix(word.size());
-    if (part.empty() || (part.front() != ' ' && part.front() != '=')) return std::nullopt;
-    const auto number = read_number("--contours", std::string(trimmed(part.substr(1))));
-    return number ? std::optional(*number) : std::nullopt;
+    const auto text = value_behind(part, word);
+    const auto number = text ? read_number("--contours", *text) : OrInputError<double>(0.0);
+    return text && number ? std::optional(*number) : std::nullopt;
 }
 
 }  // namespace

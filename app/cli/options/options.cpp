@@ -217,6 +217,13 @@ OrInputError<std::vector<double>> read_numbers(const std::string& option, const 
     return values;
 }
 
+std::optional<std::string> value_behind(std::string_view text, std::string_view word) {
+    if (!text.starts_with(word)) return std::nullopt;
+    const std::string_view rest = text.substr(word.size());
+    if (rest.empty() || (rest.front() != ' ' && rest.front() != '=')) return std::nullopt;
+    return std::string(trimmed(rest.substr(1)));
+}
+
 OrInputError<double> read_number(const std::string& option, const std::string& text) {
     const auto numbers = read_numbers(option, text, 1);
     if (!numbers) return std::unexpected(numbers.error());

@@ -74,6 +74,10 @@ inline constexpr double default_budget_s = 30.0;
 /// Reads the seconds of --budget, 0.001 to 1,000,000; default_budget_s if absent.
 OrInputError<double> read_budget(const std::optional<std::string>& text);
 
+/// The rest of `text` behind a word that begins it and a blank or "=": "2" of "power 2"; nothing
+/// where it does not begin so.
+std::optional<std::string> value_behind(std::string_view text, std::string_view word);
+
 /// Reads "WxH", or "N" for a square; each side 1 to 16384, at most 100 million pixels in all.
 OrInputError<Size> read_size(const std::string& option, const std::string& text);
 

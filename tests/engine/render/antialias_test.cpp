@@ -68,56 +68,46 @@ std::size_t far_pixels(const Framebuffer& a, const Framebuffer& b) {
     return count;
 }
 
+/// A picture of a scene from its usual side.
+Framebuffer picture_of(const Scene& scene, TraceSettings settings, Antialias antialias) {
+    Framebuffer frame(181, 131);
+    settings.antialias = antialias;
+    render_frame(scene, default_camera(scene.clip), settings, frame);
+    return frame;
+}
+
+/// Expects pictures by beams to differ from ones by many rays in so many pixels at most, and those
+/// by one ray a pixel in more than 200.
+void expect_near_many_rays(const Scene& scene, const TraceSettings& settings, std::size_t most) {
+    const Framebuffer many = picture_of(scene, settings, Antialias::Rays64);
+    EXPECT_LE(far_pixels(picture_of(scene, settings, Antialias::Beams), many), most);
+    EXPECT_GT(far_pixels(picture_of(scene, settings, Antialias::None), many), 200U);
+}
+
 TEST(Antialias, IsNearToManyRaysAtEdgesOfSurfacesAndShadows) {
-    const auto picture = [](Antialias antialias) {
-        const Scene scene = scene_of("min(z + 0.8, x^2 + y^2 + z^2 - 0.4)", Box::cube(1.2));
-        Framebuffer frame(181, 131);
-        TraceSettings settings;
-        settings.shadows = true;
-        settings.antialias = antialias;
-        render_frame(scene, default_camera(scene.clip), settings, frame);
-        return frame;
-    };
-    const Framebuffer many = picture(Antialias::Rays64);
-    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 6U);
-    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
+    const Scene scene = scene_of("min(z + 0.8, x^2 + y^2 + z^2 - 0.4)", Box::cube(1.2));
+    TraceSettings settings;
+    settings.shadows = true;
+    expect_near_many_rays(scene, settings, 6);
 }
 
 TEST(Antialias, IsNearToManyRaysWhereSurfacesMeetAndHideEachOther) {
-    const auto picture = [](Antialias antialias) {
-        Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
-        for (const char* const text : {"(x - 0.7)^2 + y^2 + (z - 0.3)^2 = 0.8", "z = 0.2 x - 0.2"})
-            scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
-        Framebuffer frame(181, 131);
-        TraceSettings settings;
-        settings.antialias = antialias;
-        render_frame(scene, default_camera(scene.clip), settings, frame);
-        return frame;
-    };
-    const Framebuffer many = picture(Antialias::Rays64);
-    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 2U);
-    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
+    Scene scene = scene_of("x^2 + y^2 + z^2 = 1", Box::cube(2));
+    for (const char* const text : {"(x - 0.7)^2 + y^2 + (z - 0.3)^2 = 0.8", "z = 0.2 x - 0.2"})
+        scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
+    expect_near_many_rays(scene, {}, 2);
 }
 
 TEST(Antialias, IsNearToManyRaysInMirrorsAndBehindTranslucentSurfaces) {
-    const auto picture = [](Antialias antialias) {
-        Scene scene = scene_of("z = -0.7", Box::cube(1.5));
-        scene.surfaces.push_back(scene_of("x^2 + y^2 + z^2 = 0.4", scene.clip).surfaces.front());
-        scene.surfaces.push_back(
-            scene_of("(x + 0.2)^2 + (y + 1)^2 + z^2 = 0.16", scene.clip).surfaces.front());
-        scene.lighting.look = Look::Porcelain;
-        scene.lighting.opacity = {1.0, 1.0, 0.3};
-        Framebuffer frame(181, 131);
-        TraceSettings settings;
-        settings.reflections = 2;
-        settings.soft_light = false;
-        settings.antialias = antialias;
-        render_frame(scene, default_camera(scene.clip), settings, frame);
-        return frame;
-    };
-    const Framebuffer many = picture(Antialias::Rays64);
-    EXPECT_LE(far_pixels(picture(Antialias::Beams), many), 20U);
-    EXPECT_GT(far_pixels(picture(Antialias::None), many), 200U);
+    Scene scene = scene_of("z = -0.7", Box::cube(1.5));
+    for (const char* const text : {"x^2 + y^2 + z^2 = 0.4", "(x + 0.2)^2 + (y + 1)^2 + z^2 = 0.16"})
+        scene.surfaces.push_back(scene_of(text, scene.clip).surfaces.front());
+    scene.lighting.look = Look::Porcelain;
+    scene.lighting.opacity = {1.0, 1.0, 0.3};
+    TraceSettings settings;
+    settings.reflections = 2;
+    settings.soft_light = false;
+    expect_near_many_rays(scene, settings, 20);
 }
 
 TEST(Antialias, ShowsWhatLiesBetweenThePixels) {

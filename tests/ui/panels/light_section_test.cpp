@@ -93,7 +93,7 @@ TEST_P(LightSection, FitsWithAllItCanHold) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, LightSection, testing::ValuesIn(different_looks()),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& looks) { return name_of(looks.param); });
 
 }  // namespace
 }  // namespace zeroset::ui
