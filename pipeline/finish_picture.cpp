@@ -22,52 +22,74 @@ bool needs_legend(const FrameSubject& subject) {
     return subject.legend && subject.coloring.by != ColorBy::Plain;
 }
 
-Shapes axes_over(const Framebuffer& frame, const FrameSubject& subject) {
+glm::dvec2 canvas_of(const ImageSize& size) { return {size.width, size.height}; }
+
+Shapes axes_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject) {
     const Document& document = subject.document;
-    const double em = label_em(frame.width, frame.height);
+    const double em = label_em(size.width, size.height);
     const AxesView view{.clip = document.clip,
                         .camera = subject.camera,
                         .up = document.up,
-                        .width = frame.width,
-                        .height = frame.height,
+                        .width = size.width,
+                        .height = size.height,
                         .em = em};
-    return axis_shapes(make_axes(view, axes_choice(document), frame), {.em = em});
+    return axis_shapes(make_axes(view, axes_choice(document), shown), {.em = em});
 }
 
-Shapes markers_over(const Framebuffer& frame, const FrameSubject& subject, const CardStyle& style) {
+Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject,
+                    const CardStyle& style) {
     std::vector<MarkedPoint> points;
     points.reserve(subject.document.markers.size());
     for (const Marker& marker : subject.document.markers)
         points.push_back({marker.at, std::to_string(marker.number)});
-    const glm::dvec2 size(frame.width, frame.height);
-    return marker_shapes(points, {.frame = frame, .camera = subject.camera, .size = size}, style);
+    return marker_shapes(
+        points, {.frame = shown, .camera = subject.camera, .size = canvas_of(size)}, style);
 }
 
-Shapes legend_over(const Framebuffer& frame, const FrameSubject& subject, const CardStyle& style) {
+Shapes legend_over(const ImageSize& size, const FrameSubject& subject, const CardStyle& style) {
     if (!needs_legend(subject)) return {};
     const Legend legend = legend_of(subject.coloring, subject.document.coloring.expression);
-    const glm::dvec2 size(frame.width, frame.height);
+    const glm::dvec2 canvas = canvas_of(size);
     const glm::dvec2 margin(style.unit);
-    return legend_shapes({.legend = &legend}, size - margin, size - 2.0 * margin, style);
+    return legend_shapes({.legend = &legend}, canvas - margin, canvas - 2.0 * margin, style);
 }
 
 }  // namespace
 
-std::expected<std::shared_ptr<const Framebuffer>, std::string> finish_picture(
-    std::shared_ptr<const Framebuffer> frame, const FrameSubject& subject) {
-    const Document& document = subject.document;
-    if (!axes_choice(document).any() && document.markers.empty() && !needs_legend(subject))
-        return frame;
-    const auto font = LabelFont::load();
+bool has_marks(const FrameSubject& subject) {
+    return axes_choice(subject.document).any() || !subject.document.markers.empty() ||
+           needs_legend(subject);
+}
+
+PictureMarks::PictureMarks(LabelFont font, Shapes shapes)
+    : font_(std::move(font)), shapes_(std::move(shapes)) {}
+
+std::expected<PictureMarks, std::string> PictureMarks::make(const Framebuffer& shown,
+                                                            const ImageSize& size,
+                                                            const FrameSubject& subject) {
+    auto font = LabelFont::load();
     if (!font) return std::unexpected(font.error());
     const CardStyle style =
-        card_style_for(frame->width, frame->height,
+        card_style_for(size.width, size.height,
                        [&](std::string_view words, double em) { return font->width(words, em); });
-    Shapes shapes = axes_over(*frame, subject);
-    append(shapes, markers_over(*frame, subject, style));
-    append(shapes, legend_over(*frame, subject, style));
+    Shapes shapes = axes_over(shown, size, subject);
+    append(shapes, markers_over(shown, size, subject, style));
+    append(shapes, legend_over(size, subject, style));
+    return PictureMarks(std::move(*font), std::move(shapes));
+}
+
+void PictureMarks::paint(Framebuffer& band, int row) const {
+    paint_shapes(band, row == 0 ? shapes_ : moved(shapes_, {0.0, -row}), font_);
+}
+
+std::expected<std::shared_ptr<const Framebuffer>, std::string> finish_picture(
+    std::shared_ptr<const Framebuffer> frame, const FrameSubject& subject) {
+    if (!has_marks(subject)) return frame;
+    const auto marks =
+        PictureMarks::make(*frame, {.width = frame->width, .height = frame->height}, subject);
+    if (!marks) return std::unexpected(marks.error());
     auto picture = std::make_shared<Framebuffer>(*frame);
-    paint_shapes(*picture, shapes, *font);
+    marks->paint(*picture, 0);
     return picture;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "document/document.hpp"
+#include "engine/annotate/label_font.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/scene/coloring.hpp"
 #include "engine/view/camera.hpp"
@@ -19,9 +21,30 @@ struct FrameSubject {
     bool legend = true;        ///< draw a legend, if the colours stand for something
 };
 
-/// Draws the document's axes, clip box, grid and markers and the legend of the colours over the
-/// frame. Returns the frame itself if there is none of them, or one line that says why they cannot
-/// be drawn.
+/// Whether there are axes, a clip box, a grid, markers or a legend to be drawn over the frame.
+bool has_marks(const FrameSubject& subject);
+
+/// The document's axes, clip box, grid and markers and the legend of the colours, for a picture
+/// that is painted band by band.
+class PictureMarks {
+public:
+    /// `shown`: the picture in any resolution, which tells what surfaces hide. Returns one line
+    /// that says why the marks cannot be drawn.
+    static std::expected<PictureMarks, std::string> make(const Framebuffer& shown,
+                                                         const ImageSize& size,
+                                                         const FrameSubject& subject);
+    /// Paints what lies over a band of the picture whose first row is `row`.
+    void paint(Framebuffer& band, int row) const;
+
+private:
+    PictureMarks(LabelFont font, Shapes shapes);
+
+    LabelFont font_;
+    Shapes shapes_;
+};
+
+/// Draws the document's marks over the frame. Returns the frame itself if there is none of them, or
+/// one line that says why they cannot be drawn.
 std::expected<std::shared_ptr<const Framebuffer>, std::string> finish_picture(
     std::shared_ptr<const Framebuffer> frame, const FrameSubject& subject);
 

@@ -18,11 +18,21 @@ struct RenderCommand {
     TraceText trace;
     std::string size = "1024x1024";
     std::optional<std::string> output, depth, certificate, stats, repeat, budget;
-    std::vector<std::string> probes;  ///< COL,ROW each
+    std::optional<std::string> bits, dpi, quality;  ///< of the picture in `output`
+    bool no_session = false;                        ///< the picture does not hold the session
+    std::vector<std::string> probes;                ///< COL,ROW each
     bool no_legend = false;
     bool alpha = false;  ///< the picture's background is transparent
 };
 int run_render(const RenderCommand& command);
+
+/// Prints the session as one line of text.
+struct ShareCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+};
+int run_share(const ShareCommand& command);
 
 struct ExplainCommand {
     std::string equation;

@@ -185,10 +185,19 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_value(*render_app, "EQUATION", render.equation,
-              "the formula, @NAME, FILE.zeroset.json, or -")
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
         ->required();
-    add_value(*render_app, "-o,--output", render.output, "the picture: a PNG file");
-    add_value(*render_app, "--size", render.size, "WIDTHxHEIGHT in pixels (default 1024x1024)");
+    add_value(*render_app, "-o,--output", render.output,
+              "the picture: a file that ends in .png, .jpg, .webp, .tif or .exr");
+    add_value(*render_app, "--size", render.size,
+              "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
+    add_value(*render_app, "--bits", render.bits,
+              "of a colour channel: 8 (default) or 16 for .png and .tif");
+    add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
+    add_value(*render_app, "--quality", render.quality,
+              "1 to 100 for .jpg and .webp (default 92); 100 in .webp is without loss");
+    render_app->add_flag("--no-session", render.no_session,
+                         "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);
     add_trace_options(*render_app, render.trace);
     add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
@@ -205,6 +214,17 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--budget", render.budget,
               "seconds after which what is not decided stays undecided (default 30)");
     return render_app;
+}
+
+CLI::App* add_share(CLI::App& app, ShareCommand& share) {
+    CLI::App* const share_app =
+        app.add_subcommand("share", "print a session as one line of text, to be sent and opened");
+    add_value(*share_app, "EQUATION", share.equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, or -")
+        ->required();
+    add_view_options(*share_app, share.view);
+    add_trace_options(*share_app, share.trace);
+    return share_app;
 }
 
 CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
@@ -258,9 +278,11 @@ int run(int argc, char** argv) {
     std::string equation;
     ViewText view;
     TraceText trace;
-    add_value(app, "EQUATION", equation,
-              "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
-              "gallery, FILE.zeroset.json, or - for standard input");
+    add_value(
+        app, "EQUATION", equation,
+        "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
+        "gallery, FILE.zeroset.json, a PNG that holds a session, zeroset:... as shared, or - for "
+        "standard input");
     add_view_options(app, view);
     add_trace_options(app, trace);
     std::string latency_log;
@@ -268,6 +290,7 @@ int run(int argc, char** argv) {
               "a file of JSON lines: how long each input took to change the picture");
     RenderCommand render;
     UiShotCommand shot;
+    ShareCommand share;
     GalleryCommand gallery;
     ExplainCommand explain;
     BenchCommand bench;
@@ -275,6 +298,7 @@ int run(int argc, char** argv) {
         app.add_subcommand("language", "print the page of the formula language (Markdown)");
     const CLI::App* const render_app = add_render(app, render);
     const CLI::App* const shot_app = add_ui_shot(app, shot);
+    const CLI::App* const share_app = add_share(app, share);
     const CLI::App* const gallery_app = add_gallery(app, gallery);
     const CLI::App* const explain_app = add_explain(app, explain);
     const CLI::App* const bench_app = add_bench(app, bench);
@@ -289,6 +313,7 @@ int run(int argc, char** argv) {
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);
+    if (*share_app) return run_share(share);
     if (*gallery_app) return run_gallery(gallery);
     if (*explain_app) return run_explain(explain);
     if (*bench_app) return run_bench(bench);

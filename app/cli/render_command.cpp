@@ -1,5 +1,6 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/point_json.hpp"
+#include "app/cli/render_files.hpp"
 #include "app/cli/render_picture.hpp"
 #include "app/cli/report.hpp"
 #include "app/platform/process.hpp"
@@ -43,11 +44,39 @@ OrInputError<std::vector<glm::ivec2>> read_probes(const std::vector<std::string>
     return pixels;
 }
 
+// The most pixels of pictures that are in memory as a whole; fewer where they keep their light.
+constexpr long long whole_pixels = 16 << 20;
+constexpr long long whole_light_pixels = 4 << 20;
+
+bool is_drawn_in_bands(const RenderPlan& plan) {
+    const long long pixels = static_cast<long long>(plan.size.width) * plan.size.height;
+    return pixels > (needs_light(plan.picture) ? whole_light_pixels : whole_pixels);
+}
+
+/// What cannot be asked of a picture that is never in memory as a whole.
+std::optional<InputError> refused_in_bands(const RenderCommand& command, const RenderPlan& plan) {
+    if (!plan.in_bands) return std::nullopt;
+    const auto refused = [&](const std::string& option) {
+        return InputError{.reason = option + ": not with a picture of " + command.size +
+                                    " pixels, which is never in memory as a whole; type a "
+                                    "smaller --size"};
+    };
+    if (command.repeat) return refused("--repeat " + *command.repeat);
+    if (!command.probes.empty()) return refused("--probe " + command.probes.front());
+    return std::nullopt;
+}
+
 OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     RenderPlan plan;
-    auto size = read_size("--size", command.size);
+    auto size = read_size("--size", command.size, in_bands);
     if (!size) return std::unexpected(size.error());
     plan.size = *size;
+    auto picture = read_picture_options(command, *size);
+    if (!picture) return std::unexpected(picture.error());
+    plan.picture = std::move(*picture);
+    plan.legend = !command.no_legend;
+    plan.in_bands = is_drawn_in_bands(plan);
+    if (const auto wrong = refused_in_bands(command, plan)) return std::unexpected(*wrong);
     auto settings = read_trace_settings(command.trace);
     if (!settings) return std::unexpected(settings.error());
     plan.settings = *settings;
@@ -71,12 +100,9 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     auto probes = read_probes(command.probes, plan.size);
     if (!probes) return std::unexpected(probes.error());
     plan.probes = std::move(*probes);
-    for (const auto& [option, path] :
-         {std::pair{"-o ", &command.output}, std::pair{"--certificate ", &command.certificate}}) {
-        if (*path && !(*path)->ends_with(".png")) {
-            return wrong_input(option + **path +
-                               ": the picture is a PNG; type a name that ends in .png");
-        }
+    if (command.certificate && !command.certificate->ends_with(".png")) {
+        return wrong_input("--certificate " + *command.certificate +
+                           ": the picture is a PNG; type a name that ends in .png");
     }
     if (command.depth == "-") {
         return wrong_input("--depth -: the depths need a file; type a name, for example depth.pfm");
@@ -104,22 +130,21 @@ std::optional<std::string> unwritable_file(const RenderCommand& command) {
     return std::nullopt;
 }
 
-Json stats_of(const RenderedPicture& picture) {
+Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
     const RenderPlan& plan = picture.plan;
     const Scene& scene = picture.scene;
     const PictureRequest& request = picture.request;
     const FrameTiming& timing = picture.timing;
-    const Framebuffer& frame = picture.frame;
     const Precision precision =
         frame_precision(scene, ViewFrame(request.camera), plan.settings.stop);
     Json surfaces = Json::array();
-    for (const std::size_t pixels : count_surfaces(frame, scene.surfaces.size()))
+    for (const std::size_t pixels : files.surfaces())
         surfaces.push_back({{"pixels", pixels}});
-    const CertificateCounts counts = count_certificates(frame);
+    const CertificateCounts& counts = files.certificates();
     const auto width = certified_width(scene.clip, plan.settings.stop, precision);
     const int threads = plan.settings.threads > 0 ? plan.settings.threads : core_count();
-    return {{"width", frame.width},
-            {"height", frame.height},
+    return {{"width", plan.size.width},
+            {"height", plan.size.height},
             {"threads", threads},
             {"tracer", plan.settings.tracer},
             {"compile_ms", request.formula ? request.formula->compile_ms : 0.0},
@@ -177,39 +202,48 @@ void print_probes(const RenderedPicture& picture) {
     }
 }
 
+/// Hands a picture that is in memory as a whole to its files.
+std::expected<void, std::string> add_whole(const RenderCommand& command,
+                                           const std::shared_ptr<const RenderedPicture>& made,
+                                           RenderFiles& files) {
+    const FrameSubject subject{.document = made->plan.document,
+                               .camera = made->request.camera,
+                               .coloring = made->scene.coloring,
+                               .legend = made->plan.legend};
+    const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
+    std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;
+    if (command.output) painted = finish_picture(frame, subject);
+    if (!painted) return std::unexpected(painted.error());
+    const auto added = files.add(*made, {.frame = *frame, .painted = **painted, .row = 0});
+    if (!added) return std::unexpected(added.error().message);
+    return {};
+}
+
 /// Writes the requested files; returns an error if one cannot be written.
 std::expected<void, std::string> write_files(const RenderCommand& command,
-                                             const std::shared_ptr<const RenderedPicture>& made) {
-    const RenderedPicture& picture = *made;
-    const Framebuffer& frame = picture.frame;
-    std::expected<void, FileError> written;
-    if (command.output) {
-        const FrameSubject subject{.document = picture.plan.document,
-                                   .camera = picture.request.camera,
-                                   .coloring = picture.scene.coloring,
-                                   .legend = !command.no_legend};
-        const auto finished = finish_picture({made, &frame}, subject);
-        if (!finished) return std::unexpected(finished.error());
-        written = command.alpha ? write_png(*command.output, without_background(frame, **finished))
-                                : write_png(*command.output, **finished);
+                                             const std::shared_ptr<const RenderedPicture>& made,
+                                             RenderFiles& files) {
+    if (!made->write_error.empty()) return std::unexpected(made->write_error);
+    if (!made->plan.in_bands) {
+        auto added = add_whole(command, made, files);
+        if (!added) return added;
     }
-    if (written && command.depth) written = write_pfm(*command.depth, frame);
-    if (written && command.certificate)
-        written = write_png(*command.certificate, certificate_picture(frame));
+    auto written = files.finish();
     if (written && command.stats)
-        written = write_text(*command.stats, stats_of(picture).dump(2) + "\n");
+        written = write_text(*command.stats, stats_of(*made, files).dump(2) + "\n");
     if (!written) return std::unexpected(written.error().message);
     return {};
 }
 
-int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPicture>& made) {
+int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPicture>& made,
+           RenderFiles& files) {
     const RenderedPicture& picture = *made;
     if (picture.error) return report(*picture.error);
     if (!picture.note.empty()) std::cerr << "zeroset: --fit: " << picture.note << '\n';
     const std::string left = budget_note(picture);
     if (!left.empty()) std::cerr << "zeroset: " << left << '\n';
     print_probes(picture);
-    const auto written = write_files(command, made);
+    const auto written = write_files(command, made, files);
     return written ? exit_ok : report_run_time(written.error());
 }
 
@@ -217,11 +251,15 @@ int finish(const RenderCommand& command, const std::shared_ptr<const RenderedPic
 
 int run_render(const RenderCommand& command) {
     const auto start = std::chrono::steady_clock::now();
-    const auto plan = plan_of(command);
+    auto plan = plan_of(command);
     if (!plan) return report(plan.error());
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    const auto files = std::make_shared<RenderFiles>(command);
+    plan->take_band = [files](const RenderedPicture& picture, const PictureBand& band) {
+        return files->add(picture, band);
+    };
     const RenderOutcome outcome = render_picture(*plan, start);
-    const int exit_code = finish(command, outcome.picture);
+    const int exit_code = finish(command, outcome.picture, *files);
     if (outcome.stuck) end_process(exit_code);
     return exit_code;
 }

@@ -3,6 +3,7 @@
 #include "document/framing.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
+#include "engine/export/pictures/picture_formats.hpp"
 #include "engine/image/background.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/color_range.hpp"
@@ -11,6 +12,7 @@
 #include "pipeline/code_choice.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
+#include "pipeline/plans/poster.hpp"
 
 #include <cmath>
 #include <limits>
@@ -40,7 +42,9 @@ struct Drawing {
 };
 
 /// True if the plan draws a single frame; frames repeated for their times each have a budget.
-bool is_one_frame(const RenderPlan& plan) { return plan.repeats == 1 && !plan.warms_up; }
+bool is_one_frame(const RenderPlan& plan) {
+    return plan.repeats == 1 && !plan.warms_up && !plan.in_bands;
+}
 
 /// Returns the time at which 1 / `parts` of the time left is over.
 Clock::time_point after_share(const Drawing& drawing, int parts) {
@@ -136,12 +140,40 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
     return std::nullopt;
 }
 
+/// Draws the picture band by band.
+void draw_bands(Drawing& drawing) {
+    RenderedPicture& picture = drawing.picture;
+    const RenderPlan& plan = picture.plan;
+    const Poster poster{.scene = picture.scene,
+                        .camera = picture.request.camera,
+                        .settings = picture.request.settings,
+                        .size = plan.picture.size,
+                        .document = plan.document,
+                        .legend = plan.legend,
+                        .keeps_light = needs_light(plan.picture),
+                        .keeps_normals = needs_normals(plan.picture),
+                        .band_budget_s = plan.budget_s};
+    const auto pixels =
+        static_cast<std::uint64_t>(plan.size.width) * static_cast<std::uint64_t>(plan.size.height);
+    drawing.progress.enter(Progress::Stage::Drawing, pixels);
+    const auto take = [&](const PictureBand& band) { return plan.take_band(picture, band); };
+    const auto add = [&](std::uint64_t count) { drawing.progress.add(count); };
+    const auto drawn = draw_poster(poster, take, {.cancel = &drawing.cancel, .on_pixels = add});
+    if (!drawn) picture.write_error = drawn.error();
+    const PosterWork work = drawn.value_or(PosterWork());
+    const double ms = work.drawing_ms;
+    picture.timing = {
+        .median_ms = ms, .min_ms = ms, .max_ms = ms, .repeats = 1, .counters = work.counters};
+    picture.in_time = !picture.timing.counters.is_cut();
+}
+
 void draw(Drawing& drawing) {
     RenderedPicture& picture = drawing.picture;
     picture.error = prepare_picture(drawing);
     if (picture.error) return;
     drawing.has_scene.store(true, std::memory_order_release);
     const RenderPlan& plan = picture.plan;
+    if (plan.in_bands) return draw_bands(drawing);
     const auto pixels = static_cast<std::uint64_t>(picture.frame.color.size());
     Clock::time_point until = drawing.until;
     const auto next_watch = [&] {
@@ -185,7 +217,9 @@ std::shared_ptr<const RenderedPicture> stuck_picture(const Drawing& drawing,
 RenderOutcome render_picture(const RenderPlan& plan, Clock::time_point start) {
     const auto drawing = std::make_shared<Drawing>();
     drawing->picture.plan = plan;
-    drawing->picture.frame = undecided_frame(plan.size);
+    if (!plan.in_bands) drawing->picture.frame = undecided_frame(plan.size);
+    if (needs_light(plan.picture) && !plan.in_bands)
+        drawing->picture.frame.keep_planes(needs_normals(plan.picture));
     drawing->start = start;
     drawing->until = until_after(start, plan.budget_s);
     const auto last = is_one_frame(plan) ? drawing->until + patience : TimeLimit::never;
@@ -208,7 +242,9 @@ std::string budget_note(const RenderedPicture& picture) {
                std::to_string(picture.timing.counters.rough_pixels) +
                " pixels are not shaded to the end" + more;
     }
-    return text + ": " + std::to_string(cut) + " of " + std::to_string(picture.frame.color.size()) +
+    const Size& size = picture.plan.size;
+    const auto pixels = static_cast<long long>(size.width) * size.height;
+    return text + ": " + std::to_string(cut) + " of " + std::to_string(pixels) +
            " pixels are left undecided" + more;
 }
 

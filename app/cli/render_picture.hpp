@@ -4,6 +4,7 @@
 #include "app/cli/progress.hpp"
 #include "app/cli/timing.hpp"
 #include "app/platform/process.hpp"
+#include "engine/export/pictures/picture_writer.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
@@ -13,6 +14,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +24,8 @@
 
 namespace zeroset {
 
+struct RenderedPicture;
+
 /// The meaning of the options, checked before any work.
 struct RenderPlan {
     Document document;  ///< the document with the options applied
@@ -30,20 +34,27 @@ struct RenderPlan {
     Size size{};
     int repeats = 1;
     bool warms_up = false;
-    bool fits = false;               ///< fits the view to the surfaces
-    bool fits_box = false;           ///< `fits` also fits the clip box
-    std::vector<glm::ivec2> probes;  ///< columns and rows
-    double budget_s = default_budget_s;
+    bool fits = false;                   ///< fits the view to the surfaces
+    bool fits_box = false;               ///< `fits` also fits the clip box
+    std::vector<glm::ivec2> probes;      ///< columns and rows
+    double budget_s = default_budget_s;  ///< of a picture in bands, for each of them
+    PictureOptions picture;              ///< how -o is written
+    bool legend = true;
+    /// The picture is too large to be in memory: take_band takes its parts on the drawing thread.
+    bool in_bands = false;
+    std::function<std::expected<void, FileError>(const RenderedPicture&, const PictureBand&)>
+        take_band;
 };
 
 /// A picture and what it was made of; incomplete if the budget ran out.
 struct RenderedPicture {
     RenderPlan plan;  ///< the plan after fitting
     std::optional<InputError> error;
-    std::string note;        ///< one line on what --fit could not do, or empty
-    PictureRequest request;  ///< without a formula if there was no time to make one
-    Scene scene;             ///< the request's scene, with the range of the colours
-    Framebuffer frame;
+    std::string note;         ///< one line on what --fit could not do, or empty
+    PictureRequest request;   ///< without a formula if there was no time to make one
+    Scene scene;              ///< the request's scene, with the range of the colours
+    Framebuffer frame;        ///< empty where it is drawn in bands
+    std::string write_error;  ///< why a band was not taken, or empty
     FrameTiming timing;
     bool in_time = true;  ///< everything wanted was finished
     Progress::Stage stage_at_end =

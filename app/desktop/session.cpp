@@ -214,8 +214,8 @@ void Session::begin(Document document, const std::string& path) {
 void Session::load(const std::string& path) {
     auto loaded = load_document(path);
     if (!loaded) return say_failure(loaded.error());
-    begin(std::move(loaded->document), path);
-    recent_.add(path);
+    begin(std::move(loaded->document), loaded->from_picture ? "" : path);
+    if (!loaded->from_picture) recent_.add(path);
     if (!loaded->note.empty()) say(bare_name(path) + ": " + loaded->note);
 }
 

@@ -1,11 +1,14 @@
 #include "document/json/document_file.hpp"
 
 #include "document/json/document_json.hpp"
+#include "engine/export/pictures/picture_writer.hpp"
+#include "engine/export/png.hpp"
 
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,7 +34,31 @@ std::string note_of(const std::vector<std::string>& unknown) {
     return note;
 }
 
+std::expected<std::string, std::string> text_of_file(const fs::path& path) {
+    std::error_code error;
+    if (fs::file_size(path, error) > largest_file) return std::unexpected("it is too large");
+    std::ifstream file(path, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(file), {});
+    if (!file) return std::unexpected(std::generic_category().message(errno));
+    return text;
+}
+
+/// The session is before the pixels, so that no more than the beginning of a picture is read.
+std::expected<std::string, std::string> session_of_picture(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::vector<char> begin(largest_file);
+    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    if (file.bad()) return std::unexpected(std::generic_category().message(errno));
+    const auto bytes =
+        std::as_bytes(std::span(begin).first(static_cast<std::size_t>(file.gcount())));
+    auto session = text_in_png(bytes, document_keyword);
+    if (!session) return std::unexpected("the picture holds no session of Zeroset");
+    return *session;
+}
+
 }  // namespace
+
+bool is_picture_name(const std::string& name) { return name.ends_with(".png"); }
 
 bool is_document_name(const std::string& name) { return name.ends_with(document_ending); }
 
@@ -39,13 +66,14 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     std::error_code error;
     if (!fs::exists(path, error)) return cannot_read(path, "there is no such file");
     if (!fs::is_regular_file(path, error)) return cannot_read(path, "it is no file");
-    if (fs::file_size(path, error) > largest_file) return cannot_read(path, "it is too large");
-    std::ifstream file(path, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file) return cannot_read(path, std::generic_category().message(errno));
-    auto read = document_from(text);
+    const bool from_picture = is_picture_name(path.string());
+    auto text = from_picture ? session_of_picture(path) : text_of_file(path);
+    if (!text) return cannot_read(path, text.error());
+    auto read = document_from(*text);
     if (!read) return cannot_read(path, read.error());
-    return LoadedDocument{.document = std::move(read->document), .note = note_of(read->unknown)};
+    return LoadedDocument{.document = std::move(read->document),
+                          .note = note_of(read->unknown),
+                          .from_picture = from_picture};
 }
 
 std::expected<void, FileError> save_document(const fs::path& path, const Document& document) {

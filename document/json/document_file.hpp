@@ -12,15 +12,18 @@ namespace zeroset {
 /// The end of the file names of documents.
 inline constexpr const char* document_ending = ".zeroset.json";
 bool is_document_name(const std::string& name);
+/// Whether a file may be a picture that holds a session.
+bool is_picture_name(const std::string& name);
 
 /// A document from a file. `note` is one sentence on what the program did not understand, or empty.
 struct LoadedDocument {
     Document document;
     std::string note;
+    bool from_picture = false;  ///< the file is a picture, and saving must not replace it
 };
 
-/// The document in a file, or why there is none, as a predicate: "cannot open 'a.json': ...". The
-/// file is only read.
+/// The document in a file, or in a PNG of ours, or why there is none, as a predicate: "cannot open
+/// 'a.json': ...". The file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
 
 /// Writes the file as a whole or not at all.

@@ -5,6 +5,7 @@
 #include "document/json/light_json.hpp"
 #include "document/json/look_json.hpp"
 #include "document/json/region_json.hpp"
+#include "document/json/share_text.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/language/parse.hpp"
 
@@ -206,8 +207,8 @@ void read_look(const Json& json, Document& document, std::vector<std::string>& u
         document.antialias = antialias_of(*value, fields.at("antialias"));
 }
 
-ReadDocument document_of(const Json& json) {
-    ReadDocument read;
+ParsedDocument document_of(const Json& json) {
+    ParsedDocument read;
     std::vector<std::string>& unknown = read.unknown;
     Fields fields(json, "", unknown);
     fields.find("zeroset");
@@ -275,7 +276,12 @@ std::string text_of(const Document& document) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::expected<ReadDocument, std::string> document_from(std::string_view text) {
+std::expected<ParsedDocument, std::string> document_from(std::string_view text) {
+    if (is_share_text(text)) {
+        const auto shared = shared_json(text);
+        if (!shared) return std::unexpected(shared.error());
+        return document_from(*shared);
+    }
     Json json;
     try {
         json = Json::parse(text);
@@ -300,6 +306,7 @@ std::expected<ReadDocument, std::string> document_from(std::string_view text) {
 }
 
 bool looks_like_document(std::string_view text) {
+    if (is_share_text(text)) return true;
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     return begin != std::string_view::npos && text[begin] == '{' &&
            text.find("\"zeroset\"") != std::string_view::npos;

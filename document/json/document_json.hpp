@@ -16,15 +16,16 @@ inline constexpr int document_format = 1;
 std::string text_of(const Document& document);
 
 /// A document read from text; its rows have the ids 1, 2, ...
-struct ReadDocument {
+struct ParsedDocument {
     Document document;
     std::vector<std::string> unknown;  ///< names of the fields that this program does not know
 };
 
-/// The document, or one clause on why the text is none: no document, a newer format, or the damage.
-std::expected<ReadDocument, std::string> document_from(std::string_view text);
+/// The document of a text of text_of or share_text, or one clause on why the text is none: no
+/// document, a newer format, or the damage.
+std::expected<ParsedDocument, std::string> document_from(std::string_view text);
 
-/// Whether the text looks like a document rather than a formula.
+/// Whether the text looks like a document, or one of share_text, rather than a formula.
 bool looks_like_document(std::string_view text);
 
 }  // namespace zeroset

@@ -12,6 +12,40 @@ void append(Shapes& shapes, Shapes more) {
                   std::make_move_iterator(more.end()));
 }
 
+namespace {
+
+/// Moves a shape of any kind.
+struct Mover {
+    glm::dvec2 by;
+
+    void operator()(Line& line) const {
+        line.from += by;
+        line.to += by;
+    }
+    void operator()(Circle& circle) const { circle.middle += by; }
+    void operator()(RoundedRectangle& rectangle) const {
+        rectangle.lo += by;
+        rectangle.hi += by;
+    }
+    void operator()(ConvexPolygon& polygon) const {
+        for (glm::dvec2& corner : polygon.corners)
+            corner += by;
+    }
+    void operator()(MapBar& bar) const {
+        bar.lo += by;
+        bar.hi += by;
+    }
+    void operator()(Text& text) const { text.at += by; }
+};
+
+}  // namespace
+
+Shapes moved(Shapes shapes, const glm::dvec2& by) {
+    for (Shape& shape : shapes)
+        std::visit(Mover{by}, shape);
+    return shapes;
+}
+
 std::array<glm::dvec2, 8> outline_offsets(double em) {
     constexpr double reach_em = 0.09;
     const double r = std::max(reach_em * em, 1.0);

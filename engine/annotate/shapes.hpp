@@ -81,6 +81,9 @@ using Shapes = std::vector<Shape>;
 /// Adds `more` behind the last of `shapes`.
 void append(Shapes& shapes, Shapes more);
 
+/// The shapes, moved by so much.
+Shapes moved(Shapes shapes, const glm::dvec2& by);
+
 /// Height of a line of DejaVu Sans, and from its top the middle of digits and the baseline.
 inline constexpr double line_height_em = 1.164;
 inline constexpr double digits_middle_em = 0.484 * line_height_em;

@@ -104,12 +104,19 @@ void draw_cover(const Tile& tile, std::span<const MixedPixel> pixels,
         const float scale = sum.area > 1.0F ? 1.0F / sum.area : 1.0F;
         const auto alpha = static_cast<std::uint32_t>(scale * sum.light[3] * 255.0F + 0.5F);
         std::uint32_t color = (alpha == 0 ? 255U : alpha) << 24U;
+        const std::size_t to = out.index(col, row);
         for (unsigned channel = 0; channel < 3; ++channel) {
             const float background = light_of_channel(behind >> 8 * channel & 0xFFU);
             const float mixed = scale * sum.light[channel] + (1.0F - area) * background;
             color |= channel_of_light(mixed) << 8 * channel;
         }
-        out.pixels.color[out.index(col, row)] = color;
+        out.pixels.color[to] = color;
+        if (out.pixels.light.empty()) continue;
+        const auto background = background_light(out.pixels.background, row, out.height);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            out.pixels.light[to][channel] =
+                scale * sum.light[channel] + (1.0F - area) * background[channel];
+        out.pixels.light[to][3] = scale * sum.light[3];
     }
     if (out.blank_rows != nullptr && !pixels.empty()) *out.blank_rows = 0;
 }

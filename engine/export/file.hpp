@@ -32,10 +32,6 @@ std::expected<void, FileError> write_png(const std::filesystem::path& path,
 /// Writes the image as a PNG with transparency.
 std::expected<void, FileError> write_png(const std::filesystem::path& path, const RgbaImage& image);
 
-/// Writes the depths as a grayscale PFM: little endian, rows from the bottom, +inf for a miss.
-std::expected<void, FileError> write_pfm(const std::filesystem::path& path,
-                                         const Framebuffer& frame);
-
 /// Writes the text to a file, or to standard output for "-".
 std::expected<void, FileError> write_text(const std::string& path, const std::string& text);
 

@@ -1,22 +1,26 @@
 #pragma once
 
+#include "engine/image/framebuffer.hpp"
 #include "engine/image/rgba_image.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset {
 
-/// A PNG file of `width` x `height` pixels, row by row from the top, of `channels` bytes each: 3
-/// (RGB) or 4 (RGBA). Empty where the encoder fails.
-std::vector<std::byte> encoded_png(const void* pixels, int width, int height, int channels);
-
-/// The image as a PNG file; empty where the encoder fails.
+/// The colours as an 8-bit RGB PNG file; the image as one with transparency.
+std::vector<std::byte> png_of(const Framebuffer& frame);
 std::vector<std::byte> png_of(const RgbaImage& image);
 
 /// The image in a PNG file; nullopt where it cannot be read or a side exceeds 4096 pixels.
 std::optional<RgbaImage> image_from_png(std::span<const std::byte> png);
+
+/// The compressed text with this keyword in a PNG file; nullopt where there is none, or where it is
+/// damaged or longer than 64 MiB.
+std::optional<std::string> text_in_png(std::span<const std::byte> png, std::string_view keyword);
 
 }  // namespace zeroset

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace zeroset {
@@ -14,5 +15,8 @@ struct Background {
 
 /// The background of an image row, RGBA as in Framebuffer.
 std::uint32_t background_color(const Background& background, int row, int height);
+
+/// The same as linear red, green and blue, not rounded to 8 bits.
+std::array<float, 3> background_light(const Background& background, int row, int height);
 
 }  // namespace zeroset

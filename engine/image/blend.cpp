@@ -41,6 +41,21 @@ struct MeanColor {
     }
 };
 
+/// The mean of the light of the square of pixels from `first` on.
+std::array<float, 4> mean_light(const Framebuffer& finer, std::size_t first, std::size_t side) {
+    std::array<float, 4> mean{};
+    for (std::size_t y = 0; y < side; ++y) {
+        const std::size_t left = first + y * static_cast<std::size_t>(finer.width);
+        for (std::size_t at = left; at < left + side; ++at) {
+            for (std::size_t channel = 0; channel < mean.size(); ++channel)
+                mean[channel] += finer.light[at][channel];
+        }
+    }
+    for (float& channel : mean)
+        channel /= static_cast<float>(side * side);
+    return mean;
+}
+
 }  // namespace
 
 void blend_finer(const Framebuffer& finer, int across, const PixelRect& rect,
@@ -55,7 +70,10 @@ void blend_finer(const Framebuffer& finer, int across, const PixelRect& rect,
                 for (std::size_t at = left; at < left + side; ++at)
                     mean.add(finer.color[at], std::isfinite(finer.depth[at]));
             }
-            picture.color[picture.index(rect.col + col, rect.row + row)] = mean.color();
+            const std::size_t to = picture.index(rect.col + col, rect.row + row);
+            picture.color[to] = mean.color();
+            if (!finer.light.empty() && !picture.light.empty())
+                picture.light[to] = mean_light(finer, first, side);
         }
     }
 }

@@ -9,7 +9,7 @@ namespace zeroset {
 /// Makes each pixel of `rect` in `picture` the mean of those of `finer` that cover it, in linear
 /// light; `finer` holds `rect` at `across` times the resolution from its first pixel on. Alpha is
 /// the mean of that of hits and 0 for others; 255 where none hits, as then the pixel shows
-/// background alone. All else of the pixel stays.
+/// background alone. Where both keep their light, its mean, too. All else of the pixel stays.
 void blend_finer(const Framebuffer& finer, int across, const PixelRect& rect, Framebuffer& picture);
 
 /// Whether some, but not all, of an antialiased pixel shows a surface.

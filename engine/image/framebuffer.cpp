@@ -13,6 +13,11 @@ Framebuffer::Framebuffer(int width_px, int height_px) : width(width_px), height(
     surface.resize(pixels, no_surface);
 }
 
+void Framebuffer::keep_planes(bool normals) {
+    light.resize(color.size());
+    normal.resize(normals ? color.size() : 0);
+}
+
 Framebuffer certificate_picture(const Framebuffer& frame) {
     constexpr std::uint32_t green = 0xFF52A83C;
     constexpr std::uint32_t teal = 0xFFA09A1E;

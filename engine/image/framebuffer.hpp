@@ -2,6 +2,7 @@
 
 #include "engine/image/background.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -39,6 +40,12 @@ struct Framebuffer {
     std::vector<Certificate> certificate;
     std::vector<std::uint8_t> surface;  ///< index of the surface drawn, or no_surface
     Background background = {};         ///< that `color` is mixed with
+    /// Linear red, green and blue (1: the brightest that a picture shows), mixed with the
+    /// background, and how much of the pixel is not background: `color` without its rounding to 8
+    /// bits. Empty unless keep_planes made room for it.
+    std::vector<std::array<float, 4>> light;
+    /// Of the surface drawn, of length 1, along the gradient of f; 0 for a miss. Empty as `light`.
+    std::vector<std::array<float, 3>> normal;
     /// Rows that render_frame left blank when it last drew here, so that it need not draw them
     /// again: for each of its tiles, row by row, a bit for each row of pixels, the first one
     /// lowest; set where all its pixels are misses in the background's colour. Empty: nothing is
@@ -47,6 +54,9 @@ struct Framebuffer {
 
     Framebuffer() = default;
     Framebuffer(int width_px, int height_px);
+
+    /// Makes room for `light`, and for `normal` if that is wanted: render_frame fills them.
+    void keep_planes(bool normals);
 
     [[nodiscard]] std::size_t index(int col, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

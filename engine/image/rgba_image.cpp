@@ -73,24 +73,14 @@ void spread_colors(RgbaImage& image) {
 
 }  // namespace
 
-RgbaImage without_background(const Framebuffer& frame, const Framebuffer& painted) {
+std::uint32_t drawn_color(const Framebuffer& frame, const Framebuffer& painted, std::size_t pixel,
+                          std::uint32_t background) {
     constexpr std::uint32_t opaque = 0xFF000000U;
-    RgbaImage image{.width = frame.width, .height = frame.height, .pixels = painted.color};
-    const auto columns = static_cast<std::size_t>(frame.width);
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        const std::uint32_t color = frame.color[i];
-        const auto row = static_cast<int>(i / columns);
-        if (painted.color[i] != color ||
-            (frame.depth[i] < std::numeric_limits<float>::infinity() && !is_partly_drawn(color))) {
-            image.pixels[i] |= opaque;
-        } else if (is_partly_drawn(color)) {
-            image.pixels[i] =
-                without_background(color, background_color(frame.background, row, frame.height));
-        } else {
-            image.pixels[i] = 0;
-        }
-    }
-    return image;
+    const std::uint32_t color = frame.color[pixel];
+    const bool is_hit = frame.depth[pixel] < std::numeric_limits<float>::infinity();
+    if (painted.color[pixel] != color || (is_hit && !is_partly_drawn(color)))
+        return painted.color[pixel] | opaque;
+    return is_partly_drawn(color) ? without_background(color, background) : 0;
 }
 
 RgbaImage halved(const Framebuffer& frame) {

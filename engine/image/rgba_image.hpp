@@ -16,9 +16,10 @@ struct RgbaImage {
     bool operator==(const RgbaImage&) const = default;
 };
 
-/// Takes its background out of `frame`. `painted`: the frame with what was drawn over it, which
-/// is not transparent.
-RgbaImage without_background(const Framebuffer& frame, const Framebuffer& painted);
+/// The colour of a pixel of `frame` without its background, a colour as of Framebuffer; 0: only
+/// that is seen. `painted`: the frame with what was drawn over it, which is not transparent.
+std::uint32_t drawn_color(const Framebuffer& frame, const Framebuffer& painted, std::size_t pixel,
+                          std::uint32_t background);
 
 /// `frame`, whose sides are even, at half its size. Each pixel is the mean of the drawn ones among
 /// four; its alpha is their share. Transparent pixels next to drawn ones take their colour, so that

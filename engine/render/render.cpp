@@ -8,6 +8,7 @@
 #include "engine/base/parallel.hpp"
 #include "engine/image/blend.hpp"
 #include "engine/light/encode.hpp"
+#include "engine/light/keep_planes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/render/tracers.hpp"
 #include "engine/trace/caps.hpp"
@@ -213,6 +214,7 @@ TileState TilePainter::paint(Tile tile, const TimeLimit& limit, Workspace& works
     light_.light(surfaces_, limit, tile, hits, workspace.lit, counters);
     if (limit.cancelled()) return TileState::Waiting;
     encode_tile(tile, hits, workspace.lit, out);
+    keep_planes(tile, hits, workspace.lit, out);
     if (beams_ && !limit.over()) smooth(tile, limit, workspace, out, counters);
     if (limit.cancelled()) return TileState::Waiting;
     return cut ? TileState::Cut : limit.over() ? TileState::Rough : TileState::Finished;
@@ -237,18 +239,19 @@ std::uint64_t undecided_in(const Framebuffer& frame, const Tile& tile) {
 class FramePainter {
 public:
     FramePainter(const Scene& scene, const Camera& camera, const TraceSettings& settings,
-                 Framebuffer& out, const RenderWatch& watch)
+                 const ImageBand& band, Framebuffer& out, const RenderWatch& watch)
         : view_(camera),
-          painter_(scene, view_, settings, {.width = out.width, .height = out.height}, 1),
+          painter_(scene, view_, settings, {.width = out.width, .height = band.height}, 1),
           across_(rays_across(antialias_of(scene, settings))),
+          band_(band),
           out_(out),
           watch_(watch) {
         if (across_ > 1)
             fine_painter_.emplace(
                 scene, view_, settings,
-                ImageSize{.width = across_ * out.width, .height = across_ * out.height}, across_);
+                ImageSize{.width = across_ * out.width, .height = across_ * band.height}, across_);
     }
-    /// `blank_rows`: the tile's of the picture. In upward rounding.
+    /// `tile`: of the image. `blank_rows`: the tile's of the band. In upward rounding.
     TileState paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                     std::uint64_t& blank_rows, Counters& counters) const;
 
@@ -260,6 +263,7 @@ private:
     ViewFrame view_;
     TilePainter painter_;
     int across_;  ///< rays of a pixel, in its fine picture
+    ImageBand band_;
     std::optional<TilePainter> fine_painter_;
     Framebuffer& out_;
     const RenderWatch& watch_;
@@ -272,7 +276,7 @@ bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspac
     const Canvas canvas{.pixels = fine,
                         .col = across_ * tile.col,
                         .row = across_ * tile.row,
-                        .height = across_ * out_.height};
+                        .height = across_ * band_.height};
     for (int row = 0; row < rows; row += tile_size) {
         for (int col = 0; col < cols; col += tile_size) {
             const Tile part{.col = canvas.col + col,
@@ -288,16 +292,25 @@ bool FramePainter::paint_fine(const Tile& tile, const TimeLimit& limit, Workspac
 
 TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspace& workspace,
                               std::uint64_t& blank_rows, Counters& counters) const {
-    const Canvas canvas{
-        .pixels = out_, .col = 0, .row = 0, .height = out_.height, .blank_rows = &blank_rows};
+    const Canvas canvas{.pixels = out_,
+                        .col = 0,
+                        .row = band_.row,
+                        .height = band_.height,
+                        .blank_rows = &blank_rows};
     const TileState state = painter_.paint(tile, limit, workspace, canvas, counters);
     if (state != TileState::Finished) return state;
-    const PixelRect pixels{.col = tile.col, .row = tile.row, .cols = tile.cols, .rows = tile.rows};
+    const PixelRect pixels{
+        .col = tile.col, .row = tile.row - band_.row, .cols = tile.cols, .rows = tile.rows};
     if (fine_painter_) {
         thread_local Framebuffer fine;
         const int side = across_ * tile_size;
         if (fine.width != side) fine = Framebuffer(side, side);
         fine.background = out_.background;
+        if (out_.light.empty()) {
+            fine.light.clear();
+        } else {
+            fine.keep_planes(false);
+        }
         if (!paint_fine(tile, limit, workspace, fine, counters)) return TileState::Rough;
         blank_rows = 0;
         blend_finer(fine, across_, pixels, out_);
@@ -310,12 +323,19 @@ TileState FramePainter::paint(const Tile& tile, const TimeLimit& limit, Workspac
 
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                       Framebuffer& frame, const RenderWatch& watch) {
+    return render_band(scene, camera, settings, {.row = 0, .height = frame.height}, frame, watch);
+}
+
+Counters render_band(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                     const ImageBand& band, Framebuffer& frame, const RenderWatch& watch) {
+    assert(band.row >= 0 && band.row + frame.height <= band.height);
     assert(find_tracer(settings.tracer) != nullptr && camera_defect(camera) == nullptr);
     assert(scene.surfaces.size() <= max_surfaces);
     const NearestRounding nearest;  // the view does not depend on the caller's mode
-    const FramePainter painter(scene, camera, settings, frame, watch);
+    const FramePainter painter(scene, camera, settings, band, frame, watch);
     const TileGrid grid(frame.width, frame.height);
-    if (frame.background != scene.background) frame.blank_rows.clear();
+    const bool same_rows = frame.background == scene.background && band.height == frame.height;
+    if (!same_rows) frame.blank_rows.clear();
     frame.background = scene.background;
     frame.blank_rows.resize(grid.size());
     const int threads = settings.threads > 0 ? settings.threads : core_count();
@@ -336,7 +356,9 @@ Counters render_frame(const Scene& scene, const Camera& camera, const TraceSetti
             const UpwardRegisters upward;
             Counters counters;
             std::uint64_t blank_rows = frame.blank_rows[tile];  // others write beside it
-            states[tile] = painter.paint(grid.tile(tile), *turn, workspace, blank_rows, counters);
+            Tile of_image = grid.tile(tile);
+            of_image.row += band.row;
+            states[tile] = painter.paint(of_image, *turn, workspace, blank_rows, counters);
             frame.blank_rows[tile] = blank_rows;
             if (states[tile] != TileState::Finished) again = true;
             const std::scoped_lock lock(mutex);

@@ -31,4 +31,15 @@ struct RenderWatch {
 Counters render_frame(const Scene& scene, const Camera& camera, const TraceSettings& settings,
                       Framebuffer& frame, const RenderWatch& watch = {});
 
+/// Rows of an image, with all their columns.
+struct ImageBand {
+    int row = 0;     ///< the first one
+    int height = 0;  ///< rows of the whole image
+};
+
+/// Renders a part of an image: `frame` has the image's width and as many rows as the band is high.
+/// Pixels are the same as in the whole image if the band's row is a multiple of tile_size.
+Counters render_band(const Scene& scene, const Camera& camera, const TraceSettings& settings,
+                     const ImageBand& band, Framebuffer& frame, const RenderWatch& watch = {});
+
 }  // namespace zeroset

@@ -187,8 +187,8 @@ class RenderTest(ProgramTest):
 
     def look(self, *options):
         """Returns the file of a small picture of a ball with a parameter."""
-        result = run("render", "x^2 + y^2 + z^2 = a", "--size", "240x180", "-o", "out.png", *options,
-                     cwd=self.folder)
+        result = run("render", "x^2 + y^2 + z^2 = a", "--size", "240x180", "-o", "out.png",
+                     "--no-session", *options, cwd=self.folder)
         self.assertEqual(result.code, 0, result)
         return (self.folder / "out.png").read_bytes()
 

@@ -3,6 +3,8 @@
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/solid_options.hpp"
 #include "document/json/document_file.hpp"
+#include "document/json/document_json.hpp"
+#include "document/json/share_text.hpp"
 #include "engine/base/text.hpp"
 #include "engine/expr/spelling.hpp"
 #include "engine/render/tracers.hpp"
@@ -109,10 +111,16 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
 
 /// Reads the document without applying the view options.
 OrInputError<InputDocument> stored_document(const std::string& equation) {
-    if (is_document_name(equation)) {
+    if (is_document_name(equation) || is_picture_name(equation)) {
         auto loaded = load_document(equation);
         if (!loaded) return wrong_input(loaded.error());
-        return InputDocument{read_document(std::move(loaded->document)), equation, loaded->note};
+        return InputDocument{read_document(std::move(loaded->document)),
+                             loaded->from_picture ? "" : equation, loaded->note};
+    }
+    if (is_share_text(equation)) {
+        auto shared = document_from(equation);
+        if (!shared) return wrong_input("zeroset:...: " + shared.error());
+        return InputDocument{read_document(std::move(shared->document))};
     }
     if (equation.starts_with('@')) {
         const auto item = gallery_item(std::string_view(equation).substr(1));
@@ -248,9 +256,9 @@ OrInputError<double> read_budget(const std::optional<std::string>& text) {
     return seconds;
 }
 
-OrInputError<Size> read_size(const std::string& option, const std::string& text) {
-    constexpr int largest_side = 16384;
-    constexpr long long most_pixels = 100'000'000;
+OrInputError<Size> read_size(const std::string& option, const std::string& text,
+                             const SizeLimits& limits) {
+    const auto [largest_side, most_pixels] = limits;
     const std::vector<std::string_view> parts = split(text, 'x');
     const std::optional<int> width = number_from<int>(parts.front());
     const std::optional<int> height = number_from<int>(parts.back());

@@ -78,8 +78,17 @@ OrInputError<double> read_budget(const std::optional<std::string>& text);
 /// where it does not begin so.
 std::optional<std::string> value_behind(std::string_view text, std::string_view word);
 
-/// Reads "WxH", or "N" for a square; each side 1 to 16384, at most 100 million pixels in all.
-OrInputError<Size> read_size(const std::string& option, const std::string& text);
+/// Sizes of pictures that are in memory as a whole, and of those that need not be.
+struct SizeLimits {
+    int largest_side;
+    long long most_pixels;
+};
+inline constexpr SizeLimits in_memory{.largest_side = 16384, .most_pixels = 100'000'000};
+inline constexpr SizeLimits in_bands{.largest_side = 65536, .most_pixels = 65536LL * 65536LL};
+
+/// Reads "WxH", or "N" for a square; each side 1 at least.
+OrInputError<Size> read_size(const std::string& option, const std::string& text,
+                             const SizeLimits& limits = in_memory);
 
 /// Reads `count` finite numbers separated by commas; `option` names them in errors.
 OrInputError<std::vector<double>> read_numbers(const std::string& option, const std::string& text,

@@ -64,7 +64,7 @@ TEST(FinishUntil, LeavesWhatTakesTooLong) {
 
 TEST(BudgetNote, SaysHowManyPixelsAreLeft) {
     RenderedPicture picture;
-    picture.frame = Framebuffer(20, 10);
+    picture.plan.size = {.width = 20, .height = 10};
     EXPECT_EQ(budget_note(picture), "");
     picture.in_time = false;
     picture.plan.budget_s = 2.5;

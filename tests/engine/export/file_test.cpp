@@ -1,5 +1,6 @@
 #include "engine/export/file.hpp"
 
+#include "engine/export/pfm_writer.hpp"
 #include "tests/support/test_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -120,7 +121,9 @@ Framebuffer small_frame() {
 }
 
 TEST_F(FileTest, PfmHasItsRowsFromTheBottom) {
-    ASSERT_TRUE(write_pfm(folder_ / "depth.pfm", small_frame()));
+    PfmWriter writer(folder_ / "depth.pfm", 3, 2);
+    ASSERT_TRUE(writer.add(small_frame(), 0));
+    ASSERT_TRUE(writer.finish());
     const std::string text = content(folder_ / "depth.pfm");
     const std::string header = "Pf\n3 2\n-1.0\n";
     ASSERT_EQ(text.size(), header.size() + 24);

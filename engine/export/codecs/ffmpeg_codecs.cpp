@@ -1,0 +1,159 @@
+#include "engine/export/codecs/ffmpeg_codecs.hpp"
+
+#include "engine/base/parallel.hpp"
+
+extern "C" {
+#include <libavutil/opt.h>
+}
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace zeroset {
+namespace {
+
+/// A quality from 1 to 100 on an encoder's scale, whose best and worst are given.
+int on_scale(int quality, double best, double worst) {
+    return static_cast<int>(std::lround(best + (100 - quality) * (worst - best) / 99.0));
+}
+
+void set_up_h264(AVCodecContext& encoder, const FilmSettings& settings) {
+    av_opt_set(encoder.priv_data, "preset", "veryfast", 0);
+    av_opt_set_double(encoder.priv_data, "crf", on_scale(settings.quality, 12, 40), 0);
+}
+
+void set_up_vp9(AVCodecContext& encoder, const FilmSettings& settings) {
+    encoder.bit_rate = 0;
+    av_opt_set_int(encoder.priv_data, "crf", on_scale(settings.quality, 14, 55), 0);
+    av_opt_set(encoder.priv_data, "deadline", "good", 0);
+    av_opt_set_int(encoder.priv_data, "cpu-used", 5, 0);
+    av_opt_set_int(encoder.priv_data, "row-mt", 1, 0);
+    // Frames that are never shown would have no alpha.
+    if (settings.alpha) av_opt_set_int(encoder.priv_data, "auto-alt-ref", 0, 0);
+}
+
+void set_up_prores(AVCodecContext& encoder, const FilmSettings&) {
+    av_opt_set(encoder.priv_data, "profile", "4444", 0);
+    av_opt_set(encoder.priv_data, "vendor", "apl0", 0);
+    av_opt_set_int(encoder.priv_data, "alpha_bits", 16, 0);
+}
+
+void set_up_ffv1(AVCodecContext& encoder, const FilmSettings&) {
+    encoder.level = 3;
+    encoder.slices = 4;
+}
+
+void set_up_nothing(AVCodecContext&, const FilmSettings&) {}
+
+template <int bits, bool quartered>
+void fill_video(const VideoFrame& from, AVFrame& to) {
+    std::array<VideoPlane, 4> planes;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        planes[i] = {.data = to.data[i], .row_bytes = to.linesize[i]};
+    write_video_planes(from, {.bits = bits, .quartered = quartered}, planes);
+}
+
+void fill_words(const VideoFrame& from, AVFrame& to) {
+    parallel_for(static_cast<std::size_t>(from.height), 0, [&](std::size_t i) {
+        const int row = static_cast<int>(i);
+        std::uint8_t* out = plane_row(to, 0, row);
+        for (int col = 0; col < from.width; ++col, out += 4) {
+            const std::uint8_t* const pixel = from.pixel(col, row);
+            const std::uint32_t alpha = from.alpha ? pixel[3] : 255U;
+            const std::uint32_t word = alpha << 24U | static_cast<std::uint32_t>(pixel[0]) << 16U |
+                                       static_cast<std::uint32_t>(pixel[1]) << 8U | pixel[2];
+            std::memcpy(out, &word, sizeof word);
+        }
+    });
+}
+
+/// Rows as they are; for GIF those of numbers in the palette.
+void fill_rows(const VideoFrame& from, AVFrame& to) {
+    const std::size_t bytes = from.rows.size() / static_cast<std::size_t>(from.height);
+    for (int row = 0; row < from.height; ++row)
+        std::memcpy(plane_row(to, 0, row), from.rows.data() + static_cast<std::size_t>(row) * bytes,
+                    bytes);
+}
+
+}  // namespace
+
+const FilmCodecRow& film_codec_row(FilmCodec codec) {
+    // In the order of FilmCodec.
+    static const std::array<FilmCodecRow, 6> rows{{
+        {.encoder = "libx264",
+         .muxer = "mp4",
+         .opaque = AV_PIX_FMT_YUV420P,
+         .with_alpha = AV_PIX_FMT_YUV420P,
+         .is_video = true,
+         .ticks_per_second = 0,
+         .alpha_tag = false,
+         .muxer_options = {{"movflags", "+faststart"}},
+         .set_up = set_up_h264,
+         .fill = fill_video<8, true>},
+        {.encoder = "libvpx-vp9",
+         .muxer = "webm",
+         .opaque = AV_PIX_FMT_YUV420P,
+         .with_alpha = AV_PIX_FMT_YUVA420P,
+         .is_video = true,
+         .ticks_per_second = 0,
+         .alpha_tag = true,
+         .muxer_options = {},
+         .set_up = set_up_vp9,
+         .fill = fill_video<8, true>},
+        {.encoder = "prores_ks",
+         .muxer = "mov",
+         .opaque = AV_PIX_FMT_YUV444P10,
+         .with_alpha = AV_PIX_FMT_YUVA444P10,
+         .is_video = true,
+         .ticks_per_second = 0,
+         .alpha_tag = false,
+         .muxer_options = {{"movflags", "+faststart"}},
+         .set_up = set_up_prores,
+         .fill = fill_video<10, false>},
+        {.encoder = "ffv1",
+         .muxer = "matroska",
+         .opaque = AV_PIX_FMT_0RGB32,
+         .with_alpha = AV_PIX_FMT_RGB32,
+         .is_video = false,
+         .ticks_per_second = 0,
+         .alpha_tag = false,
+         .muxer_options = {},
+         .set_up = set_up_ffv1,
+         .fill = fill_words},
+        {.encoder = "gif",
+         .muxer = "gif",
+         .opaque = AV_PIX_FMT_PAL8,
+         .with_alpha = AV_PIX_FMT_PAL8,
+         .is_video = false,
+         .ticks_per_second = 100,
+         .alpha_tag = false,
+         .muxer_options = {{"loop", "0"}},
+         .set_up = set_up_nothing,
+         .fill = fill_rows},
+        {.encoder = "apng",
+         .muxer = "apng",
+         .opaque = AV_PIX_FMT_RGB24,
+         .with_alpha = AV_PIX_FMT_RGBA,
+         .is_video = false,
+         .ticks_per_second = 0,
+         .alpha_tag = false,
+         .muxer_options = {{"plays", "0"}},
+         .set_up = set_up_nothing,
+         .fill = fill_rows},
+    }};
+    return rows[static_cast<std::size_t>(codec)];
+}
+
+const char* encoder_of(FilmCodec codec) { return film_codec_row(codec).encoder; }
+
+std::expected<std::unique_ptr<FilmEncoder>, std::string> open_film(
+    FilmCodec codec, const std::filesystem::path& path, const FilmSettings& settings) {
+    const FilmCodecRow& row = film_codec_row(codec);
+    return codec == FilmCodec::Gif ? open_ffmpeg_gif(row, path, settings)
+                                   : open_ffmpeg_film(row, path, settings);
+}
+
+}  // namespace zeroset

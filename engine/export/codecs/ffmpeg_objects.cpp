@@ -1,0 +1,37 @@
+#include "engine/export/codecs/ffmpeg_objects.hpp"
+
+#include "engine/export/codecs/codec.hpp"
+
+#include <array>
+
+namespace zeroset {
+
+std::string missing_encoder(const char* name) {
+    if (avcodec_find_encoder_by_name(name) != nullptr) return "";
+    return std::string("the FFmpeg libraries here have no encoder ") + name;
+}
+
+std::string ffmpeg_error(int error) {
+    std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
+    av_strerror(error, text.data(), text.size());
+    return text.data();
+}
+
+CodecContext codec_context(const char* encoder) {
+    av_log_set_level(AV_LOG_QUIET);
+    const AVCodec* const codec = avcodec_find_encoder_by_name(encoder);
+    return CodecContext(codec == nullptr ? nullptr : avcodec_alloc_context3(codec));
+}
+
+CodecFrame codec_frame(const AVCodecContext& context) {
+    CodecFrame frame(av_frame_alloc());
+    if (frame == nullptr) return nullptr;
+    frame->format = context.pix_fmt;
+    frame->width = context.width;
+    frame->height = context.height;
+    frame->color_range = context.color_range;
+    if (av_frame_get_buffer(frame.get(), 0) < 0) return nullptr;
+    return frame;
+}
+
+}  // namespace zeroset

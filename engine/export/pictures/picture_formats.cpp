@@ -1,0 +1,155 @@
+#include "engine/export/pictures/picture_formats.hpp"
+
+#include "engine/export/codecs/codec.hpp"
+#include "engine/export/codecs/encoded_picture.hpp"
+#include "engine/export/pictures/picture_makers.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace zeroset {
+namespace {
+
+constexpr int any_side = 65536;
+/// Bytes of pixels that are gathered in memory for an encoder, which needs as much again, and more.
+constexpr std::int64_t gathered = std::int64_t{256} << 20U;
+
+constexpr std::array<PictureFormat, 5> formats{{
+    {.name = "PNG",
+     .endings = {".png", ""},
+     .about = "without loss, of any size; opens again as a session",
+     .bits = {8, 16},
+     .alpha = true,
+     .lossy = false,
+     .density = true,
+     .document = true,
+     .largest_side = any_side,
+     .most_bytes = 0,
+     .encoder = nullptr,
+     .make = make_png_picture},
+    {.name = "JPEG",
+     .endings = {".jpg", ".jpeg"},
+     .about = "small files, with losses",
+     .bits = {8, 8},
+     .alpha = false,
+     .lossy = true,
+     .density = false,
+     .document = false,
+     .largest_side = 65500,
+     .most_bytes = gathered,
+     .encoder = jpeg_encoder,
+     .make = make_jpeg_picture},
+    {.name = "WebP",
+     .endings = {".webp", ""},
+     .about = "smaller files for the web; without loss at quality 100",
+     .bits = {8, 8},
+     .alpha = true,
+     .lossy = true,
+     .density = false,
+     .document = false,
+     .largest_side = 16383,
+     .most_bytes = gathered,
+     .encoder = webp_encoder,
+     .make = make_webp_picture},
+    {.name = "TIFF",
+     .endings = {".tif", ".tiff"},
+     .about = "without loss, for printers",
+     .bits = {8, 16},
+     .alpha = true,
+     .lossy = false,
+     .density = true,
+     .document = false,
+     .largest_side = any_side,
+     .most_bytes = gathered,
+     .encoder = tiff_encoder,
+     .make = make_tiff_picture},
+    {.name = "OpenEXR",
+     .endings = {".exr", ""},
+     .about = "light in full precision with depth, position, normal and certificate as layers",
+     .bits = {32, 32},
+     .alpha = true,
+     .lossy = false,
+     .density = true,
+     .document = true,
+     .largest_side = any_side,
+     .most_bytes = 0,
+     .encoder = nullptr,
+     .make = make_exr_picture},
+}};
+
+std::string lower_case(std::string text) {
+    for (char& letter : text)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return text;
+}
+
+std::string size_text(const ImageSize& size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+std::optional<std::string> size_refusal(const PictureFormat& format,
+                                        const PictureOptions& options) {
+    const int side = std::max(options.size.width, options.size.height);
+    const std::string name(format.name);
+    const std::string instead = "; PNG can: type a name that ends in .png";
+    if (side > format.largest_side) {
+        return "a " + name + " cannot be larger than " + std::to_string(format.largest_side) +
+               " pixels a side" + instead;
+    }
+    const std::int64_t channels = options.alpha ? 4 : 3;
+    const std::int64_t bytes =
+        std::int64_t{options.size.width} * options.size.height * channels * options.bits / 8;
+    if (format.most_bytes > 0 && bytes > format.most_bytes) {
+        return "a " + name + " of " + size_text(options.size) +
+               " pixels would need too much memory" + instead;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::span<const PictureFormat> picture_formats() { return formats; }
+
+const PictureFormat* picture_format_of(const std::filesystem::path& path) {
+    const std::string ending = lower_case(path.extension().string());
+    const auto* const found = std::ranges::find_if(formats, [&](const PictureFormat& format) {
+        return !ending.empty() && std::ranges::find(format.endings, ending) != format.endings.end();
+    });
+    return found == formats.end() ? nullptr : found;
+}
+
+std::string picture_endings() {
+    std::string text;
+    for (std::size_t i = 0; i < formats.size(); ++i) {
+        if (i > 0) text += i + 1 == formats.size() ? " or " : ", ";
+        text += formats[i].endings[0];
+    }
+    return text;
+}
+
+std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {
+    const std::string name(format.name);
+    if (format.encoder != nullptr) {
+        const std::string missing = missing_encoder(format.encoder);
+        if (!missing.empty())
+            return "no " + name + ": " + missing + "; type a name that ends in .png";
+    }
+    if (options.alpha && !format.alpha)
+        return "a " + name + " cannot be transparent; type a name that ends in .png or .webp";
+    if (std::ranges::find(format.bits, options.bits) == format.bits.end()) {
+        return "a " + name + " cannot have " + std::to_string(options.bits) +
+               " bits a channel; PNG and TIFF have 8 or 16, OpenEXR 32";
+    }
+    return size_refusal(format, options);
+}
+
+bool needs_light(const PictureOptions& options) { return options.bits > 8; }
+bool needs_normals(const PictureOptions& options) { return options.bits > 16; }
+
+std::expected<std::unique_ptr<PictureWriter>, FileError> begin_picture(
+    const PictureFormat& format, const std::filesystem::path& path, const PictureOptions& options) {
+    if (auto writable = check_writable(path); !writable) return std::unexpected(writable.error());
+    return format.make(path, options);
+}
+
+}  // namespace zeroset
