@@ -26,6 +26,22 @@ struct RenderCommand {
 };
 int run_render(const RenderCommand& command);
 
+/// Draws a film, or numbered frames.
+struct FilmCommand {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string output;
+    std::string size = "1280x720";
+    std::optional<std::string> frames, seconds, fps, turn, axis, end, ease, blur, shutter, quality,
+        bits, budget, stats;
+    std::vector<std::string> sweeps;     ///< NAME=FROM..TO
+    std::vector<std::string> waypoints;  ///< as read_waypoint reads them
+    bool turntable = false;              ///< a full turn, unless another is asked for
+    bool alpha = false, resume = false, no_legend = false;
+};
+int run_film(const FilmCommand& command);
+
 /// Prints the session as one line of text.
 struct ShareCommand {
     std::string equation;

@@ -216,6 +216,61 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     return render_app;
 }
 
+void add_film_options(CLI::App& app, FilmCommand& film) {
+    add_value(app, "EQUATION", film.equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
+        ->required();
+    add_value(app, "-o,--output", film.output,
+              "a film (.mp4, .webm, .mov, .mkv, .gif or .apng), or numbered pictures: "
+              "frames/f####.png")
+        ->required();
+    add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
+    add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
+    add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
+    add_value(app, "--frames", film.frames,
+              "N frames in all, or only those from A to B: A..B, counted from 0");
+    add_value(app, "--axis", film.axis, "what it turns about: x, y, z or X,Y,Z (default: up)");
+    add_repeated(app, "--sweep", film.sweeps,
+                 "a parameter, or w, that changes: NAME=FROM..TO; may be repeated");
+    add_repeated(app, "--through", film.waypoints,
+                 "where the camera goes through at constant speed: eye X,Y,Z, and each after a ;, "
+                 "look-at X,Y,Z, up X,Y,Z, fov DEGREES; twice or more");
+    add_value(app, "--end", film.end,
+              "loop (the last frame leads to the first), bounce (there and back) or stop");
+    add_value(app, "--ease", film.ease, "linear (default) or smooth: slowly at both ends");
+    add_value(app, "--blur", film.blur, "pictures that are mixed for a frame, 1 (default) to 64");
+    add_value(app, "--shutter", film.shutter,
+              "the part of a frame's time that --blur mixes, 0 to 1 (default 0.5)");
+    add_value(app, "--quality", film.quality, "1 to 100 for .mp4 and .webm (default 90)");
+    add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
+    app.add_flag("--alpha", film.alpha, "leave the background transparent");
+    app.add_flag("--resume", film.resume,
+                 "keep the numbered pictures that are there and show the same");
+    app.add_flag("--no-legend", film.no_legend,
+                 "leave out what says which colour stands for which number");
+    add_value(app, "--budget", film.budget,
+              "seconds after which what is not decided of a frame stays undecided (default 30)");
+    add_value(app, "--stats", film.stats, "times and counts: a JSON file, or -");
+    add_view_options(app, film.view);
+    add_trace_options(app, film.trace);
+}
+
+CLI::App* add_turntable(CLI::App& app, FilmCommand& film) {
+    film.turntable = true;
+    CLI::App* const film_app = app.add_subcommand("turntable", "draw a film of a full turn");
+    add_value(*film_app, "--turn", film.turn, "degrees (default 360)");
+    add_film_options(*film_app, film);
+    return film_app;
+}
+
+CLI::App* add_animate(CLI::App& app, FilmCommand& film) {
+    CLI::App* const film_app =
+        app.add_subcommand("animate", "draw a film of changing parameters or of a way around");
+    add_value(*film_app, "--turn", film.turn, "turn by so many degrees on the way");
+    add_film_options(*film_app, film);
+    return film_app;
+}
+
 CLI::App* add_share(CLI::App& app, ShareCommand& share) {
     CLI::App* const share_app =
         app.add_subcommand("share", "print a session as one line of text, to be sent and opened");
@@ -290,6 +345,8 @@ int run(int argc, char** argv) {
               "a file of JSON lines: how long each input took to change the picture");
     RenderCommand render;
     UiShotCommand shot;
+    FilmCommand turntable;
+    FilmCommand animate;
     ShareCommand share;
     GalleryCommand gallery;
     ExplainCommand explain;
@@ -298,6 +355,8 @@ int run(int argc, char** argv) {
         app.add_subcommand("language", "print the page of the formula language (Markdown)");
     const CLI::App* const render_app = add_render(app, render);
     const CLI::App* const shot_app = add_ui_shot(app, shot);
+    const CLI::App* const turntable_app = add_turntable(app, turntable);
+    const CLI::App* const animate_app = add_animate(app, animate);
     const CLI::App* const share_app = add_share(app, share);
     const CLI::App* const gallery_app = add_gallery(app, gallery);
     const CLI::App* const explain_app = add_explain(app, explain);
@@ -313,6 +372,8 @@ int run(int argc, char** argv) {
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     if (*render_app) return run_render(render);
     if (*shot_app) return run_ui_shot(shot);
+    if (*turntable_app) return run_film(turntable);
+    if (*animate_app) return run_film(animate);
     if (*share_app) return run_share(share);
     if (*gallery_app) return run_gallery(gallery);
     if (*explain_app) return run_explain(explain);

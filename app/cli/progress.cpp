@@ -1,5 +1,7 @@
 #include "app/cli/progress.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -37,6 +39,22 @@ struct Ending {
     bool ended = false;
 };
 
+/// "  [#########           ]   45 %".
+std::string bar(double part) {
+    constexpr std::size_t width = 30;
+    const auto full = static_cast<std::size_t>(part * width);
+    const std::string percent = std::to_string(static_cast<int>(100.0 * part));
+    return "  [" + std::string(full, '#') + std::string(width - full, ' ') + "]  " +
+           std::string(3 - percent.size(), ' ') + percent + " %";
+}
+
+/// The line for what is going on, `seconds` after the beginning.
+std::string line_of(const Progress& progress, double seconds) {
+    if (progress.stage() != Progress::Stage::Filming)
+        return progress_line(progress.stage(), progress.done(), seconds);
+    return film_line(progress.parts_done(), progress.parts(), seconds);
+}
+
 }  // namespace
 
 const char* name_of(Progress::Stage stage) {
@@ -45,19 +63,27 @@ const char* name_of(Progress::Stage stage) {
         case Progress::Stage::Fitting: return "looking for the surface";
         case Progress::Stage::Coloring: return "finding the range of the colours";
         case Progress::Stage::Drawing: return "drawing";
+        case Progress::Stage::Filming: return "filming";
     }
     return "";
 }
 
 std::string progress_line(Progress::Stage stage, double done, double seconds) {
-    constexpr std::size_t width = 30;
     const std::string name = name_of(stage);
     if (!(done >= 0.0)) return name + ", " + std::to_string(std::lround(seconds)) + " s";
-    const double part = std::min(done, 1.0);
-    const auto full = static_cast<std::size_t>(part * width);
-    const std::string percent = std::to_string(static_cast<int>(100.0 * part));
-    return name + "  [" + std::string(full, '#') + std::string(width - full, ' ') + "]  " +
-           std::string(3 - percent.size(), ' ') + percent + " %";
+    return name + bar(std::min(done, 1.0));
+}
+
+std::string film_line(std::uint64_t done, std::uint64_t frames, double seconds) {
+    const double part = static_cast<double>(done) / static_cast<double>(frames);
+    std::string line =
+        "frame " + std::to_string(done) + " of " + std::to_string(frames) + bar(part);
+    if (done == 0 || !(seconds > 0)) return line;
+    const double rate = static_cast<double>(done) / seconds;
+    const auto left = std::lround(static_cast<double>(frames - done) / rate);
+    const std::string part_of_minute = std::to_string(left % 60);
+    return line + "  " + short_number(rate, 3) + " a second, " + std::to_string(left / 60) + ":" +
+           (part_of_minute.size() < 2 ? "0" : "") + part_of_minute + " left";
 }
 
 bool finish_until(Clock::time_point until, const Progress& progress, std::function<void()> work) {
@@ -78,7 +104,7 @@ bool finish_until(Clock::time_point until, const Progress& progress, std::functi
         if (now >= until) break;
         if (now < next) continue;
         const std::chrono::duration<double> elapsed = now - start;
-        write_line(progress_line(progress.stage(), progress.done(), elapsed.count()));
+        write_line(line_of(progress, elapsed.count()));
         next = now + shown_every;
     }
     const bool ended = ending->ended;

@@ -13,7 +13,7 @@ namespace zeroset {
 /// The progress of a command. Written by working threads, read by the waiting one.
 class Progress {
 public:
-    enum class Stage : std::uint8_t { Compiling, Fitting, Coloring, Drawing };
+    enum class Stage : std::uint8_t { Compiling, Fitting, Coloring, Drawing, Filming };
 
     void enter(Stage stage, std::uint64_t parts = 0) {
         parts_ = parts;
@@ -22,6 +22,8 @@ public:
     }
     void add(std::uint64_t parts) { done_ += parts; }
     [[nodiscard]] Stage stage() const { return stage_; }
+    [[nodiscard]] std::uint64_t parts() const { return parts_; }
+    [[nodiscard]] std::uint64_t parts_done() const { return done_; }
     /// From 0 to 1; negative while unknown.
     [[nodiscard]] double done() const {
         const std::uint64_t parts = parts_;
@@ -39,6 +41,10 @@ const char* name_of(Progress::Stage stage);
 /// Formats a line such as "drawing  [#########           ]  45 %", without line end. `done` as in
 /// Progress; if it is unknown, the line shows the seconds instead.
 std::string progress_line(Progress::Stage stage, double done, double seconds);
+
+/// Formats a line such as "frame 12 of 180  [##      ]   7 %  8.1 a second, 0:20 left", without
+/// line end. `seconds`: since the first frame was begun.
+std::string film_line(std::uint64_t done, std::uint64_t frames, double seconds);
 
 /// Runs `work` on a thread of its own and waits for its end, but not beyond `until`. Returns true
 /// if it has ended. If standard error is a terminal, it shows the progress of work that takes

@@ -1,15 +1,14 @@
 #include "app/cli/render_picture.hpp"
 
-#include "document/framing.hpp"
 #include "engine/base/clock.hpp"
 #include "engine/base/text.hpp"
 #include "engine/export/pictures/picture_formats.hpp"
 #include "engine/image/background.hpp"
-#include "engine/measure/extent.hpp"
 #include "engine/render/color_range.hpp"
 #include "engine/render/render.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/code_choice.hpp"
+#include "pipeline/fit_view.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/poster.hpp"
@@ -72,17 +71,6 @@ PictureRequest request_for(const RenderPlan& plan, const PreparedDocument& prepa
                            {plan.size.width, plan.size.height});
 }
 
-/// Fits the view to the surfaces; returns the reason if it cannot.
-std::string fit(RenderPlan& plan, const PreparedDocument& prepared, const TimeLimit& limit) {
-    const PictureRequest request = request_for(plan, prepared);
-    plan.document.camera = request.camera;
-    const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
-    Framing framing =
-        frame_surfaces(plan.document, find_extent(scene_of(request), limit), aspect, plan.fits_box);
-    plan.document = std::move(framing.document);
-    return framing.found ? "" : framing.note;
-}
-
 /// Finds the range of the colours if the document leaves it open.
 void find_color_range(Drawing& drawing) {
     const RenderPlan& plan = drawing.picture.plan;
@@ -123,7 +111,9 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{.cancel = &drawing.cancel,
                               .until = after_share(drawing, fitting_share)};
-        drawing.picture.note = fit(plan, *prepared, limit);
+        drawing.picture.note =
+            fit_view(plan.document, *prepared, plan.settings, {plan.size.width, plan.size.height},
+                     plan.fits_box, limit);
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);

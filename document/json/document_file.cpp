@@ -4,11 +4,12 @@
 #include "engine/export/pictures/picture_writer.hpp"
 #include "engine/export/png.hpp"
 
+#include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdint>
 #include <fstream>
 #include <iterator>
-#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -43,15 +44,21 @@ std::expected<std::string, std::string> text_of_file(const fs::path& path) {
     return text;
 }
 
-/// The session is before the pixels, so that no more than the beginning of a picture is read.
-std::expected<std::string, std::string> session_of_picture(const fs::path& path) {
+/// The beginning of a picture: the session is before the pixels, so that no more need be read.
+std::expected<std::vector<std::byte>, std::string> begin_of_picture(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    std::vector<char> begin(largest_file);
-    file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    if (file.bad()) return std::unexpected(std::generic_category().message(errno));
-    const auto bytes =
-        std::as_bytes(std::span(begin).first(static_cast<std::size_t>(file.gcount())));
-    auto session = text_in_png(bytes, document_keyword);
+    std::error_code error;
+    std::vector<std::byte> bytes(std::min(fs::file_size(path, error), largest_file));
+    if (error || !file) return std::unexpected(std::generic_category().message(errno));
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (!file) return std::unexpected(std::generic_category().message(errno));
+    return bytes;
+}
+
+std::expected<std::string, std::string> session_of_picture(const fs::path& path) {
+    const auto bytes = begin_of_picture(path);
+    if (!bytes) return std::unexpected(bytes.error());
+    auto session = text_in_png(*bytes, document_keyword);
     if (!session) return std::unexpected("the picture holds no session of Zeroset");
     return *session;
 }
@@ -74,6 +81,16 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     return LoadedDocument{.document = std::move(read->document),
                           .note = note_of(read->unknown),
                           .from_picture = from_picture};
+}
+
+bool holds_picture_of(const fs::path& path, const Document& document, glm::ivec2 size_px) {
+    if (!fs::is_regular_file(path)) return false;
+    const auto bytes = begin_of_picture(path);
+    if (!bytes) return false;
+    const auto size = size_of_png(*bytes);
+    return size && std::cmp_equal(size->width, size_px.x) &&
+           std::cmp_equal(size->height, size_px.y) &&
+           text_in_png(*bytes, document_keyword) == text_of(document);
 }
 
 std::expected<void, FileError> save_document(const fs::path& path, const Document& document) {

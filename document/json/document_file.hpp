@@ -3,6 +3,8 @@
 #include "document/document.hpp"
 #include "engine/export/file.hpp"
 
+#include <glm/ext/vector_int2.hpp>
+
 #include <expected>
 #include <filesystem>
 #include <string>
@@ -25,6 +27,10 @@ struct LoadedDocument {
 /// The document in a file, or in a PNG of ours, or why there is none, as a predicate: "cannot open
 /// 'a.json': ...". The file is only read.
 std::expected<LoadedDocument, std::string> load_document(const std::filesystem::path& path);
+
+/// Whether a file is a PNG of this size that holds just this document.
+bool holds_picture_of(const std::filesystem::path& path, const Document& document,
+                      glm::ivec2 size_px);
 
 /// Writes the file as a whole or not at all.
 std::expected<void, FileError> save_document(const std::filesystem::path& path,

@@ -22,6 +22,8 @@ public:
 
     /// For libraries that write by themselves; what goes wrong is told by keep().
     std::ofstream& stream() { return stream_; }
+    /// Where it grows until keep(): for libraries that open files by their names.
+    [[nodiscard]] const std::filesystem::path& place() const { return grows_at_; }
     /// Appends bytes; false where that fails, which keep() tells again.
     bool append(std::span<const std::byte> bytes);
     /// Ends the file and gives it its name; or says why that, or any write before it, failed.

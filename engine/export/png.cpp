@@ -87,6 +87,12 @@ std::optional<RgbaImage> image_from_png(std::span<const std::byte> png) {
     return image;
 }
 
+std::optional<PngSize> size_of_png(std::span<const std::byte> png) {
+    // signature, length and type of the first chunk, width, height
+    if (png.size() < 24 || letters(png.subspan(1, 3)) != "PNG") return std::nullopt;
+    return PngSize{.width = number_at(png.subspan(16)), .height = number_at(png.subspan(20))};
+}
+
 std::optional<std::string> text_in_png(std::span<const std::byte> png, std::string_view keyword) {
     constexpr std::size_t signature = 8;
     constexpr std::size_t around_data = 12;  // length, type and sum

@@ -4,6 +4,7 @@
 #include "engine/image/rgba_image.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,12 @@ std::vector<std::byte> png_of(const RgbaImage& image);
 
 /// The image in a PNG file; nullopt where it cannot be read or a side exceeds 4096 pixels.
 std::optional<RgbaImage> image_from_png(std::span<const std::byte> png);
+
+/// The width and height of a PNG file; nullopt where it is none.
+struct PngSize {
+    std::uint32_t width, height;
+};
+std::optional<PngSize> size_of_png(std::span<const std::byte> png);
 
 /// The compressed text with this keyword in a PNG file; nullopt where there is none, or where it is
 /// damaged or longer than 64 MiB.

@@ -10,7 +10,6 @@ extern "C" {
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 
 namespace zeroset {
 namespace {
@@ -56,27 +55,34 @@ void fill_video(const VideoFrame& from, AVFrame& to) {
     write_video_planes(from, {.bits = bits, .quartered = quartered}, planes);
 }
 
+/// Words whose bytes are B, G, R, A on little-endian machines.
 void fill_words(const VideoFrame& from, AVFrame& to) {
     parallel_for(static_cast<std::size_t>(from.height), 0, [&](std::size_t i) {
         const int row = static_cast<int>(i);
-        std::uint8_t* out = plane_row(to, 0, row);
-        for (int col = 0; col < from.width; ++col, out += 4) {
-            const std::uint8_t* const pixel = from.pixel(col, row);
-            const std::uint32_t alpha = from.alpha ? pixel[3] : 255U;
-            const std::uint32_t word = alpha << 24U | static_cast<std::uint32_t>(pixel[0]) << 16U |
-                                       static_cast<std::uint32_t>(pixel[1]) << 8U | pixel[2];
-            std::memcpy(out, &word, sizeof word);
+        const std::uint32_t* const pixels = from.row(row);
+        auto* const out = reinterpret_cast<std::uint32_t*>(plane_row(to, 0, row));
+        const std::uint32_t opaque = from.alpha ? 0U : 0xFF000000U;
+        for (int col = 0; col < from.width; ++col) {
+            const std::uint32_t pixel = pixels[col] | opaque;
+            out[col] = (pixel & 0xFF00FF00U) | channel_of(pixel, 0) << 16U | channel_of(pixel, 2);
         }
     });
 }
 
-/// Rows as they are; for GIF those of numbers in the palette.
-void fill_rows(const VideoFrame& from, AVFrame& to) {
-    const std::size_t bytes = from.rows.size() / static_cast<std::size_t>(from.height);
-    for (int row = 0; row < from.height; ++row)
-        std::memcpy(plane_row(to, 0, row), from.rows.data() + static_cast<std::size_t>(row) * bytes,
-                    bytes);
+void fill_bytes(const VideoFrame& from, AVFrame& to) {
+    const unsigned channels = from.alpha ? 4 : 3;
+    parallel_for(static_cast<std::size_t>(from.height), 0, [&](std::size_t i) {
+        const int row = static_cast<int>(i);
+        std::uint8_t* out = plane_row(to, 0, row);
+        for (int col = 0; col < from.width; ++col) {
+            for (unsigned channel = 0; channel < channels; ++channel)
+                *out++ = static_cast<std::uint8_t>(channel_of(from.row(row)[col], channel));
+        }
+    });
 }
+
+/// GIF's frames are numbers of colours: see ffmpeg_gif.cpp.
+void fill_nothing(const VideoFrame&, AVFrame&) {}
 
 }  // namespace
 
@@ -132,7 +138,7 @@ const FilmCodecRow& film_codec_row(FilmCodec codec) {
          .alpha_tag = false,
          .muxer_options = {{"loop", "0"}},
          .set_up = set_up_nothing,
-         .fill = fill_rows},
+         .fill = fill_nothing},
         {.encoder = "apng",
          .muxer = "apng",
          .opaque = AV_PIX_FMT_RGB24,
@@ -142,7 +148,7 @@ const FilmCodecRow& film_codec_row(FilmCodec codec) {
          .alpha_tag = false,
          .muxer_options = {{"plays", "0"}},
          .set_up = set_up_nothing,
-         .fill = fill_rows},
+         .fill = fill_bytes},
     }};
     return rows[static_cast<std::size_t>(codec)];
 }

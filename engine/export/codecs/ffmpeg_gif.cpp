@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <string_view>
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -20,8 +20,9 @@ public:
 
     std::expected<void, std::string> add(const VideoFrame& frame) override {
         counts_.add(frame);
-        const auto* const bytes = reinterpret_cast<const char*>(frame.rows.data());
-        frames_.push_back(packed({bytes, frame.rows.size()}, Packing::Quick));
+        const auto bytes = std::as_bytes(frame.pixels);
+        frames_.push_back(
+            packed({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, Packing::Quick));
         return {};
     }
     std::expected<void, std::string> finish() override;
@@ -38,15 +39,14 @@ constexpr std::uint8_t transparent = 255;
 
 /// Writes the numbers of a frame's colours, and the palette.
 void fill_numbers(const VideoFrame& from, AVFrame& to, const FilmPalette& palette) {
+    const std::vector<std::uint8_t> numbers = dithered(from, palette, transparent);
     const auto width = static_cast<std::size_t>(from.width);
     for (int row = 0; row < from.height; ++row)
-        std::memcpy(plane_row(to, 0, row), &from.rows[static_cast<std::size_t>(row) * width],
-                    width);
+        std::memcpy(plane_row(to, 0, row), &numbers[static_cast<std::size_t>(row) * width], width);
     std::array<std::uint32_t, 256> colors{};
+    std::fill_n(colors.begin(), transparent, 0xFF000000U);
     for (std::size_t i = 0; i < palette.size(); ++i)
-        colors[i] = 0xFF000000U | palette[i];
-    std::fill(colors.begin() + static_cast<std::ptrdiff_t>(palette.size()),
-              colors.begin() + transparent, 0xFF000000U);
+        colors[i] |= palette[i];
     std::memcpy(to.data[1], colors.data(), sizeof colors);
 }
 
@@ -60,14 +60,12 @@ std::expected<void, std::string> Gif::finish() {
     for (const std::vector<std::uint8_t>& bytes : frames_) {
         const auto rows = unpacked(bytes);
         if (!rows) return std::unexpected("memory is damaged");
-        const VideoFrame frame{
-            .width = settings_.width,
-            .height = settings_.height,
-            .alpha = settings_.alpha,
-            .rows = {reinterpret_cast<const std::uint8_t*>(rows->data()), rows->size()}};
-        const std::vector<std::uint8_t> numbers = dithered(frame, palette, transparent);
-        const auto added =
-            (*film)->add({.width = frame.width, .height = frame.height, .rows = numbers});
+        std::vector<std::uint32_t> pixels(rows->size() / sizeof(std::uint32_t));
+        std::memcpy(pixels.data(), rows->data(), rows->size());
+        const auto added = (*film)->add({.width = settings_.width,
+                                         .height = settings_.height,
+                                         .alpha = settings_.alpha,
+                                         .pixels = pixels});
         if (!added) return added;
     }
     return (*film)->finish();

@@ -30,6 +30,10 @@ CodecFrame codec_frame(const AVCodecContext& context) {
     frame->width = context.width;
     frame->height = context.height;
     frame->color_range = context.color_range;
+    frame->colorspace = context.colorspace;
+    frame->color_primaries = context.color_primaries;
+    frame->color_trc = context.color_trc;
+    frame->chroma_location = context.chroma_sample_location;
     if (av_frame_get_buffer(frame.get(), 0) < 0) return nullptr;
     return frame;
 }

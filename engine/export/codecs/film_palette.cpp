@@ -24,8 +24,8 @@ double distance(const Color& a, const Color& b) {
     return sum;
 }
 
-bool is_transparent(const VideoFrame& frame, const std::uint8_t* pixel) {
-    return frame.alpha && pixel[3] < 128;
+bool is_transparent(const VideoFrame& frame, std::uint32_t pixel) {
+    return frame.alpha && channel_of(pixel, 3) < 128;
 }
 
 /// A colour and how often it occurs.
@@ -139,15 +139,15 @@ void pass_on(std::vector<Color>& errors, int col, const Color& error, double par
 }  // namespace
 
 void ColorCounts::add(const VideoFrame& frame) {
-    const std::size_t channels = frame.alpha ? 4 : 3;
-    for (std::size_t at = 0; at < frame.rows.size(); at += channels) {
-        const std::uint8_t* const pixel = &frame.rows[at];
+    for (const std::uint32_t pixel : frame.pixels) {
         if (is_transparent(frame, pixel)) continue;
-        Cell& cell = cells_[static_cast<std::size_t>(pixel[0] >> 3U) << 10U |
-                            static_cast<std::size_t>(pixel[1] >> 3U) << 5U | pixel[2] >> 3U];
+        std::size_t place = 0;
+        for (unsigned channel = 0; channel < 3; ++channel)
+            place = place << 5U | channel_of(pixel, channel) >> 3U;
+        Cell& cell = cells_[place];
         cell.count += 1.0;
-        for (std::size_t i = 0; i < 3; ++i)
-            cell.sum[i] += pixel[i];
+        for (unsigned channel = 0; channel < 3; ++channel)
+            cell.sum[channel] += channel_of(pixel, channel);
     }
 }
 
@@ -196,11 +196,11 @@ std::vector<std::uint8_t> dithered(const VideoFrame& frame, const FilmPalette& p
         const int step = row % 2 == 0 ? 1 : -1;
         for (int i = 0; i < frame.width; ++i) {
             const int col = step > 0 ? i : frame.width - 1 - i;
-            const std::uint8_t* const pixel = frame.pixel(col, row);
+            const std::uint32_t pixel = frame.row(row)[col];
             if (is_transparent(frame, pixel)) continue;
             Color wanted{};
-            for (std::size_t k = 0; k < 3; ++k)
-                wanted[k] = pixel[k] + errors[static_cast<std::size_t>(col)][k];
+            for (unsigned k = 0; k < 3; ++k)
+                wanted[k] = channel_of(pixel, k) + errors[static_cast<std::size_t>(col)][k];
             const std::size_t number = nearest(wanted);
             numbers[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(col)] =
                 static_cast<std::uint8_t>(number);

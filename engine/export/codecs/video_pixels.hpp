@@ -8,19 +8,22 @@
 
 namespace zeroset {
 
-/// A frame's pixels as RGB or RGBA of 8 bits, row by row, not multiplied by alpha.
+/// A frame's pixels, row by row: RGBA of 8 bits each, R lowest, not multiplied by alpha.
 struct VideoFrame {
     int width = 0;
     int height = 0;
-    bool alpha = false;
-    std::span<const std::uint8_t> rows;
+    bool alpha = false;  ///< else A counts for nothing
+    std::span<const std::uint32_t> pixels;
 
-    [[nodiscard]] const std::uint8_t* pixel(int col, int row) const {
-        return rows.data() + (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                              static_cast<std::size_t>(col)) *
-                                 (alpha ? 4U : 3U);
+    [[nodiscard]] const std::uint32_t* row(int row) const {
+        return pixels.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(width);
     }
 };
+
+/// A channel of a pixel: 0 (red) to 3 (alpha).
+constexpr std::uint32_t channel_of(std::uint32_t pixel, unsigned channel) {
+    return pixel >> 8U * channel & 0xFFU;
+}
 
 /// A plane of numbers in memory; those of more than 8 bits take two bytes in the machine's order.
 struct VideoPlane {

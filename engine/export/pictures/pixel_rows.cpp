@@ -84,4 +84,15 @@ void take_pixel_rows(const PictureBand& band, int height, const PixelLayout& lay
     });
 }
 
+void take_drawn_pixels(const PictureBand& band, int height, std::vector<std::uint32_t>& pixels) {
+    const Framebuffer& frame = band.frame;
+    pixels.resize(frame.color.size());
+    parallel_for(static_cast<std::size_t>(frame.height), 0, [&](std::size_t i) {
+        const int row = static_cast<int>(i);
+        const auto background = background_color(frame.background, band.row + row, height);
+        for (std::size_t at = frame.index(0, row); at < frame.index(0, row + 1); ++at)
+            pixels[at] = drawn_color(frame, band.painted, at, background);
+    });
+}
+
 }  // namespace zeroset

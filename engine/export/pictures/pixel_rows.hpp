@@ -26,6 +26,9 @@ struct PixelLayout {
 void take_pixel_rows(const PictureBand& band, int height, const PixelLayout& layout,
                      std::vector<std::uint8_t>& rows);
 
+/// Puts a band's pixels without their background into `pixels`, as drawn_color gives them.
+void take_drawn_pixels(const PictureBand& band, int height, std::vector<std::uint32_t>& pixels);
+
 /// The linear light of a band's pixel with its alpha: mixed with the background, alpha 1; or, if
 /// `without_background`, that of the drawn part alone, not multiplied by alpha.
 std::array<float, 4> pixel_light(const PictureBand& band, std::size_t pixel,

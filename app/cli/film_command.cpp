@@ -1,0 +1,247 @@
+#include "app/cli/commands.hpp"
+#include "app/cli/film_options.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/report.hpp"
+#include "document/json/document_file.hpp"
+#include "document/json/document_json.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/export/films/film_writer.hpp"
+#include "engine/render/tracers.hpp"
+#include "pipeline/fit_view.hpp"
+#include "pipeline/plans/film.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+/// The meaning of the options, checked before any work.
+struct FilmJob {
+    InputDocument input;
+    TraceSettings settings;
+    Size size{};
+    FilmPlan plan;
+    FrameRange range;
+    FilmTarget target;
+    double budget_s = default_budget_s;
+};
+
+OrInputError<FilmJob> job_of(const FilmCommand& command) {
+    FilmJob job;
+    const auto size = read_size("--size", command.size);
+    if (!size) return std::unexpected(size.error());
+    job.size = *size;
+    const auto settings = read_trace_settings(command.trace);
+    if (!settings) return std::unexpected(settings.error());
+    job.settings = *settings;
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    job.budget_s = *budget;
+    auto input = read_document(command.equation, command.view);
+    if (!input) return std::unexpected(input.error());
+    if (!input->rows) return std::unexpected(input->rows.error());
+    job.input = std::move(*input);
+    if (const auto wrong = take_look(command.trace, job.input.document))
+        return std::unexpected(*wrong);
+    if (job.input.document.jumps && job.settings.tracer != tracers().front().name) {
+        return wrong_input("--jumps: only the tracer beams finds jumps; leave out --tracer " +
+                           job.settings.tracer);
+    }
+    auto plan = read_film_plan(command, job.input);
+    if (!plan) return std::unexpected(plan.error());
+    job.plan = std::move(*plan);
+    const auto range = read_frame_range(command, job.plan);
+    if (!range) return std::unexpected(range.error());
+    job.range = *range;
+    auto target = read_film_target(command, job.size, job.plan);
+    if (!target) return std::unexpected(target.error());
+    job.target = std::move(*target);
+    return job;
+}
+
+/// The files that frames go into.
+class FrameFiles {
+public:
+    explicit FrameFiles(FilmTarget target) : target_(std::move(target)) {}
+
+    std::expected<void, FileError> begin(const std::string& output);
+    std::expected<void, FileError> take(const FilmFrame& frame);
+    std::expected<void, FileError> finish();
+    /// Whether a numbered picture is there and shows this document in this size.
+    [[nodiscard]] bool has(int number, const Document& document) const;
+    [[nodiscard]] double writing_ms() const { return writing_ms_; }
+
+private:
+    std::expected<void, FileError> write_picture(const FilmFrame& frame) const;
+
+    FilmTarget target_;
+    std::unique_ptr<FilmWriter> film_;
+    double writing_ms_ = 0.0;
+};
+
+std::expected<void, FileError> FrameFiles::begin(const std::string& output) {
+    if (target_.names) return check_writable(target_.names->path(0));
+    auto film = FilmWriter::begin(*target_.film, output, target_.settings);
+    if (!film) return std::unexpected(film.error());
+    film_ = std::move(*film);
+    return {};
+}
+
+std::expected<void, FileError> FrameFiles::write_picture(const FilmFrame& frame) const {
+    PictureOptions options = target_.picture_options;
+    options.document = text_of(frame.document);
+    options.camera = *frame.document.camera;
+    auto picture = begin_picture(*target_.picture, target_.names->path(frame.number), options);
+    if (!picture) return std::unexpected(picture.error());
+    if (auto added = (*picture)->add(frame.picture); !added) return added;
+    return (*picture)->finish();
+}
+
+std::expected<void, FileError> FrameFiles::take(const FilmFrame& frame) {
+    const auto start = Clock::now();
+    auto taken = target_.names ? write_picture(frame) : film_->add(frame.picture);
+    writing_ms_ += ms_since(start);
+    return taken;
+}
+
+std::expected<void, FileError> FrameFiles::finish() {
+    const auto start = Clock::now();
+    std::expected<void, FileError> finished;
+    if (film_ != nullptr) finished = film_->finish();
+    writing_ms_ += ms_since(start);
+    return finished;
+}
+
+bool FrameFiles::has(int number, const Document& document) const {
+    const std::filesystem::path path = target_.names->path(number);
+    const ImageSize& size = target_.picture_options.size;
+    return holds_picture_of(path, document, {size.width, size.height});
+}
+
+/// Everything that the film's thread works with; it may outlive everything else.
+struct Filming {
+    FilmCommand command;
+    FilmJob job;
+    Progress progress;
+    std::atomic<bool> cancel = false;
+    std::optional<InputError> wrong;
+    std::string error;  ///< of drawing or writing, or empty
+    std::string note;   ///< on --fit, or empty
+    Json stats;
+};
+
+Json stats_of(const Filming& filming, const FilmWork& work, const FrameFiles& files, double ms) {
+    const FilmJob& job = filming.job;
+    return {{"width", job.size.width},
+            {"height", job.size.height},
+            {"frames", job.range.last - job.range.first + 1},
+            {"drawn", work.drawn},
+            {"frames_per_second",
+             {{"numerator", job.plan.rate.frames}, {"denominator", job.plan.rate.seconds}}},
+            {"drawing_ms", work.drawing_ms},
+            {"writing_ms", files.writing_ms()},
+            {"elapsed_ms", ms},
+            {"undecided_by_budget", work.counters.cut_pixels}};
+}
+
+/// Makes the code and, if that is wanted, fits the view.
+std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
+    FilmJob& job = filming.job;
+    Document& document = job.input.document;
+    auto prepared = prepare(document, std::move(*job.input.rows), Preparation::Compiled);
+    if (!prepared || !filming.command.view.fit) return prepared;
+    filming.progress.enter(Progress::Stage::Fitting);
+    const TimeLimit limit{.cancel = &filming.cancel,
+                          .until = until_after(Clock::now(), job.budget_s)};
+    filming.note = fit_view(document, *prepared, job.settings, {job.size.width, job.size.height},
+                            !filming.command.view.box, limit);
+    // A turn finds the distance from which all of it is seen by itself.
+    if (job.plan.turn) document.camera.reset();
+    return prepared;
+}
+
+void make_film(Filming& filming) {
+    const auto start = Clock::now();
+    FilmJob& job = filming.job;
+    auto prepared = prepare_film(filming);
+    if (!prepared) {
+        filming.wrong = prepared.error();
+        return;
+    }
+    const double aspect = static_cast<double>(job.size.width) / job.size.height;
+    const PictureOptions& options = job.target.picture_options;
+    const bool pictures = job.target.names.has_value();
+    const Film film{.prepared = std::move(*prepared),
+                    .script = FilmScript(job.plan, job.input.document, aspect),
+                    .settings = job.settings,
+                    .size = {.width = job.size.width, .height = job.size.height},
+                    .first = job.range.first,
+                    .last = job.range.last,
+                    .legend = !filming.command.no_legend,
+                    .keeps_light = pictures && needs_light(options),
+                    .keeps_normals = pictures && needs_normals(options),
+                    .frame_budget_s = job.budget_s};
+    FrameFiles files(job.target);
+    auto done = files.begin(filming.command.output);
+    FilmWork work;
+    if (done) {
+        filming.progress.enter(Progress::Stage::Filming,
+                               static_cast<std::uint64_t>(film.last - film.first + 1));
+        FilmWatch watch{.cancel = &filming.cancel,
+                        .on_frame = [&](int) { filming.progress.add(1); }};
+        if (filming.command.resume) {
+            watch.has_frame = [&](int number, const Document& document) {
+                return files.has(number, document);
+            };
+        }
+        const auto drawn =
+            draw_film(film, [&](const FilmFrame& frame) { return files.take(frame); }, watch);
+        if (drawn) work = *drawn;
+        if (!drawn) filming.error = drawn.error();
+        if (drawn) done = files.finish();
+    }
+    if (!done) filming.error = done.error().message;
+    filming.stats = stats_of(filming, work, files, ms_since(start));
+}
+
+int finish(const Filming& filming) {
+    if (filming.wrong) return report(*filming.wrong);
+    if (!filming.note.empty()) std::cerr << "zeroset: --fit: " << filming.note << '\n';
+    if (!filming.error.empty()) return report_run_time(filming.error);
+    const auto cut = filming.stats["undecided_by_budget"].get<std::uint64_t>();
+    if (cut > 0) {
+        std::cerr << "zeroset: " << cut
+                  << " pixels of the film are left undecided; --budget SECONDS gives more\n";
+    }
+    if (!filming.command.stats) return exit_ok;
+    const auto written = write_text(*filming.command.stats, filming.stats.dump(2) + "\n");
+    return written ? exit_ok : report_run_time(written.error().message);
+}
+
+}  // namespace
+
+int run_film(const FilmCommand& command) {
+    auto job = job_of(command);
+    if (!job) return report(job.error());
+    if (command.stats && *command.stats != "-") {
+        if (auto writable = check_writable(*command.stats); !writable)
+            return report_run_time(writable.error().message);
+    }
+    const auto filming = std::make_shared<Filming>();
+    filming->command = command;
+    filming->job = std::move(*job);
+    finish_until(TimeLimit::never, filming->progress, [filming] { make_film(*filming); });
+    return finish(*filming);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,313 @@
+#include "app/cli/film_options.hpp"
+
+#include "engine/base/enum_names.hpp"
+#include "engine/base/text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace zeroset {
+namespace {
+
+constexpr int most_frames = 100'000;
+constexpr double usual_seconds = 6.0;
+constexpr double longest_seconds = 86'400.0;
+constexpr int most_blur = 64;
+
+constexpr auto end_names = enum_names<FilmEnd>("stop", "loop", "bounce");
+constexpr auto easing_names = enum_names<Easing>("linear", "smooth");
+
+bool is_gif(const FilmCommand& command) {
+    const FilmFormat* const format = film_format_of(command.output);
+    return format != nullptr && format->codec == FilmCodec::Gif;
+}
+
+OrInputError<FrameRate> read_rate(const FilmCommand& command) {
+    if (!command.fps) return FrameRate{.frames = is_gif(command) ? 25 : 30};
+    const auto parts = split(*command.fps, '/');
+    const std::string option = "--fps " + *command.fps;
+    if (parts.size() > 2) return wrong_input(option + ": type N or N/D, such as 30000/1001");
+    const auto frames = read_integer(option, std::string(parts.front()), 1, 240'000);
+    if (!frames) return std::unexpected(frames.error());
+    FrameRate rate{.frames = *frames};
+    if (parts.size() == 2) {
+        const auto seconds = read_integer(option, std::string(parts.back()), 1, 1001);
+        if (!seconds) return std::unexpected(seconds.error());
+        rate.seconds = *seconds;
+    }
+    if (rate.frames > 240 * rate.seconds)
+        return wrong_input(option + ": at most 240 frames a second");
+    return rate;
+}
+
+/// The two numbers of "A..B"; nothing where the text has another form.
+std::optional<std::pair<std::string, std::string>> ends_of(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    return std::pair(std::string(trimmed(text.substr(0, dots))),
+                     std::string(trimmed(text.substr(dots + 2))));
+}
+
+OrInputError<int> read_frame_count(const FilmCommand& command, const FrameRate& rate) {
+    if (command.frames && !ends_of(*command.frames)) {
+        if (command.seconds)
+            return wrong_input("--frames " + *command.frames + ": not together with --seconds");
+        return read_integer("--frames", *command.frames, 1, most_frames);
+    }
+    double seconds = usual_seconds;
+    if (command.seconds) {
+        const auto number = read_number("--seconds", *command.seconds);
+        if (!number) return std::unexpected(number.error());
+        seconds = *number;
+    }
+    if (!(seconds > 0 && seconds <= longest_seconds))
+        return wrong_input("--seconds " + command.seconds.value_or("") +
+                           ": type more than 0, at most 86400");
+    const double frames = std::round(seconds * rate.frames / rate.seconds);
+    if (frames > most_frames)
+        return wrong_input("--seconds: more than " + std::to_string(most_frames) + " frames");
+    return std::max(1, static_cast<int>(frames));
+}
+
+OrInputError<glm::dvec3> read_axis(const std::string& text) {
+    if (text == "x") return glm::dvec3(1, 0, 0);
+    if (text == "y") return glm::dvec3(0, 1, 0);
+    if (text == "z") return glm::dvec3(0, 0, 1);
+    const auto numbers = read_numbers("--axis", text, 3);
+    if (!numbers) return std::unexpected(numbers.error());
+    const glm::dvec3 axis((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+    if (glm::length(axis) == 0)
+        return wrong_input("--axis " + text + ": the axis has no direction");
+    return axis;
+}
+
+std::optional<InputError> read_turn(const FilmCommand& command, const Document& document,
+                                    FilmPlan& plan) {
+    if (!command.turntable && !command.turn) {
+        if (command.axis)
+            return InputError{.reason = "--axis " + *command.axis + ": only with --turn"};
+        return std::nullopt;
+    }
+    Turn turn{.axis = document.up};
+    if (command.turn) {
+        const auto degrees = read_number("--turn", *command.turn);
+        if (!degrees) return degrees.error();
+        turn.degrees = *degrees;
+    }
+    if (command.axis) {
+        const auto axis = read_axis(*command.axis);
+        if (!axis) return axis.error();
+        turn.axis = *axis;
+    }
+    plan.turn = turn;
+    return std::nullopt;
+}
+
+OrInputError<Sweep> read_sweep(const std::string& text, const InputDocument& document) {
+    const std::string option = "--sweep " + text;
+    const std::size_t equals = text.find('=');
+    const auto ends = equals == std::string::npos ? std::nullopt : ends_of(text.substr(equals + 1));
+    if (!ends) return wrong_input(option + ": type NAME=FROM..TO, for example a=0..2");
+    Sweep sweep{.name = std::string(trimmed(text.substr(0, equals)))};
+    for (const auto& [number, end] :
+         {std::pair{&ends->first, &sweep.from}, {&ends->second, &sweep.to}}) {
+        const auto value = read_number(option, *number);
+        if (!value) return std::unexpected(value.error());
+        if (std::abs(*value) > largest_number)
+            return wrong_input(option + ": stay between -1e30 and 1e30");
+        *end = *value;
+    }
+    const auto& names = document.rows->program->parameters;
+    if (sweep.name != "w" && std::ranges::find(names, sweep.name) == names.end()) {
+        std::string known;
+        for (const std::string& name : names)
+            known += " " + name;
+        return wrong_input(
+            option + ": there is no parameter " + sweep.name +
+            (known.empty() ? "; a free letter in the formula is one" : "; there are:" + known));
+    }
+    return sweep;
+}
+
+/// Reads "eye X,Y,Z; look-at X,Y,Z; up X,Y,Z; fov DEGREES" over the members of `camera`.
+OrInputError<Camera> read_waypoint(const std::string& text, Camera camera) {
+    const std::string option = "--through " + text;
+    bool has_eye = false;
+    for (const std::string_view part : split(text, ';')) {
+        if (const auto degrees = value_behind(part, "fov")) {
+            const auto number = read_number(option, *degrees);
+            if (!number) return std::unexpected(number.error());
+            if (!(*number >= 0.01 && *number <= 170))
+                return wrong_input(option + ": type an angle from 0.01 to 170 degrees");
+            camera.fov_rad = glm::radians(*number);
+            continue;
+        }
+        glm::dvec3* target = nullptr;
+        std::optional<std::string> value;
+        for (const auto& [word, member] :
+             {std::pair{"eye", &camera.eye}, {"look-at", &camera.look_at}, {"up", &camera.up}}) {
+            if (value) break;
+            value = value_behind(part, word);
+            target = member;
+        }
+        if (!value)
+            return wrong_input(option + ": type eye X,Y,Z, then look-at, up or fov after a ;");
+        const auto numbers = read_numbers(option, *value, 3);
+        if (!numbers) return std::unexpected(numbers.error());
+        *target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+        has_eye = has_eye || target == &camera.eye;
+    }
+    if (!has_eye) return wrong_input(option + ": it says no eye X,Y,Z");
+    if (const char* const defect = camera_defect(camera))
+        return wrong_input(option + ": " + defect);
+    return camera;
+}
+
+std::optional<InputError> read_waypoints(const FilmCommand& command, const Document& document,
+                                         FilmPlan& plan) {
+    if (command.waypoints.empty()) return std::nullopt;
+    if (command.waypoints.size() < 2)
+        return InputError{.reason = "--through " + command.waypoints.front() +
+                                    ": a way has two ends at least; give another --through"};
+    Camera camera = document.camera.value_or(default_camera(document.clip, 1.0, document.up));
+    for (const std::string& text : command.waypoints) {
+        const auto read = read_waypoint(text, camera);
+        if (!read) return read.error();
+        plan.path.push_back(*read);
+    }
+    return std::nullopt;
+}
+
+template <class Names, class Value>
+std::optional<InputError> read_name(const char* option, const std::optional<std::string>& text,
+                                    const Names& names, Value& value) {
+    if (!text) return std::nullopt;
+    const auto named = names.named(*text);
+    if (named) {
+        value = *named;
+        return std::nullopt;
+    }
+    std::string all;
+    for (const Value known : names.values())
+        all += (all.empty() ? "" : ", ") + std::string(names.of(known));
+    return InputError{.reason = std::string(option) + " " + *text + ": type one of " + all};
+}
+
+std::optional<InputError> read_blur(const FilmCommand& command, FilmPlan& plan) {
+    if (command.blur) {
+        const auto blur = read_integer("--blur", *command.blur, 1, most_blur);
+        if (!blur) return blur.error();
+        plan.blur = *blur;
+    }
+    if (!command.shutter) return std::nullopt;
+    const auto shutter = read_number("--shutter", *command.shutter);
+    if (!shutter) return shutter.error();
+    if (!(*shutter > 0 && *shutter <= 1))
+        return InputError{.reason =
+                              "--shutter " + *command.shutter + ": type more than 0, at most 1"};
+    plan.shutter = *shutter;
+    return std::nullopt;
+}
+
+OrInputError<int> read_quality(const FilmCommand& command, bool lossy) {
+    constexpr int usual = 90;
+    if (!command.quality) return usual;
+    if (!lossy) return wrong_input("--quality " + *command.quality + ": it is for .mp4 and .webm");
+    return read_integer("--quality", *command.quality, 1, 100);
+}
+
+OrInputError<FilmTarget> read_frame_files(const FilmCommand& command, const Size& size) {
+    const std::string option = "-o " + command.output;
+    FilmTarget target{
+        .settings = {}, .names = FrameNames::from(command.output), .picture_options = {}};
+    if (command.quality) return wrong_input("--quality " + *command.quality + ": it is for films");
+    target.picture = picture_format_of(command.output);
+    if (target.picture == nullptr)
+        return wrong_input(option + ": type a name that ends in " + picture_endings());
+    target.picture_options = {.size = {.width = size.width, .height = size.height},
+                              .bits = target.picture->bits[0],
+                              .alpha = command.alpha};
+    if (command.bits) {
+        const auto bits = read_integer("--bits", *command.bits, 8, 32);
+        if (!bits) return std::unexpected(bits.error());
+        target.picture_options.bits = *bits;
+    }
+    if (const auto refused = refusal(*target.picture, target.picture_options))
+        return wrong_input(option + ": " + *refused);
+    return target;
+}
+
+}  // namespace
+
+OrInputError<FilmPlan> read_film_plan(const FilmCommand& command, const InputDocument& document) {
+    FilmPlan plan;
+    const auto rate = read_rate(command);
+    if (!rate) return std::unexpected(rate.error());
+    plan.rate = *rate;
+    const auto frames = read_frame_count(command, *rate);
+    if (!frames) return std::unexpected(frames.error());
+    plan.frames = *frames;
+    if (const auto wrong = read_turn(command, document.document, plan))
+        return std::unexpected(*wrong);
+    for (const std::string& text : command.sweeps) {
+        const auto sweep = read_sweep(text, document);
+        if (!sweep) return std::unexpected(sweep.error());
+        plan.sweeps.push_back(*sweep);
+    }
+    if (const auto wrong = read_waypoints(command, document.document, plan))
+        return std::unexpected(*wrong);
+    if (!plan.turn && plan.sweeps.empty() && plan.path.empty())
+        return wrong_input(
+            "nothing changes: give --sweep NAME=FROM..TO, --turn DEGREES or --through");
+    plan.end = plan.turn || !plan.path.empty() ? FilmEnd::Loop : FilmEnd::Bounce;
+    if (const auto wrong = read_name("--end", command.end, end_names, plan.end))
+        return std::unexpected(*wrong);
+    if (const auto wrong = read_name("--ease", command.ease, easing_names, plan.easing))
+        return std::unexpected(*wrong);
+    if (const auto wrong = read_blur(command, plan)) return std::unexpected(*wrong);
+    return plan;
+}
+
+OrInputError<FrameRange> read_frame_range(const FilmCommand& command, const FilmPlan& plan) {
+    FrameRange range{.first = 0, .last = plan.frames - 1};
+    const auto ends = command.frames ? ends_of(*command.frames) : std::nullopt;
+    if (!ends) return range;
+    const std::string option = "--frames " + *command.frames;
+    const auto first = read_integer(option, ends->first, 0, range.last);
+    if (!first) return std::unexpected(first.error());
+    const auto last = read_integer(option, ends->second, *first, range.last);
+    if (!last) return std::unexpected(last.error());
+    return FrameRange{.first = *first, .last = *last};
+}
+
+OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size& size,
+                                          const FilmPlan& plan) {
+    if (FrameNames::from(command.output)) return read_frame_files(command, size);
+    const std::string option = "-o " + command.output;
+    FilmTarget target{
+        .film = film_format_of(command.output), .settings = {}, .names = {}, .picture_options = {}};
+    if (target.film == nullptr) {
+        return wrong_input(option + ": type a name that ends in " + film_endings() +
+                           ", or frame####.png for numbered pictures");
+    }
+    for (const auto& [name, given] :
+         {std::pair{"--resume", command.resume}, std::pair{"--bits", command.bits.has_value()}}) {
+        if (given)
+            return wrong_input(std::string(name) +
+                               ": only with numbered pictures, -o frame####.png");
+    }
+    const auto quality = read_quality(command, target.film->lossy);
+    if (!quality) return std::unexpected(quality.error());
+    target.settings = {.width = size.width,
+                       .height = size.height,
+                       .rate = plan.rate,
+                       .alpha = command.alpha,
+                       .quality = *quality};
+    if (const auto refused = refusal(*target.film, target.settings))
+        return wrong_input(option + ": " + *refused);
+    return target;
+}
+
+}  // namespace zeroset
