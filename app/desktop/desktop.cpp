@@ -34,6 +34,8 @@ constexpr double frame_s = 1.0 / 60.0;
 constexpr double quick_ms = 30.0;
 /// Longest step of a playing slider, after a frame that took long.
 constexpr double longest_step_s = 0.25;
+/// Time between two looks at a picture that is being saved.
+constexpr double export_shown_s = 0.1;
 
 std::string note_of(CodeState code) {
     switch (code) {
@@ -82,7 +84,8 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
             [this] {
                 if (latency_ != nullptr) latency_->picture_ready();
                 window_.wake();
-            }) {
+            }),
+      export_([this] { window_.wake(); }) {
     if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
 }
 
@@ -139,13 +142,14 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           cards_.settled();
+           cards_.settled() && !export_.runs();
 }
 
 std::optional<double> Desktop::due_s() const {
     if (state_.input.move) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (search_.runs()) due = std::min(due.value_or(ExtentSearch::poll_s), ExtentSearch::poll_s);
+    if (export_.runs()) due = std::min(due.value_or(export_shown_s), export_shown_s);
     if (const auto change = wait_notice_.due_s(now_s()))
         due = std::min(due.value_or(*change), *change);
     if (const auto click = inspector_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
@@ -262,6 +266,7 @@ void Desktop::follow_edits() {
     find_view();
     find_surfaces();
     submit_picture();
+    save_picture();
     window_.set_title(session_.title() + " - Zeroset");
 }
 
@@ -285,6 +290,19 @@ void Desktop::submit_picture() {
     if (!wanted || !feed_.submit(std::move(*wanted))) return;
     state_.shown.picture.tracing = true;
     window_.wake();
+}
+
+void Desktop::save_picture() {
+    if (auto outcome = export_.take()) {
+        if (*outcome) state_.shown.status.done = **outcome;
+        if (!*outcome) session_.tell(outcome->error());
+        done_gesture_ = state_.input.gesture;
+    }
+    if (!state_.wishes.save_picture || export_.runs()) return;
+    const std::string path = *std::exchange(state_.wishes.save_picture, std::nullopt);
+    auto request = wanted_picture();
+    if (request) return export_.start(std::move(*request), state_.edited.document, path);
+    session_.tell("there is no picture yet that could be saved: the formula has an error");
 }
 
 }  // namespace zeroset

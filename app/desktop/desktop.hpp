@@ -3,6 +3,7 @@
 #include "app/desktop/desktop_portal.hpp"
 #include "app/desktop/extent_search.hpp"
 #include "app/desktop/latency_log.hpp"
+#include "app/desktop/picture_export.hpp"
 #include "app/desktop/picture_feed.hpp"
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
@@ -95,6 +96,8 @@ private:
     void find_surfaces();
     void frame(const Extent& extent);
     void play();
+    /// Begins to save a picture that is wished for, and tells of one that has ended.
+    void save_picture();
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;
     void submit_picture();
@@ -121,6 +124,7 @@ private:
     // Their threads wake the window, so that they end first.
     GalleryCards cards_;
     PictureFeed feed_;
+    PictureExport export_;
 };
 
 /// Opens the window and runs until it is closed. Returns one sentence as error if there is no

@@ -1,6 +1,6 @@
 #include "app/desktop/desktop_portal.hpp"
 
-#include "ui/pages/file_browser.hpp"
+#include "ui/model/dialog_state.hpp"
 
 #include <filesystem>
 #include <string>
@@ -12,10 +12,10 @@ namespace {
 namespace fs = std::filesystem;
 using Purpose = ui::FileChoice::Purpose;
 
-/// Appends the ending of documents where it is missing, as the program's own file dialog does. If
+/// Appends the ending where it is missing, as the program's own file dialog does. If
 /// that names another file that exists, the user is asked in the window.
 void take_saved(ui::FileChoice& choice, const std::string& chosen) {
-    const fs::path path(chosen + (chosen.ends_with(".json") ? "" : ui::document_ending));
+    const fs::path path(ui::with_ending(choice.purpose, chosen));
     std::error_code ignored;
     if (path != fs::path(chosen) && fs::exists(path, ignored)) {
         choice.folder = path.parent_path().string();
@@ -48,12 +48,11 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
     if (!dialogs.file) return;
     ui::FileChoice& choice = *dialogs.file;
     if (choice.begins && has_dialogs_) {
-        const bool saves = choice.purpose == Purpose::Save;
+        const bool saves = choice.purpose != Purpose::Open;
         portal_.ask({.saves = saves,
                      .folder = choice.folder,
-                     .name = choice.name.ends_with(".json") ? choice.name
-                                                            : choice.name + ui::document_ending,
-                     .ending = ui::document_ending,
+                     .name = ui::with_ending(choice.purpose, choice.name),
+                     .ending = ui::ending_of(choice.purpose),
                      .parent = parent_});
         choice.elsewhere = true;
         asks_ = true;
@@ -71,7 +70,7 @@ void DesktopPortal::take_answer(ui::FileChoice& choice) {
     if (!answer->asked) return;
     if (answer->path.empty()) {
         choice.finished = true;
-    } else if (choice.purpose == Purpose::Save) {
+    } else if (choice.purpose != Purpose::Open) {
         take_saved(choice, answer->path);
     } else {
         choice.path = answer->path;

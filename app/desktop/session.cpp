@@ -3,6 +3,7 @@
 #include "app/platform/folders.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
+#include "document/json/share_text.hpp"
 #include "ui/panels/statement_list.hpp"
 #include "ui/style/label.hpp"
 #include "ui/window/clipboard.hpp"
@@ -137,6 +138,10 @@ void Session::keep(double now_s) {
     }
 }
 
+void Session::tell(const std::string& text) {
+    if (asked_ == Subject::Nothing) say(text);
+}
+
 void Session::follow_command() {
     if (const auto path = std::exchange(state_.wishes.open_path, std::nullopt)) {
         attempt({.intent = Intent::OpenPath, .path = *path});
@@ -148,9 +153,11 @@ void Session::follow_command() {
         case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
         case ui::Command::Save: return save();
         case ui::Command::SaveAs: return save_as();
+        case ui::Command::SavePicture: return save_picture();
         case ui::Command::Undo: return undo(true);
         case ui::Command::Redo: return undo(false);
         case ui::Command::Copy: return copy();
+        case ui::Command::Share: return ui::set_clipboard(share_text(current()));
         case ui::Command::Paste: return paste();
         case ui::Command::Quit: return close();
     }
@@ -232,6 +239,14 @@ void Session::save_as() {
     state_.pages.dialogs.file = std::move(choice);
 }
 
+void Session::save_picture() {
+    ui::FileChoice choice;
+    choice.purpose = Purpose::SavePicture;
+    choice.folder = first_folder(path_);
+    choice.name = path_.empty() ? "picture" : bare_name(path_);
+    state_.pages.dialogs.file = std::move(choice);
+}
+
 void Session::write(const std::string& path) {
     const auto written = save_document(path, current());
     if (!written) {
@@ -251,10 +266,12 @@ void Session::follow_file_choice() {
     const ui::FileChoice choice = *std::exchange(file, std::nullopt);
     if (choice.path.empty()) {
         waiting_.reset();
-    } else if (choice.purpose == Purpose::Open) {
-        load(choice.path);
-    } else {
-        write(choice.path);
+        return;
+    }
+    switch (choice.purpose) {
+        case Purpose::Open: return load(choice.path);
+        case Purpose::Save: return write(choice.path);
+        case Purpose::SavePicture: state_.wishes.save_picture = choice.path;
     }
 }
 

@@ -39,6 +39,8 @@ public:
     void show(Document document);
     /// Opens files that were dropped on the window.
     void open(const std::vector<std::string>& paths);
+    /// Shows a message that must be read, unless a question is open.
+    void tell(const std::string& text);
     /// Closes the window; asks first if that would lose work.
     void close() { attempt({.intent = Intent::Quit, .path = {}}); }
     [[nodiscard]] bool closed() const { return closed_; }
@@ -70,6 +72,7 @@ private:
     void load(const std::string& path);
     void save();
     void save_as();
+    void save_picture();
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from real_window import POLL_S, RealWindowTest, check_tools
-from zeroset_program import environment, main, run
+from zeroset_program import environment, main, read_png, run
 
 BALL = "x^2+y^2+z^2=1"
 TORUS = "(1-sqrt(x^2+y^2))^2+z^2=0.1"
@@ -152,6 +152,22 @@ class WindowTest(RealWindowTest):
         """Presses the key and returns True if the picture at rest is then equal to `image`."""
         self.display.xdotool("key", key)
         return self.same(self.rest(lambda _: True, "rest"), image)
+
+    def test_saves_a_picture_that_opens_again(self):
+        ball = self.start(BALL)
+        path = Path(self.display.folder.name) / "ball"
+        self.display.xdotool("key", "Escape", "ctrl+e")
+        self.changed(ball, "the choice of a file")
+        self.display.xdotool("type", "--delay", 5, str(path))
+        self.display.xdotool("key", "Return")
+        picture = path.with_suffix(".png")
+        self.wait_for(picture.exists, "the picture")
+        image = read_png(picture)
+        self.assertGreater(image.width, 500)
+        self.assertGreater(len(image.colors()), 100)
+        read = run("explain", str(picture))
+        self.assertEqual(read.code, 0, str(read))
+        self.assertIn("x^2 + y^2 + z^2", read.out)
 
     def test_undo_brings_back_text_and_view(self):
         ball = self.start(BALL)

@@ -19,7 +19,7 @@ struct Question {
 
 /// A choice of a file, in the window itself.
 struct FileChoice {
-    enum class Purpose : std::uint8_t { Open, Save };
+    enum class Purpose : std::uint8_t { Open, Save, SavePicture };
     Purpose purpose = Purpose::Open;
     std::string folder;         ///< shown; absolute
     std::string name;           ///< in the field
@@ -29,6 +29,12 @@ struct FileChoice {
     bool elsewhere = false;     ///< asked in the desktop's own dialog; here one can only give up
     bool asks_replace = false;  ///< the file exists; another press of Save replaces it
 };
+
+/// The ending of the files that are offered, and of names without one.
+std::string ending_of(FileChoice::Purpose purpose);
+/// The name, with the purpose's ending where it has none: a document's ends in .json, a picture's
+/// says its format.
+std::string with_ending(FileChoice::Purpose purpose, const std::string& name);
 
 /// Questions to the user; the owner sets it, acts on the answer and clears it.
 struct Dialogs {

@@ -20,7 +20,19 @@ struct RowFocus {
 };
 
 /// Commands about the document as a whole.
-enum class Command : std::uint8_t { New, Open, Save, SaveAs, Undo, Redo, Copy, Paste, Quit };
+enum class Command : std::uint8_t {
+    New,
+    Open,
+    Save,
+    SaveAs,
+    SavePicture,
+    Undo,
+    Redo,
+    Copy,
+    Share,  ///< copies the document as one line of text
+    Paste,
+    Quit,
+};
 
 /// A press of the button over the picture that was no drag.
 struct PictureClick {
@@ -46,6 +58,7 @@ struct Wishes {
     std::optional<std::size_t> gallery_item;  ///< a line of the gallery was picked
     std::optional<std::string> open_path;     ///< a recent file was picked
     std::optional<Command> command;
+    std::optional<std::string> save_picture;  ///< the path of a file was chosen for the picture
     std::optional<PictureClick> click;
     ThumbnailWish thumbnails;  ///< lasts while the page is open
 };

@@ -26,8 +26,8 @@ struct Entry {
     bool is_folder;
 };
 
-/// Returns folders, then documents, each sorted by name; without hidden ones.
-std::vector<Entry> entries_of(const std::string& folder) {
+/// Returns folders, then files with this ending, each sorted by name; without hidden ones.
+std::vector<Entry> entries_of(const std::string& folder, const std::string& ending) {
     std::vector<Entry> entries;
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
@@ -35,7 +35,7 @@ std::vector<Entry> entries_of(const std::string& folder) {
         const std::string name = at->path().filename().string();
         const bool is_folder = at->is_directory(ignored);
         if (name.starts_with('.')) continue;
-        if (is_folder || name.ends_with(document_ending)) entries.push_back({name, is_folder});
+        if (is_folder || name.ends_with(ending)) entries.push_back({name, is_folder});
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
@@ -49,14 +49,15 @@ void go_to(FileChoice& choice, const fs::path& folder) {
     if (choice.purpose == Purpose::Open) choice.name.clear();
 }
 
-/// Path of the typed name in the shown folder; a file to save gets the document ending if it has
-/// none.
+bool saves(const FileChoice& choice) { return choice.purpose != Purpose::Open; }
+
+/// Path of the typed name in the shown folder; a file to save gets an ending if it has none.
 fs::path typed_path(const FileChoice& choice) {
-    fs::path path = fs::path(choice.folder) / choice.name;
+    const fs::path folder(choice.folder);
     std::error_code ignored;
-    const bool bare = choice.purpose == Purpose::Save && !choice.name.ends_with(".json");
-    if (bare && !fs::is_directory(path, ignored)) path += document_ending;
-    return path;
+    if (!saves(choice) || fs::is_directory(folder / choice.name, ignored))
+        return folder / choice.name;
+    return folder / with_ending(choice.purpose, choice.name);
 }
 
 /// Opens the typed folder or accepts the typed file; asks once before a file is replaced.
@@ -69,7 +70,7 @@ void accept(FileChoice& choice) {
         return go_to(choice, path);
     }
     const bool exists = fs::exists(path, ignored);
-    if (choice.purpose == Purpose::Save && exists && !choice.asks_replace) {
+    if (saves(choice) && exists && !choice.asks_replace) {
         choice.asks_replace = true;
         return;
     }
@@ -116,10 +117,11 @@ void draw_entry(FileChoice& choice, const Entry& entry, const Palette& colors) {
 void draw_entries(FileChoice& choice, float height, const Palette& colors) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, colors.field);
     ImGui::BeginChild("##entries", ImVec2(0.0F, height));
-    const std::vector<Entry> entries = entries_of(choice.folder);
+    const std::string ending = ending_of(choice.purpose);
+    const std::vector<Entry> entries = entries_of(choice.folder, ending);
     for (const Entry& entry : entries)
         draw_entry(choice, entry, colors);
-    if (entries.empty()) ImGui::TextDisabled("  no documents here (*%s)", document_ending);
+    if (entries.empty()) ImGui::TextDisabled("  none here (*%s)", ending.c_str());
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -136,6 +138,15 @@ void draw_buttons(FileChoice& choice, const Palette& colors) {
     if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", ImVec2(em(7.0F), 0.0F))) choice.finished = true;
+}
+
+const char* title_of(Purpose purpose) {
+    switch (purpose) {
+        case Purpose::Open: return "Open a document";
+        case Purpose::Save: return "Save as";
+        case Purpose::SavePicture: return "Save the picture (.png, .jpg, .webp, .tif or .exr)";
+    }
+    return "";
 }
 
 void draw_name(FileChoice& choice) {
@@ -157,7 +168,7 @@ void draw_file_browser(FileChoice& choice, const Palette& colors) {
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.45F * (window.y - size.y)));
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal("##files", nullptr, flags)) return;
-    ImGui::TextUnformatted(choice.purpose == Purpose::Open ? "Open a document" : "Save as");
+    ImGui::TextUnformatted(title_of(choice.purpose));
     draw_places(choice, colors);
     draw_name(choice);
     const float below = (choice.asks_replace ? 2.2F : 1.2F) * ImGui::GetFrameHeightWithSpacing();

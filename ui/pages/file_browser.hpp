@@ -5,10 +5,7 @@
 
 namespace zeroset::ui {
 
-/// Ending of document files.
-inline constexpr const char* document_ending = ".zeroset.json";
-
-/// Draws the file browser: folders and documents of a folder, and a field for the name. Sets the
+/// Draws the file browser: folders and files of a folder, and a field for the name. Sets the
 /// chosen path and `finished`.
 void draw_file_browser(FileChoice& choice, const Palette& colors);
 
