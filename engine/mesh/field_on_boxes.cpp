@@ -1,0 +1,219 @@
+#include "engine/mesh/field_on_boxes.hpp"
+
+#include "engine/kernel/range_boxes.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t boxes_at_once = 256;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Boxes : RangeBoxes<double, boxes_at_once> {
+    alignas(64) ContinuityMask<double> branches[boxes_at_once];
+
+    void set(std::size_t i, const Box& box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            ends[axis][i] = -box.lo[axis];
+            ends[axis + 3][i] = box.hi[axis];
+        }
+    }
+    void evaluate(const KernelFunction<RangeBatchOf<double>>& range, std::size_t count,
+                  const Uniforms& uniforms, bool asks_branches) {
+        pad(count);
+        RangeBatchOf<double> boxes = batch(padded(count), uniforms.boxes<double>());
+        if (asks_branches) boxes.branches = branches;
+        range(boxes);
+    }
+};
+
+/// Boxes for a thread's work, as they are too large for a stack.
+Boxes& boxes_of_thread() {
+    static thread_local Boxes boxes;
+    return boxes;
+}
+
+/// An enclosure of a cut's function over a box, in upward rounding, widened by a few ulp.
+std::pair<double, double> range_of(const SolidCut& cut, const Box& box) {
+    double lo = 0.0;
+    double hi = 0.0;
+    double size = std::abs(cut.reach);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (cut.is_ball) {
+            const double a = box.lo[axis] - cut.place[axis];
+            const double b = box.hi[axis] - cut.place[axis];
+            const double far = std::max(a * a, b * b);
+            hi += far;
+            lo += a < 0 && b > 0 ? 0.0 : std::min(a * a, b * b);
+            size += far;
+        } else {
+            const double a = cut.place[axis] * box.lo[axis];
+            const double b = cut.place[axis] * box.hi[axis];
+            lo += std::min(a, b);
+            hi += std::max(a, b);
+            size += std::max(std::abs(a), std::abs(b));
+        }
+    }
+    if (cut.is_ball) {
+        lo = (lo - cut.reach * cut.reach) / (2.0 * cut.reach);
+        hi = (hi - cut.reach * cut.reach) / (2.0 * cut.reach);
+        size = size / cut.reach + cut.reach;
+    } else {
+        lo -= cut.reach;
+        hi -= cut.reach;
+    }
+    const double rounding = 0x1p-48 * size;
+    return {lo - rounding, hi + rounding};
+}
+
+GradientBox gradient_of(const SolidCut& cut, const Box& box) {
+    if (!cut.is_ball) return {.lo = cut.place, .hi = cut.place};
+    const glm::dvec3 rounding(0x1p-48 * (glm::length(cut.place) / cut.reach + 1.0));
+    return {.lo = (box.lo - cut.place) / cut.reach - rounding,
+            .hi = (box.hi - cut.place) / cut.reach + rounding};
+}
+
+}  // namespace
+
+void BoxFacts::add(const GradientBox& gradient) {
+    if (count < most_gradients) {
+        gradients[count++] = gradient;
+        return;
+    }
+    GradientBox& last = gradients.back();
+    last.lo = glm::min(last.lo, gradient.lo);
+    last.hi = glm::max(last.hi, gradient.hi);
+}
+
+void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
+    Boxes& batch = boxes_of_thread();
+    count_ = boxes.size();
+    ranges_.resize(solid_.parts.size() * count_);
+    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
+        const SolidPart& part = solid_.parts[p];
+        for (std::size_t i = 0; i < count_; ++i)
+            batch.set(i, boxes[i]);
+        batch.evaluate(part.range, count_, solid_.uniforms, part.branches);
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double neg_lo = batch.f_neg_lo[i];
+            const double hi = batch.f_hi[i];
+            PartRange& range = ranges_[p * count_ + i];
+            range.nowhere = neg_lo == -infinity && hi == -infinity;
+            // Two stretches beside 0, or what is not known: anything.
+            const bool known = !std::isnan(neg_lo) && !std::isnan(hi) && !(neg_lo < 0 && hi < 0);
+            range.lo = known ? (part.sign > 0 ? -neg_lo : -hi) : -infinity;
+            range.hi = known ? (part.sign > 0 ? hi : neg_lo) : infinity;
+            range.continuous = batch.continuous[i] != 0;
+            range.kink = part.branches &&
+                         BranchBits{static_cast<std::uint32_t>(batch.branches[i])}.may_hold_kink();
+        }
+    }
+}
+
+double FieldOnBoxes::greatest_low(const Box& box, std::size_t i) const {
+    double low = -infinity;
+    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
+        const PartRange& range = ranges_[p * count_ + i];
+        if (range.continuous) low = std::max(low, range.lo);
+    }
+    for (const SolidCut& cut : solid_.cuts)
+        low = std::max(low, range_of(cut, box).first);
+    return low;
+}
+
+BoxFacts FieldOnBoxes::facts_of(const Box& box, std::size_t i) const {
+    BoxFacts facts;
+    bool inside = true;
+    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
+        const PartRange& range = ranges_[p * count_ + i];
+        if (range.nowhere || range.lo > 0) facts.side = Side::Outside;
+        const bool defined = range.continuous || solid_.parts[p].defined_everywhere;
+        inside = inside && range.hi < 0 && defined;
+    }
+    for (const SolidCut& cut : solid_.cuts) {
+        const auto [lo, hi] = range_of(cut, box);
+        if (lo > 0) facts.side = Side::Outside;
+        inside = inside && hi < 0;
+    }
+    if (inside) facts.side = Side::Inside;
+    return facts;
+}
+
+void FieldOnBoxes::find_gradients(std::span<const Box> boxes, std::span<BoxFacts> facts) {
+    Boxes& batch = boxes_of_thread();
+    std::array<std::size_t, boxes_at_once> which{};
+    std::array<std::array<double, 6>, boxes_at_once> ends{};
+    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
+        const SolidPart& part = solid_.parts[p];
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const PartRange& range = ranges_[p * count_ + i];
+            if (!facts[i].graded || range.hi < greatest_low(boxes[i], i)) continue;
+            facts[i].kinked = facts[i].kinked || range.kink;
+            if (range.continuous) {
+                which[count++] = i;
+            } else {
+                facts[i].graded = false;
+            }
+        }
+        if (count == 0) continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (std::size_t n = 0; n < count; ++n)
+                batch.set(n, boxes[which[n]]);
+            batch.evaluate(part.gradient[axis], count, solid_.uniforms, false);
+            for (std::size_t n = 0; n < count; ++n) {
+                ends[n][axis] = -batch.f_neg_lo[n];
+                ends[n][axis + 3] = batch.f_hi[n];
+            }
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            GradientBox gradient{.lo = {ends[n][0], ends[n][1], ends[n][2]},
+                                 .hi = {ends[n][3], ends[n][4], ends[n][5]}};
+            bool finite = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                finite = finite && std::isfinite(gradient.lo[axis]) &&
+                         std::isfinite(gradient.hi[axis]) && gradient.lo[axis] <= gradient.hi[axis];
+            }
+            BoxFacts& box = facts[which[n]];
+            if (!finite) {
+                box.graded = false;
+                continue;
+            }
+            box.add(part.sign > 0 ? gradient : GradientBox{.lo = -gradient.hi, .hi = -gradient.lo});
+        }
+    }
+}
+
+void FieldOnBoxes::evaluate_some(std::span<const Box> boxes, Gradients wanted,
+                                 std::span<BoxFacts> facts) {
+    find_ranges(boxes);
+    for (std::size_t i = 0; i < count_; ++i) {
+        facts[i] = facts_of(boxes[i], i);
+        facts[i].graded = wanted == Gradients::Always || facts[i].side == Side::Unknown;
+    }
+    find_gradients(boxes, facts);
+    for (std::size_t i = 0; i < count_; ++i) {
+        BoxFacts& box = facts[i];
+        if (!box.graded) continue;
+        const double low = greatest_low(boxes[i], i);
+        for (const SolidCut& cut : solid_.cuts) {
+            if (range_of(cut, boxes[i]).second >= low) box.add(gradient_of(cut, boxes[i]));
+        }
+        box.kinked = box.kinked || box.count > 1;
+    }
+}
+
+void FieldOnBoxes::evaluate(std::span<const Box> boxes, Gradients wanted,
+                            std::span<BoxFacts> facts) {
+    assert(boxes.size() == facts.size());
+    for (std::size_t i = 0; i < boxes.size(); i += boxes_at_once) {
+        const std::size_t count = std::min(boxes_at_once, boxes.size() - i);
+        evaluate_some(boxes.subspan(i, count), wanted, facts.subspan(i, count));
+    }
+}
+
+}  // namespace zeroset

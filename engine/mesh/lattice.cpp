@@ -1,0 +1,152 @@
+#include "engine/mesh/lattice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+std::uint64_t key_of(const Place& place) {
+    constexpr unsigned bits = 21;
+    return static_cast<std::uint64_t>(place.x) | static_cast<std::uint64_t>(place.y) << bits |
+           static_cast<std::uint64_t>(place.z) << 2 * bits;
+}
+
+/// Walks over the faces between leaves and their edges.
+class LatticeMaker {
+public:
+    explicit LatticeMaker(const CellTree& tree) : tree_(tree), corners_(2 * tree.size()),
+                                                  vertices_(tree.size()) {}
+    Lattice make();
+
+private:
+    void index_corners();
+    void add_faces(std::uint32_t cell);
+    void add_face(std::uint32_t cell, std::uint32_t other, int axis, int direction);
+    void add_edge(std::uint32_t cell, std::uint32_t other, const Place& a, const Place& b);
+    std::uint32_t vertex(const Place& place);
+
+    const CellTree& tree_;
+    KeyIndex corners_, vertices_;
+    Lattice lattice_;
+};
+
+void LatticeMaker::index_corners() {
+    for (std::size_t i = 0; i < tree_.size(); ++i) {
+        const MeshCell& cell = tree_[i];
+        if (!cell.is_leaf()) continue;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Place side(corner & 1, corner >> 1 & 1, corner >> 2);
+            corners_.add(key_of(cell.corner + tree_.width(cell) * side));
+        }
+    }
+}
+
+std::uint32_t LatticeMaker::vertex(const Place& place) {
+    const std::uint32_t id = vertices_.add(key_of(place));
+    if (id == lattice_.vertices.size()) lattice_.vertices.push_back({.place = place, .level = 0.0});
+    return id;
+}
+
+void LatticeMaker::add_edge(std::uint32_t cell, std::uint32_t other, const Place& a,
+                            const Place& b) {
+    const Place half = (a + b) / 2;
+    // A smaller leaf at this edge has a corner in its middle.
+    const Place length = glm::abs(b - a);
+    const bool shortest = length.x + length.y + length.z < 4;
+    if (!shortest && corners_.find(key_of(half)) != KeyIndex::none) {
+        add_edge(cell, other, a, half);
+        add_edge(cell, other, half, b);
+        return;
+    }
+    const std::uint32_t m = vertex(tree_.middle(tree_[cell]));
+    const std::uint32_t n = vertex(tree_.middle(tree_[other]));
+    lattice_.tetrahedra.push_back({.vertices = {m, n, vertex(a), vertex(b)},
+                                   .cells = {cell, other}});
+}
+
+void LatticeMaker::add_face(std::uint32_t cell, std::uint32_t other, int axis, int direction) {
+    const MeshCell& own = tree_[cell];
+    const int width = tree_.width(own);
+    Place corner = own.corner;
+    if (direction > 0) corner[axis] += width;
+    Place u(0);
+    Place v(0);
+    u[(axis + 1) % 3] = width;
+    v[(axis + 2) % 3] = width;
+    // Counter-clockwise as seen from where the axis points to.
+    std::array<Place, 4> ring{corner, corner + u, corner + u + v, corner + v};
+    if (direction < 0) std::ranges::reverse(ring);
+    for (std::size_t i = 0; i < 4; ++i)
+        add_edge(cell, other, ring[i], ring[(i + 1) % 4]);
+}
+
+void LatticeMaker::add_faces(std::uint32_t cell) {
+    const MeshCell& own = tree_[cell];
+    for (int face = 0; face < 6; ++face) {
+        const int axis = face / 2;
+        const int direction = face % 2 == 0 ? -1 : 1;
+        const std::uint32_t other = tree_.neighbour(own, axis, direction);
+        if (other >= tree_.size()) continue;
+        const MeshCell& beyond = tree_[other];
+        if (!beyond.is_leaf()) continue;  // the smaller cells there have the faces
+        if (beyond.level == own.level && direction < 0) continue;  // that one has it
+        if (own.is_active() || beyond.is_active()) add_face(cell, other, axis, direction);
+    }
+}
+
+Lattice LatticeMaker::make() {
+    index_corners();
+    for (std::uint32_t i = 0; i < tree_.size(); ++i) {
+        if (tree_[i].is_leaf()) add_faces(i);
+    }
+    return std::move(lattice_);
+}
+
+/// The function's value as a signed distance, as far as its gradient tells it.
+double level_of(const FieldValue& value, double step) {
+    const double slope = glm::length(value.gradient);
+    const double far = 1e3 * step;
+    double level = slope > 0 && std::isfinite(slope) ? std::abs(value.f) / slope : far;
+    level = std::clamp(level, 1e-12 * step, far);
+    return value.inside() ? -level : level;
+}
+
+/// Where a cell's side is proved, rounding must not say otherwise.
+void trust_cells(const CellTree& tree, Lattice& lattice) {
+    for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Side side = tree[tetrahedron.cells[k]].facts.side;
+            if (side == Side::Unknown) continue;
+            for (const std::size_t vertex : {k, std::size_t{2}, std::size_t{3}}) {
+                double& level = lattice.vertices[tetrahedron.vertices[vertex]].level;
+                level = side == Side::Inside ? -std::abs(level) : std::abs(level);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+int Lattice::count_inside(const Tetrahedron& tetrahedron) const {
+    return static_cast<int>(std::ranges::count_if(
+        tetrahedron.vertices, [&](std::uint32_t vertex) { return inside(vertex); }));
+}
+
+Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads) {
+    Lattice lattice = LatticeMaker(tree).make();
+    std::vector<glm::dvec3> points;
+    points.reserve(lattice.vertices.size());
+    for (const LatticeVertex& vertex : lattice.vertices)
+        points.push_back(tree.point(vertex.place));
+    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    const double step = tree.point(Place(1)).x - tree.point(Place(0)).x;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        lattice.vertices[i].level = level_of(values[i], step);
+        lattice.vertices[i].part = values[i].part;
+    }
+    trust_cells(tree, lattice);
+    return lattice;
+}
+
+}  // namespace zeroset

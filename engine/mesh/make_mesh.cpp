@@ -1,0 +1,192 @@
+#include "engine/mesh/make_mesh.hpp"
+
+#include "engine/mesh/cell_growth.hpp"
+#include "engine/mesh/contour.hpp"
+#include "engine/mesh/deviation.hpp"
+#include "engine/mesh/features.hpp"
+#include "engine/mesh/lattice.hpp"
+#include "engine/mesh/star_proof.hpp"
+#include "engine/mesh/thin.hpp"
+#include "engine/mesh/unproved_places.hpp"
+#include "engine/real/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+/// The level whose cells are no larger than the tolerance.
+int depth_for(const Box& box, const MeshOptions& options) {
+    if (options.depth > 0) return std::min(options.depth, CellTree::deepest_ever);
+    const double levels = std::ceil(std::log2(1.1 * box.size() / options.tolerance));
+    return static_cast<int>(std::clamp(levels, 4.0, double{CellTree::deepest_ever}));
+}
+
+class MeshMaker {
+public:
+    MeshMaker(const MeshSolid& solid, const MeshOptions& options)
+        : solid_(solid),
+          options_(options),
+          tree_(solid.box, depth_for(solid.box, options)),
+          growth_(tree_, solid_,
+                  {.tolerance = options.tolerance,
+                   .most_cells = options.most_cells,
+                   .threads = options.threads,
+                   .limit = options.limit}) {}
+    MadeMesh make();
+
+private:
+    void enter(MeshStage stage) const {
+        if (options_.on_stage) options_.on_stage(stage);
+    }
+    void grade_empty_cells();
+    void prove();
+    void contour();
+    bool divide_coarse();
+    [[nodiscard]] std::vector<std::uint32_t> divisible(std::vector<std::uint32_t> cells) const;
+    void count_cells();
+    void thin_mesh();
+    void measure();
+
+    const MeshSolid& solid_;
+    const MeshOptions& options_;
+    CellTree tree_;
+    CellGrowth growth_;
+    Lattice lattice_;
+    StarProof proof_;
+    Contour contour_;
+    MeshReport report_;
+};
+
+/// Cells of tetrahedra that are proved to be empty need their gradients, too.
+void MeshMaker::grade_empty_cells() {
+    std::vector<std::uint32_t> cells = cells_of(lattice_);
+    std::erase_if(cells, [&](std::uint32_t cell) {
+        return tree_[cell].is_active() || tree_[cell].facts.count > 0;
+    });
+    growth_.grade(cells);
+}
+
+/// The largest of these cells that can be divided.
+std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells) const {
+    std::erase_if(cells, [&](std::uint32_t cell) { return tree_[cell].level >= tree_.deepest(); });
+    return cells;
+}
+
+/// Divides cells until the topology is proved or nothing more can be done.
+void MeshMaker::prove() {
+    for (;;) {
+        enter(MeshStage::Proving);
+        lattice_ = make_lattice(tree_, solid_, options_.threads);
+        grade_empty_cells();
+        proof_ = prove_stars(tree_, lattice_, options_.threads);
+        std::vector<std::uint32_t> cells = divisible(proof_.cells);
+        if (cells.empty() || growth_.is_cut()) return;
+        enter(MeshStage::Dividing);
+        growth_.divide(std::move(cells));
+    }
+}
+
+void MeshMaker::contour() {
+    enter(MeshStage::Contouring);
+    contour_ = make_contour(tree_, lattice_, solid_, options_.threads);
+    const std::size_t vertices = contour_.mesh.vertices.size();
+    add_features(tree_, lattice_, solid_, contour_, options_.threads);
+    report_.unchanged = contour_.mesh.vertices.size() == vertices;
+}
+
+/// Divides the cells of triangles that are too far from the surface; false: there are none.
+bool MeshMaker::divide_coarse() {
+    if (growth_.is_cut()) return false;
+    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    std::vector<std::uint32_t> cells;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        if (far[i] <= static_cast<float>(options_.tolerance)) continue;
+        const Tetrahedron& tetrahedron = lattice_.tetrahedra[contour_.tetrahedra[i]];
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+    }
+    std::erase_if(cells, [&](std::uint32_t cell) { return !tree_[cell].is_active(); });
+    cells = divisible(std::move(cells));
+    if (cells.empty()) return false;
+    enter(MeshStage::Dividing);
+    growth_.divide(std::move(cells));
+    return true;
+}
+
+void MeshMaker::count_cells() {
+    report_.cells = tree_.size();
+    std::vector<bool> failed(tree_.size());
+    for (const std::uint32_t cell : proof_.cells)
+        failed[cell] = true;
+    int level = 0;
+    for (std::size_t i = 0; i < tree_.size(); ++i) {
+        const MeshCell& cell = tree_[i];
+        if (!cell.is_leaf() || !cell.is_active()) continue;
+        ++(failed[i] ? report_.unproved : report_.proved);
+        level = std::max(level, int{cell.level});
+    }
+    MeshCell smallest;
+    smallest.level = static_cast<std::uint8_t>(level);
+    report_.smallest_cell = tree_.edge(smallest);
+    report_.places = unproved_places(tree_, proof_.cells);
+    report_.cut = growth_.is_cut();
+    report_.isotopic = report_.unproved == 0 && !report_.cut;
+}
+
+MadeMesh MeshMaker::make() {
+    constexpr int most_rounds = 8;
+    enter(MeshStage::Dividing);
+    growth_.begin();
+    for (int round = 0; round < most_rounds; ++round) {
+        prove();
+        contour();
+        if (!divide_coarse()) break;
+    }
+    count_cells();
+    thin_mesh();
+    measure();
+    return {.mesh = std::move(contour_.mesh), .report = std::move(report_)};
+}
+
+/// Thins to the tolerance, and beyond it until no more triangles are left than wanted.
+void MeshMaker::thin_mesh() {
+    report_.thinned_from = contour_.mesh.triangles.size();
+    report_.tolerance = options_.tolerance;
+    const std::size_t most = options_.most_triangles;
+    if (!options_.thin && (most == 0 || report_.thinned_from <= most)) return;
+    enter(MeshStage::Thinning);
+    ThinOptions how{.tolerance = options_.tolerance,
+                    .threads = options_.threads,
+                    .limit = options_.limit};
+    if (options_.thin) thin(contour_.mesh, solid_, how);
+    how.most_triangles = most;
+    constexpr int most_rounds = 40;
+    for (int i = 0; i < most_rounds && most > 0 && contour_.mesh.triangles.size() > most; ++i) {
+        how.tolerance *= 1.4;
+        thin(contour_.mesh, solid_, how);
+    }
+    report_.tolerance = how.tolerance;
+    if (contour_.mesh.triangles.size() < report_.thinned_from) report_.unchanged = false;
+}
+
+/// Measures how far the mesh is from the surface.
+void MeshMaker::measure() {
+    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        report_.deviation = std::max(report_.deviation, double{far[i]});
+        for (const std::uint32_t v : contour_.mesh.triangles[i]) {
+            float& error = contour_.mesh.vertices[v].error;
+            error = std::max(error, far[i]);
+        }
+    }
+}
+
+}  // namespace
+
+MadeMesh make_mesh(const MeshSolid& solid, const MeshOptions& options) {
+    const UpwardRegisters upward;
+    return MeshMaker(solid, options).make();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,136 @@
+#include "engine/mesh/star_proof.hpp"
+
+#include "engine/mesh/gradient_cone.hpp"
+#include "engine/mesh/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+void keep_each_once(std::vector<std::uint32_t>& ids) {
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+}
+
+/// The tetrahedra about each vertex.
+class Stars {
+public:
+    explicit Stars(const Lattice& lattice) : starts_(lattice.vertices.size() + 1) {
+        for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+            for (const std::uint32_t vertex : tetrahedron.vertices)
+                ++starts_[vertex + 1];
+        }
+        for (std::size_t i = 1; i < starts_.size(); ++i)
+            starts_[i] += starts_[i - 1];
+        members_.resize(starts_.back());
+        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+        for (std::uint32_t i = 0; i < lattice.tetrahedra.size(); ++i) {
+            for (const std::uint32_t vertex : lattice.tetrahedra[i].vertices)
+                members_[next[vertex]++] = i;
+        }
+    }
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t vertex) const {
+        return std::span(members_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
+    }
+
+private:
+    std::vector<std::uint32_t> starts_, members_;
+};
+
+/// The gradient of L in a tetrahedron, widened by more than its rounding; nothing where the
+/// tetrahedron is so flat that this is not known.
+std::optional<GradientBox> linear_gradient(const CellTree& tree, const Lattice& lattice,
+                                           const Tetrahedron& tetrahedron) {
+    const auto& v = tetrahedron.vertices;
+    std::array<glm::dvec3, 3> edges;
+    glm::dvec3 rise;
+    const LatticeVertex& first = lattice.vertices[v[0]];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const LatticeVertex& end = lattice.vertices[v[k + 1]];
+        edges[k] = tree.point(end.place) - tree.point(first.place);
+        rise[static_cast<int>(k)] = end.level - first.level;
+    }
+    const glm::dvec3 across = glm::cross(edges[1], edges[2]);
+    const double volume = glm::dot(edges[0], across);
+    const double size = glm::length(edges[0]) * glm::length(edges[1]) * glm::length(edges[2]);
+    if (!(volume > 1e-5 * size)) return std::nullopt;
+    const glm::dvec3 gradient = (rise.x * across + rise.y * glm::cross(edges[2], edges[0]) +
+                                 rise.z * glm::cross(edges[0], edges[1])) /
+                                volume;
+    const double steepest = glm::length(rise) * glm::length(across) / volume;
+    const glm::dvec3 rounding(1e-9 * (glm::length(gradient) + steepest));
+    return GradientBox{.lo = gradient - rounding, .hi = gradient + rounding};
+}
+
+class Prover {
+public:
+    Prover(const CellTree& tree, const Lattice& lattice)
+        : tree_(tree), lattice_(lattice), stars_(lattice) {}
+    [[nodiscard]] bool rises(std::size_t vertex) const;
+    void add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const;
+
+private:
+    const CellTree& tree_;
+    const Lattice& lattice_;
+    Stars stars_;
+};
+
+bool Prover::rises(std::size_t vertex) const {
+    std::vector<std::uint32_t> cells;
+    std::vector<GradientBox> gradients;
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+        const auto linear = linear_gradient(tree_, lattice_, tetrahedron);
+        if (!linear) return false;
+        gradients.push_back(*linear);
+    }
+    keep_each_once(cells);
+    for (const std::uint32_t cell : cells) {
+        const BoxFacts& facts = tree_[cell].facts;
+        if (!facts.graded) return false;
+        gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
+    }
+    return common_rise(gradients).has_value();
+}
+
+void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        for (const std::uint32_t cell : lattice_.tetrahedra[id].cells) {
+            if (tree_[cell].is_active()) cells.push_back(cell);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> cells_of(const Lattice& lattice) {
+    std::vector<std::uint32_t> cells;
+    cells.reserve(2 * lattice.tetrahedra.size());
+    for (const Tetrahedron& tetrahedron : lattice.tetrahedra)
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+    keep_each_once(cells);
+    return cells;
+}
+
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+    const Prover prover(tree, lattice);
+    const std::size_t stars = lattice.vertices.size();
+    std::vector<std::uint8_t> rises(stars);
+    parallel_upward(stars, 256, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            rises[i] = prover.rises(i) ? 1 : 0;
+    });
+    StarProof proof{.stars = stars, .failed = {}, .cells = {}};
+    for (std::uint32_t i = 0; i < stars; ++i) {
+        if (rises[i] != 0) continue;
+        proof.failed.push_back(i);
+        prover.add_cells(i, proof.cells);
+    }
+    keep_each_once(proof.cells);
+    return proof;
+}
+
+}  // namespace zeroset

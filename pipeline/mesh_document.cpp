@@ -1,0 +1,114 @@
+#include "pipeline/mesh_document.hpp"
+
+#include "engine/base/text.hpp"
+#include "engine/mesh/open_surface.hpp"
+#include "pipeline/mesh_colors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Clock = TimeLimit::Clock;
+
+/// The limit of one of `parts` pieces of work that come one after the other.
+TimeLimit share_of(const TimeLimit& limit, std::size_t parts) {
+    if (limit.until == TimeLimit::never) return limit;
+    const auto now = Clock::now();
+    return {.cancel = limit.cancel,
+            .until = now + (limit.until - now) / static_cast<Clock::rep>(parts)};
+}
+
+std::string place_text(const UnprovedPlace& place) {
+    return short_number(place.centre.x, 4) + "," + short_number(place.centre.y, 4) + "," +
+           short_number(place.centre.z, 4);
+}
+
+/// The document's meshes, one after the other.
+class DocumentMesher {
+public:
+    DocumentMesher(const PictureRequest& request, const MeshSettings& settings)
+        : request_(request), settings_(settings), scene_(scene_of(request)) {
+        result_.tolerance = settings.tolerance.value_or(1e-3 * request.clip.size());
+    }
+    void add(std::size_t index, SurfaceSolid surface, std::size_t left);
+    DocumentMeshes finish();
+
+private:
+    [[nodiscard]] MeshOptions options(std::size_t left) const {
+        return {.tolerance = result_.tolerance,
+                .depth = settings_.depth,
+                .most_triangles = settings_.most_triangles,
+                .thin = settings_.thin,
+                .threads = settings_.threads,
+                .limit = share_of(settings_.limit, left),
+                .on_stage = settings_.on_stage};
+    }
+
+    const PictureRequest& request_;
+    const MeshSettings& settings_;
+    Scene scene_;
+    DocumentMeshes result_;
+};
+
+void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
+    MadeMesh made = make_mesh(surface.solid, options(left));
+    if (settings_.open) keep_surface(made.mesh, surface.solid, settings_.threads);
+    if (made.mesh.triangles.empty()) return;
+    result_.surfaces.push_back({.number = surface.number,
+                                .text = surface.text,
+                                .report = std::move(made.report),
+                                .facts = facts_of(made.mesh)});
+    MeshObject object{.name = std::move(surface.text), .mesh = std::move(made.mesh)};
+    color_object(scene_, index, request_.camera.eye, object);
+    result_.file.objects.push_back(std::move(object));
+}
+
+DocumentMeshes DocumentMesher::finish() {
+    if (result_.surfaces.empty()) return std::move(result_);
+    Box all = result_.surfaces.front().facts.bounds;
+    for (const SurfaceMesh& surface : result_.surfaces) {
+        all.lo = glm::min(all.lo, surface.facts.bounds.lo);
+        all.hi = glm::max(all.hi, surface.facts.bounds.hi);
+        result_.file.comment.push_back(std::to_string(surface.number) + ": " + surface.text + "; " +
+                                       proof_line(surface.report));
+    }
+    if (all.size() > 0) result_.file.mm_per_unit = settings_.size_mm / all.size();
+    return std::move(result_);
+}
+
+}  // namespace
+
+std::string proof_line(const MeshReport& report) {
+    if (report.isotopic) {
+        return report.unchanged ? "mesh proved isotopic to the surface"
+                                : "topology proved; edges put in or triangles taken out since keep "
+                                  "components and genus";
+    }
+    const std::size_t all = report.proved + report.unproved;
+    std::string text = "topology not proved in " + std::to_string(report.unproved) + " of " +
+                       std::to_string(all) + " cells";
+    if (report.places.empty()) return text;
+    text += ", in " + std::to_string(report.places.size()) +
+            (report.places.size() == 1 ? " place: near " : " places: near ");
+    constexpr std::size_t most_places = 4;
+    for (std::size_t i = 0; i < std::min(most_places, report.places.size()); ++i)
+        text += (i > 0 ? "; " : "") + place_text(report.places[i]);
+    return report.places.size() > most_places ? text + "; ..." : text;
+}
+
+OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
+                                           const MeshSettings& settings) {
+    auto solids = surface_solids(request);
+    if (!solids) return std::unexpected(solids.error());
+    DocumentMesher mesher(request, settings);
+    const std::size_t wanted = settings.surface.value_or(0);
+    for (std::size_t i = 0; i < solids->size(); ++i) {
+        if (wanted != 0 && (*solids)[i].number != wanted) continue;
+        mesher.add(i, std::move((*solids)[i]), wanted != 0 ? 1 : solids->size() - i);
+    }
+    return mesher.finish();
+}
+
+}  // namespace zeroset
