@@ -1,6 +1,7 @@
 #include "pipeline/mesh_solid.hpp"
 
 #include "engine/interpret/interpret.hpp"
+#include "engine/rewrite/choice_tree.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "engine/rewrite/restriction.hpp"
 #include "engine/rewrite/root_witnesses.hpp"
@@ -33,7 +34,7 @@ KernelFunction<ValueBatchOf<double>> values_of(const Expr& expr) {
     return interpret(expr).in_double.value;
 }
 
-SolidPart part_of(const Expr& f, double sign, const Box& clip) {
+SolidPart part_of(const Expr& f, const Box& clip) {
     SolidPart part;
     const std::array<Expr, 3> slopes = gradient(f);
     {
@@ -44,11 +45,42 @@ SolidPart part_of(const Expr& f, double sign, const Box& clip) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             part.gradient[axis] = ranges_of(tightened(slopes[axis], sample_region(clip)));
     }
-    part.sign = sign;
     const Kernel plain = interpret(f);
     part.branches = plain.branches;
     part.defined_everywhere = is_defined_everywhere(f);
     return part;
+}
+
+SolidNode::Kind kind_of(ChoiceTree::Kind kind, double sign) {
+    switch (kind) {
+        case ChoiceTree::Kind::Leaf: return SolidNode::Kind::Leaf;
+        case ChoiceTree::Kind::Max: return sign > 0 ? SolidNode::Kind::Max : SolidNode::Kind::Min;
+        case ChoiceTree::Kind::Min: return sign > 0 ? SolidNode::Kind::Min : SolidNode::Kind::Max;
+    }
+    return SolidNode::Kind::Leaf;
+}
+
+/// The function's pieces: one where it is not defined everywhere, as then a piece alone is not.
+ChoiceTree pieces_of(const Expr& f) {
+    constexpr std::size_t most_pieces = 40;
+    return choice_tree(f, is_defined_everywhere(f) ? most_pieces : 0);
+}
+
+/// Adds sign * f, in pieces without kinks where it has few; returns its node.
+std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
+    const ChoiceTree tree = pieces_of(f);
+    const auto first_part = static_cast<std::uint32_t>(solid.parts.size());
+    const auto first_node = static_cast<std::uint32_t>(solid.nodes.size());
+    for (const Expr& function : tree.functions)
+        solid.parts.push_back(part_of(function, solid.box));
+    for (const ChoiceTree::Node& node : tree.nodes) {
+        const bool leaf = node.kind == ChoiceTree::Kind::Leaf;
+        solid.add({.kind = kind_of(node.kind, sign),
+                   .a = node.a + (leaf ? first_part : first_node),
+                   .b = node.b + first_node,
+                   .sign = sign});
+    }
+    return static_cast<std::uint32_t>(solid.nodes.size() - 1);
 }
 
 /// How each of the program's surfaces was read.
@@ -74,10 +106,13 @@ std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const Pictur
         solid.uniforms = scene.uniforms;
         solid.box = scene.clip;
         solid.cuts = cuts_of(scene.clip, scene.region);
-        const double sign = solid_sign(scene, i) < 0 ? 1.0 : -1.0;
-        solid.parts.push_back(part_of(restricted.function, sign, scene.clip));
-        for (const Expr& bound : restricted.bounds)
-            solid.parts.push_back(part_of(bound, 1.0, scene.clip));
+        add_function(restricted.function, solid_sign(scene, i) < 0 ? 1.0 : -1.0, solid);
+        solid.surface_parts = solid.parts.size();
+        for (const Expr& bound : restricted.bounds) {
+            const auto root = static_cast<std::uint32_t>(solid.nodes.size() - 1);
+            const std::uint32_t own = add_function(bound, 1.0, solid);
+            solid.add({.kind = SolidNode::Kind::Max, .a = root, .b = own});
+        }
         solids.push_back(std::move(surface));
     }
     return solids;

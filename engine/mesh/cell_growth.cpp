@@ -15,11 +15,6 @@ constexpr std::size_t cells_at_once = 256;
 // the surface is before pieces of it are told apart.
 constexpr int least_level = 3;
 
-glm::dvec3 unit(const glm::dvec3& vector) {
-    const double length = glm::length(vector);
-    return length > 0 ? vector / length : glm::dvec3(0.0);
-}
-
 /// About how far a surface is from a triangle whose corners lie on it, within a cell of this edge
 /// in which its normal turns by `turn`: the curvature is turn / (half the diagonal), the triangle's
 /// circle has a radius of some 0.55 edges.
@@ -27,21 +22,17 @@ double sagitta(double turn, double edge) { return 0.17 * turn * edge; }
 
 }  // namespace
 
-void CellGrowth::evaluate(std::span<const std::uint32_t> cells, FieldOnBoxes::Gradients wanted) {
+void CellGrowth::evaluate(std::span<const std::uint32_t> cells) {
     parallel_upward(cells.size(), cells_at_once, limits_.threads,
                     [&](std::size_t first, std::size_t last) {
                         std::vector<Box> boxes;
                         for (std::size_t i = first; i < last; ++i)
                             boxes.push_back(tree_.box(tree_[cells[i]]));
                         std::vector<BoxFacts> facts(boxes.size());
-                        FieldOnBoxes(solid_).evaluate(boxes, wanted, facts);
+                        FieldOnBoxes(solid_).evaluate(boxes, facts);
                         for (std::size_t i = first; i < last; ++i)
                             tree_[cells[i]].facts = facts[i - first];
                     });
-}
-
-void CellGrowth::grade(std::span<const std::uint32_t> cells) {
-    evaluate(cells, FieldOnBoxes::Gradients::Always);
 }
 
 void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
@@ -59,10 +50,10 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
     const std::vector<FieldValue> values = field_at(solid_, points, limits_.threads);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
-        const glm::dvec3 normal = unit(values[places * i + 8].gradient);
+        const glm::dvec3& normal = values[places * i + 8].normal;
         double turn = 0.0;
         for (std::size_t corner = 0; corner < 8; ++corner)
-            turn = std::max(turn, glm::length(unit(values[places * i + corner].gradient) - normal));
+            turn = std::max(turn, glm::length(values[places * i + corner].normal - normal));
         cell.coarse = !(sagitta(turn, tree_.edge(cell)) <= limits_.tolerance);
     }
 }
@@ -106,7 +97,7 @@ std::vector<std::uint32_t> CellGrowth::split_all(std::span<const std::uint32_t> 
 
 void CellGrowth::grow(std::vector<std::uint32_t> fresh) {
     while (!fresh.empty()) {
-        evaluate(fresh, FieldOnBoxes::Gradients::WhereUnknown);
+        evaluate(fresh);
         judge(fresh);
         std::erase_if(fresh, [&](std::uint32_t cell) { return !wants_split(tree_[cell]); });
         fresh = split_all(fresh);
@@ -130,7 +121,7 @@ std::vector<std::uint32_t> CellGrowth::too_large() const {
 
 void CellGrowth::begin() {
     const std::uint32_t root = 0;
-    evaluate({&root, 1}, FieldOnBoxes::Gradients::WhereUnknown);
+    evaluate({&root, 1});
     judge({&root, 1});
     if (tree_[root].is_active()) divide({root});
 }

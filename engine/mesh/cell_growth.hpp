@@ -31,13 +31,11 @@ public:
     /// Divides these leaves, and all that then should be. Neighbours of cells that the surface may
     /// go through are at most twice as large.
     void divide(std::vector<std::uint32_t> leaves);
-    /// Finds the gradients of cells that do not have them, as they are proved to be empty.
-    void grade(std::span<const std::uint32_t> cells);
     /// Whether the number of cells or the time has ended the division.
     [[nodiscard]] bool is_cut() const { return cut_; }
 
 private:
-    void evaluate(std::span<const std::uint32_t> cells, FieldOnBoxes::Gradients wanted);
+    void evaluate(std::span<const std::uint32_t> cells);
     void judge(std::span<const std::uint32_t> cells);
     void judge_flatness(std::span<const std::uint32_t> cells);
     [[nodiscard]] bool wants_split(const MeshCell& cell) const;

@@ -136,12 +136,11 @@ void FeatureMaker::approach(double share) {
     }
     const std::vector<FieldValue> values = field_at(solid_, points, threads_);
     for (std::size_t i = 0; i < sides.size(); ++i) {
-        const double slope = glm::length(values[i].gradient);
-        const glm::dvec3 normal = values[i].gradient / slope;
+        const glm::dvec3& normal = values[i].normal;
         // A gradient of another side tells nothing of this one.
-        if (!(slope > 0) || !(glm::dot(normal, sides[i]->normal) > 0.8)) continue;
+        if (!(glm::dot(normal, sides[i]->normal) > 0.8)) continue;
         sides[i]->normal = normal;
-        sides[i]->point = points[i] - values[i].f / slope * normal;
+        sides[i]->point = points[i] - values[i].level * normal;
     }
     for (Piece& piece : pieces_) {
         if (piece.feature) piece.feature = meeting_point(piece.sides, *piece.feature);

@@ -2,65 +2,102 @@
 
 #include "engine/mesh/parallel.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace zeroset {
 namespace {
 
-/// Points of a stretch, in order.
-void evaluate_part(const MeshSolid& solid, std::size_t number, std::span<const glm::dvec3> points,
-                   PointBatch<double>& batch, std::span<FieldValue> values) {
-    const SolidPart& part = solid.parts[number];
-    part.value(batch.batch(solid.uniforms.points<double>()));
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        double f = part.sign * batch.f(i);
-        if (std::isnan(f)) f = std::numeric_limits<double>::infinity();
-        if (number > 0 && f <= values[i].f) continue;
-        values[i].f = f;
-        values[i].part = static_cast<std::uint32_t>(number);
-        values[i].gradient = part.sign * glm::dvec3(batch.gradient(0, i), batch.gradient(1, i),
-                                                    batch.gradient(2, i));
+constexpr std::size_t points_at_once = 512;
+// A level where the gradient vanishes: farther than anything.
+constexpr double far = 1e30;
+
+FieldValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
+    FieldValue value{.part = static_cast<std::uint32_t>(part)};
+    const double slope = glm::length(gradient);
+    if (std::isnan(f)) {
+        value.level = std::numeric_limits<double>::infinity();
+    } else if (slope > 0 && std::isfinite(slope) && std::isfinite(f / slope)) {
+        value.level = f / slope;
+        value.normal = gradient / slope;
+    } else {
+        value.level = f == 0.0 ? 0.0 : std::copysign(far, f);
+    }
+    return value;
+}
+
+/// Values of all parts at some points; one for each thread.
+class PartValues {
+public:
+    void evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points);
+    /// What the nodes make of them at point i.
+    [[nodiscard]] FieldValue at(const MeshSolid& solid, std::size_t i);
+
+private:
+    PointBatch<double> batch_;
+    std::vector<FieldValue> values_;  ///< of part p and point i at p * points_at_once + i
+    std::vector<FieldValue> nodes_;
+};
+
+void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points) {
+    batch_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        batch_.set(i, points[i].x, points[i].y, points[i].z);
+    batch_.pad();
+    values_.resize(solid.parts.size() * points_at_once);
+    for (std::size_t p = 0; p < solid.parts.size(); ++p) {
+        solid.parts[p].value(batch_.batch(solid.uniforms.points<double>()));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            values_[p * points_at_once + i] = value_of(
+                batch_.f(i),
+                {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}, p);
+        }
     }
 }
 
-void evaluate_cuts(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                   std::span<FieldValue> values) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        for (std::size_t c = 0; c < solid.cuts.size(); ++c) {
-            const double f = solid.cuts[c].value(points[i]);
-            if (f <= values[i].f) continue;
-            values[i] = {.f = f,
-                         .gradient = solid.cuts[c].gradient(points[i]),
-                         .part = static_cast<std::uint32_t>(solid.parts.size() + c)};
+FieldValue PartValues::at(const MeshSolid& solid, std::size_t i) {
+    nodes_.resize(solid.nodes.size());
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        const SolidNode& node = solid.nodes[n];
+        if (node.kind == SolidNode::Kind::Leaf) {
+            nodes_[n] = values_[node.a * points_at_once + i];
+            if (node.sign < 0 && std::isfinite(nodes_[n].level)) {
+                nodes_[n].level = -nodes_[n].level;
+                nodes_[n].normal = -nodes_[n].normal;
+            }
+            continue;
         }
+        const FieldValue& a = nodes_[node.a];
+        const FieldValue& b = nodes_[node.b];
+        const bool takes_a = (a.level >= b.level) == (node.kind == SolidNode::Kind::Max);
+        nodes_[n] = takes_a ? a : b;
+    }
+    return nodes_.back();
+}
+
+void take_cuts(const MeshSolid& solid, const glm::dvec3& point, FieldValue& value) {
+    for (std::size_t c = 0; c < solid.cuts.size(); ++c) {
+        const SolidCut& cut = solid.cuts[c];
+        const FieldValue own =
+            value_of(cut.value(point), cut.gradient(point), solid.parts.size() + c);
+        if (own.level > value.level) value = own;
     }
 }
 
 }  // namespace
 
-double FieldValue::distance() const {
-    const double slope = glm::length(gradient);
-    if (f == 0.0) return 0.0;
-    return slope > 0 ? std::abs(f) / slope : std::numeric_limits<double>::infinity();
-}
-
 std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
                                  int threads) {
-    constexpr std::size_t stretch = 512;
     std::vector<FieldValue> values(points.size());
-    parallel_upward(points.size(), stretch, threads, [&](std::size_t first, std::size_t last) {
-        static thread_local PointBatch<double> batch;
-        const auto some = points.subspan(first, last - first);
-        const auto out = std::span(values).subspan(first, last - first);
-        batch.resize(some.size());
-        for (std::size_t i = 0; i < some.size(); ++i)
-            batch.set(i, some[i].x, some[i].y, some[i].z);
-        batch.pad();
-        for (std::size_t p = 0; p < solid.parts.size(); ++p)
-            evaluate_part(solid, p, some, batch, out);
-        evaluate_cuts(solid, some, out);
-    });
+    parallel_upward(points.size(), points_at_once, threads,
+                    [&](std::size_t first, std::size_t last) {
+                        static thread_local PartValues parts;
+                        parts.evaluate(solid, points.subspan(first, last - first));
+                        for (std::size_t i = first; i < last; ++i) {
+                            values[i] = parts.at(solid, i - first);
+                            take_cuts(solid, points[i], values[i]);
+                        }
+                    });
     return values;
 }
 

@@ -5,22 +5,23 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace zeroset {
 
-/// The solid's function at a point: the greatest of its parts and cuts.
+/// The solid's function at a point, each part and cut divided by the length of its gradient.
 struct FieldValue {
-    double f = 0.0;  ///< above 0 outside; +inf where it is not defined
-    glm::dvec3 gradient{0.0};
-    std::uint32_t part = 0;  ///< the greatest: a part, or parts.size() + the number of a cut
+    /// About the distance from the surface, below 0 inside; +inf where it is not defined.
+    double level = 0.0;
+    glm::dvec3 normal{0.0};  ///< the gradient's direction, of length 1; 0 where it vanishes
+    std::uint32_t part = 0;  ///< the part, or parts.size() + the number of a cut, that it is
 
     /// Whether the point lies in the solid; points of the surface lie outside.
-    [[nodiscard]] bool inside() const { return f < 0; }
-    /// About how far the surface is: |f| over the gradient's length.
-    [[nodiscard]] double distance() const;
+    [[nodiscard]] bool inside() const { return level < 0; }
+    [[nodiscard]] double distance() const { return std::abs(level); }
 };
 
 /// Values at points, any number of them, on all cores.

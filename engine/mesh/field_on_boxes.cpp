@@ -89,6 +89,14 @@ void BoxFacts::add(const GradientBox& gradient) {
     last.hi = glm::max(last.hi, gradient.hi);
 }
 
+void BoxFacts::take(const GradientBox& gradient, double sign) {
+    for (int axis = 0; axis < 3; ++axis) {
+        graded = graded && std::isfinite(gradient.lo[axis]) && std::isfinite(gradient.hi[axis]) &&
+                 gradient.lo[axis] <= gradient.hi[axis];
+    }
+    add(sign > 0 ? gradient : GradientBox{.lo = -gradient.hi, .hi = -gradient.lo});
+}
+
 void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
     Boxes& batch = boxes_of_thread();
     count_ = boxes.size();
@@ -105,8 +113,8 @@ void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
             range.nowhere = neg_lo == -infinity && hi == -infinity;
             // Two stretches beside 0, or what is not known: anything.
             const bool known = !std::isnan(neg_lo) && !std::isnan(hi) && !(neg_lo < 0 && hi < 0);
-            range.lo = known ? (part.sign > 0 ? -neg_lo : -hi) : -infinity;
-            range.hi = known ? (part.sign > 0 ? hi : neg_lo) : infinity;
+            range.lo = known ? -neg_lo : -infinity;
+            range.hi = known ? hi : infinity;
             range.continuous = batch.continuous[i] != 0;
             range.kink = part.branches &&
                          BranchBits{static_cast<std::uint32_t>(batch.branches[i])}.may_hold_kink();
@@ -114,56 +122,63 @@ void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
     }
 }
 
-double FieldOnBoxes::greatest_low(const Box& box, std::size_t i) const {
-    double low = -infinity;
+/// Where the box lies by the tree of nodes and the cuts; leaves the nodes' ranges behind.
+void FieldOnBoxes::find_side(const Box& box, std::size_t i, BoxFacts& facts) {
+    bool defined = true;
     for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
-        const PartRange& range = ranges_[p * count_ + i];
-        if (range.continuous) low = std::max(low, range.lo);
+        defined = defined && (range(p, i).continuous || solid_.parts[p].defined_everywhere);
+        if (range(p, i).nowhere) facts.side = Side::Outside;
     }
-    for (const SolidCut& cut : solid_.cuts)
-        low = std::max(low, range_of(cut, box).first);
-    return low;
-}
-
-BoxFacts FieldOnBoxes::facts_of(const Box& box, std::size_t i) const {
-    BoxFacts facts;
-    bool inside = true;
-    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
-        const PartRange& range = ranges_[p * count_ + i];
-        if (range.nowhere || range.lo > 0) facts.side = Side::Outside;
-        const bool defined = range.continuous || solid_.parts[p].defined_everywhere;
-        inside = inside && range.hi < 0 && defined;
+    for (std::size_t n = 0; n < solid_.nodes.size(); ++n) {
+        const SolidNode& node = solid_.nodes[n];
+        if (node.kind == SolidNode::Kind::Leaf) {
+            const PartRange& part = range(node.a, i);
+            node_ranges_[n] = node.sign > 0 ? Range{part.lo, part.hi} : Range{-part.hi, -part.lo};
+            continue;
+        }
+        const Range& a = node_ranges_[node.a];
+        const Range& b = node_ranges_[node.b];
+        node_ranges_[n] = node.kind == SolidNode::Kind::Max
+                              ? Range{std::max(a.lo, b.lo), std::max(a.hi, b.hi)}
+                              : Range{std::min(a.lo, b.lo), std::min(a.hi, b.hi)};
     }
+    if (node_ranges_.back().lo > 0) facts.side = Side::Outside;
+    bool inside = defined && node_ranges_.back().hi < 0;
     for (const SolidCut& cut : solid_.cuts) {
         const auto [lo, hi] = range_of(cut, box);
         if (lo > 0) facts.side = Side::Outside;
         inside = inside && hi < 0;
     }
     if (inside) facts.side = Side::Inside;
-    return facts;
 }
 
-void FieldOnBoxes::find_gradients(std::span<const Box> boxes, std::span<BoxFacts> facts) {
+/// Adds the leaves below a node, which is neither surely above nor below 0, whose zeros may be its.
+void FieldOnBoxes::find_touches(std::uint32_t node, std::uint32_t box) {
+    const SolidNode& own = solid_.nodes[node];
+    if (own.kind == SolidNode::Kind::Leaf) {
+        touches_.push_back({.box = box, .part = own.a, .sign = own.sign});
+        return;
+    }
+    for (const std::uint32_t below : {own.a, own.b}) {
+        const Range& range = node_ranges_[below];
+        if (range.lo <= 0 && range.hi >= 0) find_touches(below, box);
+    }
+}
+
+/// Asks for the gradients of the leaves in `touches_` and gives them to their boxes.
+void FieldOnBoxes::take_gradients(std::span<const Box> boxes, std::span<BoxFacts> facts) {
     Boxes& batch = boxes_of_thread();
-    std::array<std::size_t, boxes_at_once> which{};
+    std::ranges::stable_sort(touches_, {}, &Touch::part);
     std::array<std::array<double, 6>, boxes_at_once> ends{};
-    for (std::size_t p = 0; p < solid_.parts.size(); ++p) {
-        const SolidPart& part = solid_.parts[p];
+    for (std::size_t first = 0; first < touches_.size();) {
+        const SolidPart& part = solid_.parts[touches_[first].part];
         std::size_t count = 0;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const PartRange& range = ranges_[p * count_ + i];
-            if (!facts[i].graded || range.hi < greatest_low(boxes[i], i)) continue;
-            facts[i].kinked = facts[i].kinked || range.kink;
-            if (range.continuous) {
-                which[count++] = i;
-            } else {
-                facts[i].graded = false;
-            }
-        }
-        if (count == 0) continue;
+        while (first + count < touches_.size() && count < boxes_at_once &&
+               touches_[first + count].part == touches_[first].part)
+            ++count;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             for (std::size_t n = 0; n < count; ++n)
-                batch.set(n, boxes[which[n]]);
+                batch.set(n, boxes[touches_[first + n].box]);
             batch.evaluate(part.gradient[axis], count, solid_.uniforms, false);
             for (std::size_t n = 0; n < count; ++n) {
                 ends[n][axis] = -batch.f_neg_lo[n];
@@ -171,48 +186,48 @@ void FieldOnBoxes::find_gradients(std::span<const Box> boxes, std::span<BoxFacts
             }
         }
         for (std::size_t n = 0; n < count; ++n) {
-            GradientBox gradient{.lo = {ends[n][0], ends[n][1], ends[n][2]},
-                                 .hi = {ends[n][3], ends[n][4], ends[n][5]}};
-            bool finite = true;
-            for (int axis = 0; axis < 3; ++axis) {
-                finite = finite && std::isfinite(gradient.lo[axis]) &&
-                         std::isfinite(gradient.hi[axis]) && gradient.lo[axis] <= gradient.hi[axis];
-            }
-            BoxFacts& box = facts[which[n]];
-            if (!finite) {
-                box.graded = false;
-                continue;
-            }
-            box.add(part.sign > 0 ? gradient : GradientBox{.lo = -gradient.hi, .hi = -gradient.lo});
+            const Touch& touch = touches_[first + n];
+            const GradientBox gradient{.lo = {ends[n][0], ends[n][1], ends[n][2]},
+                                       .hi = {ends[n][3], ends[n][4], ends[n][5]}};
+            facts[touch.box].take(gradient, touch.sign);
         }
+        first += count;
     }
 }
 
-void FieldOnBoxes::evaluate_some(std::span<const Box> boxes, Gradients wanted,
-                                 std::span<BoxFacts> facts) {
+void FieldOnBoxes::evaluate_some(std::span<const Box> boxes, std::span<BoxFacts> facts) {
     find_ranges(boxes);
-    for (std::size_t i = 0; i < count_; ++i) {
-        facts[i] = facts_of(boxes[i], i);
-        facts[i].graded = wanted == Gradients::Always || facts[i].side == Side::Unknown;
-    }
-    find_gradients(boxes, facts);
-    for (std::size_t i = 0; i < count_; ++i) {
-        BoxFacts& box = facts[i];
-        if (!box.graded) continue;
-        const double low = greatest_low(boxes[i], i);
-        for (const SolidCut& cut : solid_.cuts) {
-            if (range_of(cut, boxes[i]).second >= low) box.add(gradient_of(cut, boxes[i]));
+    touches_.clear();
+    for (std::uint32_t i = 0; i < count_; ++i) {
+        facts[i] = {};
+        find_side(boxes[i], i, facts[i]);
+        if (facts[i].side != Side::Unknown) continue;
+        const std::size_t first = touches_.size();
+        const auto root = static_cast<std::uint32_t>(solid_.nodes.size() - 1);
+        if (node_ranges_[root].hi >= 0) find_touches(root, i);
+        facts[i].graded = true;
+        for (std::size_t t = first; t < touches_.size(); ++t) {
+            const PartRange& part = range(touches_[t].part, i);
+            facts[i].graded = facts[i].graded && part.continuous;
+            facts[i].kinked = facts[i].kinked || part.kink;
         }
-        box.kinked = box.kinked || box.count > 1;
+        if (!facts[i].graded) touches_.resize(first);
+    }
+    take_gradients(boxes, facts);
+    for (std::size_t i = 0; i < count_; ++i) {
+        if (!facts[i].graded) continue;
+        for (const SolidCut& cut : solid_.cuts) {
+            if (range_of(cut, boxes[i]).second >= 0) facts[i].add(gradient_of(cut, boxes[i]));
+        }
+        facts[i].kinked = facts[i].kinked || facts[i].count > 1;
     }
 }
 
-void FieldOnBoxes::evaluate(std::span<const Box> boxes, Gradients wanted,
-                            std::span<BoxFacts> facts) {
+void FieldOnBoxes::evaluate(std::span<const Box> boxes, std::span<BoxFacts> facts) {
     assert(boxes.size() == facts.size());
     for (std::size_t i = 0; i < boxes.size(); i += boxes_at_once) {
         const std::size_t count = std::min(boxes_at_once, boxes.size() - i);
-        evaluate_some(boxes.subspan(i, count), wanted, facts.subspan(i, count));
+        evaluate_some(boxes.subspan(i, count), facts.subspan(i, count));
     }
 }
 

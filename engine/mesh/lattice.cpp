@@ -103,12 +103,9 @@ Lattice LatticeMaker::make() {
     return std::move(lattice_);
 }
 
-/// The function's value as a signed distance, as far as its gradient tells it.
+/// The level, neither 0 nor so large that differences lose the small ones.
 double level_of(const FieldValue& value, double step) {
-    const double slope = glm::length(value.gradient);
-    const double far = 1e3 * step;
-    double level = slope > 0 && std::isfinite(slope) ? std::abs(value.f) / slope : far;
-    level = std::clamp(level, 1e-12 * step, far);
+    const double level = std::clamp(value.distance(), 1e-9 * step, 1e6 * step);
     return value.inside() ? -level : level;
 }
 

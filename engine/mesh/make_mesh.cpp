@@ -40,7 +40,6 @@ private:
     void enter(MeshStage stage) const {
         if (options_.on_stage) options_.on_stage(stage);
     }
-    void grade_empty_cells();
     void prove();
     void contour();
     bool divide_coarse();
@@ -59,16 +58,7 @@ private:
     MeshReport report_;
 };
 
-/// Cells of tetrahedra that are proved to be empty need their gradients, too.
-void MeshMaker::grade_empty_cells() {
-    std::vector<std::uint32_t> cells = cells_of(lattice_);
-    std::erase_if(cells, [&](std::uint32_t cell) {
-        return tree_[cell].is_active() || tree_[cell].facts.count > 0;
-    });
-    growth_.grade(cells);
-}
-
-/// The largest of these cells that can be divided.
+/// Those of these cells that can be divided.
 std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells) const {
     std::erase_if(cells, [&](std::uint32_t cell) { return tree_[cell].level >= tree_.deepest(); });
     return cells;
@@ -79,7 +69,6 @@ void MeshMaker::prove() {
     for (;;) {
         enter(MeshStage::Proving);
         lattice_ = make_lattice(tree_, solid_, options_.threads);
-        grade_empty_cells();
         proof_ = prove_stars(tree_, lattice_, options_.threads);
         std::vector<std::uint32_t> cells = divisible(proof_.cells);
         if (cells.empty() || growth_.is_cut()) return;

@@ -21,8 +21,8 @@ struct Search {
 
 /// Where Newton's method goes from t, if that is inside the bracket and narrows it; else the
 /// middle.
-double next_place(const Search& search, double f, double slope) {
-    const double newton = search.t - f / slope;
+double next_place(const Search& search, double level, double slope) {
+    const double newton = search.t - level / slope;
     const bool good = std::isfinite(newton) && newton > search.lo && newton < search.hi;
     return good ? newton : 0.5 * (search.lo + search.hi);
 }
@@ -30,8 +30,8 @@ double next_place(const Search& search, double f, double slope) {
 /// Takes in the value at t; returns whether the search is over.
 bool take_step(Search& search, const FieldValue& value, const glm::dvec3& along, int step) {
     (value.inside() ? search.lo : search.hi) = search.t;
-    if (value.f == 0.0 || search.hi - search.lo < narrow) return true;
-    const double next = next_place(search, value.f, glm::dot(value.gradient, along));
+    if (value.level == 0.0 || search.hi - search.lo < narrow) return true;
+    const double next = next_place(search, value.level, glm::dot(value.normal, along));
     // Newton's steps that leave the bracket wide for long are bisected.
     const bool slow = step % 4 == 3 && search.hi - search.lo > 0.25 * search.width;
     if (step % 4 == 3) search.width = search.hi - search.lo;
@@ -64,15 +64,12 @@ void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
     searches.resize(kept);
 }
 
-/// The vertex at a root, whose function there is `value`.
 MeshVertex vertex_at(const glm::dvec3& point, const FieldValue& value) {
-    const double slope = glm::length(value.gradient);
-    const bool smooth = slope > 0 && std::isfinite(slope);
     return {.point = point,
-            .normal = smooth ? value.gradient / slope : glm::dvec3(0.0),
+            .normal = value.normal,
             .kind = VertexKind::Smooth,
             .part = value.part,
-            .error = smooth ? static_cast<float>(value.distance()) : 0.0F};
+            .error = static_cast<float>(value.distance())};
 }
 
 }  // namespace

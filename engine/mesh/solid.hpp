@@ -6,21 +6,30 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 // What is meshed, as plain values: the points of a box where no function is above 0.
 
 namespace zeroset {
 
-/// A function f of a solid, which lies where sign * f <= 0.
+/// A function of a solid.
 struct SolidPart {
     KernelFunction<RangeBatchOf<double>> range;
-    /// Enclosures of f's derivatives by x, y and z; where f has a kink, of all that they are nearby.
+    /// Enclosures of its derivatives by x, y and z; where it has a kink, of all that they are
+    /// nearby.
     std::array<KernelFunction<RangeBatchOf<double>>, 3> gradient;
     KernelFunction<ValueBatchOf<double>> value;
-    double sign = 1.0;                ///< -1 or 1
     bool branches = false;            ///< Kernel::branches
     bool defined_everywhere = false;  ///< Kernel::defined_everywhere
+};
+
+/// A step of what the solid's function is made of its parts.
+struct SolidNode {
+    enum class Kind : std::uint8_t { Leaf, Max, Min };
+    Kind kind = Kind::Leaf;
+    std::uint32_t a = 0, b = 0;  ///< nodes before this one; of a leaf, `a` is the part
+    double sign = 1.0;           ///< of a leaf: its value is sign * the part's
 };
 
 /// A half space or a ball that holds the solid. Its function is below 0 inside and has a slope of
@@ -34,15 +43,22 @@ struct SolidCut {
     [[nodiscard]] glm::dvec3 gradient(const glm::dvec3& point) const;
 };
 
-/// The solid: where every part's sign * f <= 0 and every cut's function <= 0. Parts that are not
-/// defined at a point do not hold it. The first `surface_parts` parts are what was asked for, the
-/// rest only ends it, as cuts do.
+/// The solid: where the function that `nodes` make of the parts, and all cuts, are <= 0. Points
+/// where it is not defined are not in the solid. The first `surface_parts` parts are of what was
+/// asked for, the rest only ends it, as cuts do.
 struct MeshSolid {
     std::vector<SolidPart> parts;
+    std::vector<SolidNode> nodes;  ///< the last is the root
     std::size_t surface_parts = 1;
     std::vector<SolidCut> cuts;
     Uniforms uniforms;
     Box box;
+
+    /// Adds a node; returns its number.
+    std::uint32_t add(const SolidNode& node) {
+        nodes.push_back(node);
+        return static_cast<std::uint32_t>(nodes.size() - 1);
+    }
 };
 
 /// The faces of the box, the region's ball and its sections as cuts.

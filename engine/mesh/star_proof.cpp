@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace zeroset {
 namespace {
@@ -90,6 +91,7 @@ bool Prover::rises(std::size_t vertex) const {
     keep_each_once(cells);
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
+        if (facts.side != Side::Unknown) continue;
         if (!facts.graded) return false;
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
@@ -105,15 +107,6 @@ void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) co
 }
 
 }  // namespace
-
-std::vector<std::uint32_t> cells_of(const Lattice& lattice) {
-    std::vector<std::uint32_t> cells;
-    cells.reserve(2 * lattice.tetrahedra.size());
-    for (const Tetrahedron& tetrahedron : lattice.tetrahedra)
-        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
-    keep_each_once(cells);
-    return cells;
-}
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
     const Prover prover(tree, lattice);

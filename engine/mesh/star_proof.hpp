@@ -8,21 +8,24 @@
 
 // The proof that a mesh has the surface's topology.
 //
-//   F    the solid's function                  L    its values at the lattice's vertices, linear
-//   F_t  (1 - t) F + t L, 0 <= t <= 1               in each tetrahedron
+//   F    the solid's function, cut off at -e and e, where e > 0 is smaller than all values that it
+//        is proved not to go below anywhere: of its zeros it has all, of its slopes only those near
+//   L    levels at the lattice's vertices, linear in each tetrahedron
+//   F_t  (1 - t) F + t L, 0 <= t <= 1
 //   star the tetrahedra about a vertex         d    a direction, one for each vertex
 //
-// If along its vertex's d both F, in all cells that a star meets, and L, in all its tetrahedra,
-// surely rise, then so does every F_t, whatever kinks F has: all generalized gradients [Clarke90]
-// at a point are mixtures of those nearby. The directions, mixed by the vertices' barycentric
-// weights, are a field D across which all F_t = 0 lie; sliding along D carries F = 0 to L = 0
-// without ever letting two places meet: the two are isotopic. Where both cells of a tetrahedron
-// are proved to be empty, no F_t is 0. L = 0 crosses an edge where it is not 0 at the ends; moving
-// that point along the edge, to F's root, is an isotopy, too.
+// If along its vertex's d both F near its zeros, in all cells that a star meets, and L, in all its
+// tetrahedra, surely rise, then so does every F_t where it is 0, whatever kinks F has: all
+// generalized gradients [Clarke90] at a point are mixtures of those nearby, and beside its zeros
+// those of F are 0. The directions, mixed by the vertices' barycentric weights, are a field D
+// across which all F_t = 0 lie; sliding along D carries F = 0 to L = 0 without ever letting two
+// places meet: the two are isotopic. Between two cells that are proved to be empty no F_t is 0.
+// L = 0 crosses an edge where it is not 0 at the ends; moving that point along the edge, to F's
+// root, is an isotopy, too.
 //
 // The condition is that of [PlantingaVegter04] (gradients in a cell have positive products), but
 // held against what was built instead of what is built from it: so kinks may pass, cells need not
-// be of like sizes, and the values L may be rounded as they are.
+// be of like sizes, and the levels may be rounded as they are.
 
 namespace zeroset {
 
@@ -33,10 +36,7 @@ struct StarProof {
     std::vector<std::uint32_t> cells;     ///< active leaves in their tetrahedra, each once
 };
 
-/// All cells of the tetrahedra have gradients (CellGrowth::grade). In upward rounding.
+/// In upward rounding.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads);
-
-/// The cells of the lattice's tetrahedra, each once.
-std::vector<std::uint32_t> cells_of(const Lattice& lattice);
 
 }  // namespace zeroset

@@ -222,8 +222,9 @@ void Thinner::add_samples(const Triangle& triangle, std::vector<glm::dvec3>& poi
     double detail = infinity;
     for (const std::uint32_t v : triangle)
         detail = std::min(detail, double{detail_[v]});
-    const double wanted = std::ceil(longest / std::max(detail, 0.02 * longest));
-    const int parts = static_cast<int>(std::clamp(wanted, 2.0, 12.0));
+    const double wanted = longest / std::max(detail, 0.02 * longest);
+    // An even number, so that the middles of the sides are among them.
+    const int parts = 2 * static_cast<int>(std::clamp(std::ceil(0.5 * wanted), 1.0, 6.0));
     points.push_back(a + (ab + ac) / 3.0);
     for (int i = 0; i <= parts; ++i) {
         for (int k = 0; i + k <= parts; ++k) {
