@@ -11,14 +11,23 @@ namespace zeroset {
 namespace {
 
 constexpr std::size_t cells_at_once = 256;
-// Cells of a quarter of the box are divided whatever is proved of them: the tree is to know where
-// the surface is before pieces of it are told apart.
-constexpr int least_level = 3;
 
 /// About how far a surface is from a triangle whose corners lie on it, within a cell of this edge
 /// in which its normal turns by `turn`: the curvature is turn / (half the diagonal), the triangle's
 /// circle has a radius of some 0.55 edges.
 double sagitta(double turn, double edge) { return 0.17 * turn * edge; }
+
+/// By how much normals of a part turn among values at a cell's corners and, the last, its middle.
+double turn_of(std::span<const FieldValue> values, std::uint32_t part) {
+    const FieldValue* first = nullptr;
+    double turn = 0.0;
+    for (std::size_t i = values.size(); i-- > 0;) {
+        if (values[i].part != part) continue;
+        if (first == nullptr) first = &values[i];
+        turn = std::max(turn, glm::length(values[i].normal - first->normal));
+    }
+    return turn;
+}
 
 }  // namespace
 
@@ -50,11 +59,9 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
     const std::vector<FieldValue> values = field_at(solid_, points, limits_.threads);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
-        const glm::dvec3& normal = values[places * i + 8].normal;
-        double turn = 0.0;
-        for (std::size_t corner = 0; corner < 8; ++corner)
-            turn = std::max(turn, glm::length(values[places * i + corner].normal - normal));
-        cell.coarse = !(sagitta(turn, tree_.edge(cell)) <= limits_.tolerance);
+        const auto own = std::span(values).subspan(places * i, places);
+        cell.coarse =
+            !(sagitta(turn_of(own, cell.facts.part), tree_.edge(cell)) <= limits_.tolerance);
     }
 }
 

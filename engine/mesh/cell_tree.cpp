@@ -6,11 +6,12 @@
 namespace zeroset {
 
 CellTree::CellTree(const Box& box, int deepest) : deepest_(std::min(deepest, deepest_ever)) {
-    // Odd shares of the box keep the lattice off planes of symmetry, where surfaces like to go
+    // The margin is wider than the largest cells that may stay active (least_level): so all cells at
+    // the border are proved to be outside. Odd shares of the box keep the lattice off planes of symmetry, where surfaces like to go
     // through many places at once.
-    const glm::dvec3 margin = box.size() * glm::dvec3(0.03317, 0.04129, 0.03751);
+    const glm::dvec3 margin = box.size() * glm::dvec3(0.20317, 0.21129, 0.20751);
     const glm::dvec3 middle = box.centre();
-    constexpr double larger = 1.09713;
+    constexpr double larger = root_edge;
     lo_ = middle - glm::dvec3(0.5 * box.size()) - margin;
     step_ = larger * box.size() / static_cast<double>(1U << static_cast<unsigned>(deepest_ + 1));
     cells_.emplace_back();

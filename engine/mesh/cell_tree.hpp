@@ -30,6 +30,11 @@ struct MeshCell {
     [[nodiscard]] bool is_active() const { return facts.side == Side::Unknown; }
 };
 
+/// The edge of the root, in those of the box.
+inline constexpr double root_edge = 1.41713;
+/// Cells that the surface may go through are divided at least so often.
+inline constexpr int least_level = 3;
+
 class CellTree {
 public:
     static constexpr int deepest_ever = 18;

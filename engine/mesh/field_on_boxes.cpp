@@ -79,7 +79,8 @@ GradientBox gradient_of(const SolidCut& cut, const Box& box) {
 
 }  // namespace
 
-void BoxFacts::add(const GradientBox& gradient) {
+void BoxFacts::add(const GradientBox& gradient, std::size_t of_part) {
+    part = static_cast<std::uint32_t>(of_part);
     if (count < most_gradients) {
         gradients[count++] = gradient;
         return;
@@ -89,12 +90,12 @@ void BoxFacts::add(const GradientBox& gradient) {
     last.hi = glm::max(last.hi, gradient.hi);
 }
 
-void BoxFacts::take(const GradientBox& gradient, double sign) {
+void BoxFacts::take(const GradientBox& gradient, std::size_t of_part, double sign) {
     for (int axis = 0; axis < 3; ++axis) {
         graded = graded && std::isfinite(gradient.lo[axis]) && std::isfinite(gradient.hi[axis]) &&
                  gradient.lo[axis] <= gradient.hi[axis];
     }
-    add(sign > 0 ? gradient : GradientBox{.lo = -gradient.hi, .hi = -gradient.lo});
+    add(sign > 0 ? gradient : GradientBox{.lo = -gradient.hi, .hi = -gradient.lo}, of_part);
 }
 
 void FieldOnBoxes::find_ranges(std::span<const Box> boxes) {
@@ -189,7 +190,7 @@ void FieldOnBoxes::take_gradients(std::span<const Box> boxes, std::span<BoxFacts
             const Touch& touch = touches_[first + n];
             const GradientBox gradient{.lo = {ends[n][0], ends[n][1], ends[n][2]},
                                        .hi = {ends[n][3], ends[n][4], ends[n][5]}};
-            facts[touch.box].take(gradient, touch.sign);
+            facts[touch.box].take(gradient, touch.part, touch.sign);
         }
         first += count;
     }
@@ -216,8 +217,10 @@ void FieldOnBoxes::evaluate_some(std::span<const Box> boxes, std::span<BoxFacts>
     take_gradients(boxes, facts);
     for (std::size_t i = 0; i < count_; ++i) {
         if (!facts[i].graded) continue;
-        for (const SolidCut& cut : solid_.cuts) {
-            if (range_of(cut, boxes[i]).second >= 0) facts[i].add(gradient_of(cut, boxes[i]));
+        for (std::size_t c = 0; c < solid_.cuts.size(); ++c) {
+            const SolidCut& cut = solid_.cuts[c];
+            if (range_of(cut, boxes[i]).second >= 0)
+                facts[i].add(gradient_of(cut, boxes[i]), solid_.parts.size() + c);
         }
         facts[i].kinked = facts[i].kinked || facts[i].count > 1;
     }

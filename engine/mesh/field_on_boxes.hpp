@@ -34,13 +34,14 @@ struct BoxFacts {
     bool graded = false;
     bool kinked = false;  ///< whether it may have a kink near its zeros
     std::uint8_t count = 0;
+    std::uint32_t part = 0;  ///< FieldValue::part of the last of `gradients`
     /// Of each part and cut whose zeros may be the function's in the box.
     std::array<GradientBox, most_gradients> gradients{};
 
     [[nodiscard]] std::span<const GradientBox> all() const { return {gradients.data(), count}; }
-    void add(const GradientBox& gradient);
+    void add(const GradientBox& gradient, std::size_t of_part);
     /// Adds the gradient of a part times `sign`; ungraded where it is not known.
-    void take(const GradientBox& gradient, double sign);
+    void take(const GradientBox& gradient, std::size_t of_part, double sign);
 };
 
 /// Asks for facts over boxes; one for each thread. In upward rounding.

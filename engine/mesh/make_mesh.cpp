@@ -19,7 +19,7 @@ namespace {
 /// The level whose cells are no larger than the tolerance.
 int depth_for(const Box& box, const MeshOptions& options) {
     if (options.depth > 0) return std::min(options.depth, CellTree::deepest_ever);
-    const double levels = std::ceil(std::log2(1.1 * box.size() / options.tolerance));
+    const double levels = std::ceil(std::log2(root_edge * box.size() / options.tolerance));
     return static_cast<int>(std::clamp(levels, 4.0, double{CellTree::deepest_ever}));
 }
 
