@@ -21,8 +21,18 @@ TimeLimit share_of(const TimeLimit& limit, std::size_t parts) {
 }
 
 std::string place_text(const UnprovedPlace& place) {
-    return short_number(place.centre.x, 4) + "," + short_number(place.centre.y, 4) + "," +
-           short_number(place.centre.z, 4);
+    return short_number(place.cell.x, 4) + "," + short_number(place.cell.y, 4) + "," +
+           short_number(place.cell.z, 4);
+}
+
+std::string places_text(const std::vector<UnprovedPlace>& places) {
+    if (places.empty()) return "";
+    std::string text = ", in " + std::to_string(places.size()) +
+                       (places.size() == 1 ? " place: near " : " places: near ");
+    constexpr std::size_t most_places = 4;
+    for (std::size_t i = 0; i < std::min(most_places, places.size()); ++i)
+        text += (i > 0 ? "; " : "") + place_text(places[i]);
+    return places.size() > most_places ? text + "; ..." : text;
 }
 
 /// The document's meshes, one after the other.
@@ -86,16 +96,14 @@ std::string proof_line(const MeshReport& report) {
                                 : "topology proved; edges put in or triangles taken out since keep "
                                   "components and genus";
     }
-    const std::size_t all = report.proved + report.unproved;
-    std::string text = "topology not proved in " + std::to_string(report.unproved) + " of " +
-                       std::to_string(all) + " cells";
-    if (report.places.empty()) return text;
-    text += ", in " + std::to_string(report.places.size()) +
-            (report.places.size() == 1 ? " place: near " : " places: near ");
-    constexpr std::size_t most_places = 4;
-    for (std::size_t i = 0; i < std::min(most_places, report.places.size()); ++i)
-        text += (i > 0 ? "; " : "") + place_text(report.places[i]);
-    return report.places.size() > most_places ? text + "; ..." : text;
+    const std::size_t all = report.proved + report.rough + report.unproved;
+    const std::string of_all = " of " + std::to_string(all) + " cells";
+    if (report.unproved == 0) {
+        return "topology proved but for " + std::to_string(report.rough) + of_all +
+               ", at edges too sharp for it" + places_text(report.rough_places);
+    }
+    return "topology not proved in " + std::to_string(report.unproved + report.rough) + of_all +
+           places_text(report.places);
 }
 
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,

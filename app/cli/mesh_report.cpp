@@ -43,15 +43,19 @@ std::string surface_text(const SurfaceMesh& surface, double mm) {
     return text + "   " + proof_line(report) + "\n";
 }
 
+Json json_of(const std::vector<UnprovedPlace>& places) {
+    Json list = Json::array();
+    for (const UnprovedPlace& place : places) {
+        list.push_back({{"at", {place.cell.x, place.cell.y, place.cell.z}},
+                        {"reach", place.reach},
+                        {"cells", place.cells}});
+    }
+    return list;
+}
+
 Json stats_of(const SurfaceMesh& surface, double mm) {
     const MeshFacts& facts = surface.facts;
     const MeshReport& report = surface.report;
-    Json places = Json::array();
-    for (const UnprovedPlace& place : report.places) {
-        places.push_back({{"at", {place.centre.x, place.centre.y, place.centre.z}},
-                          {"reach", place.reach},
-                          {"cells", place.cells}});
-    }
     const Box& bounds = facts.bounds;
     return {{"surface", surface.number},
             {"text", surface.text},
@@ -74,7 +78,9 @@ Json stats_of(const SurfaceMesh& surface, double mm) {
             {"smallest_cell", report.smallest_cell},
             {"proved_cells", report.proved},
             {"unproved_cells", report.unproved},
-            {"unproved_places", places},
+            {"unproved_places", json_of(report.places)},
+            {"sharp_cells", report.rough},
+            {"sharp_places", json_of(report.rough_places)},
             {"isotopic", report.isotopic},
             {"as_proved", report.unchanged},
             {"cut", report.cut}};

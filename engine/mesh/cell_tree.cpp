@@ -50,6 +50,7 @@ std::uint32_t CellTree::split(std::uint32_t leaf) {
     for (int child = 0; child < 8; ++child) {
         MeshCell& cell = cells_.emplace_back();
         cell.corner = parent.corner + half * Place(child & 1, child >> 1 & 1, child >> 2);
+        cell.tries = parent.tries;
         cell.level = static_cast<std::uint8_t>(parent.level + 1);
     }
     return first;

@@ -23,6 +23,7 @@ struct MeshCell {
     std::uint32_t first_child = 0;  ///< of eight; 0: a leaf
     std::uint8_t level = 0;
     bool uncertain = false;  ///< its topology could not be proved
+    std::uint8_t tries = 0;  ///< how often an ancestor was divided for its edges' sake
     bool coarse = false;     ///< the surface in it is farther from a plane than the tolerance
     BoxFacts facts;
 
@@ -50,6 +51,7 @@ public:
 
     /// The length of a cell's edge, in places and in the world.
     [[nodiscard]] int width(const MeshCell& cell) const { return 1 << (deepest_ + 1 - cell.level); }
+    [[nodiscard]] double step() const { return step_; }
     [[nodiscard]] double edge(const MeshCell& cell) const { return step_ * width(cell); }
     [[nodiscard]] Place middle(const MeshCell& cell) const {
         return cell.corner + Place(width(cell) / 2);

@@ -15,11 +15,12 @@ public:
         : lattice_(lattice), edges_(lattice.tetrahedra.size() / 4) {}
 
     void march();
-    Contour finish(const CellTree& tree, const MeshSolid& solid, int threads);
+    Contour finish(const MeshSolid& solid, int threads);
 
 private:
     void add_one(const Four& v, std::uint32_t tetrahedron, bool inside);
     void add_two(const Four& v, std::uint32_t tetrahedron);
+    void mark_crease(std::uint64_t key, MeshVertex& vertex);
     void add(const Triangle& triangle, std::uint32_t tetrahedron) {
         contour_.mesh.triangles.push_back(triangle);
         contour_.tetrahedra.push_back(tetrahedron);
@@ -83,26 +84,36 @@ void Marcher::march() {
     }
 }
 
-Contour Marcher::finish(const CellTree& tree, const MeshSolid& solid, int threads) {
+/// A root on an edge along which two parts change lies on an edge of the solid.
+void Marcher::mark_crease(std::uint64_t key, MeshVertex& vertex) {
+    const LatticeVertex& a = lattice_.vertices[key >> 32U];
+    const LatticeVertex& b = lattice_.vertices[key & 0xFFFFFFFFU];
+    if (!a.is_kink() || !b.is_kink()) return;
+    vertex.kind = VertexKind::Crease;
+    contour_.creases.push_back({.vertex = edges_.find(key), .parts = a.kink});
+}
+
+Contour Marcher::finish(const MeshSolid& solid, int threads) {
     std::vector<RootBracket> brackets;
     brackets.reserve(edges_.keys().size());
     for (const std::uint64_t key : edges_.keys()) {
         const auto inside = static_cast<std::uint32_t>(key >> 32U);
         const auto outside = static_cast<std::uint32_t>(key);
-        brackets.push_back({.inside = tree.point(lattice_.vertices[inside].place),
-                            .outside = tree.point(lattice_.vertices[outside].place)});
+        brackets.push_back({.inside = lattice_.vertices[inside].point,
+                            .outside = lattice_.vertices[outside].point});
     }
     contour_.mesh.vertices = find_roots(solid, brackets, threads);
+    for (std::size_t i = 0; i < brackets.size(); ++i)
+        mark_crease(edges_.keys()[i], contour_.mesh.vertices[i]);
     return std::move(contour_);
 }
 
 }  // namespace
 
-Contour make_contour(const CellTree& tree, const Lattice& lattice, const MeshSolid& solid,
-                     int threads) {
+Contour make_contour(const Lattice& lattice, const MeshSolid& solid, int threads) {
     Marcher marcher(lattice);
     marcher.march();
-    return marcher.finish(tree, solid, threads);
+    return marcher.finish(solid, threads);
 }
 
 }  // namespace zeroset

@@ -55,6 +55,7 @@ private:
     Contour& contour_;
     int threads_;
     std::vector<Piece> pieces_;
+    std::size_t first_tip_ = 0;  ///< vertices from there on are those of features
 };
 
 void FeatureMaker::add_piece(std::uint32_t first, std::uint32_t count) {
@@ -182,9 +183,7 @@ struct SharedSide {
 
 void FeatureMaker::turn_sides() {
     TriangleMesh& mesh = contour_.mesh;
-    const auto is_fan = [&](const Triangle& t) {
-        return mesh.vertices[t[0]].kind != VertexKind::Smooth;
-    };
+    const auto is_fan = [&](const Triangle& t) { return t[0] >= first_tip_; };
     std::map<std::uint64_t, std::uint32_t> by_side;
     std::vector<SharedSide> shared;
     std::vector<glm::dvec3> points;
@@ -223,6 +222,7 @@ void FeatureMaker::make() {
     }
     for (const double share : {0.5, 0.25, 0.05, 0.01, 0.002})
         approach(share);
+    first_tip_ = contour_.mesh.vertices.size();
     for (const Piece& piece : pieces_) {
         if (piece.feature) fan(piece);
     }

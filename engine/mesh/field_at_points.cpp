@@ -101,4 +101,40 @@ std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dv
     return values;
 }
 
+std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places) {
+    std::vector<FieldValue> values(places.size());
+    PointBatch<double> batch;
+    for (std::size_t p = 0; p < solid.parts.size(); ++p) {
+        std::vector<std::size_t> own;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i].part == p) own.push_back(i);
+        }
+        if (own.empty()) continue;
+        batch.resize(own.size());
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            const glm::dvec3& point = places[own[k]].point;
+            batch.set(k, point.x, point.y, point.z);
+        }
+        batch.pad();
+        batch.evaluate(solid.parts[p].value, solid.uniforms.points<double>(), [] { return false; });
+        const auto leaf = std::ranges::find_if(solid.nodes, [&](const SolidNode& node) {
+            return node.kind == SolidNode::Kind::Leaf && node.a == p;
+        });
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            values[own[k]] = value_of(
+                leaf->sign * batch.f(k),
+                leaf->sign *
+                    glm::dvec3(batch.gradient(0, k), batch.gradient(1, k), batch.gradient(2, k)),
+                p);
+        }
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i].part < solid.parts.size()) continue;
+        const SolidCut& cut = solid.cuts[places[i].part - solid.parts.size()];
+        values[i] =
+            value_of(cut.value(places[i].point), cut.gradient(places[i].point), places[i].part);
+    }
+    return values;
+}
+
 }  // namespace zeroset

@@ -28,4 +28,11 @@ struct FieldValue {
 std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
                                  int threads);
 
+/// The part's or the cut's own value at a point, with the sign of its first leaf.
+struct PartPlace {
+    std::uint32_t part;
+    glm::dvec3 point;
+};
+std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places);
+
 }  // namespace zeroset

@@ -44,7 +44,8 @@ void LatticeMaker::index_corners() {
 
 std::uint32_t LatticeMaker::vertex(const Place& place) {
     const std::uint32_t id = vertices_.add(key_of(place));
-    if (id == lattice_.vertices.size()) lattice_.vertices.push_back({.place = place, .level = 0.0});
+    if (id == lattice_.vertices.size())
+        lattice_.vertices.push_back({.point = tree_.point(place)});
     return id;
 }
 
@@ -103,12 +104,6 @@ Lattice LatticeMaker::make() {
     return std::move(lattice_);
 }
 
-/// The level, neither 0 nor so large that differences lose the small ones.
-double level_of(const FieldValue& value, double step) {
-    const double level = std::clamp(value.distance(), 1e-9 * step, 1e6 * step);
-    return value.inside() ? -level : level;
-}
-
 /// Where a cell's side is proved, rounding must not say otherwise.
 void trust_cells(const CellTree& tree, Lattice& lattice) {
     for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
@@ -130,16 +125,21 @@ int Lattice::count_inside(const Tetrahedron& tetrahedron) const {
         tetrahedron.vertices, [&](std::uint32_t vertex) { return inside(vertex); }));
 }
 
+double lattice_level(const FieldValue& value, double step) {
+    const double level = std::clamp(value.distance(), 1e-9 * step, 1e6 * step);
+    return value.inside() ? -level : level;
+}
+
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads) {
     Lattice lattice = LatticeMaker(tree).make();
     std::vector<glm::dvec3> points;
     points.reserve(lattice.vertices.size());
     for (const LatticeVertex& vertex : lattice.vertices)
-        points.push_back(tree.point(vertex.place));
+        points.push_back(vertex.point);
     const std::vector<FieldValue> values = field_at(solid, points, threads);
-    const double step = tree.point(Place(1)).x - tree.point(Place(0)).x;
+    lattice.step = tree.step();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        lattice.vertices[i].level = level_of(values[i], step);
+        lattice.vertices[i].level = lattice_level(values[i], lattice.step);
         lattice.vertices[i].part = values[i].part;
     }
     trust_cells(tree, lattice);

@@ -17,25 +17,36 @@ namespace zeroset {
 
 /// A tetrahedron; of positive volume.
 struct Tetrahedron {
-    std::array<std::uint32_t, 4> vertices;  ///< the middles of `cells`, then the edge's ends
+    std::array<std::uint32_t, 4> vertices;  ///< the middles of `cells`, then the edge's ends; or a
+                                            ///< piece of such a one
     std::array<std::uint32_t, 2> cells;
 };
 
 struct LatticeVertex {
-    Place place;
-    double level;  ///< about the distance from the surface, below 0 inside; never 0
+    static constexpr std::uint32_t no_part = ~std::uint32_t{0};
+
+    glm::dvec3 point{0.0};
+    double level = 0.0;      ///< about the distance from the surface, below 0 inside; never 0
     std::uint32_t part = 0;  ///< FieldValue::part
+    /// The parts that change there, of a vertex that split_at_kinks made.
+    std::array<std::uint32_t, 2> kink{no_part, no_part};
+
+    [[nodiscard]] bool is_kink() const { return kink[0] != no_part; }
 };
 
 /// The tetrahedra at the surface and at all cells that it may go through.
 struct Lattice {
     std::vector<LatticeVertex> vertices;
     std::vector<Tetrahedron> tetrahedra;
+    double step = 0.0;  ///< between places
 
     [[nodiscard]] bool inside(std::uint32_t vertex) const { return vertices[vertex].level < 0; }
     /// The number of its vertices inside, 0 to 4.
     [[nodiscard]] int count_inside(const Tetrahedron& tetrahedron) const;
 };
+
+/// The value's level, neither 0 nor so large that differences lose the small ones.
+double lattice_level(const FieldValue& value, double step);
 
 /// In upward rounding.
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads);

@@ -2,9 +2,11 @@
 
 #include "engine/mesh/cell_growth.hpp"
 #include "engine/mesh/contour.hpp"
+#include "engine/mesh/creases.hpp"
 #include "engine/mesh/deviation.hpp"
 #include "engine/mesh/features.hpp"
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/lattice_kinks.hpp"
 #include "engine/mesh/star_proof.hpp"
 #include "engine/mesh/thin.hpp"
 #include "engine/mesh/unproved_places.hpp"
@@ -43,6 +45,7 @@ private:
     void prove();
     void contour();
     bool divide_coarse();
+    std::vector<std::uint32_t> wanted_finer();
     [[nodiscard]] std::vector<std::uint32_t> divisible(std::vector<std::uint32_t> cells) const;
     void count_cells();
     void thin_mesh();
@@ -58,31 +61,48 @@ private:
     MeshReport report_;
 };
 
+/// The cells that are to be divided for the proof's sake. Where the function is proved to rise and
+/// only the levels between vertices do not, at edges of the solid, dividing helps a few times only:
+/// edges look alike on all scales.
+std::vector<std::uint32_t> MeshMaker::wanted_finer() {
+    constexpr int most_tries = 4;
+    std::vector<std::uint32_t> cells = proof_.unknown;
+    for (const std::uint32_t cell : proof_.rough) {
+        if (tree_[cell].tries++ < most_tries) cells.push_back(cell);
+    }
+    return divisible(std::move(cells));
+}
+
 /// Those of these cells that can be divided.
 std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells) const {
     std::erase_if(cells, [&](std::uint32_t cell) { return tree_[cell].level >= tree_.deepest(); });
     return cells;
 }
 
-/// Divides cells until the topology is proved or nothing more can be done.
+/// Divides cells until the topology is proved or nothing more can be done; then edges that are too
+/// sharp get tetrahedra along them.
 void MeshMaker::prove() {
     for (;;) {
         enter(MeshStage::Proving);
         lattice_ = make_lattice(tree_, solid_, options_.threads);
         proof_ = prove_stars(tree_, lattice_, options_.threads);
-        std::vector<std::uint32_t> cells = divisible(proof_.cells);
-        if (cells.empty() || growth_.is_cut()) return;
+        std::vector<std::uint32_t> cells = wanted_finer();
+        if (cells.empty() || growth_.is_cut()) break;
         enter(MeshStage::Dividing);
         growth_.divide(std::move(cells));
     }
+    if (proof_.failed.empty()) return;
+    split_at_kinks(solid_, proof_.failed, lattice_, options_.threads);
+    proof_ = prove_stars(tree_, lattice_, options_.threads);
 }
 
 void MeshMaker::contour() {
     enter(MeshStage::Contouring);
-    contour_ = make_contour(tree_, lattice_, solid_, options_.threads);
+    contour_ = make_contour(lattice_, solid_, options_.threads);
     const std::size_t vertices = contour_.mesh.vertices.size();
+    sharpen_creases(solid_, lattice_.step, contour_, options_.threads);
     add_features(tree_, lattice_, solid_, contour_, options_.threads);
-    report_.unchanged = contour_.mesh.vertices.size() == vertices;
+    report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
 }
 
 /// Divides the cells of triangles that are too far from the surface; false: there are none.
@@ -105,22 +125,30 @@ bool MeshMaker::divide_coarse() {
 
 void MeshMaker::count_cells() {
     report_.cells = tree_.size();
-    std::vector<bool> failed(tree_.size());
-    for (const std::uint32_t cell : proof_.cells)
-        failed[cell] = true;
+    enum class State : std::uint8_t { Proved, Rough, Unknown };
+    std::vector<State> states(tree_.size());
+    for (const std::uint32_t cell : proof_.rough)
+        states[cell] = State::Rough;
+    for (const std::uint32_t cell : proof_.unknown)
+        states[cell] = State::Unknown;
     int level = 0;
     for (std::size_t i = 0; i < tree_.size(); ++i) {
         const MeshCell& cell = tree_[i];
         if (!cell.is_leaf() || !cell.is_active()) continue;
-        ++(failed[i] ? report_.unproved : report_.proved);
+        switch (states[i]) {
+            case State::Proved: ++report_.proved; break;
+            case State::Rough: ++report_.rough; break;
+            case State::Unknown: ++report_.unproved; break;
+        }
         level = std::max(level, int{cell.level});
     }
     MeshCell smallest;
     smallest.level = static_cast<std::uint8_t>(level);
     report_.smallest_cell = tree_.edge(smallest);
-    report_.places = unproved_places(tree_, proof_.cells);
+    report_.places = unproved_places(tree_, proof_.unknown);
+    report_.rough_places = unproved_places(tree_, proof_.rough);
     report_.cut = growth_.is_cut();
-    report_.isotopic = report_.unproved == 0 && !report_.cut;
+    report_.isotopic = report_.unproved + report_.rough == 0 && !report_.cut;
 }
 
 MadeMesh MeshMaker::make() {

@@ -30,7 +30,7 @@ struct MeshOptions {
 
 /// A place where the topology is not proved: a group of cells.
 struct UnprovedPlace {
-    glm::dvec3 centre{0.0};
+    glm::dvec3 cell{0.0};  ///< the middle of one of them
     double reach = 0.0;  ///< half the longest edge of the box that holds the cells
     std::size_t cells = 0;
 };
@@ -40,7 +40,10 @@ struct MeshReport {
     std::size_t cells = 0;        ///< of the octree, in all
     std::size_t proved = 0;       ///< leaves at the surface whose topology is proved
     std::size_t unproved = 0;     ///< and those where it is not
-    std::vector<UnprovedPlace> places;
+    /// Leaves where the function is proved to rise along one direction, so that nothing closed is
+    /// lost in them, but the mesh is not: sharp edges.
+    std::size_t rough = 0;
+    std::vector<UnprovedPlace> places, rough_places;
     double smallest_cell = 0.0;   ///< its edge
     bool cut = false;             ///< cells or time did not suffice
     bool isotopic = false;   ///< the mesh of roots is proved isotopic to the surface

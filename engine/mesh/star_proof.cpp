@@ -42,7 +42,7 @@ private:
 
 /// The gradient of L in a tetrahedron, widened by more than its rounding; nothing where the
 /// tetrahedron is so flat that this is not known.
-std::optional<GradientBox> linear_gradient(const CellTree& tree, const Lattice& lattice,
+std::optional<GradientBox> linear_gradient(const Lattice& lattice,
                                            const Tetrahedron& tetrahedron) {
     const auto& v = tetrahedron.vertices;
     std::array<glm::dvec3, 3> edges;
@@ -50,7 +50,7 @@ std::optional<GradientBox> linear_gradient(const CellTree& tree, const Lattice& 
     const LatticeVertex& first = lattice.vertices[v[0]];
     for (std::size_t k = 0; k < 3; ++k) {
         const LatticeVertex& end = lattice.vertices[v[k + 1]];
-        edges[k] = tree.point(end.place) - tree.point(first.place);
+        edges[k] = end.point - first.point;
         rise[static_cast<int>(k)] = end.level - first.level;
     }
     const glm::dvec3 across = glm::cross(edges[1], edges[2]);
@@ -65,11 +65,14 @@ std::optional<GradientBox> linear_gradient(const CellTree& tree, const Lattice& 
     return GradientBox{.lo = gradient - rounding, .hi = gradient + rounding};
 }
 
+/// What is proved to rise in a star.
+enum class Rise : std::uint8_t { None, Function, Both };
+
 class Prover {
 public:
     Prover(const CellTree& tree, const Lattice& lattice)
         : tree_(tree), lattice_(lattice), stars_(lattice) {}
-    [[nodiscard]] bool rises(std::size_t vertex) const;
+    [[nodiscard]] Rise rise(std::size_t vertex) const;
     void add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const;
 
 private:
@@ -78,24 +81,27 @@ private:
     Stars stars_;
 };
 
-bool Prover::rises(std::size_t vertex) const {
+Rise Prover::rise(std::size_t vertex) const {
     std::vector<std::uint32_t> cells;
     std::vector<GradientBox> gradients;
+    bool flat = false;
     for (const std::uint32_t id : stars_.of(vertex)) {
         const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
         cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
-        const auto linear = linear_gradient(tree_, lattice_, tetrahedron);
-        if (!linear) return false;
-        gradients.push_back(*linear);
+        const auto linear = linear_gradient(lattice_, tetrahedron);
+        flat = flat || !linear;
+        if (linear) gradients.push_back(*linear);
     }
+    const std::size_t linear = gradients.size();
     keep_each_once(cells);
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
         if (facts.side != Side::Unknown) continue;
-        if (!facts.graded) return false;
+        if (!facts.graded) return Rise::None;
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
-    return common_rise(gradients).has_value();
+    if (!flat && common_rise(gradients)) return Rise::Both;
+    return common_rise(std::span(gradients).subspan(linear)) ? Rise::Function : Rise::None;
 }
 
 void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
@@ -111,18 +117,22 @@ void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) co
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
     const Prover prover(tree, lattice);
     const std::size_t stars = lattice.vertices.size();
-    std::vector<std::uint8_t> rises(stars);
+    std::vector<Rise> rises(stars);
     parallel_upward(stars, 256, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            rises[i] = prover.rises(i) ? 1 : 0;
+            rises[i] = prover.rise(i);
     });
-    StarProof proof{.stars = stars, .failed = {}, .cells = {}};
+    StarProof proof{.stars = stars, .failed = {}, .unknown = {}, .rough = {}};
     for (std::uint32_t i = 0; i < stars; ++i) {
-        if (rises[i] != 0) continue;
+        if (rises[i] == Rise::Both) continue;
         proof.failed.push_back(i);
-        prover.add_cells(i, proof.cells);
+        prover.add_cells(i, rises[i] == Rise::None ? proof.unknown : proof.rough);
     }
-    keep_each_once(proof.cells);
+    keep_each_once(proof.unknown);
+    keep_each_once(proof.rough);
+    std::erase_if(proof.rough, [&](std::uint32_t cell) {
+        return std::ranges::binary_search(proof.unknown, cell);
+    });
     return proof;
 }
 

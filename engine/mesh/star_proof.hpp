@@ -31,9 +31,11 @@ namespace zeroset {
 
 /// The stars that the proof fails for.
 struct StarProof {
-    std::size_t stars = 0;                ///< all that there are
-    std::vector<std::uint32_t> failed;    ///< vertices
-    std::vector<std::uint32_t> cells;     ///< active leaves in their tetrahedra, each once
+    std::size_t stars = 0;              ///< all that there are
+    std::vector<std::uint32_t> failed;  ///< vertices
+    /// Active leaves in their tetrahedra, each once: of stars in which F is not proved to rise, and
+    /// the others of stars in which only L does not.
+    std::vector<std::uint32_t> unknown, rough;
 };
 
 /// In upward rounding.

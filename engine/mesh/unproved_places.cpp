@@ -17,7 +17,8 @@ public:
         std::vector<std::uint32_t> open{*left_.begin()};
         left_.erase(left_.begin());
         UnprovedPlace place;
-        Box box = tree_.box(tree_[open.front()]);
+        const Box first = tree_.box(tree_[open.front()]);
+        Box box = first;
         while (!open.empty()) {
             const std::uint32_t id = open.back();
             open.pop_back();
@@ -26,7 +27,7 @@ public:
             ++place.cells;
             add_neighbours(id, open);
         }
-        place.centre = box.centre();
+        place.cell = first.centre();
         place.reach = 0.5 * box.size();
         return place;
     }
