@@ -41,6 +41,22 @@ std::uint32_t CellTree::neighbour(const MeshCell& cell, int axis, int direction)
     return contains(place) ? find(place, cell.level) : static_cast<std::uint32_t>(size());
 }
 
+void CellTree::add_touching(const MeshCell& cell, std::vector<std::uint32_t>& leaves) const {
+    add_touching(0, cell.corner, cell.corner + Place(width(cell)), leaves);
+}
+
+void CellTree::add_touching(std::uint32_t under, const Place& lo, const Place& hi,
+                            std::vector<std::uint32_t>& leaves) const {
+    const MeshCell& cell = cells_[under];
+    const Place end = cell.corner + Place(width(cell));
+    for (int axis = 0; axis < 3; ++axis) {
+        if (cell.corner[axis] > hi[axis] || end[axis] < lo[axis]) return;
+    }
+    if (cell.is_leaf()) return leaves.push_back(under);
+    for (std::uint32_t child = 0; child < 8; ++child)
+        add_touching(cell.first_child + child, lo, hi, leaves);
+}
+
 std::uint32_t CellTree::split(std::uint32_t leaf) {
     assert(cells_[leaf].is_leaf() && cells_[leaf].level < deepest_);
     const auto first = static_cast<std::uint32_t>(cells_.size());

@@ -67,10 +67,16 @@ public:
     /// The cell of the same size across a face, or the leaf that holds it; `size()` at the border.
     [[nodiscard]] std::uint32_t neighbour(const MeshCell& cell, int axis, int direction) const;
 
+    /// Adds the leaves that touch a cell, itself among them.
+    void add_touching(const MeshCell& cell, std::vector<std::uint32_t>& leaves) const;
+
     /// Divides a leaf; returns its first child.
     std::uint32_t split(std::uint32_t leaf);
 
 private:
+    void add_touching(std::uint32_t under, const Place& lo, const Place& hi,
+                      std::vector<std::uint32_t>& leaves) const;
+
     int deepest_;
     glm::dvec3 lo_;
     double step_;

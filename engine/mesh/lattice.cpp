@@ -15,8 +15,15 @@ std::uint64_t key_of(const Place& place) {
 /// Walks over the faces between leaves and their edges.
 class LatticeMaker {
 public:
-    explicit LatticeMaker(const CellTree& tree) : tree_(tree), corners_(2 * tree.size()),
-                                                  vertices_(tree.size()) {}
+    LatticeMaker(const CellTree& tree, std::span<const std::uint32_t> leaves)
+        : tree_(tree),
+          leaves_(leaves),
+          wanted_(tree.size()),
+          corners_(2 * leaves.size()),
+          vertices_(leaves.size()) {
+        for (const std::uint32_t leaf : leaves)
+            wanted_[leaf] = true;
+    }
     Lattice make();
 
 private:
@@ -27,14 +34,15 @@ private:
     std::uint32_t vertex(const Place& place);
 
     const CellTree& tree_;
+    std::span<const std::uint32_t> leaves_;
+    std::vector<bool> wanted_;
     KeyIndex corners_, vertices_;
     Lattice lattice_;
 };
 
 void LatticeMaker::index_corners() {
-    for (std::size_t i = 0; i < tree_.size(); ++i) {
-        const MeshCell& cell = tree_[i];
-        if (!cell.is_leaf()) continue;
+    for (const std::uint32_t leaf : leaves_) {
+        const MeshCell& cell = tree_[leaf];
         for (int corner = 0; corner < 8; ++corner) {
             const Place side(corner & 1, corner >> 1 & 1, corner >> 2);
             corners_.add(key_of(cell.corner + tree_.width(cell) * side));
@@ -92,15 +100,15 @@ void LatticeMaker::add_faces(std::uint32_t cell) {
         const MeshCell& beyond = tree_[other];
         if (!beyond.is_leaf()) continue;  // the smaller cells there have the faces
         if (beyond.level == own.level && direction < 0) continue;  // that one has it
+        if (!wanted_[other]) continue;
         if (own.is_active() || beyond.is_active()) add_face(cell, other, axis, direction);
     }
 }
 
 Lattice LatticeMaker::make() {
     index_corners();
-    for (std::uint32_t i = 0; i < tree_.size(); ++i) {
-        if (tree_[i].is_leaf()) add_faces(i);
-    }
+    for (const std::uint32_t leaf : leaves_)
+        add_faces(leaf);
     return std::move(lattice_);
 }
 
@@ -131,7 +139,16 @@ double lattice_level(const FieldValue& value, double step) {
 }
 
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads) {
-    Lattice lattice = LatticeMaker(tree).make();
+    std::vector<std::uint32_t> leaves;
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+        if (tree[i].is_leaf()) leaves.push_back(i);
+    }
+    return make_lattice(tree, leaves, solid, threads);
+}
+
+Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
+                     const MeshSolid& solid, int threads) {
+    Lattice lattice = LatticeMaker(tree, leaves).make();
     std::vector<glm::dvec3> points;
     points.reserve(lattice.vertices.size());
     for (const LatticeVertex& vertex : lattice.vertices)

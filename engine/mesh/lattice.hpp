@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 // The tetrahedra between the cells of an octree [JuUdeshi06, sec. 3]: for each face that two leaves
@@ -50,5 +51,8 @@ double lattice_level(const FieldValue& value, double step);
 
 /// In upward rounding.
 Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads);
+/// The part of it between these leaves.
+Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
+                     const MeshSolid& solid, int threads);
 
 }  // namespace zeroset

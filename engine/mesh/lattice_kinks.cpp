@@ -84,7 +84,7 @@ std::uint32_t KinkSplitter::add_vertex(const glm::dvec3& point,
 void KinkSplitter::find_changes() {
     constexpr int steps = 30;
     // New vertices keep away from the old ones, or tetrahedra would get too flat.
-    constexpr double apart = 0.03;
+    constexpr double apart = 1e-4;
     const std::size_t count = edges_.keys().size();
     std::vector<double> lo(count, 0.0);
     std::vector<double> hi(count, 1.0);

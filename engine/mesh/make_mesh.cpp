@@ -43,6 +43,7 @@ private:
         if (options_.on_stage) options_.on_stage(stage);
     }
     void prove();
+    void prove_locally(std::vector<std::uint32_t> cells);
     void contour();
     bool divide_coarse();
     std::vector<std::uint32_t> wanted_finer();
@@ -65,7 +66,7 @@ private:
 /// only the levels between vertices do not, at edges of the solid, dividing helps a few times only:
 /// edges look alike on all scales.
 std::vector<std::uint32_t> MeshMaker::wanted_finer() {
-    constexpr int most_tries = 4;
+    constexpr int most_tries = 1;
     std::vector<std::uint32_t> cells = proof_.unknown;
     for (const std::uint32_t cell : proof_.rough) {
         if (tree_[cell].tries++ < most_tries) cells.push_back(cell);
@@ -79,6 +80,31 @@ std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells
     return cells;
 }
 
+/// Divides cells and proves their stars anew, until these are proved or nothing more can be done.
+void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
+    while (!cells.empty() && !growth_.is_cut()) {
+        enter(MeshStage::Dividing);
+        std::vector<std::uint32_t> core = proof_.rough;
+        core.insert(core.end(), proof_.unknown.begin(), proof_.unknown.end());
+        const auto first_new = static_cast<std::uint32_t>(tree_.size());
+        growth_.divide(std::move(cells));
+        enter(MeshStage::Proving);
+        for (std::uint32_t cell = first_new; cell < tree_.size(); ++cell)
+            core.push_back(cell);
+        std::erase_if(core, [&](std::uint32_t cell) {
+            return !tree_[cell].is_leaf() || !tree_[cell].is_active();
+        });
+        std::vector<std::uint32_t> leaves;
+        for (const std::uint32_t cell : core)
+            tree_.add_touching(tree_[cell], leaves);
+        std::ranges::sort(leaves);
+        leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
+        const Lattice lattice = make_lattice(tree_, leaves, solid_, options_.threads);
+        proof_ = prove_stars(tree_, lattice, core, options_.threads);
+        cells = wanted_finer();
+    }
+}
+
 /// Divides cells until the topology is proved or nothing more can be done; then edges that are too
 /// sharp get tetrahedra along them.
 void MeshMaker::prove() {
@@ -88,8 +114,7 @@ void MeshMaker::prove() {
         proof_ = prove_stars(tree_, lattice_, options_.threads);
         std::vector<std::uint32_t> cells = wanted_finer();
         if (cells.empty() || growth_.is_cut()) break;
-        enter(MeshStage::Dividing);
-        growth_.divide(std::move(cells));
+        prove_locally(std::move(cells));
     }
     if (proof_.failed.empty()) return;
     split_at_kinks(solid_, proof_.failed, lattice_, options_.threads);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace zeroset {
@@ -112,21 +113,33 @@ void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) co
     }
 }
 
-}  // namespace
+/// The vertices of a lattice that are middles or corners of these leaves.
+std::vector<std::uint32_t> vertices_of(const Lattice& lattice, std::vector<bool> wanted) {
+    std::vector<std::uint32_t> vertices;
+    for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (!wanted[tetrahedron.cells[k]]) continue;
+            for (const std::size_t vertex : {k, std::size_t{2}, std::size_t{3}})
+                vertices.push_back(tetrahedron.vertices[vertex]);
+        }
+    }
+    keep_each_once(vertices);
+    return vertices;
+}
 
-StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+StarProof prove_some(const CellTree& tree, const Lattice& lattice,
+                     std::span<const std::uint32_t> vertices, int threads) {
     const Prover prover(tree, lattice);
-    const std::size_t stars = lattice.vertices.size();
-    std::vector<Rise> rises(stars);
-    parallel_upward(stars, 256, threads, [&](std::size_t first, std::size_t last) {
+    std::vector<Rise> rises(vertices.size());
+    parallel_upward(rises.size(), 256, threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
-            rises[i] = prover.rise(i);
+            rises[i] = prover.rise(vertices[i]);
     });
-    StarProof proof{.stars = stars, .failed = {}, .unknown = {}, .rough = {}};
-    for (std::uint32_t i = 0; i < stars; ++i) {
+    StarProof proof{.stars = vertices.size(), .failed = {}, .unknown = {}, .rough = {}};
+    for (std::size_t i = 0; i < rises.size(); ++i) {
         if (rises[i] == Rise::Both) continue;
-        proof.failed.push_back(i);
-        prover.add_cells(i, rises[i] == Rise::None ? proof.unknown : proof.rough);
+        proof.failed.push_back(vertices[i]);
+        prover.add_cells(vertices[i], rises[i] == Rise::None ? proof.unknown : proof.rough);
     }
     keep_each_once(proof.unknown);
     keep_each_once(proof.rough);
@@ -134,6 +147,22 @@ StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads)
         return std::ranges::binary_search(proof.unknown, cell);
     });
     return proof;
+}
+
+}  // namespace
+
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+    std::vector<std::uint32_t> vertices(lattice.vertices.size());
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    return prove_some(tree, lattice, vertices, threads);
+}
+
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
+                      std::span<const std::uint32_t> leaves, int threads) {
+    std::vector<bool> wanted(tree.size());
+    for (const std::uint32_t leaf : leaves)
+        wanted[leaf] = true;
+    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), threads);
 }
 
 }  // namespace zeroset

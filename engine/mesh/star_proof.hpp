@@ -40,5 +40,9 @@ struct StarProof {
 
 /// In upward rounding.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads);
+/// Only of stars about the middles and corners of these leaves; the lattice has all leaves that
+/// touch them.
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
+                      std::span<const std::uint32_t> leaves, int threads);
 
 }  // namespace zeroset
