@@ -153,7 +153,7 @@ void KinkSplitter::split_face(const Side3& face, std::vector<Side3>& pieces) con
 /// `middle`, if it is well inside the tetrahedron; else a point between it and the centre.
 glm::dvec3 KinkSplitter::tip_of(const std::array<std::uint32_t, 4>& v,
                                 const glm::dvec3& middle) const {
-    constexpr double inside = 0.01;
+    constexpr double inside = 1e-9;
     std::array<glm::dvec3, 4> corners;
     for (std::size_t i = 0; i < 4; ++i)
         corners[i] = lattice_.vertices[v[i]].point;
