@@ -18,11 +18,13 @@ namespace zeroset {
 
 /// What is asked for of the meshes of a document.
 struct MeshSettings {
-    std::optional<double> tolerance;  ///< world units; none: a thousandth of the clip box's edge
-    double size_mm = 100.0;           ///< the longest edge of what holds all surfaces
-    std::size_t most_triangles = 0;   ///< of each surface; 0: as many as the tolerance wants
-    std::optional<std::size_t> surface;  ///< its number, from 1 on; none: all that are shown
-    bool open = false;                   ///< without what ends the solid
+    std::optional<double> tolerance =
+        std::nullopt;                ///< world units; none: a thousandth of the clip box's edge
+    double size_mm = 100.0;          ///< the longest edge of what holds all surfaces
+    std::size_t most_triangles = 0;  ///< of each surface; 0: as many as the tolerance wants
+    std::optional<std::size_t> surface =
+        std::nullopt;   ///< its number, from 1 on; none: all that are shown
+    bool open = false;  ///< without what ends the solid
     bool thin = true;
     int depth = 0;  ///< MeshOptions::depth
     int threads = 0;

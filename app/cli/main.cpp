@@ -219,8 +219,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
 CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
     CLI::App* const mesh_app =
         app.add_subcommand("mesh", "write the surfaces as triangles: STL, 3MF, PLY, OBJ, glTF");
-    add_value(*mesh_app, "EQUATION", mesh.equation,
-              "the formula, @NAME, FILE.zeroset.json, or -")
+    add_value(*mesh_app, "EQUATION", mesh.equation, "the formula, @NAME, FILE.zeroset.json, or -")
         ->required();
     add_value(*mesh_app, "-o,--output", mesh.output,
               "the file: its ending, .stl, .3mf, .ply, .obj or .glb, says the format")
@@ -232,12 +231,10 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
               "millimetres of the longest edge of what is written (default 100)");
     add_value(*mesh_app, "--triangles", mesh.triangles,
               "at most about so many for each surface: raises the tolerance until they suffice");
-    add_value(*mesh_app, "--wall", mesh.wall,
-              "make a wall of this thickness, millimetres, of each surface, which is open where "
-              "the box ends it");
     add_value(*mesh_app, "--surface", mesh.surface, "only the surface of this number, from 1 on");
-    mesh_app->add_flag("--open", mesh.open, "the surface alone, not closed where the box, sections "
-                                            "and its bounds end it");
+    mesh_app->add_flag("--open", mesh.open,
+                       "the surface alone, not closed where the box, sections "
+                       "and its bounds end it");
     mesh_app->add_flag("--no-thin", mesh.no_thin,
                        "keep all triangles: the mesh that the proof is about");
     add_value(*mesh_app, "--depth", mesh.depth,

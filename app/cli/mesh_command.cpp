@@ -61,8 +61,6 @@ std::optional<InputError> take_lengths(const MeshCommand& command, MeshPlan& pla
     const auto size = read_length("--size", command.size, "a length in millimetres");
     if (!size) return size.error();
     plan.settings.size_mm = size->value_or(plan.settings.size_mm);
-    const auto wall = read_length("--wall", command.wall, "a thickness in millimetres");
-    if (!wall) return wall.error();
     const auto budget = read_budget(command.budget);
     if (!budget) return budget.error();
     plan.budget_s = *budget;
@@ -147,8 +145,7 @@ std::expected<void, std::string> write_mesh(const std::string& output, const Mes
 }
 
 std::optional<std::string> unwritable_file(const MeshCommand& command) {
-    if (auto writable = check_writable(command.output); !writable)
-        return writable.error().message;
+    if (auto writable = check_writable(command.output); !writable) return writable.error().message;
     if (!command.stats || *command.stats == "-") return std::nullopt;
     const auto writable = check_writable(*command.stats);
     return writable ? std::nullopt : std::optional(writable.error().message);

@@ -21,7 +21,8 @@ std::string shape_text(const MeshFacts& facts) {
     std::string text = std::to_string(facts.components) +
                        (facts.components == 1 ? " component" : " components") +
                        ", Euler characteristic " + std::to_string(facts.euler());
-    if (facts.open_edges == 0) return text + ", genus " + std::to_string(facts.genus()) + ", closed";
+    if (facts.open_edges == 0)
+        return text + ", genus " + std::to_string(facts.genus()) + ", closed";
     return text + ", open (" + std::to_string(facts.open_edges) + " edges)";
 }
 
@@ -57,33 +58,33 @@ Json stats_of(const SurfaceMesh& surface, double mm) {
     const MeshFacts& facts = surface.facts;
     const MeshReport& report = surface.report;
     const Box& bounds = facts.bounds;
-    return {{"surface", surface.number},
-            {"text", surface.text},
-            {"triangles", facts.triangles},
-            {"triangles_before_thinning", report.thinned_from},
-            {"vertices", facts.vertices},
-            {"components", facts.components},
-            {"euler", facts.euler()},
-            {"genus", facts.open_edges == 0 ? Json(facts.genus()) : Json()},
-            {"open_edges", facts.open_edges},
-            {"area", facts.area},
-            {"volume", facts.open_edges == 0 ? Json(facts.volume) : Json()},
-            {"bounds",
-             {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
-            {"size_mm",
-             {mm * (bounds.hi.x - bounds.lo.x), mm * (bounds.hi.y - bounds.lo.y),
-              mm * (bounds.hi.z - bounds.lo.z)}},
-            {"deviation", std::isfinite(report.deviation) ? Json(report.deviation) : Json()},
-            {"cells", report.cells},
-            {"smallest_cell", report.smallest_cell},
-            {"proved_cells", report.proved},
-            {"unproved_cells", report.unproved},
-            {"unproved_places", json_of(report.places)},
-            {"sharp_cells", report.rough},
-            {"sharp_places", json_of(report.rough_places)},
-            {"isotopic", report.isotopic},
-            {"as_proved", report.unchanged},
-            {"cut", report.cut}};
+    return {
+        {"surface", surface.number},
+        {"text", surface.text},
+        {"triangles", facts.triangles},
+        {"triangles_before_thinning", report.thinned_from},
+        {"vertices", facts.vertices},
+        {"components", facts.components},
+        {"euler", facts.euler()},
+        {"genus", facts.open_edges == 0 ? Json(facts.genus()) : Json()},
+        {"open_edges", facts.open_edges},
+        {"area", facts.area},
+        {"volume", facts.open_edges == 0 ? Json(facts.volume) : Json()},
+        {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
+        {"size_mm",
+         {mm * (bounds.hi.x - bounds.lo.x), mm * (bounds.hi.y - bounds.lo.y),
+          mm * (bounds.hi.z - bounds.lo.z)}},
+        {"deviation", std::isfinite(report.deviation) ? Json(report.deviation) : Json()},
+        {"cells", report.cells},
+        {"smallest_cell", report.smallest_cell},
+        {"proved_cells", report.proved},
+        {"unproved_cells", report.unproved},
+        {"unproved_places", json_of(report.places)},
+        {"sharp_cells", report.rough},
+        {"sharp_places", json_of(report.rough_places)},
+        {"isotopic", report.isotopic},
+        {"as_proved", report.unchanged},
+        {"cut", report.cut}};
 }
 
 }  // namespace
@@ -105,8 +106,9 @@ std::string mesh_warnings(const DocumentMeshes& meshes, double budget_s) {
         const std::string who = "zeroset: surface " + std::to_string(surface.number) + ": ";
         if (!report.isotopic) text += who + proof_line(report) + "\n";
         if (report.cut) {
-            text += who + "the budget of " + short_number(budget_s) +
-                    " s or of cells is spent; --budget SECONDS or a larger --tolerance gives more\n";
+            text +=
+                who + "the budget of " + short_number(budget_s) +
+                " s or of cells is spent; --budget SECONDS or a larger --tolerance gives more\n";
         }
     }
     return text;

@@ -106,6 +106,7 @@ void CellGrowth::grow(std::vector<std::uint32_t> fresh) {
     while (!fresh.empty()) {
         evaluate(fresh);
         judge(fresh);
+        if (limits_.limit.over()) cut_ = true;
         std::erase_if(fresh, [&](std::uint32_t cell) { return !wants_split(tree_[cell]); });
         fresh = split_all(fresh);
     }

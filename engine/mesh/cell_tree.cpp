@@ -6,9 +6,9 @@
 namespace zeroset {
 
 CellTree::CellTree(const Box& box, int deepest) : deepest_(std::min(deepest, deepest_ever)) {
-    // The margin is wider than the largest cells that may stay active (least_level): so all cells at
-    // the border are proved to be outside. Odd shares of the box keep the lattice off planes of symmetry, where surfaces like to go
-    // through many places at once.
+    // The margin is wider than the largest cells that may stay active (least_level): so all cells
+    // at the border are proved to be outside. Odd shares of the box keep the lattice off planes of
+    // symmetry, where surfaces like to go through many places at once.
     const glm::dvec3 margin = box.size() * glm::dvec3(0.20317, 0.21129, 0.20751);
     const glm::dvec3 middle = box.centre();
     constexpr double larger = root_edge;

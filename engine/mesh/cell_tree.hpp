@@ -56,7 +56,9 @@ public:
     [[nodiscard]] Place middle(const MeshCell& cell) const {
         return cell.corner + Place(width(cell) / 2);
     }
-    [[nodiscard]] glm::dvec3 point(const Place& place) const { return lo_ + step_ * glm::dvec3(place); }
+    [[nodiscard]] glm::dvec3 point(const Place& place) const {
+        return lo_ + step_ * glm::dvec3(place);
+    }
     [[nodiscard]] Box box(const MeshCell& cell) const {
         return {.lo = point(cell.corner), .hi = point(cell.corner + Place(width(cell)))};
     }

@@ -53,7 +53,8 @@ void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, int 
     for (std::size_t c = 0; c < points.size(); ++c) {
         const std::uint32_t v = contour.creases[c].vertex;
         MeshVertex& vertex = contour.mesh.vertices[v];
-        const bool near = glm::distance(points[c], vertex.point) < std::max(0.5 * room[v], 0.01 * step);
+        const bool near =
+            glm::distance(points[c], vertex.point) < std::max(0.5 * room[v], 0.01 * step);
         if (near && values[c].distance() < 1e-6 * step) vertex.point = points[c];
     }
 }

@@ -14,7 +14,8 @@ std::vector<float> deviations(const MeshSolid& solid, const TriangleMesh& mesh, 
         const glm::dvec3& a = mesh.vertices[triangle[0]].point;
         const glm::dvec3& b = mesh.vertices[triangle[1]].point;
         const glm::dvec3& c = mesh.vertices[triangle[2]].point;
-        points.insert(points.end(), {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)});
+        points.insert(points.end(),
+                      {(a + b + c) / 3.0, 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)});
     }
     const std::vector<FieldValue> values = field_at(solid, points, threads);
     std::vector<float> farthest(mesh.triangles.size());

@@ -16,8 +16,8 @@ std::optional<glm::dvec3> on_line(const FeatureSide& a, const FeatureSide& b,
     if (determinant < 0.02) return std::nullopt;
     const double to_a = glm::dot(a.normal, a.point - near);
     const double to_b = glm::dot(b.normal, b.point - near);
-    return near + ((to_a - between * to_b) * a.normal + (to_b - between * to_a) * b.normal) /
-                      determinant;
+    return near +
+           ((to_a - between * to_b) * a.normal + (to_b - between * to_a) * b.normal) / determinant;
 }
 
 std::optional<glm::dvec3> at_corner(const std::vector<FeatureSide>& sides, const glm::dvec3& near) {

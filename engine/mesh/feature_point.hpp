@@ -11,7 +11,7 @@ namespace zeroset {
 
 /// A smooth side of the surface near a feature: a point on it and its tangent plane.
 struct FeatureSide {
-    glm::dvec3 base{0.0};          ///< a vertex on this side
+    glm::dvec3 base{0.0};                ///< a vertex on this side
     glm::dvec3 point{0.0}, normal{0.0};  ///< of the plane
 };
 

@@ -48,9 +48,9 @@ void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> po
     for (std::size_t p = 0; p < solid.parts.size(); ++p) {
         solid.parts[p].value(batch_.batch(solid.uniforms.points<double>()));
         for (std::size_t i = 0; i < points.size(); ++i) {
-            values_[p * points_at_once + i] = value_of(
-                batch_.f(i),
-                {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}, p);
+            values_[p * points_at_once + i] =
+                value_of(batch_.f(i),
+                         {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}, p);
         }
     }
 }
@@ -121,11 +121,11 @@ std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPla
             return node.kind == SolidNode::Kind::Leaf && node.a == p;
         });
         for (std::size_t k = 0; k < own.size(); ++k) {
-            values[own[k]] = value_of(
-                leaf->sign * batch.f(k),
-                leaf->sign *
-                    glm::dvec3(batch.gradient(0, k), batch.gradient(1, k), batch.gradient(2, k)),
-                p);
+            values[own[k]] =
+                value_of(leaf->sign * batch.f(k),
+                         leaf->sign * glm::dvec3(batch.gradient(0, k), batch.gradient(1, k),
+                                                 batch.gradient(2, k)),
+                         p);
         }
     }
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -16,8 +16,8 @@ glm::dvec3 unit(const glm::dvec3& vector) {
 double least_slope(const GradientBox& gradient, const glm::dvec3& direction) {
     double negative = 0.0;  // an upper bound of -slope
     for (int axis = 0; axis < 3; ++axis)
-        negative += std::max(-direction[axis] * gradient.lo[axis],
-                             -direction[axis] * gradient.hi[axis]);
+        negative +=
+            std::max(-direction[axis] * gradient.lo[axis], -direction[axis] * gradient.hi[axis]);
     return -negative;
 }
 

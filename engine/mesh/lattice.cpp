@@ -52,8 +52,7 @@ void LatticeMaker::index_corners() {
 
 std::uint32_t LatticeMaker::vertex(const Place& place) {
     const std::uint32_t id = vertices_.add(key_of(place));
-    if (id == lattice_.vertices.size())
-        lattice_.vertices.push_back({.point = tree_.point(place)});
+    if (id == lattice_.vertices.size()) lattice_.vertices.push_back({.point = tree_.point(place)});
     return id;
 }
 
@@ -70,8 +69,8 @@ void LatticeMaker::add_edge(std::uint32_t cell, std::uint32_t other, const Place
     }
     const std::uint32_t m = vertex(tree_.middle(tree_[cell]));
     const std::uint32_t n = vertex(tree_.middle(tree_[other]));
-    lattice_.tetrahedra.push_back({.vertices = {m, n, vertex(a), vertex(b)},
-                                   .cells = {cell, other}});
+    lattice_.tetrahedra.push_back(
+        {.vertices = {m, n, vertex(a), vertex(b)}, .cells = {cell, other}});
 }
 
 void LatticeMaker::add_face(std::uint32_t cell, std::uint32_t other, int axis, int direction) {

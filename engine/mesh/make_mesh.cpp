@@ -25,6 +25,13 @@ int depth_for(const Box& box, const MeshOptions& options) {
     return static_cast<int>(std::clamp(levels, 4.0, double{CellTree::deepest_ever}));
 }
 
+/// The first half of the time that is left.
+TimeLimit half_of(const TimeLimit& limit) {
+    if (limit.until == TimeLimit::never) return limit;
+    const auto now = TimeLimit::Clock::now();
+    return {.cancel = limit.cancel, .until = now + (limit.until - now) / 2};
+}
+
 class MeshMaker {
 public:
     MeshMaker(const MeshSolid& solid, const MeshOptions& options)
@@ -35,7 +42,7 @@ public:
                   {.tolerance = options.tolerance,
                    .most_cells = options.most_cells,
                    .threads = options.threads,
-                   .limit = options.limit}) {}
+                   .limit = half_of(options.limit)}) {}
     MadeMesh make();
 
 private:
@@ -198,9 +205,8 @@ void MeshMaker::thin_mesh() {
     const std::size_t most = options_.most_triangles;
     if (!options_.thin && (most == 0 || report_.thinned_from <= most)) return;
     enter(MeshStage::Thinning);
-    ThinOptions how{.tolerance = options_.tolerance,
-                    .threads = options_.threads,
-                    .limit = options_.limit};
+    ThinOptions how{
+        .tolerance = options_.tolerance, .threads = options_.threads, .limit = options_.limit};
     if (options_.thin) thin(contour_.mesh, solid_, how);
     how.most_triangles = most;
     constexpr int most_rounds = 40;

@@ -26,9 +26,9 @@ void keep_surface(TriangleMesh& mesh, const MeshSolid& solid, int threads) {
     std::vector<glm::dvec3> middles;
     middles.reserve(mesh.triangles.size());
     for (const Triangle& t : mesh.triangles) {
-        middles.push_back((mesh.vertices[t[0]].point + mesh.vertices[t[1]].point +
-                           mesh.vertices[t[2]].point) /
-                          3.0);
+        middles.push_back(
+            (mesh.vertices[t[0]].point + mesh.vertices[t[1]].point + mesh.vertices[t[2]].point) /
+            3.0);
     }
     const std::vector<FieldValue> values = field_at(solid, middles, threads);
     std::size_t kept = 0;

@@ -43,8 +43,7 @@ private:
 
 /// The gradient of L in a tetrahedron, widened by more than its rounding; nothing where the
 /// tetrahedron is so flat that this is not known.
-std::optional<GradientBox> linear_gradient(const Lattice& lattice,
-                                           const Tetrahedron& tetrahedron) {
+std::optional<GradientBox> linear_gradient(const Lattice& lattice, const Tetrahedron& tetrahedron) {
     const auto& v = tetrahedron.vertices;
     std::array<glm::dvec3, 3> edges;
     glm::dvec3 rise;
@@ -102,7 +101,10 @@ Rise Prover::rise(std::size_t vertex) const {
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
     if (!flat && common_rise(gradients)) return Rise::Both;
-    return common_rise(std::span(gradients).subspan(linear)) ? Rise::Function : Rise::None;
+    const bool kinked =
+        std::ranges::any_of(cells, [&](std::uint32_t cell) { return tree_[cell].facts.kinked; });
+    return kinked && common_rise(std::span(gradients).subspan(linear)) ? Rise::Function
+                                                                       : Rise::None;
 }
 
 void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {

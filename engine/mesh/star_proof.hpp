@@ -33,8 +33,8 @@ namespace zeroset {
 struct StarProof {
     std::size_t stars = 0;              ///< all that there are
     std::vector<std::uint32_t> failed;  ///< vertices
-    /// Active leaves in their tetrahedra, each once: of stars in which F is not proved to rise, and
-    /// the others of stars in which only L does not.
+    /// Active leaves in their tetrahedra, each once; `rough`: those only of stars in which F has a
+    /// kink and is proved to rise, but L is not.
     std::vector<std::uint32_t> unknown, rough;
 };
 

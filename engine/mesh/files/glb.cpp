@@ -121,9 +121,8 @@ std::size_t GlbWriter::put_indices(const std::vector<std::uint32_t>& indices) {
     const std::size_t first = data_.size();
     for (const std::uint32_t index : indices)
         data_.put(index);
-    return accessor(
-        first, index_buffer,
-        {{"componentType", type_index}, {"count", indices.size()}, {"type", "SCALAR"}});
+    return accessor(first, index_buffer,
+                    {{"componentType", type_index}, {"count", indices.size()}, {"type", "SCALAR"}});
 }
 
 void GlbWriter::add(const MeshObject& object, double metres_per_unit) {
@@ -157,8 +156,8 @@ std::vector<std::byte> GlbWriter::finish(const std::vector<std::string>& comment
     constexpr std::uint32_t data_chunk = 0x004E4942;
     const std::size_t whole = 12 + 8 + text.size() + 8 + data.size();
     ByteWriter out(whole);
-    for (const std::size_t number : {std::size_t{magic}, std::size_t{2}, whole, text.size(),
-                                     std::size_t{json_chunk}})
+    for (const std::size_t number :
+         {std::size_t{magic}, std::size_t{2}, whole, text.size(), std::size_t{json_chunk}})
         out.put(static_cast<std::uint32_t>(number));
     out.put_text(text);
     out.put(static_cast<std::uint32_t>(data.size()));

@@ -146,7 +146,8 @@ std::expected<std::vector<std::byte>, std::string> bytes_of(zip_source_t* source
     std::vector<std::byte> bytes(stat.size);
     const zip_int64_t read = zip_source_read(source, bytes.data(), bytes.size());
     zip_source_close(source);
-    if (read != static_cast<zip_int64_t>(bytes.size())) return std::unexpected("the archive is cut");
+    if (read != static_cast<zip_int64_t>(bytes.size()))
+        return std::unexpected("the archive is cut");
     return bytes;
 }
 
