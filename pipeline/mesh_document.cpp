@@ -65,7 +65,10 @@ private:
 void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
     MadeMesh made = make_mesh(surface.solid, options(left));
     if (settings_.open) keep_surface(made.mesh, surface.solid, settings_.threads);
-    if (made.mesh.triangles.empty()) return;
+    if (made.mesh.triangles.empty()) {
+        result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
+        return;
+    }
     result_.surfaces.push_back({.number = surface.number,
                                 .text = surface.text,
                                 .report = std::move(made.report),

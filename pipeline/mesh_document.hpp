@@ -45,6 +45,7 @@ struct DocumentMeshes {
     std::vector<SurfaceMesh> surfaces;  ///< in the order of file.objects
     MeshFile file;
     double tolerance = 0.0;
+    std::size_t unproved = 0;  ///< cells of surfaces without a triangle whose sign is not proved
 };
 
 /// Makes the meshes of the surfaces that the request shows; those without a triangle are left out.

@@ -144,6 +144,14 @@ std::expected<void, std::string> write_mesh(const std::string& output, const Mes
     return {};
 }
 
+/// Why there is no mesh.
+std::string nothing_found(const DocumentMeshes& meshes) {
+    if (meshes.unproved == 0)
+        return "it is proved that no surface lies in the clip box; --box makes it larger";
+    return "f changes its sign nowhere between cells, but in " + std::to_string(meshes.unproved) +
+           " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
+}
+
 std::optional<std::string> unwritable_file(const MeshCommand& command) {
     if (auto writable = check_writable(command.output); !writable) return writable.error().message;
     if (!command.stats || *command.stats == "-") return std::nullopt;
@@ -162,8 +170,7 @@ int run_mesh(const MeshCommand& command) {
     const double budget_s = plan->budget_s;
     const auto meshes = make_meshes(std::move(*plan));
     if (!meshes) return report(meshes.error());
-    if (meshes->surfaces.empty())
-        return report_run_time("no surface lies in the clip box; --box makes it larger");
+    if (meshes->surfaces.empty()) return report_run_time(nothing_found(*meshes));
     const auto written = write_mesh(command.output, format, meshes->file);
     if (!written) return report_run_time(written.error());
     if (command.stats != "-") std::cout << mesh_text(command.output, *meshes);

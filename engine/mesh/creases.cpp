@@ -29,6 +29,7 @@ void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, int 
     constexpr int most_steps = 4;
     const std::vector<double> room = shortest_edges(contour.mesh);
     std::vector<glm::dvec3> points;
+    points.reserve(contour.creases.size());
     for (const Contour::Crease& crease : contour.creases)
         points.push_back(contour.mesh.vertices[crease.vertex].point);
     for (int i = 0; i < most_steps; ++i) {

@@ -87,6 +87,7 @@ void FeatureMaker::collect() {
 
 std::vector<const MeshVertex*> FeatureMaker::vertices_of(const Piece& piece) const {
     std::vector<const MeshVertex*> vertices;
+    vertices.reserve(piece.ring.size());
     for (const std::uint32_t vertex : piece.ring)
         vertices.push_back(&contour_.mesh.vertices[vertex]);
     return vertices;

@@ -134,14 +134,15 @@ void FieldOnBoxes::find_side(const Box& box, std::size_t i, BoxFacts& facts) {
         const SolidNode& node = solid_.nodes[n];
         if (node.kind == SolidNode::Kind::Leaf) {
             const PartRange& part = range(node.a, i);
-            node_ranges_[n] = node.sign > 0 ? Range{part.lo, part.hi} : Range{-part.hi, -part.lo};
+            node_ranges_[n] = node.sign > 0 ? Range{.lo = part.lo, .hi = part.hi}
+                                            : Range{.lo = -part.hi, .hi = -part.lo};
             continue;
         }
         const Range& a = node_ranges_[node.a];
         const Range& b = node_ranges_[node.b];
         node_ranges_[n] = node.kind == SolidNode::Kind::Max
-                              ? Range{std::max(a.lo, b.lo), std::max(a.hi, b.hi)}
-                              : Range{std::min(a.lo, b.lo), std::min(a.hi, b.hi)};
+                              ? Range{.lo = std::max(a.lo, b.lo), .hi = std::max(a.hi, b.hi)}
+                              : Range{.lo = std::min(a.lo, b.lo), .hi = std::min(a.hi, b.hi)};
     }
     if (node_ranges_.back().lo > 0) facts.side = Side::Outside;
     bool inside = defined && node_ranges_.back().hi < 0;

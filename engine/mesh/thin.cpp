@@ -68,7 +68,7 @@ private:
         return shape_of(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
     }
     std::vector<Move> find_moves();
-    std::vector<Move> independent(std::vector<Move> moves) const;
+    [[nodiscard]] std::vector<Move> independent(std::vector<Move> moves) const;
     void add_samples(const Triangle& triangle, std::vector<glm::dvec3>& points) const;
     std::size_t apply(const std::vector<Move>& moves);
     void make(const Move& move);

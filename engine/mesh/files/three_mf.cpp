@@ -116,8 +116,11 @@ std::string model_of(const MeshFile& file) {
         text += "<m:colorgroup id=\"" + colors_id + "\">\n";
         for (const MeshColor& color : group.colors)
             text += "<m:color color=\"" + hex_of(color) + "\"/>\n";
-        text += "</m:colorgroup>\n<object id=\"" + object_id + "\" type=\"model\" name=\"" +
-                escaped(file.objects[i].name) + "\" pid=\"" + colors_id + "\" pindex=\"0\">";
+        text +=
+            "</m:colorgroup>\n"
+            R"(<object id=")" +
+            object_id + R"(" type="model" name=")" + escaped(file.objects[i].name) + R"(" pid=")" +
+            colors_id + R"(" pindex="0">)";
         append_mesh(text, file, file.objects[i], group);
         text += "</object>\n";
         items += "<item objectid=\"" + object_id + "\"/>";
