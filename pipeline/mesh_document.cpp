@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/mesh/open_surface.hpp"
+#include "engine/mesh/wall.hpp"
 #include "pipeline/mesh_colors.hpp"
 
 #include <algorithm>
@@ -43,9 +44,10 @@ public:
         result_.tolerance = settings.tolerance.value_or(1e-3 * request.clip.size());
     }
     void add(std::size_t index, SurfaceSolid surface, std::size_t left);
-    DocumentMeshes finish();
+    OrInputError<DocumentMeshes> finish();
 
 private:
+    std::optional<InputError> make_walls(double size);
     [[nodiscard]] MeshOptions options(std::size_t left) const {
         return {.tolerance = result_.tolerance,
                 .depth = settings_.depth,
@@ -64,7 +66,8 @@ private:
 
 void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
     MadeMesh made = make_mesh(surface.solid, options(left));
-    if (settings_.open) keep_surface(made.mesh, surface.solid, settings_.threads);
+    if (settings_.open || settings_.wall_mm)
+        keep_surface(made.mesh, surface.solid, settings_.threads);
     if (made.mesh.triangles.empty()) {
         result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
         return;
@@ -78,7 +81,7 @@ void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t le
     result_.file.objects.push_back(std::move(object));
 }
 
-DocumentMeshes DocumentMesher::finish() {
+OrInputError<DocumentMeshes> DocumentMesher::finish() {
     if (result_.surfaces.empty()) return std::move(result_);
     Box all = result_.surfaces.front().facts.bounds;
     for (const SurfaceMesh& surface : result_.surfaces) {
@@ -88,7 +91,34 @@ DocumentMeshes DocumentMesher::finish() {
                                        proof_line(surface.report));
     }
     if (all.size() > 0) result_.file.mm_per_unit = settings_.size_mm / all.size();
+    if (settings_.wall_mm) {
+        if (auto wrong = make_walls(all.size())) return std::unexpected(*wrong);
+    }
     return std::move(result_);
+}
+
+/// Makes the surfaces walls, whose longest edge, with the wall, is of the size asked for.
+std::optional<InputError> DocumentMesher::make_walls(double size) {
+    const double wall_mm = *settings_.wall_mm;
+    if (!(wall_mm < settings_.size_mm))
+        return InputError{.reason = "--wall: it must be thinner than --size"};
+    result_.file.mm_per_unit = (settings_.size_mm - wall_mm) / size;
+    const double thickness = wall_mm / result_.file.mm_per_unit;
+    for (std::size_t i = 0; i < result_.surfaces.size(); ++i) {
+        MeshObject& object = result_.file.objects[i];
+        auto wall = wall_of(object.mesh, thickness, result_.tolerance);
+        if (!wall) {
+            return InputError{.reason = "--wall " + short_number(wall_mm) + ": surface " +
+                                        std::to_string(result_.surfaces[i].number) + ": " +
+                                        wall.error() + "; a thinner one may do"};
+        }
+        object.mesh = std::move(*wall);
+        const std::vector<MeshColor> colors = object.colors;
+        object.colors.insert(object.colors.end(), colors.begin(), colors.end());
+        result_.surfaces[i].facts = facts_of(object.mesh);
+        result_.surfaces[i].report.unchanged = false;
+    }
+    return std::nullopt;
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ struct MeshSettings {
     std::optional<std::size_t> surface =
         std::nullopt;   ///< its number, from 1 on; none: all that are shown
     bool open = false;  ///< without what ends the solid
+    /// Of each surface, open, a wall of this thickness instead, millimetres.
+    std::optional<double> wall_mm = std::nullopt;
     bool thin = true;
     int depth = 0;  ///< MeshOptions::depth
     int threads = 0;
@@ -48,7 +50,8 @@ struct DocumentMeshes {
     std::size_t unproved = 0;  ///< cells of surfaces without a triangle whose sign is not proved
 };
 
-/// Makes the meshes of the surfaces that the request shows; those without a triangle are left out.
+/// Makes the meshes of the surfaces that the request shows, or says in one line why a wall cannot
+/// be made; those without a triangle are left out.
 /// Thread-safe.
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
                                            const MeshSettings& settings);

@@ -28,7 +28,7 @@ struct MeshCommand {
     std::string equation;
     ViewText view;
     std::string output;
-    std::optional<std::string> tolerance, size, triangles, surface, depth, budget, stats, threads;
+    std::optional<std::string> tolerance, size, triangles, wall, surface, depth, budget, stats, threads;
     bool open = false;     ///< the surface alone
     bool no_thin = false;  ///< all triangles, as they were proved
 };

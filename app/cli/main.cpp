@@ -231,6 +231,8 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
               "millimetres of the longest edge of what is written (default 100)");
     add_value(*mesh_app, "--triangles", mesh.triangles,
               "at most about so many for each surface: raises the tolerance until they suffice");
+    add_value(*mesh_app, "--wall", mesh.wall,
+              "make a wall of so many millimetres of each surface, open where the box ends it");
     add_value(*mesh_app, "--surface", mesh.surface, "only the surface of this number, from 1 on");
     mesh_app->add_flag("--open", mesh.open,
                        "the surface alone, not closed where the box, sections "

@@ -61,6 +61,9 @@ std::optional<InputError> take_lengths(const MeshCommand& command, MeshPlan& pla
     const auto size = read_length("--size", command.size, "a length in millimetres");
     if (!size) return size.error();
     plan.settings.size_mm = size->value_or(plan.settings.size_mm);
+    const auto wall = read_length("--wall", command.wall, "a thickness in millimetres");
+    if (!wall) return wall.error();
+    plan.settings.wall_mm = *wall;
     const auto budget = read_budget(command.budget);
     if (!budget) return budget.error();
     plan.budget_s = *budget;

@@ -224,6 +224,36 @@ TEST(MeshOpen, EndsWhereTheBoxDoes) {
         EXPECT_NEAR(vertex.point.z, vertex.point.x * vertex.point.y / 2, 1e-6);
 }
 
+TEST(MeshWall, HasItsThicknessAndIsClosed) {
+    // Of a hemisphere of radius 1, 100 mm wide with a wall of 4 mm: 96/2 mm to the middle of it.
+    const auto half = [](Document& document) {
+        document.region.sections.push_back(make_section({0, 0, 1}, 0));
+    };
+    const DocumentMeshes meshes =
+        meshed("x^2 + y^2 + z^2 = 1", 2, {.tolerance = 0.002, .wall_mm = 4}, half);
+    ASSERT_EQ(meshes.surfaces.size(), 1U);
+    const TriangleMesh& mesh = meshes.file.objects[0].mesh;
+    EXPECT_EQ(defect_of(mesh), "");
+    EXPECT_EQ(euler_characteristic(mesh), 2);
+    EXPECT_NEAR(meshes.file.mm_per_unit, 48, 0.1);
+    const double step = 2 / meshes.file.mm_per_unit;
+    for (const MeshVertex& vertex : mesh.vertices)
+        EXPECT_NEAR(std::abs(glm::length(vertex.point) - 1), step, 0.005);
+    const double shell = 2 * pi / 3 * (std::pow(1 + step, 3) - std::pow(1 - step, 3));
+    EXPECT_NEAR(enclosed_volume(mesh), shell, 0.02 * shell);
+}
+
+TEST(MeshWall, IsRefusedWhereTheSurfaceBendsMore) {
+    ReadDocument read = read_document_text("x^2 + y^2 + z^2 = 1");
+    const auto prepared = prepare(read.document, *read.rows, Preparation::Interpreted);
+    ASSERT_TRUE(prepared);
+    const PictureRequest request =
+        picture_request(prepared->formula, prepared->colors, read.document, {}, {64, 64});
+    const auto meshes = mesh_document(request, {.tolerance = 0.02, .wall_mm = 60});
+    ASSERT_FALSE(meshes);
+    EXPECT_NE(meshes.error().reason.find("near"), std::string::npos) << meshes.error().reason;
+}
+
 TEST(MeshTriangles, AreAsFewAsWanted) {
     const MeshObject object =
         closed_mesh("x^2 + y^2 + z^2 = 1", 2, {.tolerance = 0.002, .most_triangles = 500});
