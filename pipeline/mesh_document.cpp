@@ -3,6 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/mesh/open_surface.hpp"
 #include "engine/mesh/wall.hpp"
+#include "engine/real/rounding.hpp"
 #include "pipeline/mesh_colors.hpp"
 
 #include <algorithm>
@@ -66,8 +67,10 @@ private:
 
 void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
     MadeMesh made = make_mesh(surface.solid, options(left));
-    if (settings_.open || settings_.wall_mm)
-        keep_surface(made.mesh, surface.solid, settings_.threads);
+    if (settings_.open || settings_.wall_mm) {
+        const UpwardRegisters upward;
+        keep_surface(made.mesh, surface.solid);
+    }
     if (made.mesh.triangles.empty()) {
         result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
         return;

@@ -101,6 +101,10 @@ std::vector<std::array<std::uint32_t, 2>> open_edges(const TriangleMesh& mesh) {
 std::optional<std::string> defect(const TriangleMesh& mesh, const std::vector<glm::dvec3>& points,
                                   const std::vector<glm::dvec3>& normals, double half,
                                   double tolerance) {
+    // Triangles at the surface's end may lean towards what ended it: they are not asked.
+    std::vector<bool> at_end(points.size());
+    for (const auto& [a, b] : open_edges(mesh))
+        at_end[a] = at_end[b] = true;
     for (const double side : {half, -half}) {
         std::vector<glm::dvec3> moved(points.size());
         for (std::size_t v = 0; v < points.size(); ++v)
@@ -108,6 +112,7 @@ std::optional<std::string> defect(const TriangleMesh& mesh, const std::vector<gl
         for (const Triangle& t : mesh.triangles) {
             const glm::dvec3 before = across(points, t);
             const glm::dvec3 after = across(moved, t);
+            if (at_end[t[0]] || at_end[t[1]] || at_end[t[2]]) continue;
             for (const std::uint32_t v : t) {
                 if (glm::dot(normals[v], before) < 0.7 * glm::length(before))
                     return refusal("the surface has an edge", points[v]).error();

@@ -243,6 +243,14 @@ TEST(MeshWall, HasItsThicknessAndIsClosed) {
     EXPECT_NEAR(enclosed_volume(mesh), shell, 0.02 * shell);
 }
 
+TEST(MeshWall, OfAWavySheetIsClosed) {
+    const DocumentMeshes meshes =
+        meshed("z = sin(2x) cos(2y)/2", 2, {.tolerance = 0.02, .wall_mm = 2});
+    ASSERT_EQ(meshes.surfaces.size(), 1U);
+    EXPECT_EQ(defect_of(meshes.file.objects[0].mesh), "");
+    EXPECT_EQ(euler_characteristic(meshes.file.objects[0].mesh), 2);
+}
+
 TEST(MeshWall, IsRefusedWhereTheSurfaceBendsMore) {
     ReadDocument read = read_document_text("x^2 + y^2 + z^2 = 1");
     const auto prepared = prepare(read.document, *read.rows, Preparation::Interpreted);
