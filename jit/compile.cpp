@@ -238,6 +238,19 @@ void add_later_functions(Kernel& kernel, const Expr& expr, const Vectors& vector
     }
 }
 
+/// Makes the machine code of one function in double.
+template <class Batch>
+std::expected<KernelFunction<Batch>, CompileError> compiled_in_double(const Expr& expr,
+                                                                      KernelKind kind) {
+    const auto vectors = usable_vectors({});
+    if (!vectors) return std::unexpected(vectors.error());
+    auto code = cached_code(expr, {.vector = vectors->in_double, .kind = kind});
+    if (!code) return std::unexpected(code.error());
+    KernelFunction<Batch> function;
+    put_in(function, std::move(*code));
+    return function;
+}
+
 using Print = std::expected<std::string, CompileError> (*)(const Lowering&);
 
 std::expected<std::string, CompileError> printed(Print print, const Expr& expr,
@@ -302,13 +315,15 @@ bool is_compiled(const Expr& expr, const CompileOptions& options) {
 }
 
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr) {
-    const auto vectors = usable_vectors({});
-    if (!vectors) return std::unexpected(vectors.error());
-    auto code = cached_code(expr, {.vector = vectors->in_double, .kind = KernelKind::Points});
-    if (!code) return std::unexpected(code.error());
-    PointFunction function;
-    put_in(function, std::move(*code));
-    return function;
+    return compiled_in_double<ValueBatchOf<double>>(expr, KernelKind::Points);
+}
+
+std::expected<KernelFunction<RangeBatchOf<double>>, CompileError> compile_ranges(const Expr& expr) {
+    return compiled_in_double<RangeBatchOf<double>>(expr, KernelKind::Range);
+}
+
+std::expected<KernelFunction<ValueBatchOf<double>>, CompileError> compile_values(const Expr& expr) {
+    return compiled_in_double<ValueBatchOf<double>>(expr, KernelKind::Value);
 }
 
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options) {

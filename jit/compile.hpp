@@ -43,6 +43,10 @@ bool is_compiled(const Expr& expr, const CompileOptions& options = {});
 /// Makes machine code for the values alone, in double, at once.
 std::expected<PointFunction, CompileError> compile_points(const Expr& expr);
 
+/// Makes machine code for ranges alone, or for values with gradients, in double, at once.
+std::expected<KernelFunction<RangeBatchOf<double>>, CompileError> compile_ranges(const Expr& expr);
+std::expected<KernelFunction<ValueBatchOf<double>>, CompileError> compile_values(const Expr& expr);
+
 /// The LLVM IR or the assembly of the code that `compile` makes: first in float, then in double.
 std::expected<std::string, CompileError> ir(const Expr& expr, const CompileOptions& options = {});
 std::expected<std::string, CompileError> assembly(const Expr& expr,

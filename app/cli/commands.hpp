@@ -50,6 +50,17 @@ struct ShareCommand {
 };
 int run_share(const ShareCommand& command);
 
+struct MeshCommand {
+    std::string equation;
+    ViewText view;
+    std::string output;
+    std::optional<std::string> tolerance, size, triangles, wall, surface, depth, budget, stats,
+        threads;
+    bool open = false;     ///< the surface alone
+    bool no_thin = false;  ///< all triangles, as they were proved
+};
+int run_mesh(const MeshCommand& command);
+
 struct ExplainCommand {
     std::string equation;
     std::optional<std::string> at;

@@ -48,13 +48,17 @@ void add_repeated(CLI::App& app, const std::string& name, std::vector<std::strin
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-void add_look_options(CLI::App& app, LookText& look) {
+void add_color_options(CLI::App& app, LookText& look) {
     add_value(app, "--color-by", look.color_by,
               "what colours tell: plain, normal, height, depth, mean-curvature, "
               "gaussian-curvature, gradient, or an expression in x, y, z, w and the parameters");
     add_value(app, "--color-range", look.color_range,
               "the numbers at the ends of the colours: A,B, or auto (default)");
     add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
+}
+
+void add_look_options(CLI::App& app, LookText& look) {
+    add_color_options(app, look);
     add_value(app, "--contours", look.contours,
               "contour lines: height, xyz (the coordinates' grid), an expression, or none; then, "
               "each after a ;, step S and width PIXELS");
@@ -67,13 +71,9 @@ void add_parameters(CLI::App& app, std::vector<std::string>& set) {
                  "value of a parameter: NAME=VALUE (default 1); may be repeated");
 }
 
-void add_view_options(CLI::App& app, ViewText& view) {
+/// Adds the options for what of the surfaces there is.
+void add_region_options(CLI::App& app, ViewText& view) {
     add_value(app, "--box", view.box, "clip box: L for [-L,L]^3, or x0,x1,y0,y1,z0,z1 (default 2)");
-    add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
-    add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
-    add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
-    add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
-    add_value(app, "--projection", view.projection, "perspective (default) or orthographic");
     add_value(app, "--sphere", view.sphere,
               "shows only what is in a sphere: R about the origin, or x,y,z,R");
     app.add_option("--section", view.sections,
@@ -81,14 +81,23 @@ void add_view_options(CLI::App& app, ViewText& view) {
                    "eye), or nx,ny,nz,d for nx x + ny y + nz z <= d; may be repeated")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
     add_repeated(app, "--solid", view.solids,
                  "the side that is solid, which sections fill: f<0, f>0 or auto (default), of all "
                  "surfaces or of one: 2:f>0; may be repeated");
-    add_repeated(app, "--opacity", view.opacities,
-                 "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
     add_value(app, "--w", view.w, "value of the variable w (default 0)");
     add_parameters(app, view.set);
+}
+
+void add_view_options(CLI::App& app, ViewText& view) {
+    add_region_options(app, view);
+    add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
+    add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
+    add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");
+    add_value(app, "--fov", view.fov, "vertical field of view in degrees (default 42)");
+    add_value(app, "--projection", view.projection, "perspective (default) or orthographic");
+    app.add_flag("--hollow", view.hollow, "do not fill the solids that sections cut open");
+    add_repeated(app, "--opacity", view.opacities,
+                 "how opaque surfaces are, 0 to 1, all or one: 2:0.5; may be repeated");
     app.add_flag("--fit", view.fit,
                  "look at all of the surface; without --box the clip box follows it, too");
     add_look_options(app, view.look);
@@ -282,6 +291,41 @@ CLI::App* add_share(CLI::App& app, ShareCommand& share) {
     return share_app;
 }
 
+CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
+    CLI::App* const mesh_app =
+        app.add_subcommand("mesh", "write the surfaces as triangles: STL, 3MF, PLY, OBJ, glTF");
+    add_value(*mesh_app, "EQUATION", mesh.equation, "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*mesh_app, "-o,--output", mesh.output,
+              "the file: its ending, .stl, .3mf, .ply, .obj or .glb, says the format")
+        ->required();
+    add_value(*mesh_app, "--tolerance", mesh.tolerance,
+              "how far triangles may be from the surface, world units (default: a thousandth of "
+              "the clip box's longest edge)");
+    add_value(*mesh_app, "--size", mesh.size,
+              "millimetres of the longest edge of what is written (default 100)");
+    add_value(*mesh_app, "--triangles", mesh.triangles,
+              "at most about so many for each surface: raises the tolerance until they suffice");
+    add_value(*mesh_app, "--wall", mesh.wall,
+              "make a wall of so many millimetres of each surface, open where the box ends it");
+    add_value(*mesh_app, "--surface", mesh.surface, "only the surface of this number, from 1 on");
+    mesh_app->add_flag("--open", mesh.open,
+                       "the surface alone, not closed where the box, sections "
+                       "and its bounds end it");
+    mesh_app->add_flag("--no-thin", mesh.no_thin,
+                       "keep all triangles: the mesh that the proof is about");
+    add_value(*mesh_app, "--depth", mesh.depth,
+              "the smallest cells are about the clip box's edge times 2^-N (default: no larger "
+              "than the tolerance)");
+    add_value(*mesh_app, "--budget", mesh.budget,
+              "seconds after which cells are divided no more (default 30)");
+    add_value(*mesh_app, "--threads", mesh.threads, "threads (default: all cores)");
+    add_value(*mesh_app, "--stats", mesh.stats, "what is known of the meshes: a JSON file, or -");
+    add_region_options(*mesh_app, mesh.view);
+    add_color_options(*mesh_app, mesh.view.look);
+    return mesh_app;
+}
+
 CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
     CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
     gallery_app->add_flag("--names", gallery.names, "only the names, one a line");
@@ -348,12 +392,14 @@ int run(int argc, char** argv) {
     FilmCommand turntable;
     FilmCommand animate;
     ShareCommand share;
+    MeshCommand mesh;
     GalleryCommand gallery;
     ExplainCommand explain;
     BenchCommand bench;
     const CLI::App* const language_app =
         app.add_subcommand("language", "print the page of the formula language (Markdown)");
     const CLI::App* const render_app = add_render(app, render);
+    const CLI::App* const mesh_app = add_mesh(app, mesh);
     const CLI::App* const shot_app = add_ui_shot(app, shot);
     const CLI::App* const turntable_app = add_turntable(app, turntable);
     const CLI::App* const animate_app = add_animate(app, animate);
@@ -371,6 +417,7 @@ int run(int argc, char** argv) {
     }
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     if (*render_app) return run_render(render);
+    if (*mesh_app) return run_mesh(mesh);
     if (*shot_app) return run_ui_shot(shot);
     if (*turntable_app) return run_film(turntable);
     if (*animate_app) return run_film(animate);

@@ -64,6 +64,11 @@ const char* name_of(Progress::Stage stage) {
         case Progress::Stage::Coloring: return "finding the range of the colours";
         case Progress::Stage::Drawing: return "drawing";
         case Progress::Stage::Filming: return "filming";
+        case Progress::Stage::Dividing: return "dividing cells";
+        case Progress::Stage::Proving: return "proving the topology";
+        case Progress::Stage::Contouring: return "making triangles";
+        case Progress::Stage::Thinning: return "thinning";
+        case Progress::Stage::Writing: return "writing";
     }
     return "";
 }

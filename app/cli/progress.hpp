@@ -13,7 +13,18 @@ namespace zeroset {
 /// The progress of a command. Written by working threads, read by the waiting one.
 class Progress {
 public:
-    enum class Stage : std::uint8_t { Compiling, Fitting, Coloring, Drawing, Filming };
+    enum class Stage : std::uint8_t {
+        Compiling,
+        Fitting,
+        Coloring,
+        Drawing,
+        Filming,
+        Dividing,
+        Proving,
+        Contouring,
+        Thinning,
+        Writing,
+    };
 
     void enter(Stage stage, std::uint64_t parts = 0) {
         parts_ = parts;

@@ -103,6 +103,7 @@ public:
         gradient_ = differentiator_.of(copy_nodes(builder_, f).back());
     }
 
+    [[nodiscard]] const Gradient& gradient() const { return gradient_; }
     [[nodiscard]] std::optional<GraphNumber> square() const {
         std::optional<GraphNumber> all;
         for (const auto& slope : gradient_)
@@ -156,6 +157,12 @@ private:
 };
 
 }  // namespace
+
+std::array<Expr, 3> gradient(const Expr& f) {
+    Shape shape(f);
+    const Gradient& slopes = shape.gradient();
+    return {shape.finish(slopes[0]), shape.finish(slopes[1]), shape.finish(slopes[2])};
+}
 
 Expr gradient_size(const Expr& f) {
     Shape shape(f);

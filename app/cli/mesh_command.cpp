@@ -1,0 +1,186 @@
+#include "app/cli/commands.hpp"
+#include "app/cli/mesh_report.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/report.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/base/text.hpp"
+#include "engine/export/file.hpp"
+#include "pipeline/mesh_document.hpp"
+#include "pipeline/prepare.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Clock = TimeLimit::Clock;
+
+/// The meaning of the options, checked before any work.
+struct MeshPlan {
+    Document document;
+    RowProgram rows;
+    MeshSettings settings;
+    const MeshFormat* format = nullptr;
+    double budget_s = default_budget_s;
+};
+
+OrInputError<const MeshFormat*> read_format(const std::string& output) {
+    if (const MeshFormat* const format = mesh_format_of(output)) return format;
+    std::string endings;
+    for (const MeshFormat& format : mesh_formats())
+        endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
+    return wrong_input("-o " + output + ": type a name that ends in one of " + endings);
+}
+
+/// Reads a number above 0, if it was given.
+OrInputError<std::optional<double>> read_length(const std::string& option,
+                                                const std::optional<std::string>& text,
+                                                const char* about) {
+    if (!text) return std::nullopt;
+    const auto number = read_number(option, *text);
+    if (!number) return std::unexpected(number.error());
+    if (!(*number > 0 && *number <= 1e9))
+        return wrong_input(option + " " + *text + ": type " + about + ", above 0");
+    return *number;
+}
+
+OrInputError<int> read_count(const std::string& option, const std::optional<std::string>& text,
+                             int lowest, int highest, int otherwise) {
+    return text ? read_integer(option, *text, lowest, highest) : OrInputError<int>(otherwise);
+}
+
+/// Reads the options that are lengths.
+std::optional<InputError> take_lengths(const MeshCommand& command, MeshPlan& plan) {
+    const auto tolerance =
+        read_length("--tolerance", command.tolerance, "a distance in world units");
+    if (!tolerance) return tolerance.error();
+    plan.settings.tolerance = *tolerance;
+    const auto size = read_length("--size", command.size, "a length in millimetres");
+    if (!size) return size.error();
+    plan.settings.size_mm = size->value_or(plan.settings.size_mm);
+    const auto wall = read_length("--wall", command.wall, "a thickness in millimetres");
+    if (!wall) return wall.error();
+    plan.settings.wall_mm = *wall;
+    const auto budget = read_budget(command.budget);
+    if (!budget) return budget.error();
+    plan.budget_s = *budget;
+    return std::nullopt;
+}
+
+/// Reads the options that are whole numbers.
+std::optional<InputError> take_counts(const MeshCommand& command, MeshPlan& plan) {
+    constexpr int deepest = 18;
+    constexpr int most_triangles = 1'000'000'000;
+    const auto depth = read_count("--depth", command.depth, 3, deepest, 0);
+    if (!depth) return depth.error();
+    const auto triangles = read_count("--triangles", command.triangles, 4, most_triangles, 0);
+    if (!triangles) return triangles.error();
+    const auto threads = read_count("--threads", command.threads, 1, 1024, 0);
+    if (!threads) return threads.error();
+    const auto surfaces = static_cast<int>(plan.rows.program->surfaces.size());
+    const auto surface = read_count("--surface", command.surface, 1, surfaces, 0);
+    if (!surface) return surface.error();
+    plan.settings.depth = *depth;
+    plan.settings.most_triangles = static_cast<std::size_t>(*triangles);
+    plan.settings.threads = *threads;
+    if (*surface > 0) plan.settings.surface = static_cast<std::size_t>(*surface);
+    plan.settings.open = command.open;
+    plan.settings.thin = !command.no_thin;
+    return std::nullopt;
+}
+
+OrInputError<MeshPlan> plan_of(const MeshCommand& command) {
+    MeshPlan plan;
+    const auto format = read_format(command.output);
+    if (!format) return std::unexpected(format.error());
+    plan.format = *format;
+    auto input = read_document(command.equation, command.view);
+    if (!input) return std::unexpected(input.error());
+    if (!input->rows) return std::unexpected(input->rows.error());
+    plan.document = std::move(input->document);
+    plan.rows = std::move(*input->rows);
+    if (auto wrong = take_lengths(command, plan)) return std::unexpected(*wrong);
+    if (auto wrong = take_counts(command, plan)) return std::unexpected(*wrong);
+    return plan;
+}
+
+Progress::Stage stage_of(MeshStage stage) {
+    switch (stage) {
+        case MeshStage::Dividing: return Progress::Stage::Dividing;
+        case MeshStage::Proving: return Progress::Stage::Proving;
+        case MeshStage::Contouring: return Progress::Stage::Contouring;
+        case MeshStage::Thinning: return Progress::Stage::Thinning;
+    }
+    return Progress::Stage::Dividing;
+}
+
+/// Makes the meshes, with a line that tells how far the work is.
+OrInputError<DocumentMeshes> make_meshes(MeshPlan plan) {
+    Progress progress;
+    OrInputError<DocumentMeshes> meshes;
+    const auto start = Clock::now();
+    finish_until(TimeLimit::never, progress, [&] {
+        auto prepared = prepare(plan.document, plan.rows, Preparation::Interpreted);
+        if (!prepared) {
+            meshes = std::unexpected(prepared.error());
+            return;
+        }
+        constexpr glm::ivec2 size_px(1024, 1024);  // for the camera that distances are taken from
+        const PictureRequest request =
+            picture_request(prepared->formula, prepared->colors, plan.document, {}, size_px);
+        plan.settings.limit.until = until_after(start, plan.budget_s);
+        plan.settings.on_stage = [&](MeshStage stage) { progress.enter(stage_of(stage)); };
+        meshes = mesh_document(request, plan.settings);
+    });
+    return meshes;
+}
+
+std::expected<void, std::string> write_mesh(const std::string& output, const MeshFormat& format,
+                                            const MeshFile& file) {
+    const auto bytes = format.encode(file);
+    if (!bytes) return std::unexpected("cannot write '" + output + "': " + bytes.error());
+    const auto written = write_file(output, *bytes);
+    if (!written) return std::unexpected(written.error().message);
+    return {};
+}
+
+/// Why there is no mesh.
+std::string nothing_found(const DocumentMeshes& meshes) {
+    if (meshes.unproved == 0)
+        return "it is proved that no surface lies in the clip box; --box makes it larger";
+    return "f changes its sign nowhere between cells, but in " + std::to_string(meshes.unproved) +
+           " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
+}
+
+std::optional<std::string> unwritable_file(const MeshCommand& command) {
+    if (auto writable = check_writable(command.output); !writable) return writable.error().message;
+    if (!command.stats || *command.stats == "-") return std::nullopt;
+    const auto writable = check_writable(*command.stats);
+    return writable ? std::nullopt : std::optional(writable.error().message);
+}
+
+}  // namespace
+
+int run_mesh(const MeshCommand& command) {
+    const auto start = Clock::now();
+    auto plan = plan_of(command);
+    if (!plan) return report(plan.error());
+    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    const MeshFormat& format = *plan->format;
+    const double budget_s = plan->budget_s;
+    const auto meshes = make_meshes(std::move(*plan));
+    if (!meshes) return report(meshes.error());
+    if (meshes->surfaces.empty()) return report_run_time(nothing_found(*meshes));
+    const auto written = write_mesh(command.output, format, meshes->file);
+    if (!written) return report_run_time(written.error());
+    if (command.stats != "-") std::cout << mesh_text(command.output, *meshes);
+    std::cerr << mesh_warnings(*meshes, budget_s);
+    if (!command.stats) return exit_ok;
+    const auto stats = write_text(*command.stats, mesh_stats(*meshes, ms_since(start)) + "\n");
+    return stats ? exit_ok : report_run_time(stats.error().message);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "engine/mesh/cell_tree.hpp"
+#include "engine/mesh/solid.hpp"
+#include "engine/trace/time_limit.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace zeroset {
+
+/// How finely the octree of a mesh is divided.
+struct GrowthLimits {
+    double tolerance = 0.0;  ///< the surface may be so far from a plane in a cell, world units
+    std::size_t most_cells = 0;
+    int threads = 0;  ///< 0: all cores
+    TimeLimit limit = {};
+};
+
+/// Divides cells: until the surface in each is proved to rise along one direction and is flat to
+/// the tolerance; never a cell that is proved to be empty.
+class CellGrowth {
+public:
+    CellGrowth(CellTree& tree, const MeshSolid& solid, const GrowthLimits& limits)
+        : tree_(tree), solid_(solid), limits_(limits) {}
+
+    /// Divides the root.
+    void begin();
+    /// Divides these leaves, and all that then should be. Neighbours of cells that the surface may
+    /// go through are at most twice as large.
+    void divide(std::vector<std::uint32_t> leaves);
+    /// Whether the number of cells or the time has ended the division.
+    [[nodiscard]] bool is_cut() const { return cut_; }
+
+private:
+    void evaluate(std::span<const std::uint32_t> cells);
+    void judge(std::span<const std::uint32_t> cells);
+    void judge_flatness(std::span<const std::uint32_t> cells);
+    [[nodiscard]] bool wants_split(const MeshCell& cell) const;
+    std::vector<std::uint32_t> split_all(std::span<const std::uint32_t> leaves);
+    void grow(std::vector<std::uint32_t> fresh);
+    [[nodiscard]] std::vector<std::uint32_t> too_large() const;
+
+    CellTree& tree_;
+    const MeshSolid& solid_;
+    GrowthLimits limits_;
+    bool cut_ = false;
+};
+
+}  // namespace zeroset

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "engine/mesh/lattice.hpp"
+#include "engine/mesh/triangle_mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace zeroset {
+
+/// The surface as triangles in the lattice's tetrahedra (marching tetrahedra [Doi91]): a vertex for
+/// each edge with one end inside, at the function's root there, and one or two triangles for each
+/// tetrahedron, so that every edge has two triangles and every vertex one ring of them.
+struct Contour {
+    /// A vertex near an edge of the solid, where two parts are 0.
+    struct Crease {
+        std::uint32_t vertex;
+        std::array<std::uint32_t, 2> parts;
+    };
+
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> tetrahedra;  ///< of each triangle, the one that it lies in
+    std::vector<Crease> creases;
+};
+
+/// In upward rounding.
+Contour make_contour(const Lattice& lattice, const MeshSolid& solid, int threads);
+
+/// Roots of the solid's function between points inside and outside, by Newton's method within
+/// brackets; where it jumps, the place of the jump.
+struct RootBracket {
+    glm::dvec3 inside, outside;
+};
+std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+                                   int threads);
+
+}  // namespace zeroset

@@ -1,0 +1,140 @@
+#include "engine/mesh/field_at_points.hpp"
+
+#include "engine/mesh/parallel.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr std::size_t points_at_once = 512;
+// A level where the gradient vanishes: farther than anything.
+constexpr double far = 1e30;
+
+FieldValue value_of(double f, const glm::dvec3& gradient, std::size_t part) {
+    FieldValue value{.part = static_cast<std::uint32_t>(part)};
+    const double slope = glm::length(gradient);
+    if (std::isnan(f)) {
+        value.level = std::numeric_limits<double>::infinity();
+    } else if (slope > 0 && std::isfinite(slope) && std::isfinite(f / slope)) {
+        value.level = f / slope;
+        value.normal = gradient / slope;
+    } else {
+        value.level = f == 0.0 ? 0.0 : std::copysign(far, f);
+    }
+    return value;
+}
+
+/// Values of all parts at some points; one for each thread.
+class PartValues {
+public:
+    void evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points);
+    /// What the nodes make of them at point i.
+    [[nodiscard]] FieldValue at(const MeshSolid& solid, std::size_t i);
+
+private:
+    PointBatch<double> batch_;
+    std::vector<FieldValue> values_;  ///< of part p and point i at p * points_at_once + i
+    std::vector<FieldValue> nodes_;
+};
+
+void PartValues::evaluate(const MeshSolid& solid, std::span<const glm::dvec3> points) {
+    batch_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        batch_.set(i, points[i].x, points[i].y, points[i].z);
+    batch_.pad();
+    values_.resize(solid.parts.size() * points_at_once);
+    for (std::size_t p = 0; p < solid.parts.size(); ++p) {
+        solid.parts[p].value(batch_.batch(solid.uniforms.points<double>()));
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            values_[p * points_at_once + i] =
+                value_of(batch_.f(i),
+                         {batch_.gradient(0, i), batch_.gradient(1, i), batch_.gradient(2, i)}, p);
+        }
+    }
+}
+
+FieldValue PartValues::at(const MeshSolid& solid, std::size_t i) {
+    nodes_.resize(solid.nodes.size());
+    for (std::size_t n = 0; n < solid.nodes.size(); ++n) {
+        const SolidNode& node = solid.nodes[n];
+        if (node.kind == SolidNode::Kind::Leaf) {
+            nodes_[n] = values_[node.a * points_at_once + i];
+            if (node.sign < 0 && std::isfinite(nodes_[n].level)) {
+                nodes_[n].level = -nodes_[n].level;
+                nodes_[n].normal = -nodes_[n].normal;
+            }
+            continue;
+        }
+        const FieldValue& a = nodes_[node.a];
+        const FieldValue& b = nodes_[node.b];
+        const bool takes_a = (a.level >= b.level) == (node.kind == SolidNode::Kind::Max);
+        nodes_[n] = takes_a ? a : b;
+    }
+    return nodes_.back();
+}
+
+void take_cuts(const MeshSolid& solid, const glm::dvec3& point, FieldValue& value) {
+    for (std::size_t c = 0; c < solid.cuts.size(); ++c) {
+        const SolidCut& cut = solid.cuts[c];
+        const FieldValue own =
+            value_of(cut.value(point), cut.gradient(point), solid.parts.size() + c);
+        if (own.level > value.level) value = own;
+    }
+}
+
+}  // namespace
+
+std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
+                                 int threads) {
+    std::vector<FieldValue> values(points.size());
+    parallel_upward(points.size(), points_at_once, threads,
+                    [&](std::size_t first, std::size_t last) {
+                        static thread_local PartValues parts;
+                        parts.evaluate(solid, points.subspan(first, last - first));
+                        for (std::size_t i = first; i < last; ++i) {
+                            values[i] = parts.at(solid, i - first);
+                            take_cuts(solid, points[i], values[i]);
+                        }
+                    });
+    return values;
+}
+
+std::vector<FieldValue> parts_at(const MeshSolid& solid, std::span<const PartPlace> places) {
+    std::vector<FieldValue> values(places.size());
+    PointBatch<double> batch;
+    for (std::size_t p = 0; p < solid.parts.size(); ++p) {
+        std::vector<std::size_t> own;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            if (places[i].part == p) own.push_back(i);
+        }
+        if (own.empty()) continue;
+        batch.resize(own.size());
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            const glm::dvec3& point = places[own[k]].point;
+            batch.set(k, point.x, point.y, point.z);
+        }
+        batch.pad();
+        batch.evaluate(solid.parts[p].value, solid.uniforms.points<double>(), [] { return false; });
+        const auto leaf = std::ranges::find_if(solid.nodes, [&](const SolidNode& node) {
+            return node.kind == SolidNode::Kind::Leaf && node.a == p;
+        });
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            values[own[k]] =
+                value_of(leaf->sign * batch.f(k),
+                         leaf->sign * glm::dvec3(batch.gradient(0, k), batch.gradient(1, k),
+                                                 batch.gradient(2, k)),
+                         p);
+        }
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (places[i].part < solid.parts.size()) continue;
+        const SolidCut& cut = solid.cuts[places[i].part - solid.parts.size()];
+        values[i] =
+            value_of(cut.value(places[i].point), cut.gradient(places[i].point), places[i].part);
+    }
+    return values;
+}
+
+}  // namespace zeroset

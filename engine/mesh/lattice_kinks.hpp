@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/mesh/lattice.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace zeroset {
+
+/// Divides tetrahedra at these vertices along which part of the solid its function is: an edge
+/// whose ends are of two parts gets a vertex where they change, a tetrahedron with such edges
+/// becomes a fan about the middle of these vertices. Then the levels are as straight between
+/// vertices as the parts themselves, and sharp edges of the solid are edges of the lattice's
+/// surface. For edges that are too sharp for the lattice as it is. In upward rounding.
+void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices,
+                    Lattice& lattice, int threads);
+
+}  // namespace zeroset

@@ -1,0 +1,240 @@
+#include "engine/mesh/make_mesh.hpp"
+
+#include "engine/mesh/cell_growth.hpp"
+#include "engine/mesh/contour.hpp"
+#include "engine/mesh/creases.hpp"
+#include "engine/mesh/deviation.hpp"
+#include "engine/mesh/features.hpp"
+#include "engine/mesh/lattice.hpp"
+#include "engine/mesh/lattice_kinks.hpp"
+#include "engine/mesh/star_proof.hpp"
+#include "engine/mesh/thin.hpp"
+#include "engine/mesh/unproved_places.hpp"
+#include "engine/real/rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+/// The level whose cells are no larger than the tolerance.
+int depth_for(const Box& box, const MeshOptions& options) {
+    if (options.depth > 0) return std::min(options.depth, CellTree::deepest_ever);
+    const double levels = std::ceil(std::log2(root_edge * box.size() / options.tolerance));
+    return static_cast<int>(std::clamp(levels, 4.0, double{CellTree::deepest_ever}));
+}
+
+/// The first half of the time that is left.
+TimeLimit half_of(const TimeLimit& limit) {
+    if (limit.until == TimeLimit::never) return limit;
+    const auto now = TimeLimit::Clock::now();
+    return {.cancel = limit.cancel, .until = now + (limit.until - now) / 2};
+}
+
+class MeshMaker {
+public:
+    MeshMaker(const MeshSolid& solid, const MeshOptions& options)
+        : solid_(solid),
+          options_(options),
+          tree_(solid.box, depth_for(solid.box, options)),
+          growth_(tree_, solid_,
+                  {.tolerance = options.tolerance,
+                   .most_cells = options.most_cells,
+                   .threads = options.threads,
+                   .limit = half_of(options.limit)}) {}
+    MadeMesh make();
+
+private:
+    void enter(MeshStage stage) const {
+        if (options_.on_stage) options_.on_stage(stage);
+    }
+    void prove();
+    void prove_locally(std::vector<std::uint32_t> cells);
+    void contour();
+    bool divide_coarse();
+    std::vector<std::uint32_t> wanted_finer();
+    [[nodiscard]] std::vector<std::uint32_t> divisible(std::vector<std::uint32_t> cells) const;
+    void count_cells();
+    void thin_mesh();
+    void measure();
+
+    const MeshSolid& solid_;
+    const MeshOptions& options_;
+    CellTree tree_;
+    CellGrowth growth_;
+    Lattice lattice_;
+    StarProof proof_;
+    Contour contour_;
+    MeshReport report_;
+};
+
+/// The cells that are to be divided for the proof's sake. Where the function is proved to rise and
+/// only the levels between vertices do not, at edges of the solid, dividing helps a few times only:
+/// edges look alike on all scales.
+std::vector<std::uint32_t> MeshMaker::wanted_finer() {
+    constexpr int most_tries = 1;
+    std::vector<std::uint32_t> cells = proof_.unknown;
+    for (const std::uint32_t cell : proof_.rough) {
+        if (tree_[cell].tries++ < most_tries) cells.push_back(cell);
+    }
+    return divisible(std::move(cells));
+}
+
+/// Those of these cells that can be divided.
+std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells) const {
+    std::erase_if(cells, [&](std::uint32_t cell) { return tree_[cell].level >= tree_.deepest(); });
+    return cells;
+}
+
+/// Divides cells and proves their stars anew, until these are proved or nothing more can be done.
+void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
+    while (!cells.empty() && !growth_.is_cut()) {
+        enter(MeshStage::Dividing);
+        std::vector<std::uint32_t> core = proof_.rough;
+        core.insert(core.end(), proof_.unknown.begin(), proof_.unknown.end());
+        const auto first_new = static_cast<std::uint32_t>(tree_.size());
+        growth_.divide(std::move(cells));
+        enter(MeshStage::Proving);
+        for (std::uint32_t cell = first_new; cell < tree_.size(); ++cell)
+            core.push_back(cell);
+        std::erase_if(core, [&](std::uint32_t cell) {
+            return !tree_[cell].is_leaf() || !tree_[cell].is_active();
+        });
+        std::vector<std::uint32_t> leaves;
+        for (const std::uint32_t cell : core)
+            tree_.add_touching(tree_[cell], leaves);
+        std::ranges::sort(leaves);
+        leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
+        const Lattice lattice = make_lattice(tree_, leaves, solid_, options_.threads);
+        proof_ = prove_stars(tree_, lattice, core, options_.threads);
+        cells = wanted_finer();
+    }
+}
+
+/// Divides cells until the topology is proved or nothing more can be done; then edges that are too
+/// sharp get tetrahedra along them.
+void MeshMaker::prove() {
+    for (;;) {
+        enter(MeshStage::Proving);
+        lattice_ = make_lattice(tree_, solid_, options_.threads);
+        proof_ = prove_stars(tree_, lattice_, options_.threads);
+        std::vector<std::uint32_t> cells = wanted_finer();
+        if (cells.empty() || growth_.is_cut()) break;
+        prove_locally(std::move(cells));
+    }
+    if (proof_.failed.empty()) return;
+    split_at_kinks(solid_, proof_.failed, lattice_, options_.threads);
+    proof_ = prove_stars(tree_, lattice_, options_.threads);
+}
+
+void MeshMaker::contour() {
+    enter(MeshStage::Contouring);
+    contour_ = make_contour(lattice_, solid_, options_.threads);
+    const std::size_t vertices = contour_.mesh.vertices.size();
+    sharpen_creases(solid_, lattice_.step, contour_, options_.threads);
+    add_features(tree_, lattice_, solid_, contour_, options_.threads);
+    report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
+}
+
+/// Divides the cells of triangles that are too far from the surface; false: there are none.
+bool MeshMaker::divide_coarse() {
+    if (growth_.is_cut()) return false;
+    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    std::vector<std::uint32_t> cells;
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        if (far[i] <= static_cast<float>(options_.tolerance)) continue;
+        const Tetrahedron& tetrahedron = lattice_.tetrahedra[contour_.tetrahedra[i]];
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+    }
+    std::erase_if(cells, [&](std::uint32_t cell) { return !tree_[cell].is_active(); });
+    cells = divisible(std::move(cells));
+    if (cells.empty()) return false;
+    enter(MeshStage::Dividing);
+    growth_.divide(std::move(cells));
+    return true;
+}
+
+void MeshMaker::count_cells() {
+    report_.cells = tree_.size();
+    enum class State : std::uint8_t { Proved, Rough, Unknown };
+    std::vector<State> states(tree_.size());
+    for (const std::uint32_t cell : proof_.rough)
+        states[cell] = State::Rough;
+    for (const std::uint32_t cell : proof_.unknown)
+        states[cell] = State::Unknown;
+    int level = 0;
+    for (std::size_t i = 0; i < tree_.size(); ++i) {
+        const MeshCell& cell = tree_[i];
+        if (!cell.is_leaf() || !cell.is_active()) continue;
+        switch (states[i]) {
+            case State::Proved: ++report_.proved; break;
+            case State::Rough: ++report_.rough; break;
+            case State::Unknown: ++report_.unproved; break;
+        }
+        level = std::max(level, int{cell.level});
+    }
+    MeshCell smallest;
+    smallest.level = static_cast<std::uint8_t>(level);
+    report_.smallest_cell = tree_.edge(smallest);
+    report_.places = unproved_places(tree_, proof_.unknown);
+    report_.rough_places = unproved_places(tree_, proof_.rough);
+    report_.cut = growth_.is_cut();
+    report_.isotopic = report_.unproved + report_.rough == 0 && !report_.cut;
+}
+
+MadeMesh MeshMaker::make() {
+    constexpr int most_rounds = 8;
+    enter(MeshStage::Dividing);
+    growth_.begin();
+    for (int round = 0; round < most_rounds; ++round) {
+        prove();
+        contour();
+        if (!divide_coarse()) break;
+    }
+    count_cells();
+    thin_mesh();
+    measure();
+    return {.mesh = std::move(contour_.mesh), .report = std::move(report_)};
+}
+
+/// Thins to the tolerance, and beyond it until no more triangles are left than wanted.
+void MeshMaker::thin_mesh() {
+    report_.thinned_from = contour_.mesh.triangles.size();
+    report_.tolerance = options_.tolerance;
+    const std::size_t most = options_.most_triangles;
+    if (!options_.thin && (most == 0 || report_.thinned_from <= most)) return;
+    enter(MeshStage::Thinning);
+    ThinOptions how{
+        .tolerance = options_.tolerance, .threads = options_.threads, .limit = options_.limit};
+    if (options_.thin) thin(contour_.mesh, solid_, how);
+    how.most_triangles = most;
+    constexpr int most_rounds = 40;
+    for (int i = 0; i < most_rounds && most > 0 && contour_.mesh.triangles.size() > most; ++i) {
+        how.tolerance *= 1.4;
+        thin(contour_.mesh, solid_, how);
+    }
+    report_.tolerance = how.tolerance;
+    if (contour_.mesh.triangles.size() < report_.thinned_from) report_.unchanged = false;
+}
+
+/// Measures how far the mesh is from the surface.
+void MeshMaker::measure() {
+    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    for (std::size_t i = 0; i < far.size(); ++i) {
+        report_.deviation = std::max(report_.deviation, double{far[i]});
+        for (const std::uint32_t v : contour_.mesh.triangles[i]) {
+            float& error = contour_.mesh.vertices[v].error;
+            error = std::max(error, far[i]);
+        }
+    }
+}
+
+}  // namespace
+
+MadeMesh make_mesh(const MeshSolid& solid, const MeshOptions& options) {
+    const UpwardRegisters upward;
+    return MeshMaker(solid, options).make();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,95 @@
+#include "engine/mesh/contour.hpp"
+#include "engine/mesh/field_at_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+// Vertices keep so much of an edge's length from its ends, so that no two of them meet.
+constexpr double apart = 1e-5;
+constexpr double narrow = 1e-13;
+constexpr int most_steps = 64;
+
+/// A root that is looked for: t runs from 0 inside to 1 outside.
+struct Search {
+    std::uint32_t bracket;
+    double lo = 0.0, hi = 1.0, t = 0.5;
+    double width = 1.0;  ///< of [lo, hi] two steps ago
+};
+
+/// Where Newton's method goes from t, if that is inside the bracket and narrows it; else the
+/// middle.
+double next_place(const Search& search, double level, double slope) {
+    const double newton = search.t - level / slope;
+    const bool good = std::isfinite(newton) && newton > search.lo && newton < search.hi;
+    return good ? newton : 0.5 * (search.lo + search.hi);
+}
+
+/// Takes in the value at t; returns whether the search is over.
+bool take_step(Search& search, const FieldValue& value, const glm::dvec3& along, int step) {
+    (value.inside() ? search.lo : search.hi) = search.t;
+    if (value.level == 0.0 || search.hi - search.lo < narrow) return true;
+    const double next = next_place(search, value.level, glm::dot(value.normal, along));
+    // Newton's steps that leave the bracket wide for long are bisected.
+    const bool slow = step % 4 == 3 && search.hi - search.lo > 0.25 * search.width;
+    if (step % 4 == 3) search.width = search.hi - search.lo;
+    const double place = slow ? 0.5 * (search.lo + search.hi) : next;
+    const bool settled = !slow && std::abs(place - search.t) < narrow;
+    search.t = place;
+    return settled;
+}
+
+glm::dvec3 point_at(const RootBracket& bracket, double t) {
+    return bracket.inside + t * (bracket.outside - bracket.inside);
+}
+
+/// Takes all searches a step further and keeps those that are not over; `places` gets the ends.
+void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+              std::vector<Search>& searches, std::vector<double>& places, int step, int threads) {
+    std::vector<glm::dvec3> points;
+    points.reserve(searches.size());
+    for (const Search& search : searches)
+        points.push_back(point_at(brackets[search.bracket], search.t));
+    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+        Search search = searches[i];
+        const RootBracket& bracket = brackets[search.bracket];
+        const bool over = take_step(search, values[i], bracket.outside - bracket.inside, step);
+        places[search.bracket] = std::clamp(search.t, apart, 1.0 - apart);
+        if (!over) searches[kept++] = search;
+    }
+    searches.resize(kept);
+}
+
+MeshVertex vertex_at(const glm::dvec3& point, const FieldValue& value) {
+    return {.point = point,
+            .normal = value.normal,
+            .kind = VertexKind::Smooth,
+            .part = value.part,
+            .error = static_cast<float>(value.distance())};
+}
+
+}  // namespace
+
+std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
+                                   int threads) {
+    std::vector<double> places(brackets.size(), 0.5);
+    std::vector<Search> searches(brackets.size());
+    for (std::uint32_t i = 0; i < brackets.size(); ++i)
+        searches[i].bracket = i;
+    for (int step = 0; step < most_steps && !searches.empty(); ++step)
+        step_all(solid, brackets, searches, places, step, threads);
+    std::vector<glm::dvec3> points(brackets.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = point_at(brackets[i], places[i]);
+    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    std::vector<MeshVertex> vertices(brackets.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = vertex_at(points[i], values[i]);
+    return vertices;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,170 @@
+#include "engine/mesh/star_proof.hpp"
+
+#include "engine/mesh/gradient_cone.hpp"
+#include "engine/mesh/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+namespace zeroset {
+namespace {
+
+void keep_each_once(std::vector<std::uint32_t>& ids) {
+    std::ranges::sort(ids);
+    ids.erase(std::ranges::unique(ids).begin(), ids.end());
+}
+
+/// The tetrahedra about each vertex.
+class Stars {
+public:
+    explicit Stars(const Lattice& lattice) : starts_(lattice.vertices.size() + 1) {
+        for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+            for (const std::uint32_t vertex : tetrahedron.vertices)
+                ++starts_[vertex + 1];
+        }
+        for (std::size_t i = 1; i < starts_.size(); ++i)
+            starts_[i] += starts_[i - 1];
+        members_.resize(starts_.back());
+        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
+        for (std::uint32_t i = 0; i < lattice.tetrahedra.size(); ++i) {
+            for (const std::uint32_t vertex : lattice.tetrahedra[i].vertices)
+                members_[next[vertex]++] = i;
+        }
+    }
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t vertex) const {
+        return std::span(members_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
+    }
+
+private:
+    std::vector<std::uint32_t> starts_, members_;
+};
+
+/// The gradient of L in a tetrahedron, widened by more than its rounding; nothing where the
+/// tetrahedron is so flat that this is not known.
+std::optional<GradientBox> linear_gradient(const Lattice& lattice, const Tetrahedron& tetrahedron) {
+    const auto& v = tetrahedron.vertices;
+    std::array<glm::dvec3, 3> edges;
+    glm::dvec3 rise;
+    const LatticeVertex& first = lattice.vertices[v[0]];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const LatticeVertex& end = lattice.vertices[v[k + 1]];
+        edges[k] = end.point - first.point;
+        rise[static_cast<int>(k)] = end.level - first.level;
+    }
+    const glm::dvec3 across = glm::cross(edges[1], edges[2]);
+    const double volume = glm::dot(edges[0], across);
+    const double size = glm::length(edges[0]) * glm::length(edges[1]) * glm::length(edges[2]);
+    if (!(volume > 1e-5 * size)) return std::nullopt;
+    const glm::dvec3 gradient = (rise.x * across + rise.y * glm::cross(edges[2], edges[0]) +
+                                 rise.z * glm::cross(edges[0], edges[1])) /
+                                volume;
+    const double steepest = glm::length(rise) * glm::length(across) / volume;
+    const glm::dvec3 rounding(1e-9 * (glm::length(gradient) + steepest));
+    return GradientBox{.lo = gradient - rounding, .hi = gradient + rounding};
+}
+
+/// What is proved to rise in a star.
+enum class Rise : std::uint8_t { None, Function, Both };
+
+class Prover {
+public:
+    Prover(const CellTree& tree, const Lattice& lattice)
+        : tree_(tree), lattice_(lattice), stars_(lattice) {}
+    [[nodiscard]] Rise rise(std::size_t vertex) const;
+    void add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const;
+
+private:
+    const CellTree& tree_;
+    const Lattice& lattice_;
+    Stars stars_;
+};
+
+Rise Prover::rise(std::size_t vertex) const {
+    std::vector<std::uint32_t> cells;
+    std::vector<GradientBox> gradients;
+    bool flat = false;
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
+        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
+        const auto linear = linear_gradient(lattice_, tetrahedron);
+        flat = flat || !linear;
+        if (linear) gradients.push_back(*linear);
+    }
+    const std::size_t linear = gradients.size();
+    keep_each_once(cells);
+    for (const std::uint32_t cell : cells) {
+        const BoxFacts& facts = tree_[cell].facts;
+        if (facts.side != Side::Unknown) continue;
+        if (!facts.graded) return Rise::None;
+        gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
+    }
+    if (!flat && common_rise(gradients)) return Rise::Both;
+    const bool kinked =
+        std::ranges::any_of(cells, [&](std::uint32_t cell) { return tree_[cell].facts.kinked; });
+    return kinked && common_rise(std::span(gradients).subspan(linear)) ? Rise::Function
+                                                                       : Rise::None;
+}
+
+void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        for (const std::uint32_t cell : lattice_.tetrahedra[id].cells) {
+            if (tree_[cell].is_active()) cells.push_back(cell);
+        }
+    }
+}
+
+/// The vertices of a lattice that are middles or corners of these leaves.
+std::vector<std::uint32_t> vertices_of(const Lattice& lattice, std::vector<bool> wanted) {
+    std::vector<std::uint32_t> vertices;
+    for (const Tetrahedron& tetrahedron : lattice.tetrahedra) {
+        for (std::size_t k = 0; k < 2; ++k) {
+            if (!wanted[tetrahedron.cells[k]]) continue;
+            for (const std::size_t vertex : {k, std::size_t{2}, std::size_t{3}})
+                vertices.push_back(tetrahedron.vertices[vertex]);
+        }
+    }
+    keep_each_once(vertices);
+    return vertices;
+}
+
+StarProof prove_some(const CellTree& tree, const Lattice& lattice,
+                     std::span<const std::uint32_t> vertices, int threads) {
+    const Prover prover(tree, lattice);
+    std::vector<Rise> rises(vertices.size());
+    parallel_upward(rises.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            rises[i] = prover.rise(vertices[i]);
+    });
+    StarProof proof{.stars = vertices.size(), .failed = {}, .unknown = {}, .rough = {}};
+    for (std::size_t i = 0; i < rises.size(); ++i) {
+        if (rises[i] == Rise::Both) continue;
+        proof.failed.push_back(vertices[i]);
+        prover.add_cells(vertices[i], rises[i] == Rise::None ? proof.unknown : proof.rough);
+    }
+    keep_each_once(proof.unknown);
+    keep_each_once(proof.rough);
+    std::erase_if(proof.rough, [&](std::uint32_t cell) {
+        return std::ranges::binary_search(proof.unknown, cell);
+    });
+    return proof;
+}
+
+}  // namespace
+
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+    std::vector<std::uint32_t> vertices(lattice.vertices.size());
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    return prove_some(tree, lattice, vertices, threads);
+}
+
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
+                      std::span<const std::uint32_t> leaves, int threads) {
+    std::vector<bool> wanted(tree.size());
+    for (const std::uint32_t leaf : leaves)
+        wanted[leaf] = true;
+    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), threads);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "engine/mesh/solid.hpp"
+#include "engine/mesh/triangle_mesh.hpp"
+#include "engine/trace/time_limit.hpp"
+
+#include <cstddef>
+
+namespace zeroset {
+
+struct ThinOptions {
+    double tolerance = 0.0;  ///< new triangles are measured to be no farther from the surface
+    std::size_t most_triangles = 0;  ///< ends the work where so many are left; 0: as few as can be
+    int threads = 0;
+    TimeLimit limit = {};
+};
+
+/// Collapses edges of a closed mesh while the tolerance holds, those that change it least first
+/// [GarlandHeckbert97]. Vertices stay where they are, on the surface; those of creases go along
+/// them only, corners stay. Topology does not change. In upward rounding.
+void thin(TriangleMesh& mesh, const MeshSolid& solid, const ThinOptions& options);
+
+}  // namespace zeroset

@@ -1,0 +1,165 @@
+#include "engine/mesh/wall.hpp"
+
+#include "engine/base/text.hpp"
+#include "engine/mesh/place_index.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+glm::dvec3 across(const std::vector<glm::dvec3>& points, const Triangle& t) {
+    return glm::cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
+}
+
+std::unexpected<std::string> refusal(const std::string& why, const glm::dvec3& where) {
+    return std::unexpected(why + " near " + short_number(where.x, 4) + "," +
+                           short_number(where.y, 4) + "," + short_number(where.z, 4));
+}
+
+std::vector<glm::dvec3> points_of(const TriangleMesh& mesh) {
+    std::vector<glm::dvec3> points;
+    points.reserve(mesh.vertices.size());
+    for (const MeshVertex& vertex : mesh.vertices)
+        points.push_back(vertex.point);
+    return points;
+}
+
+/// Normals of vertices: the surface's, elsewhere the mean of the triangles' by their areas.
+std::vector<glm::dvec3> normals_of(const TriangleMesh& mesh,
+                                   const std::vector<glm::dvec3>& points) {
+    std::vector<glm::dvec3> normals(points.size(), glm::dvec3(0.0));
+    for (const Triangle& t : mesh.triangles) {
+        for (const std::uint32_t v : t)
+            normals[v] += across(points, t);
+    }
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const glm::dvec3 mean = glm::normalize(normals[v]);
+        const MeshVertex& vertex = mesh.vertices[v];
+        const bool own = vertex.kind == VertexKind::Smooth && glm::dot(vertex.normal, mean) > 0.5;
+        normals[v] = own ? vertex.normal : mean;
+    }
+    return normals;
+}
+
+/// Points in cubes of an edge, for those near a place.
+class PointGrid {
+public:
+    PointGrid(const std::vector<glm::dvec3>& points, double edge) : points_(points), edge_(edge) {
+        for (std::uint32_t v = 0; v < points.size(); ++v)
+            cubes_[key(cube_of(points[v]))].push_back(v);
+    }
+    /// Whether a point is nearer than `distance`, at most the edge.
+    [[nodiscard]] bool has_near(const glm::dvec3& place, double distance) const {
+        const glm::ivec3 middle = cube_of(place);
+        for (int i = 0; i < 27; ++i) {
+            const auto found = cubes_.find(key(middle + glm::ivec3(i % 3, i / 3 % 3, i / 9) - 1));
+            if (found == cubes_.end()) continue;
+            for (const std::uint32_t v : found->second) {
+                if (glm::distance(points_[v], place) < distance) return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    [[nodiscard]] glm::ivec3 cube_of(const glm::dvec3& point) const {
+        return glm::ivec3(glm::floor(point / edge_));
+    }
+    static std::uint64_t key(const glm::ivec3& cube) {
+        constexpr int half = 1 << 20;
+        const auto part = [](int i) { return static_cast<std::uint64_t>(i + half) & 0x1FFFFFU; };
+        return part(cube.x) | part(cube.y) << 21U | part(cube.z) << 42U;
+    }
+
+    const std::vector<glm::dvec3>& points_;
+    double edge_;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
+};
+
+/// The edges with one triangle, as that one runs along them.
+std::vector<std::array<std::uint32_t, 2>> open_edges(const TriangleMesh& mesh) {
+    KeyIndex edges(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) {
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.add(pair_key(t[k], t[(k + 1) % 3]));
+    }
+    std::vector<std::array<std::uint32_t, 2>> open;
+    for (const std::uint64_t key : edges.keys()) {
+        const auto a = static_cast<std::uint32_t>(key >> 32U);
+        const auto b = static_cast<std::uint32_t>(key);
+        if (edges.find(pair_key(b, a)) == KeyIndex::none) open.push_back({a, b});
+    }
+    return open;
+}
+
+/// Why the surface cannot have a wall of two sides at `half` along its normals, if so.
+std::optional<std::string> defect(const TriangleMesh& mesh, const std::vector<glm::dvec3>& points,
+                                  const std::vector<glm::dvec3>& normals, double half,
+                                  double tolerance) {
+    // Triangles at the surface's end may lean towards what ended it: they are not asked.
+    std::vector<bool> at_end(points.size());
+    for (const auto& [a, b] : open_edges(mesh))
+        at_end[a] = at_end[b] = true;
+    for (const double side : {half, -half}) {
+        std::vector<glm::dvec3> moved(points.size());
+        for (std::size_t v = 0; v < points.size(); ++v)
+            moved[v] = points[v] + side * normals[v];
+        for (const Triangle& t : mesh.triangles) {
+            const glm::dvec3 before = across(points, t);
+            const glm::dvec3 after = across(moved, t);
+            if (at_end[t[0]] || at_end[t[1]] || at_end[t[2]]) continue;
+            for (const std::uint32_t v : t) {
+                if (glm::dot(normals[v], before) < 0.7 * glm::length(before))
+                    return refusal("the surface has an edge", points[v]).error();
+            }
+            if (glm::dot(before, after) < 0.01 * glm::dot(before, before))
+                return refusal("the surface bends too much for this wall", points[t[0]]).error();
+        }
+        const PointGrid grid(points, half);
+        for (std::size_t v = 0; v < points.size(); ++v) {
+            if (half > 2 * tolerance && grid.has_near(moved[v], half - 2 * tolerance))
+                return refusal("the wall would meet itself", points[v]).error();
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::expected<TriangleMesh, std::string> wall_of(const TriangleMesh& surface, double thickness,
+                                                 double tolerance) {
+    const double half = 0.5 * thickness;
+    const std::vector<glm::dvec3> points = points_of(surface);
+    const std::vector<glm::dvec3> normals = normals_of(surface, points);
+    if (auto wrong = defect(surface, points, normals, half, tolerance))
+        return std::unexpected(*wrong);
+    const auto count = static_cast<std::uint32_t>(points.size());
+    TriangleMesh wall;
+    for (const double side : {1.0, -1.0}) {
+        for (std::uint32_t v = 0; v < count; ++v) {
+            MeshVertex vertex = surface.vertices[v];
+            vertex.point += side * half * normals[v];
+            vertex.normal = side * normals[v];
+            vertex.kind = VertexKind::Smooth;
+            wall.vertices.push_back(vertex);
+        }
+    }
+    for (const Triangle& t : surface.triangles) {
+        wall.triangles.push_back(t);
+        wall.triangles.push_back({t[0] + count, t[2] + count, t[1] + count});
+    }
+    for (const auto& [a, b] : open_edges(surface)) {
+        wall.triangles.push_back({b, a, a + count});
+        wall.triangles.push_back({b, a + count, b + count});
+        for (const std::uint32_t v : {a, b, a + count, b + count})
+            wall.vertices[v].kind = VertexKind::Crease;
+    }
+    return wall;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,158 @@
+#include "pipeline/mesh_document.hpp"
+
+#include "engine/base/text.hpp"
+#include "engine/mesh/open_surface.hpp"
+#include "engine/mesh/wall.hpp"
+#include "engine/real/rounding.hpp"
+#include "pipeline/mesh_colors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Clock = TimeLimit::Clock;
+
+/// The limit of one of `parts` pieces of work that come one after the other.
+TimeLimit share_of(const TimeLimit& limit, std::size_t parts) {
+    if (limit.until == TimeLimit::never) return limit;
+    const auto now = Clock::now();
+    return {.cancel = limit.cancel,
+            .until = now + (limit.until - now) / static_cast<Clock::rep>(parts)};
+}
+
+std::string place_text(const UnprovedPlace& place) {
+    return short_number(place.cell.x, 4) + "," + short_number(place.cell.y, 4) + "," +
+           short_number(place.cell.z, 4);
+}
+
+std::string places_text(const std::vector<UnprovedPlace>& places) {
+    if (places.empty()) return "";
+    std::string text = ", in " + std::to_string(places.size()) +
+                       (places.size() == 1 ? " place: near " : " places: near ");
+    constexpr std::size_t most_places = 4;
+    for (std::size_t i = 0; i < std::min(most_places, places.size()); ++i)
+        text += (i > 0 ? "; " : "") + place_text(places[i]);
+    return places.size() > most_places ? text + "; ..." : text;
+}
+
+/// The document's meshes, one after the other.
+class DocumentMesher {
+public:
+    DocumentMesher(const PictureRequest& request, const MeshSettings& settings)
+        : request_(request), settings_(settings), scene_(scene_of(request)) {
+        result_.tolerance = settings.tolerance.value_or(1e-3 * request.clip.size());
+    }
+    void add(std::size_t index, SurfaceSolid surface, std::size_t left);
+    OrInputError<DocumentMeshes> finish();
+
+private:
+    std::optional<InputError> make_walls(double size);
+    [[nodiscard]] MeshOptions options(std::size_t left) const {
+        return {.tolerance = result_.tolerance,
+                .depth = settings_.depth,
+                .most_triangles = settings_.most_triangles,
+                .thin = settings_.thin,
+                .threads = settings_.threads,
+                .limit = share_of(settings_.limit, left),
+                .on_stage = settings_.on_stage};
+    }
+
+    const PictureRequest& request_;
+    const MeshSettings& settings_;
+    Scene scene_;
+    DocumentMeshes result_;
+};
+
+void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t left) {
+    MadeMesh made = make_mesh(surface.solid, options(left));
+    if (settings_.open || settings_.wall_mm) {
+        const UpwardRegisters upward;
+        keep_surface(made.mesh, surface.solid);
+    }
+    if (made.mesh.triangles.empty()) {
+        result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
+        return;
+    }
+    result_.surfaces.push_back({.number = surface.number,
+                                .text = surface.text,
+                                .report = std::move(made.report),
+                                .facts = facts_of(made.mesh)});
+    MeshObject object{.name = std::move(surface.text), .mesh = std::move(made.mesh)};
+    color_object(scene_, index, request_.camera.eye, object);
+    result_.file.objects.push_back(std::move(object));
+}
+
+OrInputError<DocumentMeshes> DocumentMesher::finish() {
+    if (result_.surfaces.empty()) return std::move(result_);
+    Box all = result_.surfaces.front().facts.bounds;
+    for (const SurfaceMesh& surface : result_.surfaces) {
+        all.lo = glm::min(all.lo, surface.facts.bounds.lo);
+        all.hi = glm::max(all.hi, surface.facts.bounds.hi);
+        result_.file.comment.push_back(std::to_string(surface.number) + ": " + surface.text + "; " +
+                                       proof_line(surface.report));
+    }
+    if (all.size() > 0) result_.file.mm_per_unit = settings_.size_mm / all.size();
+    if (settings_.wall_mm) {
+        if (auto wrong = make_walls(all.size())) return std::unexpected(*wrong);
+    }
+    return std::move(result_);
+}
+
+/// Makes the surfaces walls, whose longest edge, with the wall, is of the size asked for.
+std::optional<InputError> DocumentMesher::make_walls(double size) {
+    const double wall_mm = *settings_.wall_mm;
+    if (!(wall_mm < settings_.size_mm))
+        return InputError{.reason = "--wall: it must be thinner than --size"};
+    result_.file.mm_per_unit = (settings_.size_mm - wall_mm) / size;
+    const double thickness = wall_mm / result_.file.mm_per_unit;
+    for (std::size_t i = 0; i < result_.surfaces.size(); ++i) {
+        MeshObject& object = result_.file.objects[i];
+        auto wall = wall_of(object.mesh, thickness, result_.tolerance);
+        if (!wall) {
+            return InputError{.reason = "--wall " + short_number(wall_mm) + ": surface " +
+                                        std::to_string(result_.surfaces[i].number) + ": " +
+                                        wall.error() + "; a thinner one may do"};
+        }
+        object.mesh = std::move(*wall);
+        const std::vector<MeshColor> colors = object.colors;
+        object.colors.insert(object.colors.end(), colors.begin(), colors.end());
+        result_.surfaces[i].facts = facts_of(object.mesh);
+        result_.surfaces[i].report.unchanged = false;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string proof_line(const MeshReport& report) {
+    if (report.isotopic) {
+        return report.unchanged ? "mesh proved isotopic to the surface"
+                                : "topology proved; edges put in or triangles taken out since keep "
+                                  "components and genus";
+    }
+    const std::size_t all = report.proved + report.rough + report.unproved;
+    const std::string of_all = " of " + std::to_string(all) + " cells";
+    if (report.unproved == 0) {
+        return "topology proved but for " + std::to_string(report.rough) + of_all +
+               ", at edges too sharp for it" + places_text(report.rough_places);
+    }
+    return "topology not proved in " + std::to_string(report.unproved + report.rough) + of_all +
+           places_text(report.places);
+}
+
+OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
+                                           const MeshSettings& settings) {
+    auto solids = surface_solids(request);
+    if (!solids) return std::unexpected(solids.error());
+    DocumentMesher mesher(request, settings);
+    const std::size_t wanted = settings.surface.value_or(0);
+    for (std::size_t i = 0; i < solids->size(); ++i) {
+        if (wanted != 0 && (*solids)[i].number != wanted) continue;
+        mesher.add(i, std::move((*solids)[i]), wanted != 0 ? 1 : solids->size() - i);
+    }
+    return mesher.finish();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "engine/mesh/solid.hpp"
+#include "pipeline/input_error.hpp"
+#include "pipeline/picture_request.hpp"
+
+#include <expected>
+#include <string>
+#include <vector>
+
+namespace zeroset {
+
+/// A surface of a document, ready to be meshed.
+struct SurfaceSolid {
+    std::size_t number = 1;  ///< among the program's surfaces, from 1 on
+    std::string text;        ///< how it was read
+    MeshSolid solid;
+};
+
+/// Makes the solid of each surface that the request shows: the side that sections fill, in the
+/// region. Bounds of a surface end its solid as sections do. Thread-safe.
+std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request);
+
+}  // namespace zeroset

@@ -1,0 +1,187 @@
+"""Tests of `zeroset mesh`: its files, read by readers of their own, and what it refuses."""
+
+import json
+import struct
+import zipfile
+from collections import Counter
+from xml.etree import ElementTree
+
+from zeroset_program import ProgramTest, run
+
+SPHERE = "x^2 + y^2 + z^2 = 1"
+CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+MATERIAL = "{http://schemas.microsoft.com/3dmanufacturing/material/2015/02}"
+
+
+def is_closed(triangles):
+    """Whether each edge has two triangles, which run along it in opposite directions."""
+    edges = Counter((t[k], t[(k + 1) % 3]) for t in triangles for k in range(3))
+    return all(count == 1 and edges[b, a] == 1 for (a, b), count in edges.items())
+
+
+def volume_of(points, triangles):
+    total = 0.0
+    for a, b, c in ([points[i] for i in t] for t in triangles):
+        total += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
+                  + a[2] * (b[0] * c[1] - b[1] * c[0]))
+    return total / 6
+
+
+def read_stl(path):
+    data = path.read_bytes()
+    count = struct.unpack_from("<I", data, 80)[0]
+    assert len(data) == 84 + 50 * count and not data.startswith(b"solid")
+    numbers, points, triangles = {}, [], []
+    for i in range(count):
+        row = struct.unpack_from("<12f", data, 84 + 50 * i)
+        corners = [row[3:6], row[6:9], row[9:12]]
+        triangles.append([numbers.setdefault(c, len(numbers)) for c in corners])
+    points = list(numbers)
+    return points, triangles
+
+
+def read_ply(path):
+    data = path.read_bytes()
+    end = data.index(b"end_header\n") + 11
+    header = data[:end].decode("ascii")
+    vertices = int(header.split("element vertex ")[1].split()[0])
+    faces = int(header.split("element face ")[1].split()[0])
+    rows = [struct.unpack_from("<6f3Bf", data, end + 31 * i) for i in range(vertices)]
+    start = end + 31 * vertices
+    assert len(data) == start + 13 * faces
+    triangles = [struct.unpack_from("<B3i", data, start + 13 * i)[1:] for i in range(faces)]
+    return header, rows, triangles
+
+
+def read_obj(path):
+    points, normals, triangles = [], [], []
+    for line in path.read_text().splitlines():
+        word, *rest = line.split()
+        if word == "v":
+            points.append(tuple(map(float, rest)))
+        elif word == "vn":
+            normals.append(tuple(map(float, rest)))
+        elif word == "f":
+            corners = [corner.split("//") for corner in rest]
+            assert all(1 <= int(n) <= len(normals) for _, n in corners)
+            triangles.append([int(v) - 1 for v, _ in corners])
+    return points, triangles
+
+
+def read_3mf(path):
+    with zipfile.ZipFile(path) as package:
+        assert package.testzip() is None
+        assert {"[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"} <= set(package.namelist())
+        return ElementTree.fromstring(package.read("3D/3dmodel.model"))
+
+
+def read_glb(path):
+    data = path.read_bytes()
+    magic, version, length, json_length, kind = struct.unpack_from("<4sIII4s", data)
+    assert (magic, version, length, kind) == (b"glTF", 2, len(data), b"JSON")
+    about = json.loads(data[20:20 + json_length])
+    data_length, kind = struct.unpack_from("<I4s", data, 20 + json_length)
+    assert kind == b"BIN\0" and about["buffers"][0]["byteLength"] == data_length
+    return about, data[28 + json_length:]
+
+
+class MeshTest(ProgramTest):
+    def mesh(self, name, *arguments, equation=SPHERE):
+        path = self.folder / name
+        self.run_ok("mesh", equation, "-o", path, "--tolerance", "0.02", *arguments)
+        return path
+
+    def check(self, points, triangles, size, wanted_volume):
+        self.assertTrue(is_closed(triangles))
+        for axis in range(3):
+            values = [p[axis] for p in points]
+            self.assertAlmostEqual(max(values) - min(values), size, delta=0.03 * size)
+        self.assertAlmostEqual(volume_of(points, triangles) / wanted_volume, 1, delta=0.04)
+
+    def test_stl(self):
+        points, triangles = read_stl(self.mesh("a.stl"))
+        self.check(points, triangles, 100, 523_599)
+
+    def test_ply_has_normals_colors_and_errors(self):
+        path = self.mesh("a.ply", "--size", "20", "--color-by", "normal")
+        header, rows, triangles = read_ply(path)
+        self.assertIn("comment", header)
+        points = [row[:3] for row in rows]
+        self.check(points, triangles, 20, 4188.8)
+        self.assertGreater(len({row[6:9] for row in rows}), len(rows) // 2)
+        for row in rows:
+            self.assertAlmostEqual(sum(n * n for n in row[3:6]), 1, delta=1e-5)
+            self.assertGreater(sum(p * n for p, n in zip(row[:3], row[3:6])), 9.5)
+            self.assertTrue(0 <= row[9] <= 0.02 * 10.5)
+
+    def test_obj(self):
+        self.check(*read_obj(self.mesh("a.obj")), 100, 523_599)
+
+    def test_3mf_has_an_object_and_colors_for_each_surface(self):
+        two = SPHERE + "; (x - 1)^2 + y^2 + z^2 = 0.25"
+        model = read_3mf(self.mesh("a.3mf", "--color-by", "height", equation=two))
+        self.assertEqual(model.get("unit"), "millimeter")
+        objects = model.findall(f"{CORE}resources/{CORE}object")
+        self.assertEqual(len(objects), 2)
+        self.assertEqual(len(model.findall(f"{CORE}build/{CORE}item")), 2)
+        groups = {group.get("id"): len(group)
+                  for group in model.findall(f"{CORE}resources/{MATERIAL}colorgroup")}
+        for item in objects:
+            triangles = item.findall(f"{CORE}mesh/{CORE}triangles/{CORE}triangle")
+            corners = [[int(t.get(f"v{k}")) for k in (1, 2, 3)] for t in triangles]
+            self.assertTrue(is_closed(corners))
+            colors = groups[item.get("pid")]
+            self.assertGreater(colors, 10)
+            self.assertTrue(all(int(t.get("p3")) < colors for t in triangles))
+
+    def test_glb_is_in_metres_with_y_up(self):
+        about, data = read_glb(self.mesh("a.glb", equation="x^2 + y^2 + z^2/4 = 1"))
+        self.assertEqual(about["asset"]["version"], "2.0")
+        primitive = about["meshes"][0]["primitives"][0]
+        position = about["accessors"][primitive["attributes"]["POSITION"]]
+        size = [hi - lo for lo, hi in zip(position["min"], position["max"])]
+        self.assertAlmostEqual(size[1], 0.1, delta=0.003)
+        self.assertAlmostEqual(size[0], 0.05, delta=0.003)
+        view = about["bufferViews"][position["bufferView"]]
+        points = [struct.unpack_from("<3f", data, view["byteOffset"] + 12 * i)
+                  for i in range(position["count"])]
+        indices = about["accessors"][primitive["indices"]]
+        start = about["bufferViews"][indices["bufferView"]]["byteOffset"]
+        flat = struct.unpack_from(f"<{indices['count']}I", data, start)
+        triangles = [flat[i:i + 3] for i in range(0, len(flat), 3)]
+        self.check([(p[0], p[1] / 2, p[2]) for p in points], triangles, 0.05, 0.000_065_45)
+
+    def test_stats(self):
+        path = self.folder / "a.stl"
+        result = self.run_ok("mesh", "@tangle", "-o", path, "--tolerance", "0.05", "--stats", "-")
+        stats = json.loads(result.out)
+        surface = stats["surfaces"][0]
+        self.assertEqual((surface["euler"], surface["genus"], surface["components"]), (-8, 5, 1))
+        self.assertTrue(surface["isotopic"])
+        self.assertLessEqual(surface["deviation"], 0.05)
+        self.assertEqual(len(read_stl(path)[1]), surface["triangles"])
+
+    def test_what_is_not_proved_is_said(self):
+        path = self.folder / "a.stl"
+        result = run("mesh", "x^2 + y^2 = z^2", "-o", path, "--tolerance", "0.05")
+        self.assertEqual(result.code, 0)
+        self.assertIn("topology not proved in", result.err)
+        self.assertIn("near", result.err)
+
+    def test_refusals_have_one_line_and_write_nothing(self):
+        out = self.folder / "a.stl"
+        wrong = [(["-o", self.folder / "a.dxf"], ".stl"), (["-o", out, "--tolerance", "0"], "above 0"),
+                 (["-o", out, "--size", "-3"], "above 0"), (["-o", out, "--surface", "2"], "1 to 1"),
+                 (["-o", out, "--depth", "99"], "3 to 18"), (["-o", out, "--triangles", "x"], "4 to")]
+        for arguments, text in wrong:
+            with self.subTest(arguments=arguments):
+                result = run("mesh", SPHERE, *arguments)
+                self.assertEqual(result.code, 2)
+                self.assertIn(text, result.err)
+                self.assertEqual(len(result.err.splitlines()), 1)
+        failing = [[SPHERE, "-o", "/no_such_folder/a.stl"], ["x = 1000", "-o", out]]
+        for arguments in failing:
+            with self.subTest(arguments=arguments):
+                result = run("mesh", *arguments)
+                self.assertEqual((result.code, len(result.err.splitlines())), (1, 1))
+        self.assertEqual(list(self.folder.iterdir()), [])
