@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/options/drawing_options.hpp"
 #include "app/cli/options/options.hpp"
 
 #include <optional>
@@ -23,6 +24,14 @@ struct RenderCommand {
     bool alpha = false;  ///< the picture's background is transparent
 };
 int run_render(const RenderCommand& command);
+
+struct DrawCommand {
+    std::string equation;
+    ViewText view;
+    DrawingText drawing;
+    std::optional<std::string> output, stats, budget;
+};
+int run_draw(const DrawCommand& command);
 
 struct ExplainCommand {
     std::string equation;

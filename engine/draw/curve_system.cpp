@@ -1,0 +1,232 @@
+#include "engine/draw/curve_system.hpp"
+
+#include "engine/draw/symmetric.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+// Cells are judged by their linearization: with M the inverse of the two equations' derivatives
+// across the curve, in the middle of what they may be, M F(p) = M F(c) + M J (p - c) for some J
+// among the derivatives in the box. Where M J is near enough to 1 across the curve, two points on a
+// plane across it cannot both be zeros; where M F(c) is larger than M J (p - c) can be, none is.
+
+namespace zeroset {
+namespace {
+
+/// A matrix of `rows` gradients as middles and radii.
+struct GradientBounds {
+    std::array<glm::dvec3, 3> middle{}, radius{};
+    std::array<double, 3> value{}, value_radius{};
+    std::size_t rows = 2;
+
+    [[nodiscard]] bool is_bounded() const {
+        for (std::size_t i = 0; i < rows; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                if (!std::isfinite(middle.at(i)[k]) || !std::isfinite(radius.at(i)[k]))
+                    return false;
+            }
+            if (!std::isfinite(value.at(i)) || !std::isfinite(value_radius.at(i))) return false;
+        }
+        return true;
+    }
+};
+
+/// Allows for the rounding of a few operations to nearest.
+constexpr double rounding_slack = 1e-12;
+
+/// Weights of three gradients in the two combinations that are largest.
+std::array<glm::dvec3, 2> main_weights(const std::array<glm::dvec3, 3>& gradients) {
+    glm::dmat3 products(0.0);
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k)
+            products[i][k] = glm::dot(gradients.at(static_cast<std::size_t>(i)),
+                                      gradients.at(static_cast<std::size_t>(k)));
+    }
+    const Eigenvectors all = eigenvectors_of(products);
+    return {all.vectors[0], all.vectors[1]};
+}
+
+GradientBounds reduced(const GradientBounds& all) {
+    if (all.rows == 2) return all;
+    GradientBounds two;
+    const auto weights = main_weights(all.middle);
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double weight = weights.at(i)[static_cast<int>(k)];
+            two.middle.at(i) += weight * all.middle.at(k);
+            two.radius.at(i) += std::abs(weight) * all.radius.at(k);
+            two.value.at(i) += weight * all.value.at(k);
+            two.value_radius.at(i) += std::abs(weight) * all.value_radius.at(k);
+        }
+        two.value_radius.at(i) += rounding_slack * std::abs(two.value.at(i));
+    }
+    return two;
+}
+
+/// Whether three functions surely have at most one common zero, and so no curve of them.
+bool is_isolated(const GradientBounds& all) {
+    if (all.rows < 3) return false;
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(all.middle[0], all.middle[1], all.middle[2]));
+    const glm::dmat3 inverse = glm::inverse(rows);
+    for (int i = 0; i < 3; ++i) {
+        double off = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3& radius = all.radius.at(static_cast<std::size_t>(k));
+            off += std::abs(inverse[k][i]) * (radius.x + radius.y + radius.z);
+        }
+        if (!(off < 1.0 - 1e-6)) return false;
+    }
+    return true;
+}
+
+/// What the two equations tell of a box with this half diagonal.
+JudgedCell judge_reduced(const GradientBounds& two, const glm::dvec3& half) {
+    const glm::dvec3& a = two.middle[0];
+    const glm::dvec3& b = two.middle[1];
+    const glm::dvec3 across = glm::cross(a, b);
+    const double size = glm::length(across);
+    if (!(size > 1e-12 * glm::length(a) * glm::length(b))) return {};
+    const glm::dvec3 tangent = across / size;
+    // The dual basis of a and b across the curve: the columns of M.
+    const std::array<glm::dvec3, 2> dual{glm::cross(b, tangent) / size,
+                                         glm::cross(tangent, a) / size};
+    const glm::dvec3 n1 = glm::normalize(a);
+    const glm::dvec3 n2 = glm::cross(tangent, n1);
+    bool regular = true;
+    for (const glm::dvec3& n : {n1, n2}) {
+        glm::dvec3 spread(0.0);
+        double value = 0.0;
+        double value_radius = 0.0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const double weight = glm::dot(n, dual.at(i));
+            spread += std::abs(weight) * two.radius.at(i);
+            value += weight * two.value.at(i);
+            value_radius += std::abs(weight) * two.value_radius.at(i);
+        }
+        const double reach = glm::dot(spread + glm::abs(n), half);
+        const double slack = rounding_slack * (std::abs(value) + reach);
+        if (std::abs(value) > value_radius + reach + slack) return {.state = CellState::Empty};
+        const double off = glm::dot(spread, glm::abs(n1)) + glm::dot(spread, glm::abs(n2));
+        regular = regular && off < 0.9;
+    }
+    if (!regular) return {};
+    return {.state = CellState::Regular, .tangent = tangent};
+}
+
+}  // namespace
+
+bool Linearized::is_usable() const {
+    const double size = glm::length(across);
+    return std::isfinite(size) && std::isfinite(value.x) && std::isfinite(value.y) &&
+           size > 1e-13 * glm::length(gradients[0]) * glm::length(gradients[1]);
+}
+
+glm::dvec3 Linearized::step(const glm::dvec3& normal) const {
+    const glm::dvec3 by =
+        value.x * glm::cross(gradients[1], normal) + value.y * glm::cross(normal, gradients[0]);
+    return -by / glm::dot(across, normal);
+}
+
+CurveSystem::CurveSystem(const CurveEquations& equations, const Uniforms& uniforms) {
+    for (const Expr& f : equations.zero)
+        zero_.emplace_back(f, uniforms);
+    for (const Expr& f : equations.also)
+        also_.emplace_back(f, uniforms);
+}
+
+Linearized CurveSystem::at(const glm::dvec3& point) const {
+    std::array<ValueAndGradient, 3> all{};
+    for (std::size_t i = 0; i < zero_.size(); ++i)
+        all.at(i) = zero_[i].at(point);
+    Linearized two{};
+    if (zero_.size() == 2) {
+        two = {.value = {all[0].value, all[1].value},
+               .gradients = {all[0].gradient, all[1].gradient},
+               .across = {}};
+    } else {
+        const auto weights = main_weights({all[0].gradient, all[1].gradient, all[2].gradient});
+        for (int i = 0; i < 2; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                const double weight = weights.at(static_cast<std::size_t>(i))[k];
+                two.value[i] += weight * all.at(static_cast<std::size_t>(k)).value;
+                two.gradients[i] += weight * all.at(static_cast<std::size_t>(k)).gradient;
+            }
+        }
+    }
+    two.across = glm::cross(two.gradients[0], two.gradients[1]);
+    return two;
+}
+
+void CurveSystem::sift(std::span<const Box> boxes, std::span<bool> may_hold) const {
+    std::vector<Bounds> bounds(boxes.size());
+    std::ranges::fill(may_hold, true);
+    for (const std::vector<SpaceFunction>* functions : {&zero_, &also_}) {
+        for (const SpaceFunction& f : *functions) {
+            f.enclose(boxes, bounds);
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                may_hold[i] = may_hold[i] && !bounds[i].excludes_zero;
+        }
+    }
+}
+
+void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
+                        std::span<JudgedCell> out) const {
+    std::vector<GradientBounds> all(boxes.size());
+    std::vector<Box> middles;
+    for (const Box& box : boxes)
+        middles.push_back({.lo = box.centre(), .hi = box.centre()});
+    std::vector<Bounds> bounds(boxes.size());
+    for (std::size_t row = 0; row < zero_.size(); ++row) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            zero_[row].enclose_slope(axis, around, bounds);
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                const auto k = static_cast<int>(axis);
+                all[i].middle.at(row)[k] = 0.5 * bounds[i].lo + 0.5 * bounds[i].hi;
+                all[i].radius.at(row)[k] =
+                    (0.5 * bounds[i].hi - 0.5 * bounds[i].lo) * (1.0 + rounding_slack);
+            }
+        }
+        zero_[row].enclose(middles, bounds);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            all[i].value.at(row) = 0.5 * bounds[i].lo + 0.5 * bounds[i].hi;
+            all[i].value_radius.at(row) =
+                (0.5 * bounds[i].hi - 0.5 * bounds[i].lo) * (1.0 + rounding_slack);
+        }
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        all[i].rows = zero_.size();
+        out[i] = {};
+        if (!all[i].is_bounded()) continue;
+        out[i] = is_isolated(all[i])
+                     ? JudgedCell{.state = CellState::Empty}
+                     : judge_reduced(reduced(all[i]), 0.5 * (boxes[i].hi - boxes[i].lo));
+    }
+}
+
+std::optional<glm::dvec3> CurveSystem::solve(const glm::dvec3& start, const glm::dvec3* normal,
+                                             double reach) const {
+    constexpr int most_steps = 12;
+    glm::dvec3 point = start;
+    for (int i = 0; i < most_steps; ++i) {
+        const Linearized here = at(point);
+        if (!here.is_usable()) return std::nullopt;
+        const glm::dvec3 step = here.step(normal != nullptr ? *normal : here.across);
+        const double length = glm::length(step);
+        point += step;
+        if (!(glm::length(point - start) <= reach)) return std::nullopt;
+        if (length <= 1e-10 * reach + 4e-16 * glm::length(point)) return point;
+    }
+    return std::nullopt;
+}
+
+std::optional<glm::dvec3> CurveSystem::point_near(const glm::dvec3& start, const glm::dvec3& normal,
+                                                  double reach) const {
+    return solve(start, &normal, reach);
+}
+
+std::optional<glm::dvec3> CurveSystem::point_near(const glm::dvec3& start, double reach) const {
+    return solve(start, nullptr, reach);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "engine/expr/expr.hpp"
+#include "engine/kernel/kernel.hpp"
+#include "engine/view/box.hpp"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <span>
+
+namespace zeroset {
+
+/// The values that a function may have in a box.
+struct Bounds {
+    double lo, hi;               ///< infinite where nothing is known
+    bool excludes_zero = false;  ///< the function is surely nowhere 0, or nowhere defined
+};
+
+/// A function's value and gradient at a point.
+struct ValueAndGradient {
+    double value;
+    glm::dvec3 gradient;
+};
+
+/// A function of space with its derivatives: values at points, and enclosures over boxes, in
+/// double. Any thread, in whatever rounding.
+class SpaceFunction {
+public:
+    /// `uniforms` lives longer.
+    SpaceFunction(const Expr& f, const Uniforms& uniforms);
+
+    [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
+    void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;
+    /// Encloses one of the derivatives.
+    void enclose_slope(std::size_t axis, std::span<const Box> boxes, std::span<Bounds> out) const;
+
+private:
+    Kernel kernel_;
+    std::array<Kernel, 3> slopes_;
+    const Uniforms* uniforms_;
+};
+
+/// The value of a function at a point, or its gradient, too, by kernels in double; in whatever
+/// rounding.
+ValueAndGradient value_at(const Kernel& kernel, const Uniforms& uniforms, const glm::dvec3& point);
+
+}  // namespace zeroset
