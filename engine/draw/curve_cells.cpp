@@ -1,8 +1,12 @@
 #include "engine/draw/curve_cells.hpp"
 
+#include "engine/base/parallel.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 
 namespace zeroset {
@@ -24,6 +28,15 @@ bool misses(const Section& section, const Box& cell) {
     return least > section.offset + 1e-9 * (std::abs(section.offset) + glm::length(half));
 }
 
+/// Calls `body` with the first and the count of some of so many items at a time, on all cores.
+void in_chunks(std::size_t items, const std::function<void(std::size_t, std::size_t)>& body) {
+    constexpr std::size_t at_once = 256;
+    parallel_for((items + at_once - 1) / at_once, 0, [&](std::size_t chunk) {
+        const std::size_t first = chunk * at_once;
+        body(first, std::min(at_once, items - first));
+    });
+}
+
 /// Cells that may hold points of the curve, of those.
 std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
                               std::vector<CurveCell> cells) {
@@ -33,7 +46,9 @@ std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& doma
     for (const CurveCell& cell : cells)
         boxes.push_back(cell.box);
     const auto may = std::make_unique<bool[]>(cells.size());
-    system.sift(boxes, {may.get(), cells.size()});
+    in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
+        system.sift(std::span(boxes).subspan(first, count), {may.get() + first, count});
+    });
     std::vector<CurveCell> kept;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (may[i]) kept.push_back(cells[i]);
@@ -183,7 +198,10 @@ std::vector<JudgedCell> judge_cells(const CurveSystem& system,
         wider.push_back(around(cell.box));
     }
     std::vector<JudgedCell> judged(cells.size());
-    system.judge(boxes, wider, judged);
+    in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
+        system.judge(std::span(boxes).subspan(first, count), std::span(wider).subspan(first, count),
+                     std::span(judged).subspan(first, count));
+    });
     return judged;
 }
 

@@ -32,25 +32,38 @@ struct Passage {
     [[nodiscard]] double offset(const glm::dvec3& point) const {
         return glm::dot(point - centre, tangent);
     }
+    /// The rounding that places of points may have.
+    [[nodiscard]] double slack() const { return 1e-9 * around.size(); }
     [[nodiscard]] bool holds(const glm::dvec3& point) const {
-        const double slack = 1e-9 * around.size();
-        return glm::all(glm::greaterThanEqual(point, around.lo - slack)) &&
-               glm::all(glm::lessThanEqual(point, around.hi + slack));
+        return glm::all(glm::greaterThanEqual(point, around.lo - slack())) &&
+               glm::all(glm::lessThanEqual(point, around.hi + slack()));
     }
 };
 
 /// The planes between two offsets.
 struct Offsets {
     double lo, hi;
-    [[nodiscard]] bool cover(const Offsets& other) const {
-        return lo <= other.lo && hi >= other.hi;
-    }
 };
 
 Offsets offsets_of(const Passage& passage, const Box& box) {
     const double middle = passage.offset(box.centre());
     const double half = 0.5 * glm::dot(glm::abs(passage.tangent), box.hi - box.lo);
     return {.lo = middle - half, .hi = middle + half};
+}
+
+/// The coarsest level of regular cells, and the finest of all.
+struct Levels {
+    int first = 0, last = 0;
+};
+
+Levels levels_of(const CurveCells& cells) {
+    Levels levels;
+    if (!cells.regular.empty()) levels.first = cells.regular.front().place.level;
+    for (const std::vector<CurveCell>* list : {&cells.regular, &cells.open}) {
+        for (const CurveCell& cell : *list)
+            levels.last = std::max(levels.last, cell.place.level);
+    }
+    return levels;
 }
 
 class CurveFinder {
@@ -60,7 +73,8 @@ public:
           domain_(domain),
           limits_(limits),
           cells_(find_cells(system, domain, limits)),
-          index_(domain, first_level(), last_level()) {
+          levels_(levels_of(cells_)),
+          index_(domain, levels_.first, levels_.last) {
         for (std::size_t i = 0; i < cells_.regular.size(); ++i)
             regular_.emplace(key_of(cells_.regular[i].place), i);
     }
@@ -68,19 +82,20 @@ public:
     FoundCurves run();
 
 private:
-    [[nodiscard]] int first_level() const;
-    [[nodiscard]] int last_level() const;
+    [[nodiscard]] std::optional<double> cell_step(const glm::dvec3& place) const;
     [[nodiscard]] double longest_step(const glm::dvec3& place) const;
     void settle(const CurveCell& cell, const Passage& passage, int divisions);
     void divide(const CurveCell& cell, const Passage& passage, int divisions);
     void leave_open(const Box& box);
     void try_open_cell(const CurveCell& cell);
     bool follow(const glm::dvec3& start);
-    /// The planes that a followed curve passes within the passage's box about one of its points.
-    [[nodiscard]] Offsets passed(const Passage& passage, const PlaceOnCurve& at,
-                                 const Offsets& wanted) const;
-    [[nodiscard]] double passed_one_way(const Passage& passage, const PlaceOnCurve& at, double sign,
-                                        double wanted) const;
+    /// Whether a followed curve, from one of its points on, gets to the plane at this offset before
+    /// it leaves the passage's box; `sign` 1: towards higher offsets.
+    [[nodiscard]] bool reaches(const Passage& passage, const PlaceOnCurve& at, double sign,
+                               double wanted) const;
+    [[nodiscard]] glm::dvec3 point_at(const PlaceOnCurve& at) const;
+    [[nodiscard]] bool is_followed(const glm::dvec3& point) const;
+    [[nodiscard]] bool is_singular(const glm::dvec3& point, const Box& cell) const;
     [[nodiscard]] bool is_passed(const CurveCell& cell, const Passage& passage,
                                  const Offsets& wanted) const;
 
@@ -88,29 +103,15 @@ private:
     const CurveDomain& domain_;
     const SearchLimits& limits_;
     CurveCells cells_;
+    Levels levels_;
     std::unordered_map<std::uint64_t, std::size_t> regular_;
     CurveIndex index_;
     FoundCurves found_;
 };
 
-int CurveFinder::first_level() const {
-    int level = 20;
-    for (const CurveCell& cell : cells_.regular)
-        level = std::min(level, cell.place.level);
-    return cells_.regular.empty() ? 0 : level;
-}
-
-int CurveFinder::last_level() const {
-    int level = 0;
-    for (const CurveCell& cell : cells_.regular)
-        level = std::max(level, cell.place.level);
-    for (const CurveCell& cell : cells_.open)
-        level = std::max(level, cell.place.level);
-    return level;
-}
-
-double CurveFinder::longest_step(const glm::dvec3& place) const {
-    for (int level = first_level(); level <= last_level(); ++level) {
+/// How far a step may go from a place in a regular cell.
+std::optional<double> CurveFinder::cell_step(const glm::dvec3& place) const {
+    for (int level = levels_.first; level <= levels_.last; ++level) {
         const auto cell = regular_.find(key_of(place_of(domain_, level, place)));
         if (cell == regular_.end()) continue;
         const Box& box = cells_.regular[cell->second].box;
@@ -120,7 +121,11 @@ double CurveFinder::longest_step(const glm::dvec3& place) const {
         }
         return step_part * least;
     }
-    return 1.0 / domain_.page.scale(place);
+    return std::nullopt;
+}
+
+double CurveFinder::longest_step(const glm::dvec3& place) const {
+    return cell_step(place).value_or(1.0 / domain_.page.scale(place));
 }
 
 bool CurveFinder::follow(const glm::dvec3& start) {
@@ -131,52 +136,71 @@ bool CurveFinder::follow(const glm::dvec3& start) {
     auto traced = trace_curve(system_, domain_, start, limits);
     if (!traced) return false;
     found_.report.stuck += static_cast<std::size_t>(traced->stuck_ends);
-    index_.add(traced->curve, found_.curves.size());
+    const double least = 4.0 * limits_.smallest_pt / domain_.page.scale(start);
+    index_.add(traced->curve, found_.curves.size(),
+               [&](const glm::dvec3& place) { return cell_step(place).value_or(least); });
     found_.curves.push_back(std::move(traced->curve));
     return true;
 }
 
-/// The offset that the curve reaches from one of its points, point by point towards higher offsets
-/// (`sign` 1) or lower ones (-1), before it leaves the box; where the last step would leave it,
-/// Newton's method looks on the plane that is wanted.
-double CurveFinder::passed_one_way(const Passage& passage, const PlaceOnCurve& at, double sign,
-                                   double wanted) const {
-    const SpaceCurve& curve = found_.curves[at.curve];
-    const auto count = static_cast<std::ptrdiff_t>(curve.points.size());
-    auto i = static_cast<std::ptrdiff_t>(at.point);
-    const CurvePoint* here = &curve.points[at.point];
-    const int step = sign * glm::dot(here->tangent, passage.tangent) > 0.0 ? 1 : -1;
-    double reached = passage.offset(here->place);
-    for (std::ptrdiff_t walked = 1; walked < count && sign * (wanted - reached) > 0.0; ++walked) {
-        i += step;
-        if (curve.closed) i = (i + count) % count;
-        if (i < 0 || i >= count || !passage.holds(curve.points[static_cast<std::size_t>(i)].place))
-            break;
-        here = &curve.points[static_cast<std::size_t>(i)];
-        const double offset = passage.offset(here->place);
-        if (sign * (offset - reached) < 0.0) return reached;
-        reached = offset;
+/// The next point of a curve in a direction, 1 or -1; nothing beyond its ends.
+std::optional<std::size_t> next_point(const SpaceCurve& curve, std::size_t point, int step) {
+    const std::size_t count = curve.points.size();
+    if (step > 0) {
+        if (point + 1 < count) return point + 1;
+        return curve.closed ? std::optional<std::size_t>(0) : std::nullopt;
     }
-    if (sign * (wanted - reached) <= 0.0) return reached;
-    const double slope = glm::dot(here->tangent, passage.tangent);
-    if (std::abs(slope) < 0.1) return reached;
-    const double length = (wanted - reached) / slope;
-    const auto there = system_.point_near(here->place + length * here->tangent, passage.tangent,
-                                          0.5 * std::abs(length));
-    return there && passage.holds(*there) ? wanted : reached;
+    if (point > 0) return point - 1;
+    return curve.closed ? std::optional(count - 1) : std::nullopt;
 }
 
-Offsets CurveFinder::passed(const Passage& passage, const PlaceOnCurve& at,
-                            const Offsets& wanted) const {
-    return {.lo = passed_one_way(passage, at, -1.0, wanted.lo),
-            .hi = passed_one_way(passage, at, 1.0, wanted.hi)};
+glm::dvec3 CurveFinder::point_at(const PlaceOnCurve& at) const {
+    const SpaceCurve& curve = found_.curves[at.curve];
+    const auto next = next_point(curve, at.point, 1);
+    if (!next || at.share == 0.0) return curve.points[at.point].place;
+    return between(curve.points[at.point], curve.points[*next], at.share);
+}
+
+// Goes from point to point; where the next one is outside of the box, Newton's method looks for one
+// on the wanted plane.
+bool CurveFinder::reaches(const Passage& passage, const PlaceOnCurve& at, double sign,
+                          double wanted) const {
+    const SpaceCurve& curve = found_.curves[at.curve];
+    CurvePoint here{.place = point_at(at), .tangent = curve.points[at.point].tangent};
+    const int step = sign * glm::dot(here.tangent, passage.tangent) > 0.0 ? 1 : -1;
+    const auto missing = [&](const glm::dvec3& point) {
+        return sign * (wanted - passage.offset(point)) - passage.slack();
+    };
+    double left = missing(here.place);
+    auto next =
+        step < 0 && at.share > 0.0 ? std::optional(at.point) : next_point(curve, at.point, step);
+    while (left > 0.0 && next && passage.holds(curve.points[*next].place)) {
+        here = curve.points[*next];
+        const double then = missing(here.place);
+        if (then >= left) return false;
+        left = then;
+        next = next_point(curve, *next, step);
+    }
+    if (left <= 0.0) return true;
+    const double slope = glm::dot(here.tangent, passage.tangent);
+    if (std::abs(slope) < 0.1) return false;
+    const double length = (wanted - passage.offset(here.place)) / slope;
+    const auto there = system_.point_near(here.place + length * here.tangent, passage.tangent,
+                                          0.5 * std::abs(length) + 10.0 * passage.slack());
+    return there && passage.holds(*there);
 }
 
 bool CurveFinder::is_passed(const CurveCell& cell, const Passage& passage,
                             const Offsets& wanted) const {
+    std::optional<PlaceOnCurve> last;
     for (const PlaceOnCurve& at : index_.near(cell.place)) {
-        if (!passage.holds(found_.curves[at.curve].points[at.point].place)) continue;
-        if (passed(passage, at, wanted).cover(wanted)) return true;
+        if (!passage.holds(point_at(at))) continue;
+        const bool goes_on =
+            last && last->curve == at.curve && at.point - last->point <= std::size_t{1};
+        if (!goes_on && reaches(passage, at, -1.0, wanted.lo) &&
+            reaches(passage, at, 1.0, wanted.hi))
+            return true;
+        last = at;
     }
     return false;
 }
@@ -188,9 +212,9 @@ void CurveFinder::settle(const CurveCell& cell, const Passage& passage, int divi
                                           glm::length(passage.around.hi - passage.around.lo));
     if (start && passage.holds(*start) && domain_.contains(*start)) {
         const double at = passage.offset(*start);
-        if (!is_passed(cell, passage, {.lo = at, .hi = at}) && follow(*start) &&
-            is_passed(cell, passage, wanted))
-            return;
+        const bool is_new =
+            !is_passed(cell, passage, {.lo = at, .hi = at}) && !is_followed(*start);
+        if (is_new && follow(*start) && is_passed(cell, passage, wanted)) return;
     }
     divide(cell, passage, divisions);
 }
@@ -214,14 +238,49 @@ void CurveFinder::leave_open(const Box& box) {
     found_.report.open_pt = std::max(found_.report.open_pt, domain_.page.diameter(box));
 }
 
+/// Whether a point of the curve is on one that was followed: between two points of that, where
+/// Newton's method from the cubic between them finds it again.
+bool CurveFinder::is_followed(const glm::dvec3& point) const {
+    constexpr double aside = 0.05;    // in ways from a point of a curve to the next
+    constexpr double reach_pt = 4.0;  // a bound of those
+    int level = levels_.last;
+    while (level > levels_.first &&
+           domain_.page.diameter(box_of(domain_, place_of(domain_, level, point))) < reach_pt)
+        --level;
+    const auto is_between = [&](const CurvePoint& a, const CurvePoint& b) {
+        const double length = glm::distance(a.place, b.place);
+        const glm::dvec3 chord = (b.place - a.place) / length;
+        const double share = glm::dot(point - a.place, chord) / length;
+        if (!(share >= -aside && share <= 1.0 + aside)) return false;
+        glm::dvec3 start = between(a, b, share);
+        start += glm::dot(point - start, chord) * chord;
+        if (glm::distance(start, point) > aside * length) return false;
+        const auto again = system_.point_near(start, chord, aside * length);
+        return again && glm::distance(*again, point) <= 1e-4 * length;
+    };
+    return std::ranges::any_of(
+        index_.near(place_of(domain_, level, point)), [&](const PlaceOnCurve& at) {
+            const SpaceCurve& curve = found_.curves[at.curve];
+            const auto next = at.share == 0.0 ? next_point(curve, at.point, 1) : std::nullopt;
+            return next && is_between(curve.points[at.point], curve.points[*next]);
+        });
+}
+
 /// Follows a curve from an open cell where none was yet: nothing is proved of it.
 void CurveFinder::try_open_cell(const CurveCell& cell) {
-    if (!index_.near(cell.place).empty()) return;
     const auto start =
         system_.point_near(cell.box.centre(), glm::length(cell.box.hi - cell.box.lo));
-    if (start && domain_.contains(*start) &&
-        index_.near(place_of(domain_, cell.place.level, *start)).empty())
+    if (start && domain_.contains(*start) && !is_singular(*start, cell.box) && !is_followed(*start))
         follow(*start);
+}
+
+/// Whether both equations vanish there to first order beside what they are at the cell's corner: so
+/// on curves on which a surface meets itself.
+bool CurveFinder::is_singular(const glm::dvec3& point, const Box& cell) const {
+    constexpr double part = 1e-3;
+    const Linearized there = system_.at(point);
+    const Linearized aside = system_.at(cell.hi);
+    return !(glm::length(there.gradients[0]) > part * glm::length(aside.gradients[0]));
 }
 
 FoundCurves CurveFinder::run() {

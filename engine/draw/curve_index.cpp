@@ -3,16 +3,33 @@
 #include <algorithm>
 
 namespace zeroset {
+namespace {
 
-void CurveIndex::add(const SpaceCurve& curve, std::size_t number) {
-    for (int level = first_level_; level <= last_level_; ++level) {
-        std::uint64_t last = ~std::uint64_t{0};
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const std::uint64_t key = key_of(place_of(domain_, level, curve.points[i].place));
-            if (key != last) points_[key].push_back({.curve = number, .point = i});
-            last = key;
+/// Bounds of the points that are kept from one point of a curve to the next.
+constexpr double most_share = 0.25;
+constexpr double least_share = 1.0 / 256.0;
+
+}  // namespace
+
+void CurveIndex::add(const SpaceCurve& curve, std::size_t number,
+                     const std::function<double(const glm::dvec3&)>& spacing) {
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        const bool is_last = i + 1 == curve.points.size();
+        if (is_last && !curve.closed)
+            return add({.curve = number, .point = i}, curve.points[i].place);
+        const CurvePoint& next = curve.points[is_last ? 0 : i + 1];
+        const double length = glm::distance(curve.points[i].place, next.place);
+        for (double share = 0.0; share < 1.0;) {
+            const glm::dvec3 point = between(curve.points[i], next, share);
+            add({.curve = number, .point = i, .share = share}, point);
+            share += std::clamp(spacing(point) / length, least_share, most_share);
         }
     }
+}
+
+void CurveIndex::add(const PlaceOnCurve& at, const glm::dvec3& point) {
+    for (int level = first_level_; level <= last_level_; ++level)
+        points_[key_of(place_of(domain_, level, point))].push_back(at);
 }
 
 std::vector<PlaceOnCurve> CurveIndex::near(const CellPlace& place) const {

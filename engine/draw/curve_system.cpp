@@ -35,8 +35,8 @@ struct GradientBounds {
 /// Allows for the rounding of a few operations to nearest.
 constexpr double rounding_slack = 1e-12;
 
-/// Weights of three gradients in the two combinations that are largest.
-std::array<glm::dvec3, 2> main_weights(const std::array<glm::dvec3, 3>& gradients) {
+/// Weights of three gradients in their combinations at right angles, the largest first.
+std::array<glm::dvec3, 3> main_weights(const std::array<glm::dvec3, 3>& gradients) {
     glm::dmat3 products(0.0);
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k)
@@ -44,14 +44,15 @@ std::array<glm::dvec3, 2> main_weights(const std::array<glm::dvec3, 3>& gradient
                                       gradients.at(static_cast<std::size_t>(k)));
     }
     const Eigenvectors all = eigenvectors_of(products);
-    return {all.vectors[0], all.vectors[1]};
+    return {all.vectors[0], all.vectors[1], all.vectors[2]};
 }
 
+/// Three equations as combinations of which the first two tell most.
 GradientBounds reduced(const GradientBounds& all) {
     if (all.rows == 2) return all;
     GradientBounds two;
     const auto weights = main_weights(all.middle);
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double weight = weights.at(i)[static_cast<int>(k)];
             two.middle.at(i) += weight * all.middle.at(k);
@@ -61,7 +62,16 @@ GradientBounds reduced(const GradientBounds& all) {
         }
         two.value_radius.at(i) += rounding_slack * std::abs(two.value.at(i));
     }
+    two.rows = 3;
     return two;
+}
+
+/// Whether the third equation surely has no zero in a box with this half diagonal.
+bool excludes_third(const GradientBounds& all, const glm::dvec3& half) {
+    if (all.rows < 3) return false;
+    const double reach = glm::dot(glm::abs(all.middle[2]) + all.radius[2], half);
+    const double value = std::abs(all.value[2]);
+    return value > all.value_radius[2] + reach + rounding_slack * (value + reach);
 }
 
 /// Whether three functions surely have at most one common zero, and so no curve of them.
@@ -82,6 +92,7 @@ bool is_isolated(const GradientBounds& all) {
 
 /// What the two equations tell of a box with this half diagonal.
 JudgedCell judge_reduced(const GradientBounds& two, const glm::dvec3& half) {
+    if (excludes_third(two, half)) return {.state = CellState::Empty};
     const glm::dvec3& a = two.middle[0];
     const glm::dvec3& b = two.middle[1];
     const glm::dvec3 across = glm::cross(a, b);
@@ -146,6 +157,8 @@ Linearized CurveSystem::at(const glm::dvec3& point) const {
                .across = {}};
     } else {
         const auto weights = main_weights({all[0].gradient, all[1].gradient, all[2].gradient});
+        for (std::size_t k = 0; k < 3; ++k)
+            two.rest += weights[2][static_cast<int>(k)] * all.at(k).value;
         for (int i = 0; i < 2; ++i) {
             for (int k = 0; k < 3; ++k) {
                 const double weight = weights.at(static_cast<std::size_t>(i))[k];
@@ -204,10 +217,24 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
     }
 }
 
+bool CurveSystem::is_zero_of_all(const glm::dvec3& point, const Linearized& there,
+                                 double reach) const {
+    constexpr double slack = 1e-6;
+    const double steepness = std::max(glm::length(there.gradients[0]), 1e-300);
+    if (!(std::abs(there.rest) <= slack * steepness * reach)) return false;
+    return std::ranges::all_of(also_, [&](const SpaceFunction& f) {
+        const ValueAndGradient value = f.at(point);
+        const double change = glm::length(value.gradient) + steepness * reach;
+        return std::abs(value.value) <= slack * change * reach;
+    });
+}
+
 std::optional<glm::dvec3> CurveSystem::solve(const glm::dvec3& start, const glm::dvec3* normal,
                                              double reach) const {
     constexpr int most_steps = 12;
+    constexpr double noise = 1e-5;  // beside singular points steps end in rounding errors
     glm::dvec3 point = start;
+    double last = reach;
     for (int i = 0; i < most_steps; ++i) {
         const Linearized here = at(point);
         if (!here.is_usable()) return std::nullopt;
@@ -215,7 +242,12 @@ std::optional<glm::dvec3> CurveSystem::solve(const glm::dvec3& start, const glm:
         const double length = glm::length(step);
         point += step;
         if (!(glm::length(point - start) <= reach)) return std::nullopt;
-        if (length <= 1e-10 * reach + 4e-16 * glm::length(point)) return point;
+        const bool stagnates = length <= noise * reach && length >= 0.5 * last;
+        if (length <= 1e-10 * reach + 4e-16 * glm::length(point) || stagnates) {
+            if (!is_zero_of_all(point, here, reach)) return std::nullopt;
+            return point;
+        }
+        last = length;
     }
     return std::nullopt;
 }

@@ -21,6 +21,7 @@ struct Linearized {
     glm::dvec2 value;
     glm::dvec3 gradients[2];
     glm::dvec3 across;  ///< the cross product of the gradients; along the curve
+    double rest = 0.0;  ///< the value of the third equation, if there are three
 
     [[nodiscard]] bool is_usable() const;
     [[nodiscard]] glm::dvec3 tangent() const { return glm::normalize(across); }
@@ -61,6 +62,9 @@ public:
     [[nodiscard]] std::optional<glm::dvec3> point_near(const glm::dvec3& start, double reach) const;
 
 private:
+    /// Whether a common zero of the reduced equations is one of all functions, up to rounding.
+    [[nodiscard]] bool is_zero_of_all(const glm::dvec3& point, const Linearized& there,
+                                      double reach) const;
     [[nodiscard]] std::optional<glm::dvec3> solve(const glm::dvec3& start, const glm::dvec3* normal,
                                                   double reach) const;
 

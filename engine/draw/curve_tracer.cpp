@@ -14,6 +14,8 @@ namespace {
 constexpr double least_cosine = 0.94;  ///< of the angle by which the tangent turns in a step
 constexpr double most_aside = 0.25;    ///< of a corrector, in steps
 constexpr double growth = 1.5;
+/// How much longer a step may be than one that begins at its end.
+constexpr double most_leap = 3.0;
 
 /// One way along a curve.
 class Walk {
@@ -53,7 +55,7 @@ std::optional<Walk::End> Walk::advance() {
     for (;; step_ *= 0.5) {
         if (step_ < limits_.shortest_step) return End::Stuck;
         const auto next = stepped(system_, from, step_);
-        if (!next) continue;
+        if (!next || step_ > most_leap * limits_.longest_step(next->place)) continue;
         if (closes(from, step_)) return End::Closed;
         if (!domain_.contains(next->place)) {
             leave(step_);
