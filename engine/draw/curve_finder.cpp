@@ -212,8 +212,7 @@ void CurveFinder::settle(const CurveCell& cell, const Passage& passage, int divi
                                           glm::length(passage.around.hi - passage.around.lo));
     if (start && passage.holds(*start) && domain_.contains(*start)) {
         const double at = passage.offset(*start);
-        const bool is_new =
-            !is_passed(cell, passage, {.lo = at, .hi = at}) && !is_followed(*start);
+        const bool is_new = !is_passed(cell, passage, {.lo = at, .hi = at}) && !is_followed(*start);
         if (is_new && follow(*start) && is_passed(cell, passage, wanted)) return;
     }
     divide(cell, passage, divisions);

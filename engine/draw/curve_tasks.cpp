@@ -1,5 +1,7 @@
 #include "engine/draw/curve_tasks.hpp"
 
+#include "engine/draw/shown_points.hpp"
+#include "engine/draw/smooth_pieces.hpp"
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
@@ -51,24 +53,47 @@ class TaskMaker {
 public:
     TaskMaker(const DrawnScene& input, const DrawOptions& options)
         : input_(input), options_(options), view_(input.camera) {
-        for (const Expr& f : input.surfaces)
-            whole_.push_back(unrestricted(f).value_or(f));
+        for (std::size_t i = 0; i < input.surfaces.size(); ++i) {
+            const auto whole = unrestricted(input.surfaces[i]);
+            Surface& surface = surfaces_.emplace_back();
+            surface.is_restricted = whole.has_value();
+            surface.whole = whole.value_or(input.surfaces[i]);
+            for (const Expr& piece : smooth_pieces(surface.whole))
+                surface.pieces.push_back({.surface = i, .f = piece});
+        }
     }
 
     std::vector<CurveTask> run() {
-        for (std::size_t i = 0; i < whole_.size(); ++i) {
-            if (options_.wants(CurveKind::Silhouette)) add_silhouette(i);
-            if (options_.wants(CurveKind::Crease)) add_double_curves(i);
-            if (options_.wants(CurveKind::Boundary)) add_boundaries(i);
-            if (options_.wants(CurveKind::Intersection)) add_intersections(i);
-            if (options_.wants(CurveKind::Contour)) add_contours(i);
+        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+            if (options_.wants(CurveKind::Crease)) add_edges(i);
+            if (options_.wants(CurveKind::Boundary)) add_ends(i);
+            for (const Piece& piece : surfaces_[i].pieces)
+                add_curves(piece);
         }
         return std::move(tasks_);
     }
 
 private:
+    /// A part of a surface without edges.
+    struct Piece {
+        std::size_t surface;
+        Expr f;
+    };
+    struct Surface {
+        Expr whole;  ///< without restrictions
+        std::vector<Piece> pieces;
+        bool is_restricted = false;
+    };
+
+    void add_curves(const Piece& piece) {
+        if (options_.wants(CurveKind::Silhouette)) add_silhouette(piece);
+        if (options_.wants(CurveKind::Crease)) add_double_curves(piece);
+        if (options_.wants(CurveKind::Boundary)) add_boundaries(piece);
+        if (options_.wants(CurveKind::Intersection)) add_intersections(piece);
+        if (options_.wants(CurveKind::Contour)) add_contours(piece);
+    }
     /// A task in the clip box and the region.
-    CurveTask& add(CurveKind kind, std::size_t surface, CurveEquations equations) {
+    CurveTask& add_task(CurveKind kind, std::size_t surface, CurveEquations equations) {
         tasks_.push_back({.kind = kind,
                           .surface = surface,
                           .equations = std::move(equations),
@@ -76,60 +101,111 @@ private:
                           .region = input_.scene.region});
         return tasks_.back();
     }
-    void add_silhouette(std::size_t i);
-    void add_double_curves(std::size_t i);
-    void add_boundaries(std::size_t i);
-    void add_intersections(std::size_t i);
-    void add_contours(std::size_t i);
-    void add_level(std::size_t i, const ContourNumber& number, double level);
-    void add_in_plane(CurveKind kind, std::size_t i, int axis, double at);
+    CurveTask& add(CurveKind kind, const Piece& piece, CurveEquations equations);
+    void require_piece(CurveTask& task, const Piece& piece);
+    void add_silhouette(const Piece& piece);
+    void add_double_curves(const Piece& piece);
+    void add_boundaries(const Piece& piece);
+    void add_intersections(const Piece& piece);
+    void add_contours(const Piece& piece);
+    void add_level(const Piece& piece, const ContourNumber& number, double level);
+    void add_in_plane(CurveKind kind, const Piece& piece, int axis, double at);
+    void add_edges(std::size_t i);
+    void add_ends(std::size_t i);
 
     const DrawnScene& input_;
     const DrawOptions& options_;
     ViewFrame view_;
-    std::vector<Expr> whole_;
+    std::vector<Surface> surfaces_;
     std::vector<CurveTask> tasks_;
 };
 
-void TaskMaker::add_silhouette(std::size_t i) {
-    const Expr slope = view_.parallel() ? slope_along(whole_[i], numbers_of(view_.forward))
-                                        : slope_from(whole_[i], numbers_of(view_.eye));
-    add(CurveKind::Silhouette, i, {.zero = {whole_[i], slope}});
+/// Keeps of a task's curves what is on the surface, of which the piece is a part.
+void TaskMaker::require_piece(CurveTask& task, const Piece& piece) {
+    const Scene& scene = input_.scene;
+    const Surface& surface = surfaces_[piece.surface];
+    const bool is_whole = surface.pieces.size() == 1;
+    if (is_whole && !surface.is_restricted) return;
+    ShownAt shown = is_whole ? where_defined(scene, piece.surface)
+                             : where_piece_counts(scene, piece.surface, piece.f);
+    if (!is_whole) task.equations.also.push_back(surface.whole);
+    if (!task.is_shown) {
+        task.is_shown = std::move(shown);
+        return;
+    }
+    task.is_shown = [first = std::move(task.is_shown), second = std::move(shown)](
+                        const CurvePoint& point) { return first(point) && second(point); };
+}
+
+CurveTask& TaskMaker::add(CurveKind kind, const Piece& piece, CurveEquations equations) {
+    CurveTask& task = add_task(kind, piece.surface, std::move(equations));
+    require_piece(task, piece);
+    return task;
+}
+
+void TaskMaker::add_silhouette(const Piece& piece) {
+    const Expr slope = view_.parallel() ? slope_along(piece.f, numbers_of(view_.forward))
+                                        : slope_from(piece.f, numbers_of(view_.eye));
+    add(CurveKind::Silhouette, piece, {.zero = {piece.f, slope}});
 }
 
 /// Where the surface meets itself all three derivatives vanish.
-void TaskMaker::add_double_curves(std::size_t i) {
-    const std::array<Expr, 3> gradient = gradient_of(whole_[i]);
-    add(CurveKind::Crease, i, {.zero = {gradient.begin(), gradient.end()}, .also = {whole_[i]}});
+void TaskMaker::add_double_curves(const Piece& piece) {
+    const std::array<Expr, 3> gradient = gradient_of(piece.f);
+    add(CurveKind::Crease, piece, {.zero = {gradient.begin(), gradient.end()}, .also = {piece.f}});
 }
 
-void TaskMaker::add_in_plane(CurveKind kind, std::size_t i, int axis, double at) {
-    CurveTask& task = add(kind, i, {.zero = {whole_[i], plane(axis_vector(axis), at)}});
+/// Edges, where the sides of an abs, min or max are equal.
+void TaskMaker::add_edges(std::size_t i) {
+    const Expr& whole = surfaces_[i].whole;
+    for (const Kink& kink : kinks_of(whole)) {
+        CurveTask& task =
+            add_task(CurveKind::Crease, i, {.zero = {kink.beside, kink.border}, .also = {whole}});
+        task.is_shown = where_edge(input_.scene, i, whole, kink.border);
+    }
+}
+
+/// Where the surface's restrictions begin to hold.
+void TaskMaker::add_ends(std::size_t i) {
+    for (const Expr& border : restriction_borders(input_.surfaces[i])) {
+        for (const Piece& piece : surfaces_[i].pieces) {
+            CurveTask& task = add_task(CurveKind::Boundary, i, {.zero = {piece.f, border}});
+            task.is_shown = where_end(input_.scene, i, border);
+        }
+    }
+}
+
+void TaskMaker::add_in_plane(CurveKind kind, const Piece& piece, int axis, double at) {
+    CurveTask& task = add(kind, piece, {.zero = {piece.f, plane(axis_vector(axis), at)}});
     task.box.lo[axis] = task.box.hi[axis] = at;
 }
 
-void TaskMaker::add_boundaries(std::size_t i) {
+void TaskMaker::add_boundaries(const Piece& piece) {
     const Scene& scene = input_.scene;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double at : {scene.clip.lo[axis], scene.clip.hi[axis]})
-            add_in_plane(CurveKind::Boundary, i, axis, at);
+            add_in_plane(CurveKind::Boundary, piece, axis, at);
     }
     for (std::size_t k = 0; k < scene.region.sections.size(); ++k) {
         const Section& section = scene.region.sections[k];
         if (!cuts(section, scene.clip)) continue;
-        CurveTask& task = add(CurveKind::Boundary, i,
-                              {.zero = {whole_[i], plane(section.normal, section.offset)}});
+        CurveTask& task = add(CurveKind::Boundary, piece,
+                              {.zero = {piece.f, plane(section.normal, section.offset)}});
         task.region.sections.erase(task.region.sections.begin() + static_cast<std::ptrdiff_t>(k));
     }
     if (!scene.region.ball) return;
     CurveTask& task =
-        add(CurveKind::Boundary, i, {.zero = {whole_[i], sphere(*scene.region.ball)}});
+        add(CurveKind::Boundary, piece, {.zero = {piece.f, sphere(*scene.region.ball)}});
     task.region.ball.reset();
 }
 
-void TaskMaker::add_intersections(std::size_t i) {
-    for (std::size_t k = i + 1; k < whole_.size(); ++k)
-        add(CurveKind::Intersection, i, {.zero = {whole_[i], whole_[k]}});
+void TaskMaker::add_intersections(const Piece& piece) {
+    for (std::size_t k = piece.surface + 1; k < surfaces_.size(); ++k) {
+        for (const Piece& other : surfaces_[k].pieces) {
+            CurveTask& task = add(CurveKind::Intersection, piece, {.zero = {piece.f, other.f}});
+            require_piece(task, other);
+        }
+    }
 }
 
 /// The values that a number has about a surface in the box.
@@ -157,21 +233,21 @@ Bounds values_about(const SpaceFunction& number, const SpaceFunction& surface, c
     return all;
 }
 
-void TaskMaker::add_level(std::size_t i, const ContourNumber& number, double level) {
+void TaskMaker::add_level(const Piece& piece, const ContourNumber& number, double level) {
     if (number.axis) {
-        add_in_plane(CurveKind::Contour, i, *number.axis, level);
+        add_in_plane(CurveKind::Contour, piece, *number.axis, level);
     } else {
         ExprBuilder builder;
         const NodeId value = copy_nodes(builder, number.formula).back();
         const NodeId off = make_subtract(builder, value, builder.constant(level));
         const auto names = number.formula.parameters();
-        add(CurveKind::Contour, i,
-            {.zero = {whole_[i], builder.finish(off, {names.begin(), names.end()})}});
+        add(CurveKind::Contour, piece,
+            {.zero = {piece.f, builder.finish(off, {names.begin(), names.end()})}});
     }
     tasks_.back().level = level;
 }
 
-void TaskMaker::add_contours(std::size_t i) {
+void TaskMaker::add_contours(const Piece& piece) {
     constexpr double most_levels = 1000.0;
     const Scene& scene = input_.scene;
     for (const ContourNumber& number : options_.contours) {
@@ -180,7 +256,7 @@ void TaskMaker::add_contours(std::size_t i) {
             range = {.lo = scene.clip.lo[*number.axis], .hi = scene.clip.hi[*number.axis]};
         } else {
             range = values_about(SpaceFunction(number.formula, scene.uniforms),
-                                 SpaceFunction(whole_[i], scene.uniforms), scene.clip);
+                                 SpaceFunction(piece.f, scene.uniforms), scene.clip);
         }
         const double first = std::ceil(range.lo / options_.contour_step);
         const double last = std::floor(range.hi / options_.contour_step);
@@ -188,7 +264,7 @@ void TaskMaker::add_contours(std::size_t i) {
             // A level in a face of the box is its boundary.
             const double level = k * options_.contour_step;
             if (number.axis && !(level > range.lo && level < range.hi)) continue;
-            add_level(i, number, level);
+            add_level(piece, number, level);
         }
     }
 }

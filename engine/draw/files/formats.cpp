@@ -1,6 +1,8 @@
 #include "engine/draw/files/formats.hpp"
 
+#include "engine/draw/files/pdf.hpp"
 #include "engine/draw/files/svg.hpp"
+#include "engine/draw/files/tikz.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +11,20 @@
 namespace zeroset {
 namespace {
 
+using Encoded = std::expected<std::string, std::string>;
+
+Encoded encode_svg(const LineDrawing& drawing, const DrawingStyle& style) {
+    return svg_of(drawing, style);
+}
+
+Encoded encode_tikz(const LineDrawing& drawing, const DrawingStyle& style) {
+    return tikz_of(drawing, style);
+}
+
 constexpr std::array formats{
-    DrawingFormat{
-        .ending = ".svg",
-        .name = "SVG",
-        .encode = [](const LineDrawing& drawing, const DrawingStyle& style)
-            -> std::expected<std::string, std::string> { return svg_of(drawing, style); }},
+    DrawingFormat{.ending = ".svg", .name = "SVG", .encode = encode_svg},
+    DrawingFormat{.ending = ".pdf", .name = "PDF", .encode = pdf_of},
+    DrawingFormat{.ending = ".tex", .name = "TikZ", .encode = encode_tikz},
 };
 
 std::string lower(std::string_view text) {
