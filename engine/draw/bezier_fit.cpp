@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 // Least squares for the lengths of the two end tangents, whose directions are known, with the
-// points' parameters by chord length, improved by Newton's method; a piece that is too far from a
-// point is divided there [Schneider90]. Unlike there, directions are the curve's own.
+// points' parameters by chord length, improved by Newton's method [Schneider90]. Unlike there,
+// directions are the curve's own, and each piece goes as far as the tolerance lets it, so that there
+// are few.
 
 namespace zeroset {
 namespace {
@@ -75,39 +77,54 @@ void improve(const Bezier& curve, std::span<const PagePoint> points, std::span<d
     }
 }
 
-struct Farthest {
-    std::size_t point;
+double farthest(const Bezier& curve, std::span<const PagePoint> points,
+                std::span<const double> parameters) {
+    double most = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+        most = std::max(most, glm::distance(point_of(curve, parameters[i]), points[i].place));
+    return most;
+}
+
+struct Fit {
+    Bezier curve;
     double distance;
 };
 
-Farthest farthest(const Bezier& curve, std::span<const PagePoint> points,
-                  std::span<const double> parameters) {
-    Farthest found{.point = points.size() / 2, .distance = 0.0};
-    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const double distance = glm::distance(point_of(curve, parameters[i]), points[i].place);
-        if (distance > found.distance) found = {.point = i, .distance = distance};
+/// The cubic that is nearest to the points, as far as some rounds find it.
+Fit best_fit(std::span<const PagePoint> points, double tolerance) {
+    constexpr int most_rounds = 20;
+    constexpr double hopeless = 30.0;
+    constexpr double too_slow = 0.98;
+    std::vector<double> parameters = chord_parameters(points);
+    Fit best{.curve = least_squares(points, parameters), .distance = 0.0};
+    best.distance = farthest(best.curve, points, parameters);
+    for (int i = 0; i < most_rounds && best.distance > tolerance; ++i) {
+        if (best.distance > hopeless * tolerance) break;
+        improve(best.curve, points, parameters);
+        const Bezier curve = least_squares(points, parameters);
+        const double distance = farthest(curve, points, parameters);
+        const bool gains = distance < too_slow * best.distance;
+        if (distance < best.distance) best = {.curve = curve, .distance = distance};
+        if (!gains) break;
     }
-    return found;
+    return best;
 }
 
-void fit(std::span<const PagePoint> points, double tolerance, std::vector<Bezier>& out) {
-    constexpr int rounds = 6;
-    constexpr double hopeless = 8.0;
-    std::vector<double> parameters = chord_parameters(points);
-    Bezier curve = least_squares(points, parameters);
-    Farthest worst = farthest(curve, points, parameters);
-    for (int i = 0; i < rounds && worst.distance > tolerance; ++i) {
-        if (worst.distance > hopeless * tolerance && i > 1) break;
-        improve(curve, points, parameters);
-        curve = least_squares(points, parameters);
-        worst = farthest(curve, points, parameters);
+/// How many of the points, from the first on, one cubic can follow, and that cubic; at least two.
+std::pair<std::size_t, Bezier> longest_fit(std::span<const PagePoint> points, double tolerance) {
+    std::size_t good = 2;
+    std::size_t bad = points.size() + 1;
+    Bezier curve = least_squares(points.first(2), chord_parameters(points.first(2)));
+    for (std::size_t next = points.size(); good + 1 < bad; next = (good + bad) / 2) {
+        const Fit fit = best_fit(points.first(next), tolerance);
+        if (fit.distance <= tolerance) {
+            good = next;
+            curve = fit.curve;
+        } else {
+            bad = next;
+        }
     }
-    if (worst.distance <= tolerance || points.size() < 3) {
-        out.push_back(curve);
-        return;
-    }
-    fit(points.first(worst.point + 1), tolerance, out);
-    fit(points.subspan(worst.point), tolerance, out);
+    return {good, curve};
 }
 
 }  // namespace
@@ -119,7 +136,11 @@ glm::dvec2 point_of(const Bezier& c, double t) {
 
 std::vector<Bezier> fitted(std::span<const PagePoint> points, double tolerance) {
     std::vector<Bezier> pieces;
-    fit(points, tolerance, pieces);
+    while (points.size() > 1) {
+        const auto [count, curve] = longest_fit(points, tolerance);
+        pieces.push_back(curve);
+        points = points.subspan(count - 1);
+    }
     return pieces;
 }
 

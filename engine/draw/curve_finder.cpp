@@ -4,6 +4,7 @@
 #include "engine/draw/curve_tracer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <unordered_map>
@@ -20,7 +21,7 @@ namespace {
 /// Steps are at most this part of a cell's least side.
 constexpr double step_part = 0.4;
 /// How often a regular cell is divided that no curve passes.
-constexpr int most_divisions = 6;
+constexpr int most_divisions = 10;
 /// Open cells from which curves are tried to be found.
 constexpr std::size_t most_tries = 4'000;
 
@@ -95,6 +96,7 @@ private:
                                double wanted) const;
     [[nodiscard]] glm::dvec3 point_at(const PlaceOnCurve& at) const;
     [[nodiscard]] bool is_followed(const glm::dvec3& point) const;
+    [[nodiscard]] bool is_known(const SpaceCurve& curve) const;
     [[nodiscard]] bool is_singular(const glm::dvec3& point, const Box& cell) const;
     [[nodiscard]] bool is_passed(const CurveCell& cell, const Passage& passage,
                                  const Offsets& wanted) const;
@@ -134,7 +136,7 @@ bool CurveFinder::follow(const glm::dvec3& start) {
         .shortest_step = 0.05 * limits_.smallest_pt / domain_.page.scale(start),
         .time = limits_.time};
     auto traced = trace_curve(system_, domain_, start, limits);
-    if (!traced) return false;
+    if (!traced || is_known(traced->curve)) return false;
     found_.report.stuck += static_cast<std::size_t>(traced->stuck_ends);
     const double least = 4.0 * limits_.smallest_pt / domain_.page.scale(start);
     index_.add(traced->curve, found_.curves.size(),
@@ -257,12 +259,22 @@ bool CurveFinder::is_followed(const glm::dvec3& point) const {
         const auto again = system_.point_near(start, chord, aside * length);
         return again && glm::distance(*again, point) <= 1e-4 * length;
     };
-    return std::ranges::any_of(
-        index_.near(place_of(domain_, level, point)), [&](const PlaceOnCurve& at) {
-            const SpaceCurve& curve = found_.curves[at.curve];
-            const auto next = at.share == 0.0 ? next_point(curve, at.point, 1) : std::nullopt;
-            return next && is_between(curve.points[at.point], curve.points[*next]);
-        });
+    std::optional<PlaceOnCurve> last;
+    for (const PlaceOnCurve& at : index_.near(place_of(domain_, level, point))) {
+        const bool is_again = last && last->curve == at.curve && last->point == at.point;
+        last = at;
+        const SpaceCurve& curve = found_.curves[at.curve];
+        const auto next = is_again ? std::nullopt : next_point(curve, at.point, 1);
+        if (next && is_between(curve.points[at.point], curve.points[*next])) return true;
+    }
+    return false;
+}
+
+/// Whether a curve is a followed one but for its ends.
+bool CurveFinder::is_known(const SpaceCurve& curve) const {
+    const std::size_t count = curve.points.size();
+    return std::ranges::all_of(std::array{count / 4, count / 2, count - 1 - count / 4},
+                               [&](std::size_t i) { return is_followed(curve.points[i].place); });
 }
 
 /// Follows a curve from an open cell where none was yet: nothing is proved of it.

@@ -58,6 +58,16 @@ double length_of(const std::vector<PagePoint>& points) {
     return length;
 }
 
+/// Gives runs that are too short to be seen the state of the run beside: a surface does not hide
+/// what is nearest to it.
+void forget_short_runs(std::vector<CurveRun>& runs, const Page& page) {
+    constexpr double seen_pt = 0.15;
+    for (std::size_t i = 0; i < runs.size() && runs.size() > 1; ++i) {
+        if (length_of(page_points(runs[i].curve, page)) < seen_pt)
+            runs[i].state = runs[i > 0 ? i - 1 : 1].state;
+    }
+}
+
 /// Draws the curves of one task.
 class TaskDrawer {
 public:
@@ -132,7 +142,9 @@ void TaskDrawer::add_shown(const SpaceCurve& curve) {
         return (hidden_.is_hidden(point.place) ? 1 : 0) + 2 * touch(point);
     };
     goes_on_ = false;
-    for (const CurveRun& run : divided(system_, curve, page_, states_of(curve), state))
+    std::vector<CurveRun> runs = divided(system_, curve, page_, states_of(curve), state);
+    forget_short_runs(runs, page_);
+    for (const CurveRun& run : runs)
         add_run(run);
 }
 
