@@ -220,6 +220,7 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
 bool CurveSystem::is_zero_of_all(const glm::dvec3& point, const Linearized& there,
                                  double reach) const {
     constexpr double slack = 1e-6;
+    if (zero_.size() < 3) return true;
     const double steepness = std::max(glm::length(there.gradients[0]), 1e-300);
     if (!(std::abs(there.rest) <= slack * steepness * reach)) return false;
     return std::ranges::all_of(also_, [&](const SpaceFunction& f) {

@@ -13,7 +13,9 @@ namespace zeroset {
 /// The functions whose common zeros are a curve.
 struct CurveEquations {
     std::vector<Expr> zero;       ///< two, or three that are 0 on a curve only together
-    std::vector<Expr> also = {};  ///< vanish on the wanted parts of the curve, too
+    /// Vanish on the wanted parts of the curve, too: two functions' curve is followed beyond those,
+    /// three functions' zeros of which these are not 0 are none of the curve.
+    std::vector<Expr> also = {};
 };
 
 /// The equations at a point, reduced to the two that tell most, to first order.
@@ -62,7 +64,7 @@ public:
     [[nodiscard]] std::optional<glm::dvec3> point_near(const glm::dvec3& start, double reach) const;
 
 private:
-    /// Whether a common zero of the reduced equations is one of all functions, up to rounding.
+    /// Whether a common zero of three functions' reduced equations is one of all, up to rounding.
     [[nodiscard]] bool is_zero_of_all(const glm::dvec3& point, const Linearized& there,
                                       double reach) const;
     [[nodiscard]] std::optional<glm::dvec3> solve(const glm::dvec3& start, const glm::dvec3* normal,

@@ -42,6 +42,19 @@ Expr sphere(const Ball& ball) {
     return builder.finish(sum);
 }
 
+Expr constant(double value) {
+    ExprBuilder builder;
+    return builder.finish(builder.constant(value));
+}
+
+Expr difference(const Expr& a, const Expr& b) {
+    ExprBuilder builder;
+    const NodeId first = copy_nodes(builder, a).back();
+    const NodeId second = copy_nodes(builder, b).back();
+    return builder.finish(make_subtract(builder, first, second),
+                          {a.parameters().begin(), a.parameters().end()});
+}
+
 glm::dvec3 axis_vector(int axis) {
     glm::dvec3 vector(0.0);
     vector[axis] = 1.0;
@@ -110,6 +123,7 @@ private:
     void add_contours(const Piece& piece);
     void add_level(const Piece& piece, const ContourNumber& number, double level);
     void add_in_plane(CurveKind kind, const Piece& piece, int axis, double at);
+    void add_edge(std::size_t i, CurveEquations equations, const Expr& border);
     void add_edges(std::size_t i);
     void add_ends(std::size_t i);
 
@@ -155,13 +169,25 @@ void TaskMaker::add_double_curves(const Piece& piece) {
     add(CurveKind::Crease, piece, {.zero = {gradient.begin(), gradient.end()}, .also = {piece.f}});
 }
 
-/// Edges, where the sides of an abs, min or max are equal.
-void TaskMaker::add_edges(std::size_t i) {
+void TaskMaker::add_edge(std::size_t i, CurveEquations equations, const Expr& border) {
     const Expr& whole = surfaces_[i].whole;
-    for (const Kink& kink : kinks_of(whole)) {
-        CurveTask& task =
-            add_task(CurveKind::Crease, i, {.zero = {kink.beside, kink.border}, .also = {whole}});
-        task.is_shown = where_edge(input_.scene, i, whole, kink.border);
+    equations.also = {whole};
+    CurveTask& task = add_task(CurveKind::Crease, i, std::move(equations));
+    task.is_shown = where_edge(input_.scene, i, whole, border);
+}
+
+/// Edges, where two pieces meet; or where the sides of an abs, min or max are equal.
+void TaskMaker::add_edges(std::size_t i) {
+    const std::vector<Piece>& pieces = surfaces_[i].pieces;
+    if (pieces.size() == 1) {
+        for (const Kink& kink : kinks_of(surfaces_[i].whole))
+            add_edge(i, {.zero = {kink.beside, kink.border}}, kink.border);
+    }
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        for (std::size_t m = k + 1; m < pieces.size(); ++m) {
+            add_edge(i, {.zero = {pieces[k].f, pieces[m].f}},
+                     difference(pieces[k].f, pieces[m].f));
+        }
     }
 }
 
@@ -237,12 +263,8 @@ void TaskMaker::add_level(const Piece& piece, const ContourNumber& number, doubl
     if (number.axis) {
         add_in_plane(CurveKind::Contour, piece, *number.axis, level);
     } else {
-        ExprBuilder builder;
-        const NodeId value = copy_nodes(builder, number.formula).back();
-        const NodeId off = make_subtract(builder, value, builder.constant(level));
-        const auto names = number.formula.parameters();
         add(CurveKind::Contour, piece,
-            {.zero = {piece.f, builder.finish(off, {names.begin(), names.end()})}});
+            {.zero = {piece.f, difference(number.formula, constant(level))}});
     }
     tasks_.back().level = level;
 }
