@@ -8,8 +8,8 @@
 
 // Least squares for the lengths of the two end tangents, whose directions are known, with the
 // points' parameters by chord length, improved by Newton's method [Schneider90]. Unlike there,
-// directions are the curve's own, and each piece goes as far as the tolerance lets it, so that there
-// are few.
+// directions are the curve's own, and each piece goes as far as the tolerance lets it, so that
+// there are few.
 
 namespace zeroset {
 namespace {

@@ -50,8 +50,8 @@ struct CurveCell {
 };
 
 struct SearchLimits {
-    double smallest_pt = 0.05;        ///< cells that are smaller on the page are not divided
-    std::size_t most_cells = 60'000;  ///< cells on one level
+    double smallest_pt = 0.05;         ///< cells that are smaller on the page are not divided
+    std::size_t most_cells = 400'000;  ///< cells on one level
     TimeLimit time = {};
 };
 

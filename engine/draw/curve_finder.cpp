@@ -208,6 +208,7 @@ bool CurveFinder::is_passed(const CurveCell& cell, const Passage& passage,
 }
 
 void CurveFinder::settle(const CurveCell& cell, const Passage& passage, int divisions) {
+    if (limits_.time.over()) return leave_open(cell.box);
     const Offsets wanted = offsets_of(passage, cell.box);
     if (is_passed(cell, passage, wanted)) return;
     const auto start = system_.point_near(cell.box.centre(), passage.tangent,
@@ -300,10 +301,10 @@ FoundCurves CurveFinder::run() {
             .around = around(cell.box), .centre = cell.box.centre(), .tangent = cell.tangent};
         settle(cell, passage, 0);
     }
-    std::size_t tries = 0;
-    for (const CurveCell& cell : cells_.open) {
-        leave_open(cell.box);
-        if (tries++ < most_tries && !limits_.time.over()) try_open_cell(cell);
+    const std::size_t stride = cells_.open.size() / most_tries + 1;
+    for (std::size_t i = 0; i < cells_.open.size(); ++i) {
+        leave_open(cells_.open[i].box);
+        if (i % stride == 0 && !limits_.time.over()) try_open_cell(cells_.open[i]);
     }
     found_.report.cells = cells_.seen;
     found_.report.regular = cells_.regular.size();

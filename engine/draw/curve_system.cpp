@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 // Cells are judged by their linearization: with M the inverse of the two equations' derivatives
 // across the curve, in the middle of what they may be, M F(p) = M F(c) + M J (p - c) for some J
@@ -139,19 +140,12 @@ glm::dvec3 Linearized::step(const glm::dvec3& normal) const {
     return -by / glm::dot(across, normal);
 }
 
-CurveSystem::CurveSystem(const CurveEquations& equations, const Uniforms& uniforms) {
-    for (const Expr& f : equations.zero)
-        zero_.emplace_back(f, uniforms);
-    for (const Expr& f : equations.also)
-        also_.emplace_back(f, uniforms);
-}
-
 Linearized CurveSystem::at(const glm::dvec3& point) const {
     std::array<ValueAndGradient, 3> all{};
-    for (std::size_t i = 0; i < zero_.size(); ++i)
-        all.at(i) = zero_[i].at(point);
+    for (std::size_t i = 0; i < equations_.zero.size(); ++i)
+        all.at(i) = equations_.zero[i]->at(point);
     Linearized two{};
-    if (zero_.size() == 2) {
+    if (equations_.zero.size() == 2) {
         two = {.value = {all[0].value, all[1].value},
                .gradients = {all[0].gradient, all[1].gradient},
                .across = {}};
@@ -172,13 +166,24 @@ Linearized CurveSystem::at(const glm::dvec3& point) const {
 }
 
 void CurveSystem::sift(std::span<const Box> boxes, std::span<bool> may_hold) const {
-    std::vector<Bounds> bounds(boxes.size());
     std::ranges::fill(may_hold, true);
-    for (const std::vector<SpaceFunction>* functions : {&zero_, &also_}) {
-        for (const SpaceFunction& f : *functions) {
-            f.enclose(boxes, bounds);
-            for (std::size_t i = 0; i < boxes.size(); ++i)
-                may_hold[i] = may_hold[i] && !bounds[i].excludes_zero;
+    std::vector<Box> left(boxes.begin(), boxes.end());
+    std::vector<std::size_t> places(boxes.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::vector<Bounds> bounds(boxes.size());
+    for (const CurveEquations::Functions* functions : {&equations_.zero, &equations_.also}) {
+        for (const auto& f : *functions) {
+            f->enclose(left, bounds);
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < left.size(); ++i) {
+                if (bounds[i].excludes_zero) {
+                    may_hold[places[i]] = false;
+                    continue;
+                }
+                left[kept] = left[i];
+                places[kept++] = places[i];
+            }
+            left.resize(kept);
         }
     }
 }
@@ -190,9 +195,9 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
     for (const Box& box : boxes)
         middles.push_back({.lo = box.centre(), .hi = box.centre()});
     std::vector<Bounds> bounds(boxes.size());
-    for (std::size_t row = 0; row < zero_.size(); ++row) {
+    for (std::size_t row = 0; row < equations_.zero.size(); ++row) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            zero_[row].enclose_slope(axis, around, bounds);
+            equations_.zero[row]->enclose_slope(axis, around, bounds);
             for (std::size_t i = 0; i < boxes.size(); ++i) {
                 const auto k = static_cast<int>(axis);
                 all[i].middle.at(row)[k] = 0.5 * bounds[i].lo + 0.5 * bounds[i].hi;
@@ -200,7 +205,7 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
                     (0.5 * bounds[i].hi - 0.5 * bounds[i].lo) * (1.0 + rounding_slack);
             }
         }
-        zero_[row].enclose(middles, bounds);
+        equations_.zero[row]->enclose(middles, bounds);
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             all[i].value.at(row) = 0.5 * bounds[i].lo + 0.5 * bounds[i].hi;
             all[i].value_radius.at(row) =
@@ -208,7 +213,7 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
         }
     }
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        all[i].rows = zero_.size();
+        all[i].rows = equations_.zero.size();
         out[i] = {};
         if (!all[i].is_bounded()) continue;
         out[i] = is_isolated(all[i])
@@ -220,11 +225,11 @@ void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
 bool CurveSystem::is_zero_of_all(const glm::dvec3& point, const Linearized& there,
                                  double reach) const {
     constexpr double slack = 1e-6;
-    if (zero_.size() < 3) return true;
+    if (equations_.zero.size() < 3) return true;
     const double steepness = std::max(glm::length(there.gradients[0]), 1e-300);
     if (!(std::abs(there.rest) <= slack * steepness * reach)) return false;
-    return std::ranges::all_of(also_, [&](const SpaceFunction& f) {
-        const ValueAndGradient value = f.at(point);
+    return std::ranges::all_of(equations_.also, [&](const auto& f) {
+        const ValueAndGradient value = f->at(point);
         const double change = glm::length(value.gradient) + steepness * reach;
         return std::abs(value.value) <= slack * change * reach;
     });

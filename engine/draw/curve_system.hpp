@@ -4,18 +4,23 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
 
 /// The functions whose common zeros are a curve.
 struct CurveEquations {
-    std::vector<Expr> zero;       ///< two, or three that are 0 on a curve only together
+    using Functions = std::vector<std::shared_ptr<const SpaceFunction>>;
+
+    Functions zero;  ///< two, or three that are 0 on a curve only together
     /// Vanish on the wanted parts of the curve, too: two functions' curve is followed beyond those,
     /// three functions' zeros of which these are not 0 are none of the curve.
-    std::vector<Expr> also = {};
+    Functions also = {};
 };
 
 /// The equations at a point, reduced to the two that tell most, to first order.
@@ -45,8 +50,7 @@ struct JudgedCell {
 /// A curve given by equations. Any thread.
 class CurveSystem {
 public:
-    /// `uniforms` lives longer.
-    CurveSystem(const CurveEquations& equations, const Uniforms& uniforms);
+    explicit CurveSystem(CurveEquations equations) : equations_(std::move(equations)) {}
 
     [[nodiscard]] Linearized at(const glm::dvec3& point) const;
     /// Judges boxes by enclosures over them and over the boxes `around`, which hold them.
@@ -70,7 +74,7 @@ private:
     [[nodiscard]] std::optional<glm::dvec3> solve(const glm::dvec3& start, const glm::dvec3* normal,
                                                   double reach) const;
 
-    std::vector<SpaceFunction> zero_, also_;
+    CurveEquations equations_;
 };
 
 }  // namespace zeroset

@@ -5,6 +5,7 @@
 #include "engine/expr/copy.hpp"
 #include "engine/expr/simplify.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
+#include "engine/rewrite/polynomial/tighten.hpp"
 #include "engine/rewrite/unrestricted.hpp"
 
 #include <algorithm>
@@ -71,8 +72,9 @@ public:
             Surface& surface = surfaces_.emplace_back();
             surface.is_restricted = whole.has_value();
             surface.whole = whole.value_or(input.surfaces[i]);
+            surface.zero = function(surface.whole);
             for (const Expr& piece : smooth_pieces(surface.whole))
-                surface.pieces.push_back({.surface = i, .f = piece});
+                surface.pieces.push_back({.surface = i, .f = piece, .zero = function(piece)});
         }
     }
 
@@ -87,13 +89,25 @@ public:
     }
 
 private:
+    using Function = std::shared_ptr<const SpaceFunction>;
+
+    [[nodiscard]] Function function(const Expr& f) const {
+        return std::make_shared<const SpaceFunction>(f, input_.scene.uniforms, input_.scene.clip);
+    }
+    /// The function in the form in which it is enclosed most tightly.
+    [[nodiscard]] Function tight(const Expr& f) const {
+        return function(tightened(f, sample_region_of(input_.scene.clip)));
+    }
+
     /// A part of a surface without edges.
     struct Piece {
         std::size_t surface;
         Expr f;
+        Function zero;  ///< f
     };
     struct Surface {
-        Expr whole;  ///< without restrictions
+        Expr whole;     ///< without restrictions
+        Function zero;  ///< the same
         std::vector<Piece> pieces;
         bool is_restricted = false;
     };
@@ -142,7 +156,7 @@ void TaskMaker::require_piece(CurveTask& task, const Piece& piece) {
     if (is_whole && !surface.is_restricted) return;
     ShownAt shown = is_whole ? where_defined(scene, piece.surface)
                              : where_piece_counts(scene, piece.surface, piece.f);
-    if (!is_whole) task.equations.also.push_back(surface.whole);
+    if (!is_whole) task.equations.also.push_back(surface.zero);
     if (!task.is_shown) {
         task.is_shown = std::move(shown);
         return;
@@ -160,18 +174,20 @@ CurveTask& TaskMaker::add(CurveKind kind, const Piece& piece, CurveEquations equ
 void TaskMaker::add_silhouette(const Piece& piece) {
     const Expr slope = view_.parallel() ? slope_along(piece.f, numbers_of(view_.forward))
                                         : slope_from(piece.f, numbers_of(view_.eye));
-    add(CurveKind::Silhouette, piece, {.zero = {piece.f, slope}});
+    add(CurveKind::Silhouette, piece, {.zero = {piece.zero, tight(slope)}});
 }
 
 /// Where the surface meets itself all three derivatives vanish.
 void TaskMaker::add_double_curves(const Piece& piece) {
-    const std::array<Expr, 3> gradient = gradient_of(piece.f);
-    add(CurveKind::Crease, piece, {.zero = {gradient.begin(), gradient.end()}, .also = {piece.f}});
+    CurveEquations equations{.zero = {}, .also = {piece.zero}};
+    for (const Expr& slope : gradient_of(piece.f))
+        equations.zero.push_back(tight(slope));
+    add(CurveKind::Crease, piece, std::move(equations));
 }
 
 void TaskMaker::add_edge(std::size_t i, CurveEquations equations, const Expr& border) {
     const Expr& whole = surfaces_[i].whole;
-    equations.also = {whole};
+    equations.also = {surfaces_[i].zero};
     CurveTask& task = add_task(CurveKind::Crease, i, std::move(equations));
     task.is_shown = where_edge(input_.scene, i, whole, border);
 }
@@ -181,11 +197,11 @@ void TaskMaker::add_edges(std::size_t i) {
     const std::vector<Piece>& pieces = surfaces_[i].pieces;
     if (pieces.size() == 1) {
         for (const Kink& kink : kinks_of(surfaces_[i].whole))
-            add_edge(i, {.zero = {kink.beside, kink.border}}, kink.border);
+            add_edge(i, {.zero = {function(kink.beside), function(kink.border)}}, kink.border);
     }
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         for (std::size_t m = k + 1; m < pieces.size(); ++m) {
-            add_edge(i, {.zero = {pieces[k].f, pieces[m].f}},
+            add_edge(i, {.zero = {pieces[k].zero, pieces[m].zero}},
                      difference(pieces[k].f, pieces[m].f));
         }
     }
@@ -195,14 +211,16 @@ void TaskMaker::add_edges(std::size_t i) {
 void TaskMaker::add_ends(std::size_t i) {
     for (const Expr& border : restriction_borders(input_.surfaces[i])) {
         for (const Piece& piece : surfaces_[i].pieces) {
-            CurveTask& task = add_task(CurveKind::Boundary, i, {.zero = {piece.f, border}});
+            CurveTask& task =
+                add_task(CurveKind::Boundary, i, {.zero = {piece.zero, function(border)}});
             task.is_shown = where_end(input_.scene, i, border);
         }
     }
 }
 
 void TaskMaker::add_in_plane(CurveKind kind, const Piece& piece, int axis, double at) {
-    CurveTask& task = add(kind, piece, {.zero = {piece.f, plane(axis_vector(axis), at)}});
+    CurveTask& task =
+        add(kind, piece, {.zero = {piece.zero, function(plane(axis_vector(axis), at))}});
     task.box.lo[axis] = task.box.hi[axis] = at;
 }
 
@@ -215,20 +233,22 @@ void TaskMaker::add_boundaries(const Piece& piece) {
     for (std::size_t k = 0; k < scene.region.sections.size(); ++k) {
         const Section& section = scene.region.sections[k];
         if (!cuts(section, scene.clip)) continue;
-        CurveTask& task = add(CurveKind::Boundary, piece,
-                              {.zero = {piece.f, plane(section.normal, section.offset)}});
+        CurveTask& task =
+            add(CurveKind::Boundary, piece,
+                {.zero = {piece.zero, function(plane(section.normal, section.offset))}});
         task.region.sections.erase(task.region.sections.begin() + static_cast<std::ptrdiff_t>(k));
     }
     if (!scene.region.ball) return;
-    CurveTask& task =
-        add(CurveKind::Boundary, piece, {.zero = {piece.f, sphere(*scene.region.ball)}});
+    CurveTask& task = add(CurveKind::Boundary, piece,
+                          {.zero = {piece.zero, function(sphere(*scene.region.ball))}});
     task.region.ball.reset();
 }
 
 void TaskMaker::add_intersections(const Piece& piece) {
     for (std::size_t k = piece.surface + 1; k < surfaces_.size(); ++k) {
         for (const Piece& other : surfaces_[k].pieces) {
-            CurveTask& task = add(CurveKind::Intersection, piece, {.zero = {piece.f, other.f}});
+            CurveTask& task =
+                add(CurveKind::Intersection, piece, {.zero = {piece.zero, other.zero}});
             require_piece(task, other);
         }
     }
@@ -264,7 +284,7 @@ void TaskMaker::add_level(const Piece& piece, const ContourNumber& number, doubl
         add_in_plane(CurveKind::Contour, piece, *number.axis, level);
     } else {
         add(CurveKind::Contour, piece,
-            {.zero = {piece.f, difference(number.formula, constant(level))}});
+            {.zero = {piece.zero, function(difference(number.formula, constant(level)))}});
     }
     tasks_.back().level = level;
 }
@@ -277,8 +297,7 @@ void TaskMaker::add_contours(const Piece& piece) {
         if (number.axis) {
             range = {.lo = scene.clip.lo[*number.axis], .hi = scene.clip.hi[*number.axis]};
         } else {
-            range = values_about(SpaceFunction(number.formula, scene.uniforms),
-                                 SpaceFunction(piece.f, scene.uniforms), scene.clip);
+            range = values_about(*function(number.formula), *piece.zero, scene.clip);
         }
         const double first = std::ceil(range.lo / options_.contour_step);
         const double last = std::floor(range.hi / options_.contour_step);

@@ -72,20 +72,17 @@ void forget_short_runs(std::vector<CurveRun>& runs, const Page& page) {
 class TaskDrawer {
 public:
     TaskDrawer(const CurveTask& task, const DrawOptions& options, const Page& page,
-               const HiddenPoints& hidden, const Uniforms& uniforms)
-        : task_(task),
-          options_(options),
-          page_(page),
-          hidden_(hidden),
-          system_(task.equations, uniforms) {}
+               const HiddenPoints& hidden)
+        : task_(task), options_(options), page_(page), hidden_(hidden), system_(task.equations) {}
 
     LineDrawing run(const TimeLimit& limit) {
         const SearchLimits limits{.smallest_pt = options_.tolerance_pt, .time = limit};
         const CurveDomain domain{.box = task_.box, .region = task_.region, .page = page_};
         FoundCurves found = find_curves(system_, domain, limits);
         drawing_.report = found.report;
-        for (const SpaceCurve& curve : found.curves)
-            add_curve(refined(system_, curve, page_));
+        for (const SpaceCurve& curve : found.curves) {
+            if (!limit.over()) add_curve(refined(system_, curve, page_));
+        }
         return std::move(drawing_);
     }
 
@@ -181,7 +178,7 @@ LineDrawing draw_scene(const DrawnScene& input, const DrawOptions& options,
     const std::vector<CurveTask> tasks = curve_tasks(input, options);
     std::vector<LineDrawing> parts(tasks.size());
     parallel_for(tasks.size(), 0, [&](std::size_t i) {
-        TaskDrawer drawer(tasks[i], options, page, hidden, input.scene.uniforms);
+        TaskDrawer drawer(tasks[i], options, page, hidden);
         parts[i] = drawer.run(limit);
     });
     LineDrawing drawing{.size = input.page};

@@ -4,6 +4,7 @@
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
+#include "engine/rewrite/polynomial/tighten.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +59,21 @@ void enclose_all(const Kernel& kernel, const Uniforms& uniforms, std::span<const
 
 }  // namespace
 
-SpaceFunction::SpaceFunction(const Expr& f, const Uniforms& uniforms)
+SampleRegion sample_region_of(const Box& box) {
+    SampleRegion region;
+    for (int axis = 0; axis < 3; ++axis) {
+        region.lo.at(static_cast<std::size_t>(axis)) = box.lo[axis];
+        region.hi.at(static_cast<std::size_t>(axis)) = box.hi[axis];
+    }
+    return region;
+}
+
+SpaceFunction::SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box)
     : kernel_(interpret(f)), uniforms_(&uniforms) {
+    const SampleRegion region = sample_region_of(box);
     const std::array<Expr, 3> slopes = gradient_of(f);
     for (std::size_t i = 0; i < 3; ++i)
-        slopes_.at(i) = interpret(slopes.at(i));
+        slopes_.at(i) = interpret(tightened(slopes.at(i), region));
 }
 
 ValueAndGradient SpaceFunction::at(const glm::dvec3& point) const {

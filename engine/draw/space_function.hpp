@@ -2,6 +2,7 @@
 
 #include "engine/expr/expr.hpp"
 #include "engine/kernel/kernel.hpp"
+#include "engine/rewrite/sample/box_sample.hpp"
 #include "engine/view/box.hpp"
 
 #include <glm/glm.hpp>
@@ -27,8 +28,9 @@ struct ValueAndGradient {
 /// double. Any thread, in whatever rounding.
 class SpaceFunction {
 public:
-    /// `uniforms` lives longer.
-    SpaceFunction(const Expr& f, const Uniforms& uniforms);
+    /// `uniforms` lives longer. The derivatives are written so that they are enclosed tightly in
+    /// `box`, which takes some milliseconds for a polynomial.
+    SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box);
 
     [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
     void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;
@@ -40,6 +42,9 @@ private:
     std::array<Kernel, 3> slopes_;
     const Uniforms* uniforms_;
 };
+
+/// The box as the region in which formulas are to be tight.
+SampleRegion sample_region_of(const Box& box);
 
 /// The value of a function at a point, or its gradient, too, by kernels in double; in whatever
 /// rounding.

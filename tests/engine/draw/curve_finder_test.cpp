@@ -22,7 +22,7 @@ struct Finding {
 
     Finding(const std::vector<std::string>& texts, const Box& box)
         : uniforms(no_uniforms()),
-          system(equations_of(texts), uniforms),
+          system(equations_of(texts, uniforms, box)),
           page(default_camera(box), {}),
           domain{.box = box, .page = page} {}
     Finding(const Finding&) = delete;
@@ -36,10 +36,12 @@ private:
         uniforms.set(0, 0.0);
         return uniforms;
     }
-    static CurveEquations equations_of(const std::vector<std::string>& texts) {
+    static CurveEquations equations_of(const std::vector<std::string>& texts,
+                                       const Uniforms& uniforms, const Box& box) {
         CurveEquations equations;
         for (const std::string& text : texts)
-            equations.zero.push_back(parse(text).value());
+            equations.zero.push_back(
+                std::make_shared<const SpaceFunction>(parse(text).value(), uniforms, box));
         return equations;
     }
 };
@@ -47,8 +49,8 @@ private:
 /// A polynomial in x, y and z with small random coefficients.
 std::string random_polynomial(RandomNumbers& random) {
     std::string text = std::to_string(random.uniform(-1, 1));
-    for (const char* term : {"x", "y", "z", "x^2", "y^2", "z^2", "x*y", "y*z", "x*z", "x^3", "y*z^2",
-                             "x^2*y^2", "z^4"})
+    for (const char* term : {"x", "y", "z", "x^2", "y^2", "z^2", "x*y", "y*z", "x*z", "x^3",
+                             "y*z^2", "x^2*y^2", "z^4"})
         text += " + (" + std::to_string(random.uniform(-1, 1)) + ")*" + term;
     return text;
 }
@@ -90,8 +92,7 @@ TEST(CurveFinder, CurvesEndAtTheFacesOfTheBox) {
     const Finding of({"x - 0.2*y", "z - 0.3*y"}, Box::cube(1));
     const FoundCurves found = of.curves();
     ASSERT_EQ(found.curves.size(), 1U);
-    for (const CurvePoint* end :
-         {&found.curves[0].points.front(), &found.curves[0].points.back()})
+    for (const CurvePoint* end : {&found.curves[0].points.front(), &found.curves[0].points.back()})
         EXPECT_NEAR(std::abs(end->place.y), 1.0, 1e-9);
 }
 

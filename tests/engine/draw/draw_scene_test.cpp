@@ -176,8 +176,7 @@ TEST(DrawScene, ContoursOfAFormulaAreTheSameCircles) {
     options.contour_step = 0.25;
     options.contours = {{.axis = 2}};
     const LineDrawing flat = of.draw(camera, options);
-    options.contours = {
-        {.axis = std::nullopt, .formula = parse("z").value()}};
+    options.contours = {{.axis = std::nullopt, .formula = parse("z").value()}};
     const LineDrawing by_formula = of.draw(camera, options);
     double flat_length = 0.0;
     double length = 0.0;
@@ -231,9 +230,9 @@ TEST(DrawScene, APlaneEndsAtTheBox) {
         length += length_of(path);
     }
     const Page page(camera, drawing.size);
-    const std::array<glm::dvec2, 4> corners{
-        page.place({1, 1, 0.25}), page.place({1, -1, 0.25}), page.place({-1, -1, -0.25}),
-        page.place({-1, 1, -0.25})};
+    const std::array<glm::dvec2, 4> corners{page.place({1, 1, 0.25}), page.place({1, -1, 0.25}),
+                                            page.place({-1, -1, -0.25}),
+                                            page.place({-1, 1, -0.25})};
     double around = 0.0;
     for (std::size_t i = 0; i < 4; ++i)
         around += glm::distance(corners.at(i), corners.at((i + 1) % 4));
@@ -251,8 +250,8 @@ TEST(DrawScene, RestrictionsEndASurface) {
         visit_points(path, [&](const glm::dvec2& at) {
             const PageRay ray = page_ray(page, at);
             const auto radius_at = [&](double z) {
-                const glm::dvec3 p = ray.origin + (z - ray.origin.z) / ray.direction.z *
-                                                      ray.direction;
+                const glm::dvec3 p =
+                    ray.origin + (z - ray.origin.z) / ray.direction.z * ray.direction;
                 return std::hypot(p.x, p.y);
             };
             const double off_upper = std::abs(radius_at(0.75) - 1.0);
@@ -308,8 +307,7 @@ TEST(DrawScene, DoubleCurvesAreCreases) {
 
 TEST(DrawScene, IsolatedSingularPointsAreNoCreases) {
     const TextScene of({"x^2 + y^2 = z^2"}, Box::cube(1));
-    const LineDrawing drawing =
-        of.draw(camera_from({5, 1, 3}, {0, 0, 0}), only(CurveKind::Crease));
+    const LineDrawing drawing = of.draw(camera_from({5, 1, 3}, {0, 0, 0}), only(CurveKind::Crease));
     EXPECT_TRUE(drawing.paths.empty());
 }
 
@@ -319,8 +317,7 @@ TEST(DrawScene, ABudgetEndsTheSearch) {
                            .surfaces = of.surfaces,
                            .camera = default_camera(Box::cube(2)),
                            .page = {}};
-    const LineDrawing drawing =
-        draw_scene(input, {}, {.until = TimeLimit::Clock::now()});
+    const LineDrawing drawing = draw_scene(input, {}, {.until = TimeLimit::Clock::now()});
     EXPECT_FALSE(drawing.report.in_time);
 }
 

@@ -31,8 +31,8 @@ struct TextScene {
     }
     [[nodiscard]] LineDrawing draw(const Camera& camera, const DrawOptions& options,
                                    const PageSize& page = {}) const {
-        return draw_scene(
-            {.scene = scene, .surfaces = surfaces, .camera = camera, .page = page}, options);
+        return draw_scene({.scene = scene, .surfaces = surfaces, .camera = camera, .page = page},
+                          options);
     }
 };
 

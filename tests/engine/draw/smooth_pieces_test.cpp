@@ -25,9 +25,9 @@ TEST(SmoothPieces, OneOfThemIsTheFunction) {
             const std::array<double, 4> at{random.uniform(-2, 2), random.uniform(-2, 2),
                                            random.uniform(-2, 2), 0.0};
             const double wanted = value(f, at);
-            EXPECT_TRUE(std::ranges::any_of(
-                pieces, [&](const Expr& piece) { return value(piece, at) == wanted; }))
-                << text;
+            EXPECT_TRUE(std::ranges::any_of(pieces, [&](const Expr& piece) {
+                return value(piece, at) == wanted;
+            })) << text;
         }
     }
 }
