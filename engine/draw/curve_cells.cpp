@@ -39,7 +39,7 @@ void in_chunks(std::size_t items, const std::function<void(std::size_t, std::siz
 
 /// Cells that may hold points of the curve, of those.
 std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
-                              std::vector<CurveCell> cells) {
+                              const TimeLimit& time, std::vector<CurveCell> cells) {
     std::erase_if(cells, [&](const CurveCell& cell) { return !domain.may_contain(cell.box); });
     std::vector<Box> boxes;
     boxes.reserve(cells.size());
@@ -47,7 +47,12 @@ std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& doma
         boxes.push_back(cell.box);
     const auto may = std::make_unique<bool[]>(cells.size());
     in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
-        system.sift(std::span(boxes).subspan(first, count), {may.get() + first, count});
+        const std::span<bool> some(may.get() + first, count);
+        if (time.over()) {
+            std::ranges::fill(some, true);
+        } else {
+            system.sift(std::span(boxes).subspan(first, count), some);
+        }
     });
     std::vector<CurveCell> kept;
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -65,7 +70,7 @@ public:
     CurveCells run() {
         cells_ = {{.place = {}, .box = domain_.box}};
         while (!cells_.empty()) {
-            cells_ = sifted(system_, domain_, std::move(cells_));
+            cells_ = sifted(system_, domain_, limits_.time, std::move(cells_));
             result_.seen += cells_.size();
             judge();
             divide();
@@ -92,7 +97,7 @@ void CellSearch::judge() {
     std::vector<CurveCell> small;
     for (const CurveCell& cell : cells_)
         (domain_.page.diameter(cell.box) > largest ? large : small).push_back(cell);
-    const std::vector<JudgedCell> judged = judge_cells(system_, small);
+    const std::vector<JudgedCell> judged = judge_cells(system_, small, limits_.time);
     cells_ = std::move(large);
     for (std::size_t i = 0; i < small.size(); ++i) {
         small[i].tangent = judged[i].tangent;
@@ -189,8 +194,8 @@ std::vector<CellPlace> parts_of(const CurveDomain& domain, const CellPlace& plac
     return parts;
 }
 
-std::vector<JudgedCell> judge_cells(const CurveSystem& system,
-                                    const std::vector<CurveCell>& cells) {
+std::vector<JudgedCell> judge_cells(const CurveSystem& system, const std::vector<CurveCell>& cells,
+                                    const TimeLimit& time) {
     std::vector<Box> boxes;
     std::vector<Box> wider;
     for (const CurveCell& cell : cells) {
@@ -199,10 +204,20 @@ std::vector<JudgedCell> judge_cells(const CurveSystem& system,
     }
     std::vector<JudgedCell> judged(cells.size());
     in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
+        if (time.over()) return;
         system.judge(std::span(boxes).subspan(first, count), std::span(wider).subspan(first, count),
                      std::span(judged).subspan(first, count));
     });
     return judged;
+}
+
+SearchLimits SearchLimits::with_half_time() const {
+    SearchLimits half = *this;
+    if (time.until != TimeLimit::never) {
+        const auto now = TimeLimit::Clock::now();
+        half.time.until = now + (time.until - now) / 2;
+    }
+    return half;
 }
 
 CurveCells find_cells(const CurveSystem& system, const CurveDomain& domain,

@@ -50,9 +50,12 @@ struct CurveCell {
 };
 
 struct SearchLimits {
-    double smallest_pt = 0.05;         ///< cells that are smaller on the page are not divided
-    std::size_t most_cells = 400'000;  ///< cells on one level
+    double smallest_pt = 0.05;        ///< cells that are smaller on the page are not divided
+    std::size_t most_cells = 60'000;  ///< cells on one level
     TimeLimit time = {};
+
+    /// The same with half of the time that is left.
+    [[nodiscard]] SearchLimits with_half_time() const;
 };
 
 /// The cells that may hold points of a curve; beside them there are none, in proof.
@@ -62,7 +65,9 @@ struct CurveCells {
     std::size_t seen = 0;            ///< cells looked at
 };
 
-std::vector<JudgedCell> judge_cells(const CurveSystem& system, const std::vector<CurveCell>& cells);
+/// Judges cells of one level; those that the time does not suffice for are open.
+std::vector<JudgedCell> judge_cells(const CurveSystem& system, const std::vector<CurveCell>& cells,
+                                    const TimeLimit& time = {});
 
 CurveCells find_cells(const CurveSystem& system, const CurveDomain& domain,
                       const SearchLimits& limits);

@@ -73,7 +73,7 @@ public:
         : system_(system),
           domain_(domain),
           limits_(limits),
-          cells_(find_cells(system, domain, limits)),
+          cells_(find_cells(system, domain, limits.with_half_time())),
           levels_(levels_of(cells_)),
           index_(domain, levels_.first, levels_.last) {
         for (std::size_t i = 0; i < cells_.regular.size(); ++i)

@@ -9,8 +9,9 @@
 
 // Cells are judged by their linearization: with M the inverse of the two equations' derivatives
 // across the curve, in the middle of what they may be, M F(p) = M F(c) + M J (p - c) for some J
-// among the derivatives in the box. Where M J is near enough to 1 across the curve, two points on a
-// plane across it cannot both be zeros; where M F(c) is larger than M J (p - c) can be, none is.
+// among the derivatives in the box, or for the gradients of linear enclosures, with their errors.
+// Where M J is near enough to 1 across the curve, two points on a plane across it cannot both be
+// zeros; where M F(c) is larger than M J (p - c) can be, none is.
 
 namespace zeroset {
 namespace {
@@ -91,40 +92,69 @@ bool is_isolated(const GradientBounds& all) {
     return true;
 }
 
-/// What the two equations tell of a box with this half diagonal.
-JudgedCell judge_reduced(const GradientBounds& two, const glm::dvec3& half) {
-    if (excludes_third(two, half)) return {.state = CellState::Empty};
+/// The two equations' derivatives across the curve, and their inverse.
+struct Across {
+    std::array<glm::dvec3, 2> normals;  ///< at right angles
+    std::array<glm::dvec3, 2> dual;     ///< the columns of M
+    glm::dvec3 tangent;
+};
+std::optional<Across> across_of(const GradientBounds& two) {
     const glm::dvec3& a = two.middle[0];
     const glm::dvec3& b = two.middle[1];
     const glm::dvec3 across = glm::cross(a, b);
     const double size = glm::length(across);
-    if (!(size > 1e-12 * glm::length(a) * glm::length(b))) return {};
+    if (!(size > 1e-12 * glm::length(a) * glm::length(b))) return std::nullopt;
     const glm::dvec3 tangent = across / size;
-    // The dual basis of a and b across the curve: the columns of M.
-    const std::array<glm::dvec3, 2> dual{glm::cross(b, tangent) / size,
-                                         glm::cross(tangent, a) / size};
-    const glm::dvec3 n1 = glm::normalize(a);
-    const glm::dvec3 n2 = glm::cross(tangent, n1);
-    bool regular = true;
-    for (const glm::dvec3& n : {n1, n2}) {
-        glm::dvec3 spread(0.0);
-        double value = 0.0;
-        double value_radius = 0.0;
+    const glm::dvec3 normal = glm::normalize(a);
+    return Across{.normals = {normal, glm::cross(tangent, normal)},
+                  .dual = {glm::cross(b, tangent) / size, glm::cross(tangent, a) / size},
+                  .tangent = tangent};
+}
+
+/// One row of M F and M J, along a normal.
+struct Row {
+    glm::dvec3 spread{0.0};
+    double value = 0.0, value_radius = 0.0;
+
+    Row(const GradientBounds& two, const Across& across, const glm::dvec3& normal) {
         for (std::size_t i = 0; i < 2; ++i) {
-            const double weight = glm::dot(n, dual.at(i));
+            const double weight = glm::dot(normal, across.dual.at(i));
             spread += std::abs(weight) * two.radius.at(i);
             value += weight * two.value.at(i);
             value_radius += std::abs(weight) * two.value_radius.at(i);
         }
-        const double reach = glm::dot(spread + glm::abs(n), half);
-        const double slack = rounding_slack * (std::abs(value) + reach);
-        if (std::abs(value) > value_radius + reach + slack) return {.state = CellState::Empty};
-        const double off = glm::dot(spread, glm::abs(n1)) + glm::dot(spread, glm::abs(n2));
-        regular = regular && off < 0.9;
     }
-    if (!regular) return {};
-    return {.state = CellState::Regular, .tangent = tangent};
+};
+
+/// Whether a box with this half diagonal surely holds no common zero.
+bool is_empty(const GradientBounds& two, const glm::dvec3& half) {
+    if (excludes_third(two, half)) return true;
+    const auto across = across_of(two);
+    return across && std::ranges::any_of(across->normals, [&](const glm::dvec3& normal) {
+               const Row row(two, *across, normal);
+               const double reach = glm::dot(row.spread + glm::abs(normal), half);
+               const double slack = rounding_slack * (std::abs(row.value) + reach);
+               return std::abs(row.value) > row.value_radius + reach + slack;
+           });
 }
+
+/// What the two equations tell of a box with this half diagonal.
+JudgedCell judge_reduced(const GradientBounds& two, const glm::dvec3& half) {
+    constexpr double most_off = 0.9;
+    if (is_empty(two, half)) return {.state = CellState::Empty};
+    const auto across = across_of(two);
+    if (!across) return {};
+    for (const glm::dvec3& normal : across->normals) {
+        const Row row(two, *across, normal);
+        double off = 0.0;
+        for (const glm::dvec3& other : across->normals)
+            off += glm::dot(row.spread, glm::abs(other));
+        if (!(off < most_off)) return {};
+    }
+    return {.state = CellState::Regular, .tangent = across->tangent};
+}
+
+bool is_flat(const Box& box) { return glm::any(glm::lessThanEqual(box.hi, box.lo)); }
 
 }  // namespace
 
@@ -188,8 +218,46 @@ void CurveSystem::sift(std::span<const Box> boxes, std::span<bool> may_hold) con
     }
 }
 
+std::vector<bool> CurveSystem::empty_cells(std::span<const Box> boxes) const {
+    std::vector<bool> empty(boxes.size(), false);
+    if (boxes.empty() || is_flat(boxes.front())) return empty;
+    std::vector<GradientBounds> all(boxes.size());
+    std::vector<LinearBounds> bounds(boxes.size());
+    for (std::size_t row = 0; row < equations_.zero.size(); ++row) {
+        equations_.zero[row]->enclose_linear(boxes, bounds);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (bounds[i].nowhere) empty[i] = true;
+            all[i].middle.at(row) = bounds[i].gradient;
+            all[i].value.at(row) = bounds[i].value;
+            all[i].value_radius.at(row) = bounds[i].error;
+        }
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        all[i].rows = equations_.zero.size();
+        const glm::dvec3 half = 0.5 * (boxes[i].hi - boxes[i].lo);
+        if (!empty[i] && all[i].is_bounded()) empty[i] = is_empty(reduced(all[i]), half);
+    }
+    return empty;
+}
+
 void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
                         std::span<JudgedCell> out) const {
+    const std::vector<bool> empty = empty_cells(boxes);
+    std::vector<Box> left;
+    std::vector<Box> left_around;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (empty[i]) continue;
+        left.push_back(boxes[i]);
+        left_around.push_back(around[i]);
+    }
+    std::vector<JudgedCell> judged(left.size());
+    judge_slopes(left, left_around, judged);
+    for (std::size_t i = 0, k = 0; i < boxes.size(); ++i)
+        out[i] = empty[i] ? JudgedCell{.state = CellState::Empty} : judged[k++];
+}
+
+void CurveSystem::judge_slopes(std::span<const Box> boxes, std::span<const Box> around,
+                               std::span<JudgedCell> out) const {
     std::vector<GradientBounds> all(boxes.size());
     std::vector<Box> middles;
     for (const Box& box : boxes)

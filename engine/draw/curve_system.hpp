@@ -53,7 +53,8 @@ public:
     explicit CurveSystem(CurveEquations equations) : equations_(std::move(equations)) {}
 
     [[nodiscard]] Linearized at(const glm::dvec3& point) const;
-    /// Judges boxes by enclosures over them and over the boxes `around`, which hold them.
+    /// Judges boxes of one size by enclosures over them and over the boxes `around`, which hold
+    /// them.
     void judge(std::span<const Box> boxes, std::span<const Box> around,
                std::span<JudgedCell> out) const;
     /// Whether enclosures of the functions themselves leave a point of the curve possible in each
@@ -68,6 +69,11 @@ public:
     [[nodiscard]] std::optional<glm::dvec3> point_near(const glm::dvec3& start, double reach) const;
 
 private:
+    /// Which boxes of one size surely hold no point, by linear enclosures.
+    [[nodiscard]] std::vector<bool> empty_cells(std::span<const Box> boxes) const;
+    /// Judges boxes by enclosures of the derivatives.
+    void judge_slopes(std::span<const Box> boxes, std::span<const Box> around,
+                      std::span<JudgedCell> out) const;
     /// Whether a common zero of three functions' reduced equations is one of all, up to rounding.
     [[nodiscard]] bool is_zero_of_all(const glm::dvec3& point, const Linearized& there,
                                       double reach) const;

@@ -1,6 +1,7 @@
 #include "engine/draw/space_function.hpp"
 
 #include "engine/interpret/interpret.hpp"
+#include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
@@ -57,6 +58,76 @@ void enclose_all(const Kernel& kernel, const Uniforms& uniforms, std::span<const
     }
 }
 
+[[gnu::noinline]] void call_form(const Kernel& kernel, const FormBatchOf<double>& batch) {
+    const UpwardRegisters upward;
+    kernel.in_double.form(batch);
+}
+
+/// Boxes of one size as cells of a frustum whose rays are nearly parallel, along z: from an eye so
+/// far away that the cells are wider than the boxes by less than `widening`.
+class BoxFrustum {
+public:
+    explicit BoxFrustum(std::span<const Box> boxes) : boxes_(boxes), base_(boxes[0].centre()) {
+        glm::dvec3 extent(0.0);
+        for (const Box& box : boxes) {
+            half_ = glm::max(half_, 0.5 * (box.hi - box.lo));
+            extent = glm::max(extent, glm::abs(box.centre() - base_));
+        }
+        const double widest = std::max({half_.x, half_.y, half_.z});
+        distance_ = 0x1p20 * (std::max({extent.x, extent.y, extent.z}) + widest);
+        half_ = (half_ + 0x1p-19 * widest) * (1.0 + widening);
+        frustum_ = {.base = {base_.x, base_.y, base_.z},
+                    .right = {1.0, 0.0, 0.0},
+                    .up = {0.0, 1.0, 0.0},
+                    .forward = {0.0, 0.0, 1.0},
+                    .distance = distance_,
+                    .u_radius = half_.x / distance_,
+                    .v_radius = half_.y / distance_,
+                    .size = {},
+                    .direction_size = {2.0, 2.0, 2.0}};
+        for (int i = 0; i < 3; ++i)
+            frustum_.size[i] = 2.0 * (std::abs(base_[i]) + extent[i] + half_[i]);
+    }
+
+    void set(FormCells<double, at_once>& cells) const {
+        for (std::size_t i = 0; i < padded(boxes_.size()); ++i) {
+            const glm::dvec3 off = boxes_[std::min(i, boxes_.size() - 1)].centre() - base_;
+            cells.u[i] = off.x / (distance_ + off.z);
+            cells.v[i] = off.y / (distance_ + off.z);
+            cells.s[i] = off.z;
+            cells.s_radius[i] = half_.z;
+        }
+    }
+    [[nodiscard]] const FrustumOf<double>& frustum() const { return frustum_; }
+    /// Half the cells' edges.
+    [[nodiscard]] const glm::dvec3& half() const { return half_; }
+
+private:
+    static constexpr double widening = 0x1p-18;
+
+    std::span<const Box> boxes_;
+    glm::dvec3 base_;
+    glm::dvec3 half_{0.0};
+    double distance_ = 0.0;
+    FrustumOf<double> frustum_{};
+};
+
+void enclose_some_linear(const Kernel& kernel, const Uniforms& uniforms, std::span<const Box> boxes,
+                         std::span<LinearBounds> out) {
+    const BoxFrustum frustum(boxes);
+    FormCells<double, at_once> cells;
+    frustum.set(cells);
+    call_form(kernel,
+              cells.batch(padded(boxes.size()), frustum.frustum(), uniforms.boxes<double>()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const glm::dvec3 change(cells.k[0][i], cells.k[1][i], cells.k[2][i]);
+        out[i] = {.value = cells.c[i],
+                  .error = cells.e[i],
+                  .gradient = change / frustum.half(),
+                  .nowhere = cells.nowhere[i] != 0};
+    }
+}
+
 }  // namespace
 
 SampleRegion sample_region_of(const Box& box) {
@@ -82,6 +153,14 @@ ValueAndGradient SpaceFunction::at(const glm::dvec3& point) const {
 
 void SpaceFunction::enclose(std::span<const Box> boxes, std::span<Bounds> out) const {
     enclose_all(kernel_, *uniforms_, boxes, out);
+}
+
+void SpaceFunction::enclose_linear(std::span<const Box> boxes, std::span<LinearBounds> out) const {
+    for (std::size_t first = 0; first < boxes.size(); first += at_once) {
+        const std::size_t count = std::min(at_once, boxes.size() - first);
+        enclose_some_linear(kernel_, *uniforms_, boxes.subspan(first, count),
+                            out.subspan(first, count));
+    }
 }
 
 void SpaceFunction::enclose_slope(std::size_t axis, std::span<const Box> boxes,

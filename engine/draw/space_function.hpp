@@ -18,6 +18,14 @@ struct Bounds {
     bool excludes_zero = false;  ///< the function is surely nowhere 0, or nowhere defined
 };
 
+/// A function over a box: within `error` of value + dot(gradient, p - centre), or of another
+/// function that is 0 wherever it is.
+struct LinearBounds {
+    double value, error;  ///< error is infinite where nothing is known
+    glm::dvec3 gradient;
+    bool nowhere = false;  ///< the function is undefined in all of the box
+};
+
 /// A function's value and gradient at a point.
 struct ValueAndGradient {
     double value;
@@ -34,6 +42,8 @@ public:
 
     [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
     void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;
+    /// Encloses the function by linear ones over boxes of one size, none of them flat.
+    void enclose_linear(std::span<const Box> boxes, std::span<LinearBounds> out) const;
     /// Encloses one of the derivatives.
     void enclose_slope(std::size_t axis, std::span<const Box> boxes, std::span<Bounds> out) const;
 
