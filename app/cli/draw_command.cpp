@@ -166,7 +166,7 @@ int run_draw(const DrawCommand& command) {
     const auto start = Clock::now();
     const auto made = job_of(command);
     if (!made) return report(made.error());
-    const std::shared_ptr<DrawJob> job = *made;
+    const std::shared_ptr<DrawJob>& job = *made;
     job->start = start;
     if (const auto message = unwritable_file(command)) return report_run_time(*message);
     const auto last = until_after(start, job->budget_s) + patience;

@@ -78,7 +78,7 @@ public:
     LineDrawing run(const TimeLimit& limit) {
         const SearchLimits limits{.smallest_pt = options_.tolerance_pt, .time = limit};
         const CurveDomain domain{.box = task_.box, .region = task_.region, .page = page_};
-        FoundCurves found = find_curves(system_, domain, limits);
+        const FoundCurves found = find_curves(system_, domain, limits);
         drawing_.report = found.report;
         for (const SpaceCurve& curve : found.curves) {
             if (!limit.over()) add_curve(refined(system_, curve, page_));
@@ -114,6 +114,7 @@ int TaskDrawer::touch(const CurvePoint& point) const {
 
 void TaskDrawer::add_curve(const SpaceCurve& curve) {
     std::vector<int> shown;
+    shown.reserve(curve.points.size());
     for (const CurvePoint& point : curve.points)
         shown.push_back(is_shown(point) ? 1 : 0);
     const auto state = [this](const CurvePoint& point) { return is_shown(point) ? 1 : 0; };
@@ -124,11 +125,13 @@ void TaskDrawer::add_curve(const SpaceCurve& curve) {
 
 std::vector<int> TaskDrawer::states_of(const SpaceCurve& curve) const {
     std::vector<glm::dvec3> places;
+    places.reserve(curve.points.size());
     for (const CurvePoint& point : curve.points)
         places.push_back(point.place);
     std::vector<std::uint8_t> hidden(places.size());
     hidden_.find(places, hidden);
     std::vector<int> states;
+    states.reserve(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
         states.push_back(hidden[i] + 2 * touch(curve.points[i]));
     return states;

@@ -3,6 +3,7 @@
 #include "engine/draw/space_function.hpp"
 #include "engine/interpret/interpret.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,8 @@ namespace {
 
 /// How far beside a curve its two sides are looked at, in parts of the clip box.
 constexpr double side_part = 1e-6;
+/// How far from a surface a point of it may be, in parts of the clip box.
+constexpr double zero_slack = 1e-8;
 
 /// The surface's function at a point.
 ValueAndGradient surface_at(const Scene& scene, std::size_t surface, const glm::dvec3& point) {
@@ -32,10 +35,9 @@ Sides sides_of(const Kernel& border, const Scene& scene, const glm::dvec3& point
 
 ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& piece) {
     return [&scene, surface, code = interpret(piece)](const CurvePoint& point) {
-        constexpr double slack = 1e-8;
         const glm::dvec3 steepness = value_at(code, scene.uniforms, point.place).gradient;
         const double f = surface_at(scene, surface, point.place).value;
-        return std::abs(f) <= slack * scene.clip.size() * glm::length(steepness);
+        return std::abs(f) <= zero_slack * scene.clip.size() * glm::length(steepness);
     };
 }
 
@@ -49,11 +51,13 @@ ShownAt where_edge(const Scene& scene, std::size_t surface, const Expr& whole, c
     return [&scene, surface, code = interpret(whole),
             border_code = interpret(border)](const CurvePoint& point) {
         constexpr double least_sine = 1e-3;
-        if (std::isnan(surface_at(scene, surface, point.place).value)) return false;
         const Sides sides = sides_of(border_code, scene, point.place);
         const glm::dvec3 a = value_at(code, scene.uniforms, sides.above).gradient;
         const glm::dvec3 b = value_at(code, scene.uniforms, sides.below).gradient;
-        return glm::length(glm::cross(a, b)) > least_sine * glm::length(a) * glm::length(b);
+        const double steepness = std::max(glm::length(a), glm::length(b));
+        const double f = surface_at(scene, surface, point.place).value;
+        return std::abs(f) <= zero_slack * scene.clip.size() * steepness &&
+               glm::length(glm::cross(a, b)) > least_sine * glm::length(a) * glm::length(b);
     };
 }
 

@@ -26,7 +26,7 @@ OrInputError<double> read_between(const std::string& option, const std::string& 
 OrInputError<std::array<bool, 5>> read_kinds(const std::string& text) {
     std::array<bool, 5> kinds{};
     for (const std::string_view part : split(text, ',')) {
-        std::string_view name = trimmed(part);
+        const std::string_view name = trimmed(part);
         if (name == "all") {
             kinds.fill(true);
             continue;
