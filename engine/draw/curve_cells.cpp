@@ -37,30 +37,6 @@ void in_chunks(std::size_t items, const std::function<void(std::size_t, std::siz
     });
 }
 
-/// Cells that may hold points of the curve, of those.
-std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
-                              const TimeLimit& time, std::vector<CurveCell> cells) {
-    std::erase_if(cells, [&](const CurveCell& cell) { return !domain.may_contain(cell.box); });
-    std::vector<Box> boxes;
-    boxes.reserve(cells.size());
-    for (const CurveCell& cell : cells)
-        boxes.push_back(cell.box);
-    const auto may = std::make_unique<bool[]>(cells.size());
-    in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
-        const std::span<bool> some(may.get() + first, count);
-        if (time.over()) {
-            std::ranges::fill(some, true);
-        } else {
-            system.sift(std::span(boxes).subspan(first, count), some);
-        }
-    });
-    std::vector<CurveCell> kept;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (may[i]) kept.push_back(cells[i]);
-    }
-    return kept;
-}
-
 /// The search by halving, level by level.
 class CellSearch {
 public:
@@ -192,6 +168,29 @@ std::vector<CellPlace> parts_of(const CurveDomain& domain, const CellPlace& plac
         if (wanted) parts.push_back(part);
     }
     return parts;
+}
+
+std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
+                              const TimeLimit& time, std::vector<CurveCell> cells) {
+    std::erase_if(cells, [&](const CurveCell& cell) { return !domain.may_contain(cell.box); });
+    std::vector<Box> boxes;
+    boxes.reserve(cells.size());
+    for (const CurveCell& cell : cells)
+        boxes.push_back(cell.box);
+    const auto may = std::make_unique<bool[]>(cells.size());
+    in_chunks(cells.size(), [&](std::size_t first, std::size_t count) {
+        const std::span<bool> some(may.get() + first, count);
+        if (time.over()) {
+            std::ranges::fill(some, true);
+        } else {
+            system.sift(std::span(boxes).subspan(first, count), some);
+        }
+    });
+    std::vector<CurveCell> kept;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (may[i]) kept.push_back(cells[i]);
+    }
+    return kept;
 }
 
 std::vector<JudgedCell> judge_cells(const CurveSystem& system, const std::vector<CurveCell>& cells,

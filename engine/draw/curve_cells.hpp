@@ -65,6 +65,10 @@ struct CurveCells {
     std::size_t seen = 0;            ///< cells looked at
 };
 
+/// Those of the cells in which enclosures of the functions leave a point of the curve possible, in
+/// the domain.
+std::vector<CurveCell> sifted(const CurveSystem& system, const CurveDomain& domain,
+                              const TimeLimit& time, std::vector<CurveCell> cells);
 /// Judges cells of one level; those that the time does not suffice for are open.
 std::vector<JudgedCell> judge_cells(const CurveSystem& system, const std::vector<CurveCell>& cells,
                                     const TimeLimit& time = {});

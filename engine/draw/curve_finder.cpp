@@ -225,10 +225,9 @@ void CurveFinder::divide(const CurveCell& cell, const Passage& passage, int divi
     const bool is_small = domain_.page.diameter(cell.box) <= limits_.smallest_pt;
     if (is_small || divisions >= most_divisions || limits_.time.over()) return leave_open(cell.box);
     std::vector<CurveCell> parts;
-    for (const CellPlace& place : parts_of(domain_, cell.place)) {
-        const Box box = box_of(domain_, place);
-        if (domain_.may_contain(box)) parts.push_back({.place = place, .box = box});
-    }
+    for (const CellPlace& place : parts_of(domain_, cell.place))
+        parts.push_back({.place = place, .box = box_of(domain_, place)});
+    parts = sifted(system_, domain_, limits_.time, std::move(parts));
     const std::vector<JudgedCell> judged = judge_cells(system_, parts);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (judged[i].state != CellState::Empty) settle(parts[i], passage, divisions + 1);
