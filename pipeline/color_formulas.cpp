@@ -31,11 +31,6 @@ std::expected<Expr, InputError> color_expression(const ColorChoice& choice,
     return expression_of(choice.expression, rows, "to colour by");
 }
 
-std::expected<Expr, InputError> contour_expression(const LineChoice& lines,
-                                                   const RowProgram& rows) {
-    return expression_of(lines.expression, rows, "for contour lines");
-}
-
 /// The expression that `by` shows for a surface f = 0.
 Expr shape_of(ColorBy by, const Expr& f) {
     if (by == ColorBy::MeanCurvature) return mean_curvature(f);
@@ -82,6 +77,11 @@ SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, c
 }
 
 }  // namespace
+
+std::expected<Expr, InputError> contour_expression(const LineChoice& lines,
+                                                   const RowProgram& rows) {
+    return expression_of(lines.expression, rows, "for contour lines");
+}
 
 std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
                                                         const ColorChoice& choice) {

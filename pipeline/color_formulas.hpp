@@ -2,6 +2,7 @@
 
 #include "document/look.hpp"
 #include "document/row_program.hpp"
+#include "engine/expr/expr.hpp"
 #include "engine/kernel/kernel.hpp"
 #include "engine/scene/coloring.hpp"
 #include "pipeline/input_error.hpp"
@@ -31,6 +32,9 @@ std::expected<ColorFormulas, InputError> color_formulas(const RowProgram& rows,
 std::optional<InputError> check_coloring(const RowProgram& rows, const ColorChoice& choice);
 /// Returns the error in the expression of the contour lines, if any.
 std::optional<InputError> check_contours(const RowProgram& rows, const LineChoice& lines);
+
+/// Reads the expression of the contour lines.
+std::expected<Expr, InputError> contour_expression(const LineChoice& lines, const RowProgram& rows);
 
 /// Colours a scene by the choice. `shown`: indices of the program's surfaces in the scene. Heights
 /// are measured along the axis nearest to `up`, the camera's up.

@@ -36,7 +36,7 @@ KernelFunction<ValueBatchOf<double>> values_of(const Expr& expr) {
 
 SolidPart part_of(const Expr& f, const Box& clip) {
     SolidPart part;
-    const std::array<Expr, 3> slopes = gradient(f);
+    const std::array<Expr, 3> slopes = gradient_of(f);
     {
         const std::jthread other([&] {
             part.range = ranges_of(f);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/cli/options/drawing_options.hpp"
 #include "app/cli/options/options.hpp"
 
 #include <optional>
@@ -60,6 +61,14 @@ struct MeshCommand {
     bool no_thin = false;  ///< all triangles, as they were proved
 };
 int run_mesh(const MeshCommand& command);
+
+struct DrawCommand {
+    std::string equation;
+    ViewText view;
+    DrawingText drawing;
+    std::optional<std::string> output, stats, budget;
+};
+int run_draw(const DrawCommand& command);
 
 struct ExplainCommand {
     std::string equation;

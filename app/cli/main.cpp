@@ -8,6 +8,7 @@
 #include "app/desktop/desktop.hpp"
 #include "app/platform/process.hpp"
 #include "engine/base/text.hpp"
+#include "engine/draw/files/formats.hpp"
 #include "engine/export/file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -326,6 +327,29 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
     return mesh_app;
 }
 
+CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
+    CLI::App* const draw_app = app.add_subcommand("draw", "draw lines into a file for a paper");
+    add_value(*draw_app, "EQUATION", draw.equation, "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*draw_app, "-o,--output", draw.output, "the drawing: " + drawing_format_list());
+    add_value(*draw_app, "--size", draw.drawing.size,
+              "WIDTHxHEIGHT in points, or with mm, cm or in behind it (default 400x400)");
+    add_value(*draw_app, "--lines", draw.drawing.lines,
+              "which lines: all (default), or some of silhouette, crease, boundary, intersection, "
+              "contour, with commas");
+    add_value(*draw_app, "--hidden", draw.drawing.hidden,
+              "what surfaces hide: remove (default), dash or show");
+    add_value(*draw_app, "--width", draw.drawing.width,
+              "width of silhouettes in points; other lines are thinner (default 1)");
+    add_value(*draw_app, "--tolerance", draw.drawing.tolerance,
+              "how far lines may be from the true ones, in points (default 0.05)");
+    add_view_options(*draw_app, draw.view);
+    add_value(*draw_app, "--stats", draw.stats, "counts of lines and proofs: a JSON file, or -");
+    add_value(*draw_app, "--budget", draw.budget,
+              "seconds after which no more lines are looked for (default 30)");
+    return draw_app;
+}
+
 CLI::App* add_gallery(CLI::App& app, GalleryCommand& gallery) {
     CLI::App* const gallery_app = app.add_subcommand("gallery", "list the gallery");
     gallery_app->add_flag("--names", gallery.names, "only the names, one a line");
@@ -388,6 +412,7 @@ int run(int argc, char** argv) {
     add_value(app, "--latency-log", latency_log,
               "a file of JSON lines: how long each input took to change the picture");
     RenderCommand render;
+    DrawCommand draw;
     UiShotCommand shot;
     FilmCommand turntable;
     FilmCommand animate;
@@ -400,6 +425,7 @@ int run(int argc, char** argv) {
         app.add_subcommand("language", "print the page of the formula language (Markdown)");
     const CLI::App* const render_app = add_render(app, render);
     const CLI::App* const mesh_app = add_mesh(app, mesh);
+    const CLI::App* const draw_app = add_draw(app, draw);
     const CLI::App* const shot_app = add_ui_shot(app, shot);
     const CLI::App* const turntable_app = add_turntable(app, turntable);
     const CLI::App* const animate_app = add_animate(app, animate);
@@ -424,6 +450,7 @@ int run(int argc, char** argv) {
     if (*share_app) return run_share(share);
     if (*gallery_app) return run_gallery(gallery);
     if (*explain_app) return run_explain(explain);
+    if (*draw_app) return run_draw(draw);
     if (*bench_app) return run_bench(bench);
     if (*language_app) return run_language();
     return open_window(equation, view, trace, latency_log);

@@ -340,9 +340,9 @@ class HelpTest(ProgramTest):
 
     def test_help_names_every_subcommand(self):
         text = self.run_ok("--help").out
-        for word in ("render", "gallery", "explain", "bench", "EQUATION"):
+        for word in ("render", "draw", "gallery", "explain", "bench", "EQUATION"):
             self.assertIn(word, text)
-        for command in ("render", "gallery", "explain", "bench"):
+        for command in ("render", "draw", "gallery", "explain", "bench"):
             self.assertIn("--help", self.run_ok(command, "--help").out)
 
 

@@ -130,6 +130,13 @@ public:
     [[nodiscard]] std::optional<GraphNumber> second(std::size_t i, std::size_t k) const {
         return hessian_[std::min(i, k)][std::max(i, k)];
     }
+    /// dot(f's gradient, vector)
+    std::optional<GraphNumber> along(const std::array<GraphNumber, 3>& vector) const {
+        std::optional<GraphNumber> all;
+        for (std::size_t i = 0; i < 3; ++i)
+            all = sum(all, product(gradient_[i], vector[i]));
+        return all;
+    }
     /// A cofactor of the matrix of second derivatives, which is symmetric.
     [[nodiscard]] std::optional<GraphNumber> cofactor(std::size_t i, std::size_t k) const {
         const std::size_t i1 = (i + 1) % 3;
@@ -142,6 +149,9 @@ public:
 
     [[nodiscard]] GraphNumber number(double value) {
         return {.builder = &builder_, .id = builder_.constant(value)};
+    }
+    [[nodiscard]] GraphNumber coordinate(std::size_t axis) {
+        return {.builder = &builder_, .id = builder_.variable(static_cast<int>(axis))};
     }
     [[nodiscard]] Expr finish(const std::optional<GraphNumber>& root) {
         const NodeId id = root ? root->id : builder_.constant(0.0);
@@ -158,10 +168,22 @@ private:
 
 }  // namespace
 
-std::array<Expr, 3> gradient(const Expr& f) {
+std::array<Expr, 3> gradient_of(const Expr& f) {
     Shape shape(f);
-    const Gradient& slopes = shape.gradient();
+    const Gradient slopes = shape.gradient();
     return {shape.finish(slopes[0]), shape.finish(slopes[1]), shape.finish(slopes[2])};
+}
+
+Expr slope_from(const Expr& f, const std::array<double, 3>& point) {
+    Shape shape(f);
+    const auto from = [&](std::size_t i) { return shape.coordinate(i) - shape.number(point[i]); };
+    return shape.finish(shape.along({from(0), from(1), from(2)}));
+}
+
+Expr slope_along(const Expr& f, const std::array<double, 3>& direction) {
+    Shape shape(f);
+    const auto member = [&](std::size_t i) { return shape.number(direction[i]); };
+    return shape.finish(shape.along({member(0), member(1), member(2)}));
 }
 
 Expr gradient_size(const Expr& f) {

@@ -6,12 +6,20 @@
 
 namespace zeroset {
 
+// f's derivatives as formulas, exact. They have f's parameters.
+
+/// The derivatives by x, y and z.
+std::array<Expr, 3> gradient_of(const Expr& f);
+/// The derivative on the lines through a point: dot(f's gradient, (x, y, z) - point). 0 where such
+/// a line touches a level surface of f.
+Expr slope_from(const Expr& f, const std::array<double, 3>& point);
+/// The derivative along a direction of any length.
+Expr slope_along(const Expr& f, const std::array<double, 3>& direction);
+
 // Formulas of the shape of f's level surfaces, exact: made of f's first and second derivatives by
 // x, y and z. Undefined where f's gradient vanishes (but gradient_size) and where f is. They have
 // f's parameters.
 
-/// f's derivatives by x, y and z.
-std::array<Expr, 3> gradient(const Expr& f);
 /// The length of f's gradient.
 Expr gradient_size(const Expr& f);
 /// Half the divergence of the unit normal, which points to where f grows: 1/r on a sphere of radius

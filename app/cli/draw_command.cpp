@@ -1,0 +1,181 @@
+#include "app/cli/commands.hpp"
+#include "app/cli/progress.hpp"
+#include "app/cli/report.hpp"
+#include "app/platform/process.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/base/text.hpp"
+#include "engine/draw/files/formats.hpp"
+#include "engine/export/file.hpp"
+#include "pipeline/drawing_scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+/// How long to wait for a drawing beyond its budget, as LLVM cannot be interrupted.
+constexpr auto patience = std::chrono::seconds(2);
+
+/// A drawing being made. The thread that makes it shares its ownership and may outlive the command.
+struct DrawJob {
+    Document document;
+    RowProgram rows;
+    DrawingPlan plan;
+    double budget_s = default_budget_s;
+    Clock::time_point start;
+
+    Progress progress;
+    std::atomic<bool> cancel = false;
+    std::optional<InputError> error;
+    std::string note;
+    LineDrawing drawing;
+    double elapsed_ms = 0.0;
+};
+
+const DrawingFormat* format_of(const DrawCommand& command) {
+    return command.output ? find_drawing_format(*command.output) : nullptr;
+}
+
+OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
+    auto job = std::make_shared<DrawJob>();
+    if (!command.output && !command.stats)
+        return wrong_input("nothing to write: give -o OUT.svg or --stats -");
+    if (command.output && format_of(command) == nullptr) {
+        return wrong_input("-o " + *command.output +
+                           ": the ending tells what to write; type one of " +
+                           drawing_format_list());
+    }
+    auto plan = read_drawing(command.drawing);
+    if (!plan) return std::unexpected(plan.error());
+    job->plan = *plan;
+    job->plan.choice.fits = command.view.fit;
+    job->plan.choice.fits_box = !command.view.box;
+    const auto budget = read_budget(command.budget);
+    if (!budget) return std::unexpected(budget.error());
+    job->budget_s = *budget;
+    auto input = read_document(command.equation, command.view);
+    if (!input) return std::unexpected(input.error());
+    if (!input->rows) return std::unexpected(input->rows.error());
+    job->document = std::move(input->document);
+    job->rows = std::move(*input->rows);
+    return job;
+}
+
+std::optional<std::string> unwritable_file(const DrawCommand& command) {
+    for (const auto* path : {&command.output, &command.stats}) {
+        if (!*path || **path == "-") continue;
+        if (auto writable = check_writable(**path); !writable) return writable.error().message;
+    }
+    return std::nullopt;
+}
+
+void work_on(DrawJob& job) {
+    const TimeLimit limit{.cancel = &job.cancel, .until = until_after(job.start, job.budget_s)};
+    const auto scene = drawing_scene(job.document, job.rows, job.plan.choice, limit);
+    if (!scene) {
+        job.error = scene.error();
+        return;
+    }
+    job.note = scene->note;
+    job.progress.enter(Progress::Stage::Drawing);
+    job.drawing = line_drawing(*scene, limit);
+    job.elapsed_ms = ms_since(job.start);
+}
+
+/// One line on what the drawing may lack; empty if it lacks nothing.
+std::string warning_of(const DrawJob& job) {
+    const FindingReport& report = job.drawing.report;
+    if (!report.in_time) {
+        return "the budget of " + short_number(job.budget_s) +
+               " s is spent: lines may be missing; --budget SECONDS gives more";
+    }
+    if (report.open_pt > job.plan.choice.tolerance_pt) {
+        return "lines may be missing in " + std::to_string(report.open) + " places of up to " +
+               short_number(report.open_pt) +
+               " pt, where equations of lines could not be told apart";
+    }
+    return "";
+}
+
+Json stats_of(const DrawJob& job) {
+    const LineDrawing& drawing = job.drawing;
+    Json kinds = Json::object();
+    for (const CurveKind kind : curve_kinds()) {
+        std::size_t paths = 0, loops = 0, hidden = 0, pieces = 0;
+        for (const DrawnPath& path : drawing.paths) {
+            if (path.kind != kind) continue;
+            ++paths;
+            loops += path.closed ? 1 : 0;
+            hidden += path.hidden ? 1 : 0;
+            pieces += path.pieces.size();
+        }
+        kinds[std::string(name_of(kind))] = {
+            {"paths", paths}, {"closed", loops}, {"hidden", hidden}, {"pieces", pieces}};
+    }
+    const FindingReport& report = drawing.report;
+    return {{"width_pt", drawing.size.width},
+            {"height_pt", drawing.size.height},
+            {"tolerance_pt", job.plan.choice.tolerance_pt},
+            {"lines", kinds},
+            {"cells", report.cells},
+            {"cells_proved", report.regular},
+            {"cells_open", report.open},
+            {"cells_open_pt", report.open_pt},
+            {"ends_within", report.stuck},
+            {"in_time", report.in_time},
+            {"elapsed_ms", job.elapsed_ms}};
+}
+
+std::expected<void, std::string> write_files(const DrawCommand& command, const DrawJob& job) {
+    std::expected<void, FileError> written;
+    if (command.output) {
+        const auto bytes = format_of(command)->encode(job.drawing, job.plan.style);
+        if (!bytes) {
+            return std::unexpected("cannot write '" + *command.output + "': " + bytes.error());
+        }
+        written = write_text(*command.output, *bytes);
+    }
+    if (written && command.stats)
+        written = write_text(*command.stats, stats_of(job).dump(2) + "\n");
+    if (!written) return std::unexpected(written.error().message);
+    return {};
+}
+
+int finish(const DrawCommand& command, const DrawJob& job) {
+    if (job.error) return report(*job.error);
+    if (!job.note.empty()) std::cerr << "zeroset: --fit: " << job.note << '\n';
+    const std::string warning = warning_of(job);
+    if (!warning.empty()) std::cerr << "zeroset: " << warning << '\n';
+    const auto written = write_files(command, job);
+    return written ? exit_ok : report_run_time(written.error());
+}
+
+}  // namespace
+
+int run_draw(const DrawCommand& command) {
+    const auto start = Clock::now();
+    const auto made = job_of(command);
+    if (!made) return report(made.error());
+    const std::shared_ptr<DrawJob>& job = *made;
+    job->start = start;
+    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    const auto last = until_after(start, job->budget_s) + patience;
+    if (finish_until(last, job->progress, [job] { work_on(*job); })) return finish(command, *job);
+    job->cancel = true;
+    const int code =
+        report_run_time("the budget of " + short_number(job->budget_s) + " s is spent on " +
+                        name_of(job->progress.stage()) + "; --budget SECONDS gives more");
+    end_process(code);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,108 @@
+#include "app/cli/options/drawing_options.hpp"
+
+#include "app/cli/options/options.hpp"
+#include "engine/base/text.hpp"
+#include "engine/expr/spelling.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+/// A number of an option that must be in a range.
+OrInputError<double> read_between(const std::string& option, const std::string& text, double lowest,
+                                  double highest) {
+    const auto number = read_number(option, text);
+    if (number && !(*number >= lowest && *number <= highest)) {
+        return wrong_input(option + " " + text + ": type a number of points from " +
+                           short_number(lowest) + " to " + short_number(highest));
+    }
+    return number;
+}
+
+OrInputError<std::array<bool, 5>> read_kinds(const std::string& text) {
+    std::array<bool, 5> kinds{};
+    for (const std::string_view part : split(text, ',')) {
+        const std::string_view name = trimmed(part);
+        if (name == "all") {
+            kinds.fill(true);
+            continue;
+        }
+        auto kind = curve_kind_named(name);
+        if (!kind && name.ends_with('s')) kind = curve_kind_named(name.substr(0, name.size() - 1));
+        if (!kind) {
+            return wrong_input("--lines " + text + ": there are no such lines as " +
+                               quoted(name, name.size()) +
+                               "; type all, or some of silhouette,crease,boundary,intersection,"
+                               "contour");
+        }
+        kinds.at(static_cast<std::size_t>(*kind)) = true;
+    }
+    return kinds;
+}
+
+}  // namespace
+
+OrInputError<PageSize> read_page_size(const std::string& text) {
+    constexpr double least = 10.0;
+    constexpr double most = 10'000.0;
+    std::string_view rest = text;
+    double unit = 1.0;
+    for (const auto& [name, points] : {std::pair<std::string_view, double>{"pt", 1.0},
+                                       {"mm", 72.0 / 25.4},
+                                       {"cm", 72.0 / 2.54},
+                                       {"in", 72.0}}) {
+        if (!rest.ends_with(name)) continue;
+        unit = points;
+        rest.remove_suffix(name.size());
+        break;
+    }
+    const std::vector<std::string_view> parts = split(trimmed(rest), 'x');
+    const auto width = read_number("--size", std::string(trimmed(parts.front())));
+    const auto height = read_number("--size", std::string(trimmed(parts.back())));
+    if (parts.size() != 2 || !width || !height) {
+        return wrong_input("--size " + text +
+                           ": type WIDTHxHEIGHT in points, for example 400x300, or with a unit: "
+                           "120x90mm");
+    }
+    const PageSize size{.width = *width * unit, .height = *height * unit};
+    const auto [low, high] = std::minmax(size.width, size.height);
+    if (!(low >= least && high <= most)) {
+        return wrong_input("--size " + text + ": each side must be from 10 to 10000 points");
+    }
+    return size;
+}
+
+OrInputError<DrawingPlan> read_drawing(const DrawingText& text) {
+    DrawingPlan plan;
+    const auto size = read_page_size(text.size);
+    if (!size) return std::unexpected(size.error());
+    plan.choice.page = *size;
+    if (text.lines) {
+        const auto kinds = read_kinds(*text.lines);
+        if (!kinds) return std::unexpected(kinds.error());
+        plan.choice.kinds = *kinds;
+    }
+    if (text.hidden) {
+        const auto hidden = hidden_lines_named(*text.hidden);
+        if (!hidden) return wrong_input("--hidden " + *text.hidden + ": type remove, dash or show");
+        plan.style.hidden = *hidden;
+    }
+    plan.choice.hidden = plan.style.hidden != HiddenLines::Remove;
+    if (text.width) {
+        const auto width = read_between("--width", *text.width, 0.01, 100.0);
+        if (!width) return std::unexpected(width.error());
+        plan.style.width_pt = *width;
+    }
+    if (text.tolerance) {
+        const auto tolerance = read_between("--tolerance", *text.tolerance, 1e-4, 10.0);
+        if (!tolerance) return std::unexpected(tolerance.error());
+        plan.choice.tolerance_pt = plan.style.tolerance_pt = *tolerance;
+    }
+    return plan;
+}
+
+}  // namespace zeroset

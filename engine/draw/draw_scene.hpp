@@ -1,0 +1,46 @@
+#pragma once
+
+#include "engine/draw/drawing.hpp"
+#include "engine/expr/expr.hpp"
+#include "engine/scene/scene.hpp"
+#include "engine/trace/time_limit.hpp"
+#include "engine/view/camera.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace zeroset {
+
+/// A number whose contour lines are drawn: a coordinate, or a formula's value.
+struct ContourNumber {
+    std::optional<int> axis;  ///< 0 to 2; nothing: `formula`
+    Expr formula = {};
+};
+
+/// What a drawing shows, and how well.
+struct DrawOptions {
+    std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind
+    std::vector<ContourNumber> contours = {};
+    double contour_step = 1.0;   ///< above 0
+    bool hidden = true;          ///< hidden parts are kept, marked as such
+    double tolerance_pt = 0.05;  ///< how far drawn curves may be from the true ones
+
+    [[nodiscard]] bool wants(CurveKind kind) const {
+        return kinds.at(static_cast<std::size_t>(kind));
+    }
+};
+
+/// The scene with the graphs of its surfaces.
+struct DrawnScene {
+    const Scene& scene;
+    std::vector<Expr> surfaces;
+    Camera camera;
+    PageSize page;
+};
+
+/// Draws the scene's curves. Any thread; works on all cores.
+LineDrawing draw_scene(const DrawnScene& input, const DrawOptions& options,
+                       const TimeLimit& limit = {});
+
+}  // namespace zeroset

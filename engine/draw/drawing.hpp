@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/draw/curve_finder.hpp"
+#include "engine/draw/page.hpp"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace zeroset {
+
+/// What a drawn curve is.
+enum class CurveKind : std::uint8_t {
+    Silhouette,    ///< where rays from the eye touch the surface
+    Crease,        ///< where the surface has an edge, or meets itself
+    Boundary,      ///< where the surface ends, or is cut by the clip box or the region
+    Intersection,  ///< where two surfaces meet
+    Contour,       ///< where a number on the surface is a whole multiple of a step
+};
+std::span<const CurveKind> curve_kinds();
+/// "silhouette", "crease", "boundary", "intersection", "contour".
+std::string_view name_of(CurveKind kind);
+std::optional<CurveKind> curve_kind_named(std::string_view name);
+
+/// A cubic Bezier curve by its four control points, in points of the page.
+using Bezier = std::array<glm::dvec2, 4>;
+
+/// A curve of a drawing: pieces that begin where the one before ends.
+struct DrawnPath {
+    CurveKind kind = CurveKind::Silhouette;
+    std::size_t surface = 0;           ///< index of the surface; of intersections the first
+    std::optional<double> level = {};  ///< of a contour line
+    bool hidden = false;               ///< a surface lies before it
+    bool closed = false;
+    std::vector<Bezier> pieces = {};
+};
+
+/// Curves on a page, as plain numbers.
+struct LineDrawing {
+    PageSize size;
+    std::vector<DrawnPath> paths = {};
+    FindingReport report = {};
+};
+
+}  // namespace zeroset

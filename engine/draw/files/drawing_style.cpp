@@ -1,0 +1,56 @@
+#include "engine/draw/files/drawing_style.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace zeroset {
+namespace {
+
+/// Widths of lines in widths of silhouettes.
+double width_of(CurveKind kind) {
+    switch (kind) {
+        case CurveKind::Silhouette: return 1.0;
+        case CurveKind::Crease:
+        case CurveKind::Boundary:
+        case CurveKind::Intersection: return 0.8;
+        case CurveKind::Contour: return 0.4;
+    }
+    return 1.0;
+}
+
+}  // namespace
+
+std::optional<HiddenLines> hidden_lines_named(std::string_view name) {
+    if (name == "remove") return HiddenLines::Remove;
+    if (name == "dash") return HiddenLines::Dash;
+    if (name == "show") return HiddenLines::Show;
+    return std::nullopt;
+}
+
+std::vector<LineGroup> line_groups(const DrawingStyle& style) {
+    constexpr double hidden_width = 0.6;
+    constexpr double dash = 3.0;
+    constexpr double gap = 2.5;
+    std::vector<LineGroup> groups;
+    for (const bool hidden : {true, false}) {
+        if (hidden && style.hidden == HiddenLines::Remove) continue;
+        const double share = hidden ? hidden_width : 1.0;
+        const double dashes = hidden && style.hidden == HiddenLines::Dash ? style.width_pt : 0.0;
+        for (const CurveKind kind :
+             {CurveKind::Contour, CurveKind::Intersection, CurveKind::Boundary, CurveKind::Crease,
+              CurveKind::Silhouette}) {
+            groups.push_back({.kind = kind,
+                              .hidden = hidden,
+                              .width_pt = share * width_of(kind) * style.width_pt,
+                              .dash_pt = dash * dashes,
+                              .gap_pt = gap * dashes});
+        }
+    }
+    return groups;
+}
+
+int decimals(const DrawingStyle& style) {
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(style.tolerance_pt))) + 2, 2, 8);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/draw/drawing.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace zeroset {
+
+/// What becomes of the parts of curves that surfaces hide.
+enum class HiddenLines : std::uint8_t { Remove, Dash, Show };
+/// "remove", "dash", "show".
+std::optional<HiddenLines> hidden_lines_named(std::string_view name);
+
+/// How the lines of a drawing look in a file.
+struct DrawingStyle {
+    HiddenLines hidden = HiddenLines::Remove;
+    double width_pt = 1.0;       ///< of silhouettes; the others are thinner
+    double tolerance_pt = 0.05;  ///< numbers are written to a hundredth of it
+};
+
+/// One list of paths that look alike, in the order in which they are to be drawn.
+struct LineGroup {
+    CurveKind kind;
+    bool hidden;
+    double width_pt;
+    double dash_pt, gap_pt;  ///< 0: not dashed
+};
+/// The groups that a style draws: hidden ones first, silhouettes last.
+std::vector<LineGroup> line_groups(const DrawingStyle& style);
+
+/// The digits after the point of numbers written in points.
+int decimals(const DrawingStyle& style);
+
+}  // namespace zeroset

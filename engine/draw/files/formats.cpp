@@ -1,0 +1,57 @@
+#include "engine/draw/files/formats.hpp"
+
+#include "engine/draw/files/pdf.hpp"
+#include "engine/draw/files/svg.hpp"
+#include "engine/draw/files/tikz.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace zeroset {
+namespace {
+
+using Encoded = std::expected<std::string, std::string>;
+
+Encoded encode_svg(const LineDrawing& drawing, const DrawingStyle& style) {
+    return svg_of(drawing, style);
+}
+
+Encoded encode_tikz(const LineDrawing& drawing, const DrawingStyle& style) {
+    return tikz_of(drawing, style);
+}
+
+constexpr std::array formats{
+    DrawingFormat{.ending = ".svg", .name = "SVG", .encode = encode_svg},
+    DrawingFormat{.ending = ".pdf", .name = "PDF", .encode = pdf_of},
+    DrawingFormat{.ending = ".tex", .name = "TikZ", .encode = encode_tikz},
+};
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+}  // namespace
+
+std::span<const DrawingFormat> drawing_formats() { return formats; }
+
+const DrawingFormat* find_drawing_format(std::string_view path) {
+    const std::string name = lower(path);
+    const auto* const found = std::ranges::find_if(
+        formats, [&](const DrawingFormat& format) { return name.ends_with(format.ending); });
+    return found == formats.end() ? nullptr : found;
+}
+
+std::string drawing_format_list() {
+    std::string text;
+    for (const DrawingFormat& format : formats) {
+        if (!text.empty()) text += ", ";
+        text += std::string(format.name) + " (" + std::string(format.ending) + ")";
+    }
+    return text;
+}
+
+}  // namespace zeroset

@@ -1,0 +1,84 @@
+#include "engine/draw/files/svg.hpp"
+
+#include "engine/draw/files/number_text.hpp"
+
+namespace zeroset {
+namespace {
+
+/// Writes the parts of a file.
+class SvgWriter {
+public:
+    SvgWriter(const LineDrawing& drawing, const DrawingStyle& style)
+        : drawing_(drawing), style_(style), decimals_(decimals(style)) {}
+
+    std::string run() {
+        begin();
+        for (const LineGroup& group : line_groups(style_))
+            write_group(group);
+        return std::move(text_) + "</svg>\n";
+    }
+
+private:
+    void begin();
+    void write_group(const LineGroup& group);
+    void write_path(const DrawnPath& path);
+    [[nodiscard]] std::string number(double value) const { return file_number(value, decimals_); }
+    void write_point(const glm::dvec2& at) { text_ += number(at.x) + " " + number(at.y); }
+
+    const LineDrawing& drawing_;
+    const DrawingStyle& style_;
+    int decimals_;
+    std::string text_;
+};
+
+void SvgWriter::begin() {
+    const std::string width = number(drawing_.size.width);
+    const std::string height = number(drawing_.size.height);
+    text_ =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
+        width + "pt\" height=\"" + height + "pt\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+}
+
+void SvgWriter::write_group(const LineGroup& group) {
+    const std::size_t before = text_.size();
+    text_ += std::string("<g id=\"") + (group.hidden ? "hidden-" : "visible-") +
+             std::string(name_of(group.kind)) +
+             "\" fill=\"none\" stroke=\"#000000\" stroke-linecap=\"round\" "
+             "stroke-linejoin=\"round\" stroke-width=\"" +
+             number(group.width_pt) + "\"";
+    if (group.dash_pt > 0.0) {
+        text_ += " stroke-dasharray=\"" + number(group.dash_pt) + " " + number(group.gap_pt) + "\"";
+    }
+    text_ += ">\n";
+    const std::size_t empty = text_.size();
+    for (const DrawnPath& path : drawing_.paths) {
+        if (path.kind == group.kind && path.hidden == group.hidden) write_path(path);
+    }
+    if (text_.size() == empty) {
+        text_.resize(before);
+    } else {
+        text_ += "</g>\n";
+    }
+}
+
+void SvgWriter::write_path(const DrawnPath& path) {
+    text_ += "<path class=\"surface-" + std::to_string(path.surface + 1) + "\" d=\"M";
+    write_point(path.pieces.front()[0]);
+    for (const Bezier& piece : path.pieces) {
+        text_ += "C";
+        for (const std::size_t i : {1UL, 2UL, 3UL}) {
+            if (i > 1) text_ += " ";
+            write_point(piece.at(i));
+        }
+    }
+    text_ += path.closed ? "Z\"/>\n" : "\"/>\n";
+}
+
+}  // namespace
+
+std::string svg_of(const LineDrawing& drawing, const DrawingStyle& style) {
+    return SvgWriter(drawing, style).run();
+}
+
+}  // namespace zeroset

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/draw/curve_system.hpp"
+#include "engine/draw/page.hpp"
+#include "engine/draw/space_curve.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace zeroset {
+
+/// The curve with as many more points that those next to each other are near on the page, and its
+/// direction there turns little between them.
+SpaceCurve refined(const CurveSystem& system, const SpaceCurve& curve, const Page& page);
+
+/// A part of a curve in one state; with the others of its curve it makes up the whole, each begins
+/// where the one before ends.
+struct CurveRun {
+    SpaceCurve curve;
+    int state = 0;
+};
+
+/// The state of a point of a curve, of those into which it is to be divided.
+using StateAt = std::function<int(const CurvePoint&)>;
+
+/// Divides a curve where the state changes between two of its points; `states` has that of each.
+/// The places are found by halving, to a small part of a point on the page.
+std::vector<CurveRun> divided(const CurveSystem& system, const SpaceCurve& curve, const Page& page,
+                              const std::vector<int>& states, const StateAt& state_at);
+
+}  // namespace zeroset

@@ -1,0 +1,73 @@
+#include "engine/draw/shown_points.hpp"
+
+#include "engine/draw/space_function.hpp"
+#include "engine/interpret/interpret.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// How far beside a curve its two sides are looked at, in parts of the clip box.
+constexpr double side_part = 1e-6;
+/// How far from a surface a point of it may be, in parts of the clip box.
+constexpr double zero_slack = 1e-8;
+
+/// The surface's function at a point.
+ValueAndGradient surface_at(const Scene& scene, std::size_t surface, const glm::dvec3& point) {
+    return value_at(scene.surfaces[surface], scene.uniforms, point);
+}
+
+/// Points beside the border: where it is above 0 and where it is below.
+struct Sides {
+    glm::dvec3 above, below;
+};
+
+Sides sides_of(const Kernel& border, const Scene& scene, const glm::dvec3& point) {
+    const glm::dvec3 gradient = value_at(border, scene.uniforms, point).gradient;
+    const glm::dvec3 step = side_part * scene.clip.size() * glm::normalize(gradient);
+    return {.above = point + step, .below = point - step};
+}
+
+}  // namespace
+
+ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& piece) {
+    return [&scene, surface, code = interpret(piece)](const CurvePoint& point) {
+        const glm::dvec3 steepness = value_at(code, scene.uniforms, point.place).gradient;
+        const double f = surface_at(scene, surface, point.place).value;
+        return std::abs(f) <= zero_slack * scene.clip.size() * glm::length(steepness);
+    };
+}
+
+ShownAt where_defined(const Scene& scene, std::size_t surface) {
+    return [&scene, surface](const CurvePoint& point) {
+        return !std::isnan(surface_at(scene, surface, point.place).value);
+    };
+}
+
+ShownAt where_edge(const Scene& scene, std::size_t surface, const Expr& whole, const Expr& border) {
+    return [&scene, surface, code = interpret(whole),
+            border_code = interpret(border)](const CurvePoint& point) {
+        constexpr double least_sine = 1e-3;
+        const Sides sides = sides_of(border_code, scene, point.place);
+        const glm::dvec3 a = value_at(code, scene.uniforms, sides.above).gradient;
+        const glm::dvec3 b = value_at(code, scene.uniforms, sides.below).gradient;
+        const double steepness = std::max(glm::length(a), glm::length(b));
+        const double f = surface_at(scene, surface, point.place).value;
+        return std::abs(f) <= zero_slack * scene.clip.size() * steepness &&
+               glm::length(glm::cross(a, b)) > least_sine * glm::length(a) * glm::length(b);
+    };
+}
+
+ShownAt where_end(const Scene& scene, std::size_t surface, const Expr& border) {
+    return [&scene, surface, border_code = interpret(border)](const CurvePoint& point) {
+        const Sides sides = sides_of(border_code, scene, point.place);
+        const bool above = std::isnan(surface_at(scene, surface, sides.above).value);
+        const bool below = std::isnan(surface_at(scene, surface, sides.below).value);
+        return above != below;
+    };
+}
+
+}  // namespace zeroset

@@ -1,0 +1,97 @@
+#include "pipeline/drawing_scene.hpp"
+
+#include "document/framing.hpp"
+#include "engine/measure/extent.hpp"
+#include "pipeline/color_formulas.hpp"
+#include "pipeline/picture_request.hpp"
+#include "pipeline/prepare.hpp"
+
+#include <glm/ext/vector_int2.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+double aspect_of(const PageSize& page) { return page.width / page.height; }
+
+/// The document with the camera of a picture of the page's aspect.
+Document with_camera(Document document, const PageSize& page) {
+    if (!document.camera)
+        document.camera = default_camera(document.clip, aspect_of(page), document.up);
+    return document;
+}
+
+PictureRequest request_for(const Document& document, const PreparedDocument& prepared,
+                           const PageSize& page) {
+    const glm::ivec2 size(static_cast<int>(std::ceil(page.width)),
+                          static_cast<int>(std::ceil(page.height)));
+    return picture_request(prepared.formula, prepared.colors, document, {}, size);
+}
+
+/// The axis of a coordinate, or nothing for other directions.
+std::optional<int> axis_of(const glm::dvec3& along) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(along[axis]) == 1.0) return axis;
+    }
+    return std::nullopt;
+}
+
+/// The numbers whose contour lines the document shows.
+std::expected<std::vector<ContourNumber>, InputError> contour_numbers(const Document& document,
+                                                                      const RowProgram& rows,
+                                                                      const SurfaceLines& lines) {
+    std::vector<ContourNumber> numbers;
+    if (document.coloring.lines.contours == Contours::Expression) {
+        auto formula = contour_expression(document.coloring.lines, rows);
+        if (!formula) return std::unexpected(formula.error());
+        numbers.push_back({.axis = std::nullopt, .formula = std::move(*formula)});
+        return numbers;
+    }
+    for (const PointNumber& number : lines.contours)
+        numbers.push_back({.axis = axis_of(number.along)});
+    return numbers;
+}
+
+}  // namespace
+
+std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProgram rows,
+                                                      const DrawingChoice& choice,
+                                                      const TimeLimit& limit) {
+    auto prepared = prepare(document, std::move(rows), Preparation::Compiled);
+    if (!prepared) return std::unexpected(prepared.error());
+    document = with_camera(std::move(document), choice.page);
+    DrawingScene result;
+    result.page = choice.page;
+    if (choice.fits) {
+        const Scene scene = scene_of(request_for(document, *prepared, choice.page));
+        Framing framing = frame_surfaces(document, find_extent(scene, limit),
+                                         aspect_of(choice.page), choice.fits_box);
+        document = std::move(framing.document);
+        if (!framing.found) result.note = framing.note;
+    }
+    const PictureRequest request = request_for(document, *prepared, choice.page);
+    result.scene = scene_of(request);
+    result.camera = request.camera;
+    for (const std::size_t i : shown_indices(request))
+        result.surfaces.push_back(prepared->formula->drawn[i]);
+    auto numbers = contour_numbers(document, *prepared->formula, result.scene.coloring.lines);
+    if (!numbers) return std::unexpected(numbers.error());
+    result.options = {.kinds = choice.kinds,
+                      .contours = std::move(*numbers),
+                      .contour_step = result.scene.coloring.lines.step,
+                      .hidden = choice.hidden,
+                      .tolerance_pt = choice.tolerance_pt};
+    return result;
+}
+
+LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit) {
+    const DrawnScene input{.scene = scene.scene,
+                           .surfaces = scene.surfaces,
+                           .camera = scene.camera,
+                           .page = scene.page};
+    return draw_scene(input, scene.options, limit);
+}
+
+}  // namespace zeroset

@@ -1,0 +1,92 @@
+#include "engine/draw/files/formats.hpp"
+
+#include "engine/draw/files/number_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace zeroset::test {
+namespace {
+
+LineDrawing two_lines() {
+    LineDrawing drawing{.size = {.width = 200.0, .height = 100.0}};
+    drawing.paths.push_back({.kind = CurveKind::Silhouette,
+                             .surface = 0,
+                             .hidden = false,
+                             .closed = false,
+                             .pieces = {{glm::dvec2(0, 0), {10, 0}, {20, 0}, {30, 12.34567}}}});
+    drawing.paths.push_back({.kind = CurveKind::Boundary,
+                             .surface = 1,
+                             .hidden = true,
+                             .closed = true,
+                             .pieces = {{glm::dvec2(5, 5), {10, 5}, {10, 9}, {5, 5}}}});
+    return drawing;
+}
+
+std::string encoded(const char* name, HiddenLines hidden) {
+    const DrawingStyle style{.hidden = hidden};
+    return find_drawing_format(name)->encode(two_lines(), style).value();
+}
+
+TEST(DrawingFormats, AreFoundByTheEnding) {
+    EXPECT_EQ(find_drawing_format("a.svg")->name, "SVG");
+    EXPECT_EQ(find_drawing_format("folder.pdf/a.PDF")->name, "PDF");
+    EXPECT_EQ(find_drawing_format("a.tex")->name, "TikZ");
+    EXPECT_EQ(find_drawing_format("a.png"), nullptr);
+    EXPECT_EQ(find_drawing_format(""), nullptr);
+    EXPECT_EQ(drawing_format_list(), "SVG (.svg), PDF (.pdf), TikZ (.tex)");
+}
+
+TEST(Svg, HasAGroupForEachKind) {
+    const std::string text = encoded("a.svg", HiddenLines::Dash);
+    EXPECT_NE(text.find("<g id=\"hidden-boundary\""), std::string::npos);
+    EXPECT_NE(text.find("<g id=\"visible-silhouette\""), std::string::npos);
+    EXPECT_EQ(text.find("visible-boundary"), std::string::npos);
+    EXPECT_NE(text.find("stroke-dasharray=\"3 2.5\""), std::string::npos);
+    EXPECT_NE(text.find("width=\"200pt\" height=\"100pt\" viewBox=\"0 0 200 100\""),
+              std::string::npos);
+    EXPECT_NE(text.find("<path class=\"surface-1\" d=\"M0 0C10 0 20 0 30 12.3457\"/>"),
+              std::string::npos);
+    EXPECT_NE(text.find("<path class=\"surface-2\" d=\"M5 5C10 5 10 9 5 5Z\"/>"),
+              std::string::npos);
+}
+
+TEST(Svg, HiddenLinesAreRemovedOrWhole) {
+    EXPECT_EQ(encoded("a.svg", HiddenLines::Remove).find("hidden"), std::string::npos);
+    const std::string shown = encoded("a.svg", HiddenLines::Show);
+    EXPECT_NE(shown.find("hidden-boundary"), std::string::npos);
+    EXPECT_EQ(shown.find("dasharray"), std::string::npos);
+}
+
+TEST(Tikz, DrawsPathsInScopes) {
+    const std::string text = encoded("a.tex", HiddenLines::Dash);
+    EXPECT_NE(text.find("\\begin{tikzpicture}[x=1bp,y=-1bp"), std::string::npos);
+    EXPECT_NE(text.find(".. controls (10,0) and (20,0) .. (30,12.3457);"), std::string::npos);
+    EXPECT_NE(text.find(".. controls (10,5) and (10,9) .. cycle;"), std::string::npos);
+    EXPECT_NE(text.find("dash pattern=on 3bp off 2.5bp"), std::string::npos);
+    EXPECT_TRUE(text.ends_with("\\end{tikzpicture}\n"));
+}
+
+TEST(Pdf, IsOfOnePageAndTheSameEachTime) {
+    for (const double width : {0.01, 1.0, 60.0}) {
+        const DrawingStyle style{.hidden = HiddenLines::Dash, .width_pt = width};
+        const auto text = find_drawing_format("a.pdf")->encode(two_lines(), style);
+        ASSERT_TRUE(text) << text.error();
+        EXPECT_TRUE(text->starts_with("%PDF-1."));
+        EXPECT_NE(text->find("/MediaBox [ 0 0 200 100 ]"), std::string::npos);
+        EXPECT_NE(text->find("startxref"), std::string::npos);
+        EXPECT_EQ(find_drawing_format("a.pdf")->encode(two_lines(), style).value(), *text);
+    }
+}
+
+TEST(FileNumber, IsShort) {
+    EXPECT_EQ(file_number(1.0, 4), "1");
+    EXPECT_EQ(file_number(-0.00001, 4), "0");
+    EXPECT_EQ(file_number(1234.56789, 3), "1234.568");
+    EXPECT_EQ(file_number(-2.50, 3), "-2.5");
+    EXPECT_EQ(file_number(100.0, 0), "100");
+}
+
+}  // namespace
+}  // namespace zeroset::test
