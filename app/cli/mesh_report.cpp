@@ -18,9 +18,9 @@ std::string size_text(const Box& bounds, double mm_per_unit) {
 }
 
 std::string shape_text(const MeshFacts& facts) {
-    std::string text = std::to_string(facts.components) +
-                       (facts.components == 1 ? " component" : " components") +
-                       ", Euler characteristic " + std::to_string(facts.euler());
+    const std::string text = std::to_string(facts.components) +
+                             (facts.components == 1 ? " component" : " components") +
+                             ", Euler characteristic " + std::to_string(facts.euler());
     if (facts.open_edges == 0)
         return text + ", genus " + std::to_string(facts.genus()) + ", closed";
     return text + ", open (" + std::to_string(facts.open_edges) + " edges)";
