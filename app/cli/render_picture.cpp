@@ -111,9 +111,8 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{.cancel = &drawing.cancel,
                               .until = after_share(drawing, fitting_share)};
-        drawing.picture.note =
-            fit_view(plan.document, *prepared, plan.settings, {plan.size.width, plan.size.height},
-                     plan.fits_box, limit);
+        drawing.picture.note = fit_view(plan.document, *prepared, plan.settings,
+                                        {plan.size.width, plan.size.height}, plan.fits_box, limit);
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);
