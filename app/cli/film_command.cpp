@@ -82,7 +82,7 @@ public:
     [[nodiscard]] double writing_ms() const { return writing_ms_; }
 
 private:
-    std::expected<void, FileError> write_picture(const FilmFrame& frame) const;
+    [[nodiscard]] std::expected<void, FileError> write_picture(const FilmFrame& frame) const;
 
     FilmTarget target_;
     std::unique_ptr<FilmWriter> film_;
@@ -172,7 +172,7 @@ std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
 
 void make_film(Filming& filming) {
     const auto start = Clock::now();
-    FilmJob& job = filming.job;
+    const FilmJob& job = filming.job;
     auto prepared = prepare_film(filming);
     if (!prepared) {
         filming.wrong = prepared.error();

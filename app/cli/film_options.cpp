@@ -171,7 +171,7 @@ std::optional<InputError> read_waypoints(const FilmCommand& command, const Docum
     if (command.waypoints.size() < 2)
         return InputError{.reason = "--through " + command.waypoints.front() +
                                     ": a way has two ends at least; give another --through"};
-    Camera camera = document.camera.value_or(default_camera(document.clip, 1.0, document.up));
+    const Camera camera = document.camera.value_or(default_camera(document.clip, 1.0, document.up));
     for (const std::string& text : command.waypoints) {
         const auto read = read_waypoint(text, camera);
         if (!read) return read.error();

@@ -91,7 +91,8 @@ std::expected<void, FileError> RenderFiles::begin(const RenderedPicture& picture
     if (command_.depth)
         depth_ = std::make_unique<PfmWriter>(*command_.depth, size.width, size.height);
     if (command_.certificate)
-        certificate_ = make_png_picture(*command_.certificate, {.size = {size.width, size.height}});
+        certificate_ = make_png_picture(*command_.certificate,
+                                        {.size = {.width = size.width, .height = size.height}});
     return {};
 }
 

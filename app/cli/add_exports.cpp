@@ -1,0 +1,169 @@
+#include "app/cli/add_exports.hpp"
+
+#include "app/cli/add_options.hpp"
+#include "engine/draw/files/formats.hpp"
+
+namespace zeroset {
+namespace {
+
+void add_film_options(CLI::App& app, FilmCommand& film) {
+    add_value(app, "EQUATION", film.equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
+        ->required();
+    add_value(app, "-o,--output", film.output,
+              "a film (.mp4, .webm, .mov, .mkv, .gif or .apng), or numbered pictures: "
+              "frames/f####.png")
+        ->required();
+    add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
+    add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
+    add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
+    add_value(app, "--frames", film.frames,
+              "N frames in all, or only those from A to B: A..B, counted from 0");
+    add_value(app, "--axis", film.axis, "what it turns about: x, y, z or X,Y,Z (default: up)");
+    add_repeated(app, "--sweep", film.sweeps,
+                 "a parameter, or w, that changes: NAME=FROM..TO; may be repeated");
+    add_repeated(app, "--through", film.waypoints,
+                 "where the camera goes through at constant speed: eye X,Y,Z, and each after a ;, "
+                 "look-at X,Y,Z, up X,Y,Z, fov DEGREES; twice or more");
+    add_value(app, "--end", film.end,
+              "loop (the last frame leads to the first), bounce (there and back) or stop");
+    add_value(app, "--ease", film.ease, "linear (default) or smooth: slowly at both ends");
+    add_value(app, "--blur", film.blur, "pictures that are mixed for a frame, 1 (default) to 64");
+    add_value(app, "--shutter", film.shutter,
+              "the part of a frame's time that --blur mixes, 0 to 1 (default 0.5)");
+    add_value(app, "--quality", film.quality, "1 to 100 for .mp4 and .webm (default 90)");
+    add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
+    app.add_flag("--alpha", film.alpha, "leave the background transparent");
+    app.add_flag("--resume", film.resume,
+                 "keep the numbered pictures that are there and show the same");
+    app.add_flag("--no-legend", film.no_legend,
+                 "leave out what says which colour stands for which number");
+    add_value(app, "--budget", film.budget,
+              "seconds after which what is not decided of a frame stays undecided (default 30)");
+    add_value(app, "--stats", film.stats, "times and counts: a JSON file, or -");
+    add_view_options(app, film.view);
+    add_trace_options(app, film.trace);
+}
+
+}  // namespace
+
+CLI::App* add_render(CLI::App& app, RenderCommand& render) {
+    CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
+    add_value(*render_app, "EQUATION", render.equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
+        ->required();
+    add_value(*render_app, "-o,--output", render.output,
+              "the picture: a file that ends in .png, .jpg, .webp, .tif or .exr");
+    add_value(*render_app, "--size", render.size,
+              "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
+    add_value(*render_app, "--bits", render.bits,
+              "of a colour channel: 8 (default) or 16 for .png and .tif");
+    add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
+    add_value(*render_app, "--quality", render.quality,
+              "1 to 100 for .jpg and .webp (default 92); 100 in .webp is without loss");
+    render_app->add_flag("--no-session", render.no_session,
+                         "leave out the session, which .png and .exr hold besides the picture");
+    add_view_options(*render_app, render.view);
+    add_trace_options(*render_app, render.trace);
+    add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
+    add_value(*render_app, "--certificate", render.certificate,
+              "what is proved of each pixel, in colours: a PNG file");
+    add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
+    add_repeated(*render_app, "--probe", render.probes,
+                 "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
+    render_app->add_flag("--alpha", render.alpha, "leave the background transparent");
+    render_app->add_flag("--no-legend", render.no_legend,
+                         "leave out what says which colour stands for which number");
+    add_value(*render_app, "--repeat", render.repeat,
+              "draw N frames after a warm-up, for timing, by machine code");
+    add_value(*render_app, "--budget", render.budget,
+              "seconds after which what is not decided stays undecided (default 30)");
+    return render_app;
+}
+
+CLI::App* add_turntable(CLI::App& app, FilmCommand& film) {
+    film.turntable = true;
+    CLI::App* const film_app = app.add_subcommand("turntable", "draw a film of a full turn");
+    add_value(*film_app, "--turn", film.turn, "degrees (default 360)");
+    add_film_options(*film_app, film);
+    return film_app;
+}
+
+CLI::App* add_animate(CLI::App& app, FilmCommand& film) {
+    CLI::App* const film_app =
+        app.add_subcommand("animate", "draw a film of changing parameters or of a way around");
+    add_value(*film_app, "--turn", film.turn, "turn by so many degrees on the way");
+    add_film_options(*film_app, film);
+    return film_app;
+}
+
+CLI::App* add_share(CLI::App& app, ShareCommand& share) {
+    CLI::App* const share_app =
+        app.add_subcommand("share", "print a session as one line of text, to be sent and opened");
+    add_value(*share_app, "EQUATION", share.equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, or -")
+        ->required();
+    add_view_options(*share_app, share.view);
+    add_trace_options(*share_app, share.trace);
+    return share_app;
+}
+
+CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
+    CLI::App* const mesh_app =
+        app.add_subcommand("mesh", "write the surfaces as triangles: STL, 3MF, PLY, OBJ, glTF");
+    add_value(*mesh_app, "EQUATION", mesh.equation, "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*mesh_app, "-o,--output", mesh.output,
+              "the file: its ending, .stl, .3mf, .ply, .obj or .glb, says the format")
+        ->required();
+    add_value(*mesh_app, "--tolerance", mesh.tolerance,
+              "how far triangles may be from the surface, world units (default: a thousandth of "
+              "the clip box's longest edge)");
+    add_value(*mesh_app, "--size", mesh.size,
+              "millimetres of the longest edge of what is written (default 100)");
+    add_value(*mesh_app, "--triangles", mesh.triangles,
+              "at most about so many for each surface: raises the tolerance until they suffice");
+    add_value(*mesh_app, "--wall", mesh.wall,
+              "make a wall of so many millimetres of each surface, open where the box ends it");
+    add_value(*mesh_app, "--surface", mesh.surface, "only the surface of this number, from 1 on");
+    mesh_app->add_flag("--open", mesh.open,
+                       "the surface alone, not closed where the box, sections "
+                       "and its bounds end it");
+    mesh_app->add_flag("--no-thin", mesh.no_thin,
+                       "keep all triangles: the mesh that the proof is about");
+    add_value(*mesh_app, "--depth", mesh.depth,
+              "the smallest cells are about the clip box's edge times 2^-N (default: no larger "
+              "than the tolerance)");
+    add_value(*mesh_app, "--budget", mesh.budget,
+              "seconds after which cells are divided no more (default 30)");
+    add_value(*mesh_app, "--threads", mesh.threads, "threads (default: all cores)");
+    add_value(*mesh_app, "--stats", mesh.stats, "what is known of the meshes: a JSON file, or -");
+    add_region_options(*mesh_app, mesh.view);
+    add_color_options(*mesh_app, mesh.view.look);
+    return mesh_app;
+}
+
+CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
+    CLI::App* const draw_app = app.add_subcommand("draw", "draw lines into a file for a paper");
+    add_value(*draw_app, "EQUATION", draw.equation, "the formula, @NAME, FILE.zeroset.json, or -")
+        ->required();
+    add_value(*draw_app, "-o,--output", draw.output, "the drawing: " + drawing_format_list());
+    add_value(*draw_app, "--size", draw.drawing.size,
+              "WIDTHxHEIGHT in points, or with mm, cm or in behind it (default 400x400)");
+    add_value(*draw_app, "--lines", draw.drawing.lines,
+              "which lines: all (default), or some of silhouette, crease, boundary, intersection, "
+              "contour, with commas");
+    add_value(*draw_app, "--hidden", draw.drawing.hidden,
+              "what surfaces hide: remove (default), dash or show");
+    add_value(*draw_app, "--width", draw.drawing.width,
+              "width of silhouettes in points; other lines are thinner (default 1)");
+    add_value(*draw_app, "--tolerance", draw.drawing.tolerance,
+              "how far lines may be from the true ones, in points (default 0.05)");
+    add_view_options(*draw_app, draw.view);
+    add_value(*draw_app, "--stats", draw.stats, "counts of lines and proofs: a JSON file, or -");
+    add_value(*draw_app, "--budget", draw.budget,
+              "seconds after which no more lines are looked for (default 30)");
+    return draw_app;
+}
+
+}  // namespace zeroset

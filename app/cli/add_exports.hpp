@@ -1,0 +1,18 @@
+#pragma once
+
+#include "app/cli/commands.hpp"
+
+#include <CLI/CLI.hpp>
+
+// The subcommands that write files to take away: each adds its options to `app`.
+
+namespace zeroset {
+
+CLI::App* add_render(CLI::App& app, RenderCommand& render);
+CLI::App* add_turntable(CLI::App& app, FilmCommand& film);
+CLI::App* add_animate(CLI::App& app, FilmCommand& film);
+CLI::App* add_share(CLI::App& app, ShareCommand& share);
+CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh);
+CLI::App* add_draw(CLI::App& app, DrawCommand& draw);
+
+}  // namespace zeroset
