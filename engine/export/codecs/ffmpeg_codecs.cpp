@@ -84,80 +84,103 @@ void fill_bytes(const VideoFrame& from, AVFrame& to) {
 /// GIF's frames are numbers of colours: see ffmpeg_gif.cpp.
 void fill_nothing(const VideoFrame&, AVFrame&) {}
 
+FilmCodecRow h264_row() {
+    return {.encoder = "libx264",
+            .muxer = "mp4",
+            .opaque = AV_PIX_FMT_YUV420P,
+            .with_alpha = AV_PIX_FMT_YUV420P,
+            .is_video = true,
+            .ticks_per_second = 0,
+            .alpha_tag = false,
+            .muxer_options = {{"movflags", "+faststart"}},
+            .set_up = set_up_h264,
+            .fill = fill_video<8, true>};
+}
+
+FilmCodecRow vp9_row() {
+    return {.encoder = "libvpx-vp9",
+            .muxer = "webm",
+            .opaque = AV_PIX_FMT_YUV420P,
+            .with_alpha = AV_PIX_FMT_YUVA420P,
+            .is_video = true,
+            .ticks_per_second = 0,
+            .alpha_tag = true,
+            .muxer_options = {},
+            .set_up = set_up_vp9,
+            .fill = fill_video<8, true>};
+}
+
+FilmCodecRow prores_row() {
+    return {.encoder = "prores_ks",
+            .muxer = "mov",
+            .opaque = AV_PIX_FMT_YUV444P10,
+            .with_alpha = AV_PIX_FMT_YUVA444P10,
+            .is_video = true,
+            .ticks_per_second = 0,
+            .alpha_tag = false,
+            .muxer_options = {{"movflags", "+faststart"}},
+            .set_up = set_up_prores,
+            .fill = fill_video<10, false>};
+}
+
+FilmCodecRow ffv1_row() {
+    return {.encoder = "ffv1",
+            .muxer = "matroska",
+            .opaque = AV_PIX_FMT_0RGB32,
+            .with_alpha = AV_PIX_FMT_RGB32,
+            .is_video = false,
+            .ticks_per_second = 0,
+            .alpha_tag = false,
+            .muxer_options = {},
+            .set_up = set_up_ffv1,
+            .fill = fill_words};
+}
+
+FilmCodecRow gif_row() {
+    return {.encoder = "gif",
+            .muxer = "gif",
+            .opaque = AV_PIX_FMT_PAL8,
+            .with_alpha = AV_PIX_FMT_PAL8,
+            .is_video = false,
+            .ticks_per_second = 100,
+            .alpha_tag = false,
+            .muxer_options = {{"loop", "0"}},
+            .set_up = set_up_nothing,
+            .fill = fill_nothing};
+}
+
+FilmCodecRow apng_row() {
+    return {.encoder = "apng",
+            .muxer = "apng",
+            .opaque = AV_PIX_FMT_RGB24,
+            .with_alpha = AV_PIX_FMT_RGBA,
+            .is_video = false,
+            .ticks_per_second = 0,
+            .alpha_tag = false,
+            .muxer_options = {{"plays", "0"}},
+            .set_up = set_up_nothing,
+            .fill = fill_bytes};
+}
+
 }  // namespace
 
-const FilmCodecRow& film_codec_row(FilmCodec codec) {
-    // In the order of FilmCodec.
-    static const std::array<FilmCodecRow, 6> rows{{
-        {.encoder = "libx264",
-         .muxer = "mp4",
-         .opaque = AV_PIX_FMT_YUV420P,
-         .with_alpha = AV_PIX_FMT_YUV420P,
-         .is_video = true,
-         .ticks_per_second = 0,
-         .alpha_tag = false,
-         .muxer_options = {{"movflags", "+faststart"}},
-         .set_up = set_up_h264,
-         .fill = fill_video<8, true>},
-        {.encoder = "libvpx-vp9",
-         .muxer = "webm",
-         .opaque = AV_PIX_FMT_YUV420P,
-         .with_alpha = AV_PIX_FMT_YUVA420P,
-         .is_video = true,
-         .ticks_per_second = 0,
-         .alpha_tag = true,
-         .muxer_options = {},
-         .set_up = set_up_vp9,
-         .fill = fill_video<8, true>},
-        {.encoder = "prores_ks",
-         .muxer = "mov",
-         .opaque = AV_PIX_FMT_YUV444P10,
-         .with_alpha = AV_PIX_FMT_YUVA444P10,
-         .is_video = true,
-         .ticks_per_second = 0,
-         .alpha_tag = false,
-         .muxer_options = {{"movflags", "+faststart"}},
-         .set_up = set_up_prores,
-         .fill = fill_video<10, false>},
-        {.encoder = "ffv1",
-         .muxer = "matroska",
-         .opaque = AV_PIX_FMT_0RGB32,
-         .with_alpha = AV_PIX_FMT_RGB32,
-         .is_video = false,
-         .ticks_per_second = 0,
-         .alpha_tag = false,
-         .muxer_options = {},
-         .set_up = set_up_ffv1,
-         .fill = fill_words},
-        {.encoder = "gif",
-         .muxer = "gif",
-         .opaque = AV_PIX_FMT_PAL8,
-         .with_alpha = AV_PIX_FMT_PAL8,
-         .is_video = false,
-         .ticks_per_second = 100,
-         .alpha_tag = false,
-         .muxer_options = {{"loop", "0"}},
-         .set_up = set_up_nothing,
-         .fill = fill_nothing},
-        {.encoder = "apng",
-         .muxer = "apng",
-         .opaque = AV_PIX_FMT_RGB24,
-         .with_alpha = AV_PIX_FMT_RGBA,
-         .is_video = false,
-         .ticks_per_second = 0,
-         .alpha_tag = false,
-         .muxer_options = {{"plays", "0"}},
-         .set_up = set_up_nothing,
-         .fill = fill_bytes},
-    }};
-    return rows[static_cast<std::size_t>(codec)];
+FilmCodecRow film_codec_row(FilmCodec codec) {
+    switch (codec) {
+        case FilmCodec::H264: return h264_row();
+        case FilmCodec::Vp9: return vp9_row();
+        case FilmCodec::ProRes: return prores_row();
+        case FilmCodec::Ffv1: return ffv1_row();
+        case FilmCodec::Gif: return gif_row();
+        case FilmCodec::Apng: return apng_row();
+    }
+    return h264_row();
 }
 
 const char* encoder_of(FilmCodec codec) { return film_codec_row(codec).encoder; }
 
 std::expected<std::unique_ptr<FilmEncoder>, std::string> open_film(
     FilmCodec codec, const std::filesystem::path& path, const FilmSettings& settings) {
-    const FilmCodecRow& row = film_codec_row(codec);
+    const FilmCodecRow row = film_codec_row(codec);
     return codec == FilmCodec::Gif ? open_ffmpeg_gif(row, path, settings)
                                    : open_ffmpeg_film(row, path, settings);
 }

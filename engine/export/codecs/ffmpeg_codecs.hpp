@@ -31,7 +31,7 @@ struct FilmCodecRow {
 };
 
 /// The row of each codec. GIF takes numbers of colours: see ffmpeg_gif.cpp.
-const FilmCodecRow& film_codec_row(FilmCodec codec);
+FilmCodecRow film_codec_row(FilmCodec codec);
 
 /// Begins a film in a new file at `path`.
 std::expected<std::unique_ptr<FilmEncoder>, std::string> open_ffmpeg_film(

@@ -60,11 +60,11 @@ void FfmpegFilm::set_up_encoder() {
     AVCodecContext& encoder = *encoder_;
     encoder.width = settings_.width;
     encoder.height = settings_.height;
-    encoder.time_base = {settings_.rate.seconds, settings_.rate.frames};
-    if (row_.ticks_per_second > 0) encoder.time_base = {1, row_.ticks_per_second};
-    encoder.framerate = {settings_.rate.frames, settings_.rate.seconds};
+    encoder.time_base = av_make_q(settings_.rate.seconds, settings_.rate.frames);
+    if (row_.ticks_per_second > 0) encoder.time_base = av_make_q(1, row_.ticks_per_second);
+    encoder.framerate = av_make_q(settings_.rate.frames, settings_.rate.seconds);
     encoder.pix_fmt = settings_.alpha ? row_.with_alpha : row_.opaque;
-    encoder.sample_aspect_ratio = {1, 1};
+    encoder.sample_aspect_ratio = av_make_q(1, 1);
     encoder.flags |= AV_CODEC_FLAG_BITEXACT;
     if (row_.is_video) {
         encoder.color_range = AVCOL_RANGE_MPEG;

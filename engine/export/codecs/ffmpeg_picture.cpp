@@ -37,7 +37,7 @@ EncodedPicture encoded(const PictureCodec& codec, const RawPicture& picture) {
     context->width = picture.width;
     context->height = picture.height;
     context->pix_fmt = codec.format;
-    context->time_base = {1, 1};
+    context->time_base = av_make_q(1, 1);
     context->flags |= AV_CODEC_FLAG_BITEXACT;
     codec.set_up(*context);
     if (const int error = avcodec_open2(context.get(), nullptr, nullptr); error < 0)

@@ -171,11 +171,13 @@ FilmPalette ColorCounts::palette(std::size_t colors) const {
         boxes.push_back(upper);
     }
     std::vector<Color> palette;
+    palette.reserve(boxes.size());
     for (const ColorBox& box : boxes)
         palette.push_back(box.mean);
     for (int i = 0; i < rounds; ++i)
         improve(palette, counted);
     FilmPalette result;
+    result.reserve(palette.size());
     for (const Color& color : palette) {
         std::uint32_t rgb = 0;
         for (const double channel : color)

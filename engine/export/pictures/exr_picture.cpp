@@ -61,22 +61,29 @@ struct Channel {
 };
 
 constexpr std::size_t number = sizeof(float);
-constexpr std::array<Channel, 14> channels{{
-    {"R", Imf::FLOAT, offsetof(ExrPixel, color)},
-    {"G", Imf::FLOAT, offsetof(ExrPixel, color) + number},
-    {"B", Imf::FLOAT, offsetof(ExrPixel, color) + 2 * number},
-    {"A", Imf::FLOAT, offsetof(ExrPixel, color) + 3 * number},
-    {"opacity.A", Imf::FLOAT, offsetof(ExrPixel, opacity)},
-    {"depth.Z", Imf::FLOAT, offsetof(ExrPixel, depth)},
-    {"position.X", Imf::FLOAT, offsetof(ExrPixel, position)},
-    {"position.Y", Imf::FLOAT, offsetof(ExrPixel, position) + number},
-    {"position.Z", Imf::FLOAT, offsetof(ExrPixel, position) + 2 * number},
-    {"normal.X", Imf::FLOAT, offsetof(ExrPixel, normal)},
-    {"normal.Y", Imf::FLOAT, offsetof(ExrPixel, normal) + number},
-    {"normal.Z", Imf::FLOAT, offsetof(ExrPixel, normal) + 2 * number},
-    {"certificate.id", Imf::UINT, offsetof(ExrPixel, certificate)},
-    {"surface.id", Imf::UINT, offsetof(ExrPixel, surface)},
-}};
+constexpr Channel real(const char* name, std::size_t offset) {
+    return {.name = name, .type = Imf::FLOAT, .offset = offset};
+}
+constexpr Channel whole(const char* name, std::size_t offset) {
+    return {.name = name, .type = Imf::UINT, .offset = offset};
+}
+
+constexpr std::array<Channel, 14> channels{
+    real("R", offsetof(ExrPixel, color)),
+    real("G", offsetof(ExrPixel, color) + number),
+    real("B", offsetof(ExrPixel, color) + 2 * number),
+    real("A", offsetof(ExrPixel, color) + 3 * number),
+    real("opacity.A", offsetof(ExrPixel, opacity)),
+    real("depth.Z", offsetof(ExrPixel, depth)),
+    real("position.X", offsetof(ExrPixel, position)),
+    real("position.Y", offsetof(ExrPixel, position) + number),
+    real("position.Z", offsetof(ExrPixel, position) + 2 * number),
+    real("normal.X", offsetof(ExrPixel, normal)),
+    real("normal.Y", offsetof(ExrPixel, normal) + number),
+    real("normal.Z", offsetof(ExrPixel, normal) + 2 * number),
+    whole("certificate.id", offsetof(ExrPixel, certificate)),
+    whole("surface.id", offsetof(ExrPixel, surface)),
+};
 
 Imf::Header header_of(const PictureOptions& options) {
     Imf::Header header(options.size.width, options.size.height);
