@@ -17,6 +17,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace zeroset {
@@ -123,10 +124,8 @@ struct Commands {
     BenchCommand bench;
 };
 
-struct Subcommand {
-    const CLI::App* app;
-    std::function<int()> run;
-};
+/// A subcommand and what it does.
+using Subcommand = std::pair<const CLI::App*, std::function<int()>>;
 
 /// Adds all of them in the order of the help. `commands` must outlive the result.
 std::vector<Subcommand> add_subcommands(CLI::App& app, Commands& commands) {
@@ -179,8 +178,8 @@ int run(int argc, char** argv) {
             {.reason = std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
-    for (const Subcommand& subcommand : subcommands) {
-        if (*subcommand.app) return subcommand.run();
+    for (const auto& [subcommand, run_subcommand] : subcommands) {
+        if (*subcommand) return run_subcommand();
     }
     return open_window(equation, view, trace, latency_log);
 }

@@ -97,28 +97,46 @@ std::vector<std::array<std::uint32_t, 2>> open_edges(const TriangleMesh& mesh) {
     return open;
 }
 
+/// A surface's points with their normals; at the surface's end triangles may lean towards
+/// what ended it: they are not asked.
+struct SideSource {
+    const std::vector<glm::dvec3>& points;
+    const std::vector<glm::dvec3>& normals;
+    std::vector<bool> at_end;
+
+    [[nodiscard]] bool ends(const Triangle& t) const {
+        return at_end[t[0]] || at_end[t[1]] || at_end[t[2]];
+    }
+};
+
+/// Why a triangle does not keep its direction where its corners are `moved`, if so.
+std::optional<std::string> turned(const SideSource& source, const Triangle& t,
+                                  const std::vector<glm::dvec3>& moved) {
+    const glm::dvec3 before = across(source.points, t);
+    for (const std::uint32_t v : t) {
+        if (glm::dot(source.normals[v], before) < 0.7 * glm::length(before))
+            return refusal("the surface has an edge", source.points[v]).error();
+    }
+    if (glm::dot(before, across(moved, t)) < 0.01 * glm::dot(before, before))
+        return refusal("the surface bends too much for this wall", source.points[t[0]]).error();
+    return std::nullopt;
+}
+
 /// Why the surface cannot have a wall of two sides at `half` along its normals, if so.
 std::optional<std::string> defect(const TriangleMesh& mesh, const std::vector<glm::dvec3>& points,
                                   const std::vector<glm::dvec3>& normals, double half,
                                   double tolerance) {
-    // Triangles at the surface's end may lean towards what ended it: they are not asked.
-    std::vector<bool> at_end(points.size());
+    SideSource source{
+        .points = points, .normals = normals, .at_end = std::vector<bool>(points.size())};
     for (const auto& [a, b] : open_edges(mesh))
-        at_end[a] = at_end[b] = true;
+        source.at_end[a] = source.at_end[b] = true;
     for (const double side : {half, -half}) {
         std::vector<glm::dvec3> moved(points.size());
         for (std::size_t v = 0; v < points.size(); ++v)
             moved[v] = points[v] + side * normals[v];
         for (const Triangle& t : mesh.triangles) {
-            const glm::dvec3 before = across(points, t);
-            const glm::dvec3 after = across(moved, t);
-            if (at_end[t[0]] || at_end[t[1]] || at_end[t[2]]) continue;
-            for (const std::uint32_t v : t) {
-                if (glm::dot(normals[v], before) < 0.7 * glm::length(before))
-                    return refusal("the surface has an edge", points[v]).error();
-            }
-            if (glm::dot(before, after) < 0.01 * glm::dot(before, before))
-                return refusal("the surface bends too much for this wall", points[t[0]]).error();
+            if (source.ends(t)) continue;
+            if (auto wrong = turned(source, t, moved)) return wrong;
         }
         const PointGrid grid(points, half);
         for (std::size_t v = 0; v < points.size(); ++v) {

@@ -30,6 +30,7 @@ public:
     [[nodiscard]] Expr part(NodeId node) { return finish(copies_[node]); }
     [[nodiscard]] std::vector<Expr> all() {
         std::vector<Expr> bounds;
+        bounds.reserve(roots_.size());
         for (const NodeId root : roots_)
             bounds.push_back(finish(root));
         return bounds;

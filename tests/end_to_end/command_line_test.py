@@ -254,7 +254,8 @@ class RenderTest(ProgramTest):
         file.write_text(json.dumps({
             "zeroset": 1, "statements": statements, "color": {"by": "height", "range": [-1, 1]},
             "markers": [{"number": 1, "at": [0, -1, 0]}]}))
-        result = run("render", file, "--size", "240x180", "-o", "document.png", cwd=self.folder)
+        result = run("render", file, "--size", "240x180", "-o", "document.png", "--no-session",
+                     cwd=self.folder)
         self.assertEqual(result.code, 0, result)
         self.assertEqual((self.folder / "document.png").read_bytes(),
                          self.look("--color-by", "height", "--color-range", "-1,1", "--mark",

@@ -49,9 +49,9 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     draw_items(state, {"New", "Open..."});
     draw_recent(document.recent, state.wishes);
     ImGui::Separator();
-    draw_items(state, {"Save", "Save as..."});
+    draw_items(state, {"Save", "Save as...", "Save the picture..."});
     ImGui::Separator();
-    draw_items(state, {"Copy as text", "Paste"});
+    draw_items(state, {"Copy as text", "Copy as one line", "Paste"});
     ImGui::Separator();
     draw_items(state, {"Find a command...", "Quit"});
     ImGui::EndPopup();
