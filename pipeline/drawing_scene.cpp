@@ -1,8 +1,8 @@
 #include "pipeline/drawing_scene.hpp"
 
 #include "document/framing.hpp"
-#include "engine/measure/extent.hpp"
 #include "pipeline/color_formulas.hpp"
+#include "pipeline/fit_view.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/prepare.hpp"
 
@@ -65,11 +65,8 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
     DrawingScene result;
     result.page = choice.page;
     if (choice.fits) {
-        const Scene scene = scene_of(request_for(document, *prepared, choice.page));
-        Framing framing = frame_surfaces(document, find_extent(scene, limit),
-                                         aspect_of(choice.page), choice.fits_box);
-        document = std::move(framing.document);
-        if (!framing.found) result.note = framing.note;
+        result.note = fit_view(document, request_for(document, *prepared, choice.page),
+                               aspect_of(choice.page), choice.fits_box, limit);
     }
     const PictureRequest request = request_for(document, *prepared, choice.page);
     result.scene = scene_of(request);

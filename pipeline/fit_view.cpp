@@ -8,13 +8,9 @@
 
 namespace zeroset {
 
-std::string fit_view(Document& document, const PreparedDocument& prepared,
-                     const TraceSettings& settings, glm::ivec2 size_px, bool fits_box,
-                     const TimeLimit& limit) {
-    const PictureRequest request =
-        picture_request(prepared.formula, prepared.colors, document, settings, size_px);
+std::string fit_view(Document& document, const PictureRequest& request, double aspect,
+                     bool fits_box, const TimeLimit& limit) {
     document.camera = request.camera;
-    const double aspect = static_cast<double>(size_px.x) / size_px.y;
     Framing framing =
         frame_surfaces(document, find_extent(scene_of(request), limit), aspect, fits_box);
     document = std::move(framing.document);

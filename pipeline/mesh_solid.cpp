@@ -83,20 +83,11 @@ std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
     return static_cast<std::uint32_t>(solid.nodes.size() - 1);
 }
 
-/// How each of the program's surfaces was read.
-std::vector<std::string> readings_of(const Program& program) {
-    std::vector<std::string> texts;
-    for (const Reading& reading : program.readings) {
-        if (reading.kind == StatementKind::Surface) texts.push_back(reading.text);
-    }
-    return texts;
-}
-
 }  // namespace
 
 std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request) {
     const Scene scene = scene_of(request);
-    const std::vector<std::string> texts = readings_of(*request.formula->program);
+    const std::vector<std::string> texts = surface_readings(*request.formula->program);
     std::vector<SurfaceSolid> solids;
     for (std::size_t i = 0; i < request.surfaces.size(); ++i) {
         const std::size_t index = request.surfaces[i].index;

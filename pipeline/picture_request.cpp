@@ -124,4 +124,9 @@ bool has_code_for(const PictureRequest& request) {
         wanted_precision(scene_of(request), view, request.settings.stop));
 }
 
+void add_needed_code(PictureRequest& request) {
+    if (!has_code_for(request))
+        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+}
+
 }  // namespace zeroset

@@ -75,4 +75,7 @@ RenderRequest render_request(const PictureRequest& request);
 /// True if the formula has code in the precision that the picture needs.
 bool has_code_for(const PictureRequest& request);
 
+/// Gives the formula code in double where the picture needs it and there is none. May take long.
+void add_needed_code(PictureRequest& request);
+
 }  // namespace zeroset

@@ -6,10 +6,8 @@
 namespace zeroset {
 namespace {
 
-void add_film_options(CLI::App& app, FilmCommand& film) {
-    add_value(app, "EQUATION", film.equation,
-              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
-        ->required();
+void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about_turn) {
+    add_equation(app, film.equation);
     add_value(app, "-o,--output", film.output,
               "a film (.mp4, .webm, .mov, .mkv, .gif or .apng), or numbered pictures: "
               "frames/f####.png")
@@ -19,6 +17,7 @@ void add_film_options(CLI::App& app, FilmCommand& film) {
     add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
     add_value(app, "--frames", film.frames,
               "N frames in all, or only those from A to B: A..B, counted from 0");
+    add_value(app, "--turn", film.turn, about_turn);
     add_value(app, "--axis", film.axis, "what it turns about: x, y, z or X,Y,Z (default: up)");
     add_repeated(app, "--sweep", film.sweeps,
                  "a parameter, or w, that changes: NAME=FROM..TO; may be repeated");
@@ -49,9 +48,7 @@ void add_film_options(CLI::App& app, FilmCommand& film) {
 
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
-    add_value(*render_app, "EQUATION", render.equation,
-              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
-        ->required();
+    add_equation(*render_app, render.equation);
     add_value(*render_app, "-o,--output", render.output,
               "the picture: a file that ends in .png, .jpg, .webp, .tif or .exr");
     add_value(*render_app, "--size", render.size,
@@ -84,25 +81,21 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
 CLI::App* add_turntable(CLI::App& app, FilmCommand& film) {
     film.turntable = true;
     CLI::App* const film_app = app.add_subcommand("turntable", "draw a film of a full turn");
-    add_value(*film_app, "--turn", film.turn, "degrees (default 360)");
-    add_film_options(*film_app, film);
+    add_film_options(*film_app, film, "degrees (default 360)");
     return film_app;
 }
 
 CLI::App* add_animate(CLI::App& app, FilmCommand& film) {
     CLI::App* const film_app =
         app.add_subcommand("animate", "draw a film of changing parameters or of a way around");
-    add_value(*film_app, "--turn", film.turn, "turn by so many degrees on the way");
-    add_film_options(*film_app, film);
+    add_film_options(*film_app, film, "turn by so many degrees on the way");
     return film_app;
 }
 
 CLI::App* add_share(CLI::App& app, ShareCommand& share) {
     CLI::App* const share_app =
         app.add_subcommand("share", "print a session as one line of text, to be sent and opened");
-    add_value(*share_app, "EQUATION", share.equation,
-              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, or -")
-        ->required();
+    add_equation(*share_app, share.equation);
     add_view_options(*share_app, share.view);
     add_trace_options(*share_app, share.trace);
     return share_app;
@@ -111,8 +104,7 @@ CLI::App* add_share(CLI::App& app, ShareCommand& share) {
 CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
     CLI::App* const mesh_app =
         app.add_subcommand("mesh", "write the surfaces as triangles: STL, 3MF, PLY, OBJ, glTF");
-    add_value(*mesh_app, "EQUATION", mesh.equation, "the formula, @NAME, FILE.zeroset.json, or -")
-        ->required();
+    add_equation(*mesh_app, mesh.equation);
     add_value(*mesh_app, "-o,--output", mesh.output,
               "the file: its ending, .stl, .3mf, .ply, .obj or .glb, says the format")
         ->required();
@@ -145,8 +137,7 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
 
 CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
     CLI::App* const draw_app = app.add_subcommand("draw", "draw lines into a file for a paper");
-    add_value(*draw_app, "EQUATION", draw.equation, "the formula, @NAME, FILE.zeroset.json, or -")
-        ->required();
+    add_equation(*draw_app, draw.equation);
     add_value(*draw_app, "-o,--output", draw.output, "the drawing: " + drawing_format_list());
     add_value(*draw_app, "--size", draw.drawing.size,
               "WIDTHxHEIGHT in points, or with mm, cm or in behind it (default 400x400)");

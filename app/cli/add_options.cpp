@@ -33,6 +33,12 @@ void add_light_options(CLI::App& app, LightText& light) {
 
 }  // namespace
 
+void add_equation(CLI::App& app, std::string& equation) {
+    add_value(app, "EQUATION", equation,
+              "the formula, @NAME, FILE.zeroset.json, a PNG of ours, zeroset:..., or -")
+        ->required();
+}
+
 CLI::Option* add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
                         const std::string& about) {
     const std::function<void(std::int64_t)> take = [&value](std::int64_t count) {

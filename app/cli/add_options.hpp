@@ -24,6 +24,9 @@ CLI::Option* add_value(CLI::App& app, const std::string& names, Value& value,
     return app.add_option(names, value, about)->transform(trim);
 }
 
+/// Adds the argument EQUATION: what is drawn.
+void add_equation(CLI::App& app, std::string& equation);
+
 /// Adds the pair --NAME and --no-NAME.
 CLI::Option* add_switch(CLI::App& app, const std::string& name, std::optional<bool>& value,
                         const std::string& about);

@@ -111,8 +111,7 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     PictureRequest request =
         picture_request(prepared->formula, prepared->colors, item.read.document, settings,
                         {plan.size.width, plan.size.height});
-    if (!has_code_for(request))
-        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    add_needed_code(request);
     const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);
     BenchCell cell;

@@ -71,14 +71,6 @@ OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
     return job;
 }
 
-std::optional<std::string> unwritable_file(const DrawCommand& command) {
-    for (const auto* path : {&command.output, &command.stats}) {
-        if (!*path || **path == "-") continue;
-        if (auto writable = check_writable(**path); !writable) return writable.error().message;
-    }
-    return std::nullopt;
-}
-
 void work_on(DrawJob& job) {
     const TimeLimit limit{.cancel = &job.cancel, .until = until_after(job.start, job.budget_s)};
     const auto scene = drawing_scene(job.document, job.rows, job.plan.choice, limit);
@@ -168,7 +160,8 @@ int run_draw(const DrawCommand& command) {
     if (!made) return report(made.error());
     const std::shared_ptr<DrawJob>& job = *made;
     job->start = start;
-    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    if (const auto message = first_unwritable({command.output, command.stats}))
+        return report_run_time(*message);
     const auto last = until_after(start, job->budget_s) + patience;
     if (finish_until(last, job->progress, [job] { work_on(*job); })) return finish(command, *job);
     job->cancel = true;

@@ -8,6 +8,7 @@
 #include "engine/export/films/film_writer.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/fit_view.hpp"
+#include "pipeline/picture_request.hpp"
 #include "pipeline/plans/film.hpp"
 
 #include <nlohmann/json.hpp>
@@ -154,6 +155,10 @@ Json stats_of(const Filming& filming, const FilmWork& work, const FrameFiles& fi
             {"undecided_by_budget", work.counters.cut_pixels}};
 }
 
+double aspect_of(const FilmJob& job) {
+    return static_cast<double>(job.size.width) / job.size.height;
+}
+
 /// Makes the code and, if that is wanted, fits the view.
 std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     FilmJob& job = filming.job;
@@ -163,8 +168,9 @@ std::expected<PreparedDocument, InputError> prepare_film(Filming& filming) {
     filming.progress.enter(Progress::Stage::Fitting);
     const TimeLimit limit{.cancel = &filming.cancel,
                           .until = until_after(Clock::now(), job.budget_s)};
-    filming.note = fit_view(document, *prepared, job.settings, {job.size.width, job.size.height},
-                            !filming.command.view.box, limit);
+    const PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
+                                                   job.settings, {job.size.width, job.size.height});
+    filming.note = fit_view(document, request, aspect_of(job), !filming.command.view.box, limit);
     // A turn finds the distance from which all of it is seen by itself.
     if (job.plan.turn) document.camera.reset();
     return prepared;
@@ -178,11 +184,10 @@ void make_film(Filming& filming) {
         filming.wrong = prepared.error();
         return;
     }
-    const double aspect = static_cast<double>(job.size.width) / job.size.height;
     const PictureOptions& options = job.target.picture_options;
     const bool pictures = job.target.names.has_value();
     const Film film{.prepared = std::move(*prepared),
-                    .script = FilmScript(job.plan, job.input.document, aspect),
+                    .script = FilmScript(job.plan, job.input.document, aspect_of(job)),
                     .settings = job.settings,
                     .size = {.width = job.size.width, .height = job.size.height},
                     .first = job.range.first,
@@ -233,10 +238,7 @@ int finish(const Filming& filming) {
 int run_film(const FilmCommand& command) {
     auto job = job_of(command);
     if (!job) return report(job.error());
-    if (command.stats && *command.stats != "-") {
-        if (auto writable = check_writable(*command.stats); !writable)
-            return report_run_time(writable.error().message);
-    }
+    if (const auto message = first_unwritable({command.stats})) return report_run_time(*message);
     const auto filming = std::make_shared<Filming>();
     filming->command = command;
     filming->job = std::move(*job);

@@ -155,20 +155,14 @@ std::string nothing_found(const DocumentMeshes& meshes) {
            " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
 }
 
-std::optional<std::string> unwritable_file(const MeshCommand& command) {
-    if (auto writable = check_writable(command.output); !writable) return writable.error().message;
-    if (!command.stats || *command.stats == "-") return std::nullopt;
-    const auto writable = check_writable(*command.stats);
-    return writable ? std::nullopt : std::optional(writable.error().message);
-}
-
 }  // namespace
 
 int run_mesh(const MeshCommand& command) {
     const auto start = Clock::now();
     auto plan = plan_of(command);
     if (!plan) return report(plan.error());
-    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    if (const auto message = first_unwritable({command.output, command.stats}))
+        return report_run_time(*message);
     const MeshFormat& format = *plan->format;
     const double budget_s = plan->budget_s;
     const auto meshes = make_meshes(std::move(*plan));

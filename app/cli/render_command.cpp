@@ -120,16 +120,6 @@ OrInputError<RenderPlan> plan_of(const RenderCommand& command) {
     return plan;
 }
 
-/// Returns the error of the first output file that cannot be written.
-std::optional<std::string> unwritable_file(const RenderCommand& command) {
-    for (const auto* path :
-         {&command.output, &command.depth, &command.certificate, &command.stats}) {
-        if (!*path || **path == "-") continue;
-        if (auto writable = check_writable(**path); !writable) return writable.error().message;
-    }
-    return std::nullopt;
-}
-
 Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
     const RenderPlan& plan = picture.plan;
     const Scene& scene = picture.scene;
@@ -169,15 +159,6 @@ Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
              {{"range", timing.counters.range},
               {"value", timing.counters.value},
               {"form", timing.counters.form}}}};
-}
-
-/// Returns the reading of each of the program's surfaces.
-std::vector<std::string> surface_readings(const Program& program) {
-    std::vector<std::string> texts;
-    for (const Reading& reading : program.readings) {
-        if (reading.kind == StatementKind::Surface) texts.push_back(reading.text);
-    }
-    return texts;
 }
 
 void print_probes(const RenderedPicture& picture) {
@@ -253,7 +234,9 @@ int run_render(const RenderCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     auto plan = plan_of(command);
     if (!plan) return report(plan.error());
-    if (const auto message = unwritable_file(command)) return report_run_time(*message);
+    if (const auto message =
+            first_unwritable({command.output, command.depth, command.certificate, command.stats}))
+        return report_run_time(*message);
     const auto files = std::make_shared<RenderFiles>(command);
     plan->take_band = [files](const RenderedPicture& picture, const PictureBand& band) {
         return files->add(picture, band);

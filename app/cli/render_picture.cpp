@@ -111,8 +111,9 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         drawing.progress.enter(Progress::Stage::Fitting);
         const TimeLimit limit{.cancel = &drawing.cancel,
                               .until = after_share(drawing, fitting_share)};
-        drawing.picture.note = fit_view(plan.document, *prepared, plan.settings,
-                                        {plan.size.width, plan.size.height}, plan.fits_box, limit);
+        const double aspect = static_cast<double>(plan.size.width) / plan.size.height;
+        drawing.picture.note =
+            fit_view(plan.document, request_for(plan, *prepared), aspect, plan.fits_box, limit);
     }
     PictureRequest request = request_for(plan, *prepared);
     drawing.progress.enter(Progress::Stage::Compiling);
@@ -121,8 +122,7 @@ std::optional<InputError> prepare_picture(Drawing& drawing) {
         if (!formula) return formula.error();
         request.formula = std::make_shared<const Formula>(std::move(*formula));
     }
-    if (!has_code_for(request))
-        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    add_needed_code(request);
     drawing.picture.scene = scene_of(request);
     drawing.picture.request = std::move(request);
     find_color_range(drawing);

@@ -1,6 +1,6 @@
 #include "app/cli/report.hpp"
 
-#include "pipeline/input_error.hpp"
+#include "engine/export/file.hpp"
 
 #include <iostream>
 
@@ -14,6 +14,15 @@ int report(const InputError& error) {
 int report_run_time(const std::string& message) {
     std::cerr << "error: " << message << "\n";
     return exit_run_time;
+}
+
+std::optional<std::string> first_unwritable(
+    std::initializer_list<std::optional<std::string>> paths) {
+    for (const std::optional<std::string>& path : paths) {
+        if (!path || *path == "-") continue;
+        if (auto writable = check_writable(*path); !writable) return writable.error().message;
+    }
+    return std::nullopt;
 }
 
 }  // namespace zeroset

@@ -2,6 +2,8 @@
 
 #include "pipeline/input_error.hpp"
 
+#include <initializer_list>
+#include <optional>
 #include <string>
 
 // The end of a command: its exit code, and one line on stderr for an error.
@@ -15,5 +17,10 @@ inline constexpr int exit_wrong_input = 2;
 /// Prints the error and returns its exit code.
 int report(const InputError& error);
 int report_run_time(const std::string& message);
+
+/// Why the first of the files that cannot be written cannot be; absent ones, and "-" for standard
+/// output, are left out.
+std::optional<std::string> first_unwritable(
+    std::initializer_list<std::optional<std::string>> paths);
 
 }  // namespace zeroset

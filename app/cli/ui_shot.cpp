@@ -4,6 +4,7 @@
 #include "app/cli/window_command.hpp"
 #include "app/desktop/desktop.hpp"
 #include "engine/export/file.hpp"
+#include "engine/export/png.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/language/vocabulary/nearest_word.hpp"
 #include "pipeline/formula.hpp"
@@ -136,7 +137,7 @@ int run_ui_shot(const UiShotCommand& command) {
                                "; `zeroset render \"EQUATION\" -o out.png` needs no OpenGL");
     }
     const auto written =
-        write_png(command.output, draw_settled(**window, plan->desktop, plan->pointer));
+        write_file(command.output, png_of(draw_settled(**window, plan->desktop, plan->pointer)));
     return written ? exit_ok : report_run_time(written.error().message);
 }
 

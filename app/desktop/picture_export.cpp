@@ -53,8 +53,7 @@ PictureExport::Outcome PictureExport::write(PictureRequest request, const Docume
     if (format == nullptr)
         return std::unexpected("the picture was not saved: type a name that ends in " +
                                picture_endings());
-    if (!has_code_for(request))
-        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    add_needed_code(request);
     const PictureOptions options{.size = {.width = request.size_px.x, .height = request.size_px.y},
                                  .bits = format->bits[0],
                                  .document = text_of(document),

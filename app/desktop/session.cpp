@@ -152,8 +152,8 @@ void Session::follow_command() {
         case ui::Command::New: return attempt({.intent = Intent::New, .path = {}});
         case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
         case ui::Command::Save: return save();
-        case ui::Command::SaveAs: return save_as();
-        case ui::Command::SavePicture: return save_picture();
+        case ui::Command::SaveAs: return choose_file_for(Purpose::Save, "untitled");
+        case ui::Command::SavePicture: return choose_file_for(Purpose::SavePicture, "picture");
         case ui::Command::Undo: return undo(true);
         case ui::Command::Redo: return undo(false);
         case ui::Command::Copy: return copy();
@@ -227,23 +227,15 @@ void Session::load(const std::string& path) {
 }
 
 void Session::save() {
-    if (path_.empty()) return save_as();
+    if (path_.empty()) return choose_file_for(Purpose::Save, "untitled");
     write(path_);
 }
 
-void Session::save_as() {
+void Session::choose_file_for(Purpose purpose, const std::string& usual_name) {
     ui::FileChoice choice;
-    choice.purpose = Purpose::Save;
+    choice.purpose = purpose;
     choice.folder = first_folder(path_);
-    choice.name = path_.empty() ? "untitled" : bare_name(path_);
-    state_.pages.dialogs.file = std::move(choice);
-}
-
-void Session::save_picture() {
-    ui::FileChoice choice;
-    choice.purpose = Purpose::SavePicture;
-    choice.folder = first_folder(path_);
-    choice.name = path_.empty() ? "picture" : bare_name(path_);
+    choice.name = path_.empty() ? usual_name : bare_name(path_);
     state_.pages.dialogs.file = std::move(choice);
 }
 

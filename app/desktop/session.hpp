@@ -71,8 +71,8 @@ private:
     void begin(Document document, const std::string& path);
     void load(const std::string& path);
     void save();
-    void save_as();
-    void save_picture();
+    /// Opens the dialog that asks for the name of a new file.
+    void choose_file_for(ui::FileChoice::Purpose purpose, const std::string& usual_name);
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.

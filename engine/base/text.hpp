@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,12 @@ std::string_view trimmed(std::string_view text);
 
 /// The parts of `text` between separators, trimmed; one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// `text` with small letters in place of the capitals of ASCII.
+std::string lower_case(std::string_view text);
+
+/// The words as "one, two or three".
+std::string one_of(std::span<const std::string_view> words);
 
 /// The number as a person would write it, with at most `digits` significant digits.
 std::string short_number(double value, int digits = 6);

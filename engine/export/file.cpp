@@ -25,10 +25,6 @@ std::expected<void, FileError> write_png(const fs::path& path, const Framebuffer
     return write_file(path, png_of(frame));
 }
 
-std::expected<void, FileError> write_png(const fs::path& path, const RgbaImage& image) {
-    return write_file(path, png_of(image));
-}
-
 std::expected<void, FileError> write_text(const std::string& path, const std::string& text) {
     if (path != "-") return write_file(path, std::as_bytes(std::span(text)));
     std::cout << text << std::flush;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/image/framebuffer.hpp"
-#include "engine/image/rgba_image.hpp"
 
 #include <expected>
 #include <filesystem>
@@ -28,9 +27,6 @@ std::expected<void, FileError> check_writable(const std::filesystem::path& path)
 /// Writes the colours as an 8-bit RGB PNG.
 std::expected<void, FileError> write_png(const std::filesystem::path& path,
                                          const Framebuffer& frame);
-
-/// Writes the image as a PNG with transparency.
-std::expected<void, FileError> write_png(const std::filesystem::path& path, const RgbaImage& image);
 
 /// Writes the text to a file, or to standard output for "-".
 std::expected<void, FileError> write_text(const std::string& path, const std::string& text);

@@ -30,8 +30,7 @@ TimeLimit limit_for(const Film& film, const FilmWatch& watch) {
 PictureRequest request_at(const Film& film, const Document& document) {
     PictureRequest request = picture_request(film.prepared.formula, film.prepared.colors, document,
                                              film.settings, {film.size.width, film.size.height});
-    if (!has_code_for(request))
-        request.formula = std::make_shared<const Formula>(with_double(*request.formula));
+    add_needed_code(request);
     return request;
 }
 

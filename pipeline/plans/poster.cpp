@@ -69,12 +69,13 @@ Counters draw_band(const Poster& poster, int row, Framebuffer& frame, const Post
                        {.limit = limit_for(poster, watch), .on_tile = on_tile});
 }
 
-}  // namespace
-
+/// Rows of a band, so that its memory stays below some hundred megabytes.
 int band_rows(const ImageSize& size, bool keeps_light) {
     const int pixels = keeps_light ? light_pixels : plain_pixels;
     return std::max(pixels / size.width / tile_size, 1) * tile_size;
 }
+
+}  // namespace
 
 std::expected<PosterWork, std::string> draw_poster(const Poster& poster, const TakeBand& take,
                                                    const PosterWatch& watch) {

@@ -41,9 +41,6 @@ struct PosterWatch {
 /// Takes the bands, from the top to the bottom.
 using TakeBand = std::function<std::expected<void, FileError>(const PictureBand&)>;
 
-/// Rows of a band, so that its memory stays below some hundred megabytes.
-int band_rows(const ImageSize& size, bool keeps_light);
-
 /// What a finished poster took.
 struct PosterWork {
     Counters counters;

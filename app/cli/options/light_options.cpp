@@ -46,12 +46,10 @@ bool take_part(const std::string& part, Light& light) {
 /// "one, two or three".
 template <class Values>
 std::string names_of(const Values& values) {
-    std::string names;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) names += i + 1 == values.size() ? " or " : ", ";
-        names += name_of(values[i]);
-    }
-    return names;
+    std::vector<std::string_view> names;
+    for (const auto value : values)
+        names.push_back(name_of(value));
+    return one_of(names);
 }
 
 }  // namespace

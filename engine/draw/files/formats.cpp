@@ -1,12 +1,12 @@
 #include "engine/draw/files/formats.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/draw/files/pdf.hpp"
 #include "engine/draw/files/svg.hpp"
 #include "engine/draw/files/tikz.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace zeroset {
 namespace {
@@ -27,19 +27,12 @@ constexpr std::array formats{
     DrawingFormat{.ending = ".tex", .name = "TikZ", .encode = encode_tikz},
 };
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
-}
-
 }  // namespace
 
 std::span<const DrawingFormat> drawing_formats() { return formats; }
 
 const DrawingFormat* find_drawing_format(std::string_view path) {
-    const std::string name = lower(path);
+    const std::string name = lower_case(path);
     const auto* const found = std::ranges::find_if(
         formats, [&](const DrawingFormat& format) { return name.ends_with(format.ending); });
     return found == formats.end() ? nullptr : found;

@@ -1,10 +1,11 @@
 #include "engine/export/films/film_formats.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/export/codecs/codec.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -68,12 +69,6 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
 }};
 
-std::string lower_case(std::string text) {
-    for (char& letter : text)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return text;
-}
-
 std::string even_size(const FilmSettings& settings) {
     return std::to_string(settings.width + settings.width % 2) + "x" +
            std::to_string(settings.height + settings.height % 2);
@@ -90,12 +85,11 @@ const FilmFormat* film_format_of(const std::filesystem::path& path) {
 }
 
 std::string film_endings() {
-    std::string text;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) text += i + 1 == formats.size() ? " or " : ", ";
-        text += formats[i].ending;
-    }
-    return text;
+    std::vector<std::string_view> endings;
+    endings.reserve(formats.size());
+    for (const auto& format : formats)
+        endings.push_back(format.ending);
+    return one_of(endings);
 }
 
 std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings& settings) {

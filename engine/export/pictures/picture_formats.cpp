@@ -1,11 +1,12 @@
 #include "engine/export/pictures/picture_formats.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/export/codecs/codec.hpp"
 #include "engine/export/codecs/encoded_picture.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -77,12 +78,6 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_exr_picture},
 }};
 
-std::string lower_case(std::string text) {
-    for (char& letter : text)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return text;
-}
-
 std::string size_text(const ImageSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
@@ -119,12 +114,11 @@ const PictureFormat* picture_format_of(const std::filesystem::path& path) {
 }
 
 std::string picture_endings() {
-    std::string text;
-    for (std::size_t i = 0; i < formats.size(); ++i) {
-        if (i > 0) text += i + 1 == formats.size() ? " or " : ", ";
-        text += formats[i].endings[0];
-    }
-    return text;
+    std::vector<std::string_view> endings;
+    endings.reserve(formats.size());
+    for (const auto& format : formats)
+        endings.push_back(format.endings[0]);
+    return one_of(endings);
 }
 
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {

@@ -1,9 +1,9 @@
 #include "engine/mesh/files/mesh_file.hpp"
 
+#include "engine/base/text.hpp"
 #include "engine/mesh/files/encoders.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace zeroset {
 namespace {
@@ -51,10 +51,7 @@ constexpr std::array formats{
 std::span<const MeshFormat> mesh_formats() { return formats; }
 
 const MeshFormat* mesh_format_of(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char letter) {
-        return static_cast<char>(std::tolower(letter));
-    });
+    const std::string ending = lower_case(path.extension().string());
     const auto* const found = std::ranges::find(formats, ending, &MeshFormat::ending);
     return found == formats.end() ? nullptr : found;
 }
