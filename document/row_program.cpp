@@ -66,15 +66,17 @@ Document document_of(const std::vector<TextRow>& rows) {
     return renumbered(std::move(document), 1);
 }
 
-/// Ids of the rows of a program's surfaces; `row_at` finds the index of the row at an offset.
+/// What a document's rows say; `row_at` finds the index of the row at an offset.
 template <class RowAt>
-std::vector<int> rows_of_surfaces(const Document& document, const Program& program,
-                                  const RowAt& row_at) {
-    std::vector<int> rows;
+RowProgram row_program(std::string text, Program program, const Document& document,
+                       const RowAt& row_at) {
+    RowProgram rows{.text = std::move(text)};
     for (const Reading& reading : program.readings) {
-        if (reading.kind == StatementKind::Surface)
-            rows.push_back(document.statements[row_at(reading.offset)].id);
+        if (reading.kind != StatementKind::Surface) continue;
+        rows.surface_rows.push_back(document.statements[row_at(reading.offset)].id);
+        rows.surface_texts.push_back(reading.text);
     }
+    rows.program = std::make_shared<const Program>(std::move(program));
     return rows;
 }
 
@@ -84,11 +86,8 @@ std::expected<RowProgram, ParseError> read_rows(const Document& document) {
     JoinedRows joined = joined_rows(document);
     auto program = read_program(joined.text);
     if (!program) return std::unexpected(program.error());
-    std::vector<int> rows = rows_of_surfaces(
-        document, *program, [&joined](std::size_t offset) { return joined.row_at(offset); });
-    return RowProgram{.text = std::move(joined.text),
-                      .program = std::make_shared<const Program>(std::move(*program)),
-                      .surface_rows = std::move(rows)};
+    const auto row_at = [&joined](std::size_t offset) { return joined.row_at(offset); };
+    return row_program(joined.text, std::move(*program), document, row_at);
 }
 
 TextDocument read_text(std::string_view text) {
@@ -101,11 +100,8 @@ TextDocument read_text(std::string_view text) {
         const auto after = std::ranges::upper_bound(rows, offset, {}, &TextRow::begin);
         return static_cast<std::size_t>(after - rows.begin()) - 1;
     };
-    std::vector<int> surface_rows = rows_of_surfaces(document, *program, row_at);
-    return {.document = std::move(document),
-            .rows = RowProgram{.text = std::string(text),
-                               .program = std::make_shared<const Program>(std::move(*program)),
-                               .surface_rows = std::move(surface_rows)}};
+    RowProgram read = row_program(std::string(text), std::move(*program), document, row_at);
+    return {.document = std::move(document), .rows = std::move(read)};
 }
 
 std::vector<std::string> rows_of(std::string_view text) {

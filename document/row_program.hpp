@@ -14,10 +14,12 @@ namespace zeroset {
 /// The program that the rows of a document make together. It is read once and travels with all that
 /// is made of it.
 struct RowProgram {
-    std::string text;                        ///< what was read
-    std::shared_ptr<const Program> program;  ///< of `text`; offsets of its readings are in it
-    std::vector<int> surface_rows;  ///< id of the row of each of the program's surfaces; 0: a
-                                    ///< surface that is no row's and is not to be drawn
+    std::string text;  ///< what was read
+    std::shared_ptr<const Program> program =
+        nullptr;                         ///< of `text`; offsets of its readings are in it
+    std::vector<int> surface_rows = {};  ///< id of the row of each of the program's surfaces; 0: a
+                                         ///< surface that is no row's and is not to be drawn
+    std::vector<std::string> surface_texts = {};  ///< how each of these surfaces was read
 };
 
 /// Reads the rows of a document as one text. Offsets of an error are in joined_rows(document).

@@ -65,7 +65,10 @@ void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
         const bool is_stand_in = !rows.has_surface && reading.kind == StatementKind::Surface;
         const std::size_t row = rows.joined.row_at(reading.offset);
         const int id = is_stand_in ? 0 : sheet[row].id;
-        if (reading.kind == StatementKind::Surface) result.surface_rows.push_back(id);
+        if (reading.kind == StatementKind::Surface) {
+            result.surface_rows.push_back(id);
+            result.surface_texts.push_back(reading.text);
+        }
         if (is_stand_in) continue;
         reading.offset -= rows.joined.begins[row];
         result.reports[id].readings.push_back(std::move(reading));

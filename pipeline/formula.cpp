@@ -149,12 +149,4 @@ bool is_preview(const Formula& formula) {
     return formula.code == CodeState::InterpretedFirst && formula.nodes() <= most_nodes_soon;
 }
 
-std::vector<std::string> surface_readings(const Program& program) {
-    std::vector<std::string> texts;
-    for (const Reading& reading : program.readings) {
-        if (reading.kind == StatementKind::Surface) texts.push_back(reading.text);
-    }
-    return texts;
-}
-
 }  // namespace zeroset

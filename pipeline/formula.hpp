@@ -38,9 +38,6 @@ struct Formula : RowProgram {
     [[nodiscard]] bool has_code(Precision precision) const;
 };
 
-/// How each of the program's surfaces was read.
-std::vector<std::string> surface_readings(const Program& program);
-
 /// Which code to make for a formula.
 enum class Preparation : std::uint8_t {
     Interpreted,  ///< the interpreters' code; machine code may follow

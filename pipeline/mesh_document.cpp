@@ -142,6 +142,13 @@ std::string proof_line(const MeshReport& report) {
            places_text(report.places);
 }
 
+std::string nothing_found(const DocumentMeshes& meshes) {
+    if (meshes.unproved == 0)
+        return "it is proved that no surface lies in the clip box; --box makes it larger";
+    return "f changes its sign nowhere between cells, but in " + std::to_string(meshes.unproved) +
+           " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
+}
+
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
                                            const MeshSettings& settings) {
     auto solids = surface_solids(request);

@@ -56,6 +56,9 @@ struct DocumentMeshes {
 OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
                                            const MeshSettings& settings);
 
+/// Why there is no mesh, where there is none.
+std::string nothing_found(const DocumentMeshes& meshes);
+
 /// One line on what of a surface's topology is proved.
 std::string proof_line(const MeshReport& report);
 

@@ -87,7 +87,7 @@ std::uint32_t add_function(const Expr& f, double sign, MeshSolid& solid) {
 
 std::expected<std::vector<SurfaceSolid>, InputError> surface_solids(const PictureRequest& request) {
     const Scene scene = scene_of(request);
-    const std::vector<std::string> texts = surface_readings(*request.formula->program);
+    const std::vector<std::string> texts = request.formula->surface_texts;
     std::vector<SurfaceSolid> solids;
     for (std::size_t i = 0; i < request.surfaces.size(); ++i) {
         const std::size_t index = request.surfaces[i].index;

@@ -2,6 +2,7 @@
 
 #include "ui/actions/shortcuts.hpp"
 #include "ui/actions/view_moves.hpp"
+#include "ui/exports/export_page.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/pages/command_palette.hpp"
 #include "ui/pages/dialogs.hpp"
@@ -43,6 +44,7 @@ void draw_screen(UiState& state, const Texture& picture) {
     if (!asks) {
         follow_shortcuts(state);
         follow_help_keys(pages.help, state.input);
+        follow_export_keys(state);
     }
     follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
@@ -50,6 +52,7 @@ void draw_screen(UiState& state, const Texture& picture) {
     draw_side_panel(state);
     draw_status_panel(state.edited, state.shown);
     draw_help_panel(pages.help, state.shown.language_help, theme);
+    draw_export_page(state);
     draw_gallery_page(state);
     draw_command_palette(state);
     draw_dialogs(pages.dialogs, theme);

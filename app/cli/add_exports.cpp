@@ -1,16 +1,16 @@
 #include "app/cli/add_exports.hpp"
 
 #include "app/cli/add_options.hpp"
-#include "engine/draw/files/formats.hpp"
+#include "pipeline/plans/export_formats.hpp"
 
 namespace zeroset {
 namespace {
 
 void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about_turn) {
     add_equation(app, film.equation);
-    add_value(app, "-o,--output", film.output,
-              "a film (.mp4, .webm, .mov, .mkv, .gif or .apng), or numbered pictures: "
-              "frames/f####.png")
+    add_value(
+        app, "-o,--output", film.output,
+        "a film (" + export_endings(ExportKind::Film) + "), or numbered pictures: frames/f####.png")
         ->required();
     add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
     add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
@@ -50,7 +50,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_equation(*render_app, render.equation);
     add_value(*render_app, "-o,--output", render.output,
-              "the picture: a file that ends in .png, .jpg, .webp, .tif or .exr");
+              "the picture: a file that ends in " + export_endings(ExportKind::Picture));
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,
@@ -102,11 +102,10 @@ CLI::App* add_share(CLI::App& app, ShareCommand& share) {
 }
 
 CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
-    CLI::App* const mesh_app =
-        app.add_subcommand("mesh", "write the surfaces as triangles: STL, 3MF, PLY, OBJ, glTF");
+    CLI::App* const mesh_app = app.add_subcommand("mesh", "write the surfaces as triangles");
     add_equation(*mesh_app, mesh.equation);
     add_value(*mesh_app, "-o,--output", mesh.output,
-              "the file: its ending, .stl, .3mf, .ply, .obj or .glb, says the format")
+              "the mesh: a file that ends in " + export_endings(ExportKind::Mesh))
         ->required();
     add_value(*mesh_app, "--tolerance", mesh.tolerance,
               "how far triangles may be from the surface, world units (default: a thousandth of "
@@ -138,7 +137,8 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
 CLI::App* add_draw(CLI::App& app, DrawCommand& draw) {
     CLI::App* const draw_app = app.add_subcommand("draw", "draw lines into a file for a paper");
     add_equation(*draw_app, draw.equation);
-    add_value(*draw_app, "-o,--output", draw.output, "the drawing: " + drawing_format_list());
+    add_value(*draw_app, "-o,--output", draw.output,
+              "the drawing: a file that ends in " + export_endings(ExportKind::Drawing));
     add_value(*draw_app, "--size", draw.drawing.size,
               "WIDTHxHEIGHT in points, or with mm, cm or in behind it (default 400x400)");
     add_value(*draw_app, "--lines", draw.drawing.lines,

@@ -7,6 +7,7 @@
 #include "engine/draw/files/formats.hpp"
 #include "engine/export/file.hpp"
 #include "pipeline/drawing_scene.hpp"
+#include "pipeline/plans/export_formats.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -51,9 +52,8 @@ OrInputError<std::shared_ptr<DrawJob>> job_of(const DrawCommand& command) {
     if (!command.output && !command.stats)
         return wrong_input("nothing to write: give -o OUT.svg or --stats -");
     if (command.output && format_of(command) == nullptr) {
-        return wrong_input("-o " + *command.output +
-                           ": the ending tells what to write; type one of " +
-                           drawing_format_list());
+        return wrong_input("-o " + *command.output + ": " +
+                           other_name(ExportKind::Drawing, *command.output));
     }
     auto plan = read_drawing(command.drawing);
     if (!plan) return std::unexpected(plan.error());

@@ -2,14 +2,12 @@
 #include "app/cli/film_options.hpp"
 #include "app/cli/progress.hpp"
 #include "app/cli/report.hpp"
-#include "document/json/document_file.hpp"
-#include "document/json/document_json.hpp"
 #include "engine/base/clock.hpp"
-#include "engine/export/films/film_writer.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/picture_request.hpp"
 #include "pipeline/plans/film.hpp"
+#include "pipeline/plans/film_files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -68,65 +66,6 @@ OrInputError<FilmJob> job_of(const FilmCommand& command) {
     if (!target) return std::unexpected(target.error());
     job.target = std::move(*target);
     return job;
-}
-
-/// The files that frames go into.
-class FrameFiles {
-public:
-    explicit FrameFiles(FilmTarget target) : target_(std::move(target)) {}
-
-    std::expected<void, FileError> begin(const std::string& output);
-    std::expected<void, FileError> take(const FilmFrame& frame);
-    std::expected<void, FileError> finish();
-    /// Whether a numbered picture is there and shows this document in this size.
-    [[nodiscard]] bool has(int number, const Document& document) const;
-    [[nodiscard]] double writing_ms() const { return writing_ms_; }
-
-private:
-    [[nodiscard]] std::expected<void, FileError> write_picture(const FilmFrame& frame) const;
-
-    FilmTarget target_;
-    std::unique_ptr<FilmWriter> film_;
-    double writing_ms_ = 0.0;
-};
-
-std::expected<void, FileError> FrameFiles::begin(const std::string& output) {
-    if (target_.names) return check_writable(target_.names->path(0));
-    auto film = FilmWriter::begin(*target_.film, output, target_.settings);
-    if (!film) return std::unexpected(film.error());
-    film_ = std::move(*film);
-    return {};
-}
-
-std::expected<void, FileError> FrameFiles::write_picture(const FilmFrame& frame) const {
-    PictureOptions options = target_.picture_options;
-    options.document = text_of(frame.document);
-    options.camera = *frame.document.camera;
-    auto picture = begin_picture(*target_.picture, target_.names->path(frame.number), options);
-    if (!picture) return std::unexpected(picture.error());
-    if (auto added = (*picture)->add(frame.picture); !added) return added;
-    return (*picture)->finish();
-}
-
-std::expected<void, FileError> FrameFiles::take(const FilmFrame& frame) {
-    const auto start = Clock::now();
-    auto taken = target_.names ? write_picture(frame) : film_->add(frame.picture);
-    writing_ms_ += ms_since(start);
-    return taken;
-}
-
-std::expected<void, FileError> FrameFiles::finish() {
-    const auto start = Clock::now();
-    std::expected<void, FileError> finished;
-    if (film_ != nullptr) finished = film_->finish();
-    writing_ms_ += ms_since(start);
-    return finished;
-}
-
-bool FrameFiles::has(int number, const Document& document) const {
-    const std::filesystem::path path = target_.names->path(number);
-    const ImageSize& size = target_.picture_options.size;
-    return holds_picture_of(path, document, {size.width, size.height});
 }
 
 /// Everything that the film's thread works with; it may outlive everything else.
@@ -197,7 +136,7 @@ void make_film(Filming& filming) {
                     .keeps_normals = pictures && needs_normals(options),
                     .frame_budget_s = job.budget_s};
     FrameFiles files(job.target);
-    auto done = files.begin(filming.command.output);
+    auto done = files.begin();
     FilmWork work;
     if (done) {
         filming.progress.enter(Progress::Stage::Filming,

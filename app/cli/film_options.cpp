@@ -2,6 +2,7 @@
 
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
+#include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -220,12 +221,14 @@ OrInputError<int> read_quality(const FilmCommand& command, bool lossy) {
 
 OrInputError<FilmTarget> read_frame_files(const FilmCommand& command, const Size& size) {
     const std::string option = "-o " + command.output;
-    FilmTarget target{
-        .settings = {}, .names = FrameNames::from(command.output), .picture_options = {}};
+    FilmTarget target{.path = command.output,
+                      .settings = {},
+                      .names = FrameNames::from(command.output),
+                      .picture_options = {}};
     if (command.quality) return wrong_input("--quality " + *command.quality + ": it is for films");
     target.picture = picture_format_of(command.output);
     if (target.picture == nullptr)
-        return wrong_input(option + ": type a name that ends in " + picture_endings());
+        return wrong_input(option + ": " + other_name(ExportKind::Picture, command.output));
     target.picture_options = {.size = {.width = size.width, .height = size.height},
                               .bits = target.picture->bits[0],
                               .alpha = command.alpha};
@@ -286,11 +289,14 @@ OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size
                                           const FilmPlan& plan) {
     if (FrameNames::from(command.output)) return read_frame_files(command, size);
     const std::string option = "-o " + command.output;
-    FilmTarget target{
-        .film = film_format_of(command.output), .settings = {}, .names = {}, .picture_options = {}};
+    FilmTarget target{.path = command.output,
+                      .film = film_format_of(command.output),
+                      .settings = {},
+                      .names = {},
+                      .picture_options = {}};
     if (target.film == nullptr) {
-        return wrong_input(option + ": type a name that ends in " + film_endings() +
-                           ", or frame####.png for numbered pictures");
+        return wrong_input(option + ": " + other_name(ExportKind::Film, command.output) +
+                           "; frame####.png makes numbered pictures");
     }
     for (const auto& [name, given] :
          {std::pair{"--resume", command.resume}, std::pair{"--bits", command.bits.has_value()}}) {

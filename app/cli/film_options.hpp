@@ -1,23 +1,10 @@
 #pragma once
 
 #include "app/cli/commands.hpp"
-#include "engine/export/films/film_formats.hpp"
-#include "engine/export/films/frame_names.hpp"
-#include "engine/export/pictures/picture_formats.hpp"
+#include "pipeline/plans/film_files.hpp"
 #include "pipeline/plans/film_plan.hpp"
 
-#include <optional>
-
 namespace zeroset {
-
-/// The file, or files, that frames go into.
-struct FilmTarget {
-    const FilmFormat* film = nullptr;  ///< nullptr: numbered pictures
-    FilmSettings settings;
-    std::optional<FrameNames> names;
-    const PictureFormat* picture = nullptr;
-    PictureOptions picture_options;
-};
 
 /// The frames to be drawn, counted from 0, both ends included.
 struct FrameRange {

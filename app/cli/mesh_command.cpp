@@ -6,6 +6,7 @@
 #include "engine/base/text.hpp"
 #include "engine/export/file.hpp"
 #include "pipeline/mesh_document.hpp"
+#include "pipeline/plans/export_formats.hpp"
 #include "pipeline/prepare.hpp"
 
 #include <cmath>
@@ -29,10 +30,7 @@ struct MeshPlan {
 
 OrInputError<const MeshFormat*> read_format(const std::string& output) {
     if (const MeshFormat* const format = mesh_format_of(output)) return format;
-    std::string endings;
-    for (const MeshFormat& format : mesh_formats())
-        endings += (endings.empty() ? "" : ", ") + std::string(format.ending);
-    return wrong_input("-o " + output + ": type a name that ends in one of " + endings);
+    return wrong_input("-o " + output + ": " + other_name(ExportKind::Mesh, output));
 }
 
 /// Reads a number above 0, if it was given.
@@ -145,14 +143,6 @@ std::expected<void, std::string> write_mesh(const std::string& output, const Mes
     const auto written = write_file(output, *bytes);
     if (!written) return std::unexpected(written.error().message);
     return {};
-}
-
-/// Why there is no mesh.
-std::string nothing_found(const DocumentMeshes& meshes) {
-    if (meshes.unproved == 0)
-        return "it is proved that no surface lies in the clip box; --box makes it larger";
-    return "f changes its sign nowhere between cells, but in " + std::to_string(meshes.unproved) +
-           " of them it may be 0: a smaller --tolerance looks closer; f^2 = 0 has no inside";
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ void print_probes(const RenderedPicture& picture) {
     const PictureRequest& request = picture.request;
     const std::vector<std::size_t> shown = shown_indices(request);
     const std::vector<Kernel> typed = typed_formulas(*plan.rows.program, shown);
-    const std::vector<std::string> readings = surface_readings(*plan.rows.program);
+    const std::vector<std::string>& readings = plan.rows.surface_texts;
     const StopCriterion& stop = plan.settings.stop;
     const Precision precision = frame_precision(scene, ViewFrame(request.camera), stop);
     const double tolerance = depth_tolerance(scene.clip, stop, precision);

@@ -2,6 +2,7 @@
 
 #include "document/json/document_json.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
+#include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -60,7 +61,7 @@ OrInputError<PictureOptions> read_picture_options(const RenderCommand& command, 
     const std::string option = "-o " + *command.output;
     const PictureFormat* const format = picture_format_of(*command.output);
     if (format == nullptr)
-        return wrong_input(option + ": type a name that ends in " + picture_endings());
+        return wrong_input(option + ": " + other_name(ExportKind::Picture, *command.output));
     options.bits = format->bits[0];
     if (const auto wrong = read_numbers_of(command, options)) return std::unexpected(*wrong);
     if (command.quality && !format->lossy) {

@@ -10,6 +10,7 @@
 #include "pipeline/formula_job.hpp"
 #include "pipeline/gallery.hpp"
 #include "pipeline/picture_request.hpp"
+#include "pipeline/plans/export_formats.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/screen.hpp"
@@ -34,8 +35,12 @@ constexpr double frame_s = 1.0 / 60.0;
 constexpr double quick_ms = 30.0;
 /// Longest step of a playing slider, after a frame that took long.
 constexpr double longest_step_s = 0.25;
-/// Time between two looks at a picture that is being saved.
+/// Time between two looks at what is being saved.
 constexpr double export_shown_s = 0.1;
+
+bool plays_film(const ui::ExportPage& page) {
+    return page.open && page.plays && page.wish.kind == ExportKind::Film;
+}
 
 std::string note_of(CodeState code) {
     switch (code) {
@@ -63,6 +68,8 @@ ui::UiState first_state(const DesktopOptions& options) {
     for (const GalleryItem& item : gallery())
         state.shown.gallery.push_back(
             {item.title, item.equation, item.about, item.group, item.source});
+    const auto formats = export_formats();
+    state.shown.export_formats.assign(formats.begin(), formats.end());
     for (const ui::Action* const action : options.actions)
         action->run(state);
     return state;
@@ -85,7 +92,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
                 if (latency_ != nullptr) latency_->picture_ready();
                 window_.wake();
             }),
-      export_([this] { window_.wake(); }) {
+      exports_([this] { window_.wake(); }) {
     if (options.on_desktop) portal_.emplace([this] { window_.wake(); }, window_.portal_name());
 }
 
@@ -112,6 +119,7 @@ void Desktop::draw_frame() {
     feed_.take_double();
     take_frame();
     cards_.show(state_);
+    exports_.show(state_);
     follow_waiting();
     if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
     play();
@@ -142,14 +150,14 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           cards_.settled() && !export_.runs();
+           cards_.settled() && exports_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
-    if (state_.input.move) return 0.0;
+    if (state_.input.move || plays_film(state_.pages.exports)) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (search_.runs()) due = std::min(due.value_or(ExtentSearch::poll_s), ExtentSearch::poll_s);
-    if (export_.runs()) due = std::min(due.value_or(export_shown_s), export_shown_s);
+    if (exports_.moves()) due = std::min(due.value_or(export_shown_s), export_shown_s);
     if (const auto change = wait_notice_.due_s(now_s()))
         due = std::min(due.value_or(*change), *change);
     if (const auto click = inspector_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
@@ -266,7 +274,7 @@ void Desktop::follow_edits() {
     find_view();
     find_surfaces();
     submit_picture();
-    save_picture();
+    follow_exports();
     window_.set_title(session_.title() + " - Zeroset");
 }
 
@@ -292,17 +300,24 @@ void Desktop::submit_picture() {
     window_.wake();
 }
 
-void Desktop::save_picture() {
-    if (auto outcome = export_.take()) {
-        if (*outcome) state_.shown.status.done = **outcome;
-        if (!*outcome) session_.tell(outcome->error());
-        done_gesture_ = state_.input.gesture;
-    }
-    if (!state_.wishes.save_picture || export_.runs()) return;
-    const std::string path = *std::exchange(state_.wishes.save_picture, std::nullopt);
-    auto request = wanted_picture();
-    if (request) return export_.start(std::move(*request), state_.edited.document, path);
-    session_.tell("there is no picture yet that could be saved: the formula has an error");
+std::optional<ExportSubject> Desktop::export_subject() const {
+    const auto wanted = wanted_picture();
+    if (!wanted || !feed_.has_read(state_.edited.document)) return std::nullopt;
+    ExportSubject subject{.document = state_.edited.document,
+                          .formula = wanted->formula,
+                          .colors = wanted->colors,
+                          .settings = settings_};
+    subject.document.camera = wanted->camera;
+    return subject;
+}
+
+void Desktop::follow_exports() {
+    exports_.follow(state_, export_subject());
+    const auto outcome = exports_.take();
+    if (!outcome) return;
+    if (*outcome) state_.shown.status.done = **outcome;
+    if (!*outcome) session_.tell(outcome->error());
+    done_gesture_ = state_.input.gesture;
 }
 
 }  // namespace zeroset

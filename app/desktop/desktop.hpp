@@ -3,12 +3,12 @@
 #include "app/desktop/desktop_portal.hpp"
 #include "app/desktop/extent_search.hpp"
 #include "app/desktop/latency_log.hpp"
-#include "app/desktop/picture_export.hpp"
 #include "app/desktop/picture_feed.hpp"
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
 #include "app/desktop/session.hpp"
 #include "app/desktop/wait_notice.hpp"
+#include "app/exports/export_desk.hpp"
 #include "app/gallery/gallery_cards.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
@@ -96,8 +96,10 @@ private:
     void find_surfaces();
     void frame(const Extent& extent);
     void play();
-    /// Begins to save a picture that is wished for, and tells of one that has ended.
-    void save_picture();
+    /// Has saved what is wished for, and tells of what has ended.
+    void follow_exports();
+    /// Of what files are made; nothing while the rows have an error.
+    [[nodiscard]] std::optional<ExportSubject> export_subject() const;
     [[nodiscard]] bool waits_for_picture() const;
     [[nodiscard]] std::optional<PictureRequest> wanted_picture() const;
     void submit_picture();
@@ -124,7 +126,7 @@ private:
     // Their threads wake the window, so that they end first.
     GalleryCards cards_;
     PictureFeed feed_;
-    PictureExport export_;
+    ExportDesk exports_;
 };
 
 /// Opens the window and runs until it is closed. Returns one sentence as error if there is no

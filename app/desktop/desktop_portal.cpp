@@ -15,7 +15,7 @@ using Purpose = ui::FileChoice::Purpose;
 /// Appends the ending where it is missing, as the program's own file dialog does. If
 /// that names another file that exists, the user is asked in the window.
 void take_saved(ui::FileChoice& choice, const std::string& chosen) {
-    const fs::path path(ui::with_ending(choice.purpose, chosen));
+    const fs::path path(ui::with_ending(choice, chosen));
     std::error_code ignored;
     if (path != fs::path(chosen) && fs::exists(path, ignored)) {
         choice.folder = path.parent_path().string();
@@ -51,8 +51,8 @@ void DesktopPortal::follow_files(ui::Dialogs& dialogs) {
         const bool saves = choice.purpose != Purpose::Open;
         portal_.ask({.saves = saves,
                      .folder = choice.folder,
-                     .name = ui::with_ending(choice.purpose, choice.name),
-                     .ending = ui::ending_of(choice.purpose),
+                     .name = ui::with_ending(choice, choice.name),
+                     .ending = choice.ending,
                      .parent = parent_});
         choice.elsewhere = true;
         asks_ = true;

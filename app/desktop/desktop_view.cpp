@@ -66,7 +66,8 @@ void Desktop::follow_waiting() {
     wait_notice_.follow(feed_.waits_for(), now);
     state_.shown.picture.dimmed = wait_notice_.dimmed(now);
     state_.shown.figures.hidden = wait_notice_.hides_figures(now);
-    state_.shown.status.doing = export_.runs() ? export_.doing() : wait_notice_.text(now);
+    state_.shown.status.doing =
+        exports_.doing().empty() ? wait_notice_.text(now) : exports_.doing();
 }
 
 }  // namespace zeroset

@@ -9,6 +9,8 @@
 #include "ui/window/clipboard.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <system_error>
 #include <utility>
 
@@ -152,8 +154,8 @@ void Session::follow_command() {
         case ui::Command::New: return attempt({.intent = Intent::New, .path = {}});
         case ui::Command::Open: return attempt({.intent = Intent::ChooseFile, .path = {}});
         case ui::Command::Save: return save();
-        case ui::Command::SaveAs: return choose_file_for(Purpose::Save, "untitled");
-        case ui::Command::SavePicture: return choose_file_for(Purpose::SavePicture, "picture");
+        case ui::Command::SaveAs: return save_as();
+        case ui::Command::Export: return choose_export();
         case ui::Command::Undo: return undo(true);
         case ui::Command::Redo: return undo(false);
         case ui::Command::Copy: return copy();
@@ -227,16 +229,37 @@ void Session::load(const std::string& path) {
 }
 
 void Session::save() {
-    if (path_.empty()) return choose_file_for(Purpose::Save, "untitled");
+    if (path_.empty()) return save_as();
     write(path_);
 }
 
-void Session::choose_file_for(Purpose purpose, const std::string& usual_name) {
-    ui::FileChoice choice;
-    choice.purpose = purpose;
+void Session::choose_file_for(ui::FileChoice choice, const std::string& usual_name) {
     choice.folder = first_folder(path_);
     choice.name = path_.empty() ? usual_name : bare_name(path_);
     state_.pages.dialogs.file = std::move(choice);
+}
+
+void Session::save_as() {
+    ui::FileChoice choice;
+    choice.purpose = Purpose::Save;
+    choice.title = "Save as";
+    choose_file_for(std::move(choice), "untitled");
+}
+
+void Session::choose_export() {
+    const ui::ExportPage& page = state_.pages.exports;
+    const auto kind = static_cast<std::size_t>(page.wish.kind);
+    const std::string& ending = page.endings.at(kind);
+    const std::string ending_of_files = ending.substr(ending.find('.'));
+    constexpr std::array<const char*, 4> names{"picture", "film", "mesh", "drawing"};
+    ui::FileChoice choice;
+    choice.purpose = Purpose::Export;
+    choice.title = std::string("Save the ") + names.at(kind);
+    choice.ending = ending_of_files;
+    choose_file_for(std::move(choice), names.at(kind));
+    // Numbered pictures have their number in the name.
+    std::string& name = state_.pages.dialogs.file->name;
+    name += ending.substr(0, ending.find('.')) + ending_of_files;
 }
 
 void Session::write(const std::string& path) {
@@ -263,7 +286,7 @@ void Session::follow_file_choice() {
     switch (choice.purpose) {
         case Purpose::Open: return load(choice.path);
         case Purpose::Save: return write(choice.path);
-        case Purpose::SavePicture: state_.wishes.save_picture = choice.path;
+        case Purpose::Export: state_.wishes.export_path = choice.path;
     }
 }
 

@@ -72,7 +72,10 @@ private:
     void load(const std::string& path);
     void save();
     /// Opens the dialog that asks for the name of a new file.
-    void choose_file_for(ui::FileChoice::Purpose purpose, const std::string& usual_name);
+    void choose_file_for(ui::FileChoice choice, const std::string& usual_name);
+    void save_as();
+    /// Asks for the name of the file that the export page wishes.
+    void choose_export();
     void write(const std::string& path);
     void undo(bool back);
     /// Copies the selected marker's coordinates, or else the document.

@@ -78,6 +78,13 @@ std::string one_of(std::span<const std::string_view> words) {
     return text;
 }
 
+std::string grouped(std::size_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t at = digits.size(); at > 3; at -= 3)
+        digits.insert(at - 3, " ");
+    return digits;
+}
+
 std::string short_number(double value, int digits) {
     std::array<char, 64> buffer{};
     const int length = std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);

@@ -35,6 +35,9 @@ std::string lower_case(std::string_view text);
 /// The words as "one, two or three".
 std::string one_of(std::span<const std::string_view> words);
 
+/// The number with its digits in groups of three, as in "1 234 567".
+std::string grouped(std::size_t number);
+
 /// The number as a person would write it, with at most `digits` significant digits.
 std::string short_number(double value, int digits = 6);
 

@@ -18,7 +18,7 @@ SAME = 0.002       # fraction of pixels that may differ between equal pictures
 
 def check_tools():
     """Ends the script if a tool that drives the window is not installed."""
-    missing = [tool for tool in ("Xvfb", "xdotool") if shutil.which(tool) is None]
+    missing = [tool for tool in ("Xvfb", "xdotool", "xclip") if shutil.which(tool) is None]
     if missing:
         raise SystemExit("needed and not installed: " + ", ".join(missing))
 

@@ -3,6 +3,7 @@
 import json
 import os
 import signal
+import subprocess
 import time
 import unittest
 from pathlib import Path
@@ -157,17 +158,39 @@ class WindowTest(RealWindowTest):
         ball = self.start(BALL)
         path = Path(self.display.folder.name) / "ball"
         self.display.xdotool("key", "Escape", "ctrl+e")
-        self.changed(ball, "the choice of a file")
+        page = self.changed(ball, "the page of what is saved")
+        self.display.xdotool("key", "Return")
+        self.changed(page, "the choice of a file")
         self.display.xdotool("type", "--delay", 5, str(path))
         self.display.xdotool("key", "Return")
         picture = path.with_suffix(".png")
         self.wait_for(picture.exists, "the picture")
         image = read_png(picture)
-        self.assertGreater(image.width, 500)
+        self.assertEqual((image.width, image.height), (1920, 1080))
         self.assertGreater(len(image.colors()), 100)
         read = run("explain", str(picture))
         self.assertEqual(read.code, 0, str(read))
         self.assertIn("x^2 + y^2 + z^2", read.out)
+
+    def clipboard(self, *options):
+        """Returns what xclip reads from the clipboard."""
+        command = ["xclip", "-selection", "clipboard", "-o", *options]
+        return subprocess.run(command, env=self.display.environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL, timeout=20, check=False).stdout
+
+    def test_copies_the_picture(self):
+        self.start(BALL)
+        self.display.xdotool("key", "Escape", "ctrl+shift+c")
+        self.wait_for(lambda: b"image/png" in self.clipboard("-t", "TARGETS"), "a picture copied")
+        path = Path(self.display.folder.name) / "copied.png"
+        path.write_bytes(self.clipboard("-t", "image/png"))
+        image = read_png(path)
+        self.assertGreater(image.width, 300)
+        self.assertGreater(len(image.colors()), 100)
+        # A text that is copied takes its place.
+        self.display.xdotool("key", "ctrl+c")
+        self.wait_for(lambda: b"statements" in self.clipboard(), "the document copied")
+        self.quit_by_key()
 
     def test_undo_brings_back_text_and_view(self):
         ball = self.start(BALL)

@@ -130,6 +130,21 @@ TEST_P(Goldens, OfTheViewsSettings) {
     expect_golden("view");
 }
 
+TEST_P(Goldens, OfAFilmToBeSaved) {
+    state_.shown.export_formats = {{.kind = ExportKind::Film,
+                                    .name = "MP4",
+                                    .ending = ".mp4",
+                                    .about = "plays everywhere",
+                                    .quality = true}};
+    state_.pages.exports.open = true;
+    state_.pages.exports.wish.kind = ExportKind::Film;
+    state_.pages.exports.wish.film.plan.sweeps = {{.name = "b", .from = 0.0, .to = 2.0}};
+    state_.shown.export_progress = {
+        .name = "film.mp4", .share = 0.4, .text = "frame 72 of 180, 24 a second, 0:05 left"};
+    draw();
+    expect_golden("film");
+}
+
 TEST_P(Goldens, OfTheAxesOfSpace) {
     state_.edited.layout.space_open = true;
     state_.edited.document.axes = true;

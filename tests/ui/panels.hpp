@@ -147,7 +147,8 @@ protected:
         EXPECT_EQ(std::ranges::count(frame.color, 0xFFFF00FFU), 0) << "magenta";
         if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup)) return;  // covers the picture
         EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
-        if (state_.pages.help.open) return;  // the help covers the picture of a small window
+        // These cover the picture of a small window.
+        if (state_.pages.help.open || state_.pages.exports.open) return;
         const auto middle =
             frame.color.begin() + static_cast<std::ptrdiff_t>(frame.index(0, frame.height / 2));
         const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_.edited.layout));

@@ -129,6 +129,20 @@ void select_next_marker(UiState& state) {
 bool has_markers(const UiState& state) { return !state.edited.document.markers.empty(); }
 bool has_selected_marker(const UiState& state) { return state.edited.selected_marker != 0; }
 
+/// Opens the export page for a kind of file, or closes it if it shows that.
+template <ExportKind kind>
+void open_exports(UiState& state) {
+    ExportPage& page = state.pages.exports;
+    page.open = !(page.open && page.wish.kind == kind);
+    page.begins = true;
+    page.wish.kind = kind;
+}
+
+template <ExportKind kind>
+bool has_exports(const UiState& state) {
+    return state.pages.exports.open && state.pages.exports.wish.kind == kind;
+}
+
 constexpr const char* picture = "Picture";
 constexpr const char* view = "View";
 constexpr const char* document = "Document";
@@ -314,8 +328,34 @@ constexpr auto table = std::to_array<Action>({
     {.section = document,
      .name = "Save the picture...",
      .keys = "Ctrl+E",
-     .about = "as a file of twice the window's pixels; a PNG opens again as a session",
-     .run = give<Command::SavePicture>},
+     .about = "of any size; a PNG opens again as a session",
+     .run = open_exports<ExportKind::Picture>,
+     .is_on = has_exports<ExportKind::Picture>},
+    {.section = document,
+     .name = "Save a film...",
+     .about = "a turn, changing parameters, a way of the camera",
+     .run = open_exports<ExportKind::Film>,
+     .is_on = has_exports<ExportKind::Film>},
+    {.section = document,
+     .name = "Save the mesh...",
+     .about = "triangles, for printing and for 3D programs",
+     .run = open_exports<ExportKind::Mesh>,
+     .is_on = has_exports<ExportKind::Mesh>},
+    {.section = document,
+     .name = "Save a drawing...",
+     .about = "lines for papers, SVG or PDF",
+     .run = open_exports<ExportKind::Drawing>,
+     .is_on = has_exports<ExportKind::Drawing>},
+    {.section = document,
+     .name = "Stop saving",
+     .about = "give up what is being saved",
+     .run = [](UiState& state) { state.wishes.stop_export = true; },
+     .enabled = [](const UiState& state) { return !state.shown.export_progress.name.empty(); }},
+    {.section = document,
+     .name = "Copy the picture",
+     .keys = "Ctrl+Shift+C",
+     .about = "the picture on the screen, to be pasted elsewhere",
+     .run = [](UiState& state) { state.wishes.copy_picture = true; }},
     {.section = document,
      .name = "Copy as text",
      .keys = "Ctrl+C",

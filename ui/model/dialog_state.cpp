@@ -4,15 +4,11 @@
 
 namespace zeroset::ui {
 
-std::string ending_of(FileChoice::Purpose purpose) {
-    return purpose == FileChoice::Purpose::SavePicture ? ".png" : ".zeroset.json";
-}
-
-std::string with_ending(FileChoice::Purpose purpose, const std::string& name) {
-    const bool complete = purpose == FileChoice::Purpose::SavePicture
+std::string with_ending(const FileChoice& choice, const std::string& name) {
+    const bool complete = choice.purpose == FileChoice::Purpose::Export
                               ? std::filesystem::path(name).has_extension()
                               : name.ends_with(".json");
-    return complete ? name : name + ending_of(purpose);
+    return complete ? name : name + choice.ending;
 }
 
 }  // namespace zeroset::ui

@@ -19,8 +19,11 @@ struct Question {
 
 /// A choice of a file, in the window itself.
 struct FileChoice {
-    enum class Purpose : std::uint8_t { Open, Save, SavePicture };
+    enum class Purpose : std::uint8_t { Open, Save, Export };
     Purpose purpose = Purpose::Open;
+    std::string title = "Open a document";
+    /// Of the files that are offered, and of names without one.
+    std::string ending = ".zeroset.json";
     std::string folder;         ///< shown; absolute
     std::string name;           ///< in the field
     bool finished = false;      ///< set by the panel
@@ -30,11 +33,9 @@ struct FileChoice {
     bool asks_replace = false;  ///< the file exists; another press of Save replaces it
 };
 
-/// The ending of the files that are offered, and of names without one.
-std::string ending_of(FileChoice::Purpose purpose);
-/// The name, with the purpose's ending where it has none: a document's ends in .json, a picture's
-/// says its format.
-std::string with_ending(FileChoice::Purpose purpose, const std::string& name);
+/// The name, with the choice's ending where it has none: a document's ends in .json, another file's
+/// ending says its format.
+std::string with_ending(const FileChoice& choice, const std::string& name);
 
 /// Questions to the user; the owner sets it, acts on the answer and clears it.
 struct Dialogs {

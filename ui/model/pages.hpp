@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/model/dialog_state.hpp"
+#include "ui/model/export_page.hpp"
 
 #include <cstddef>
 #include <string>
@@ -39,6 +40,7 @@ struct Pages {
     GalleryPage gallery;
     CommandPalette commands;
     HelpPage help;
+    ExportPage exports;
     Dialogs dialogs;
 };
 

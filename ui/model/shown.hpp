@@ -7,6 +7,7 @@
 #include "engine/measure/probe.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/view/camera.hpp"
+#include "ui/model/export_page.hpp"
 
 #include <cstddef>
 #include <map>
@@ -90,6 +91,9 @@ struct Shown {
     ShownPicture picture;
     PictureFigures figures;
     std::optional<PointedFacts> pointed;
+    std::vector<ExportFormat> export_formats;  ///< all, each kind's usual one first
+    ExportPreview export_preview;
+    ExportProgress export_progress;
 };
 
 }  // namespace zeroset::ui

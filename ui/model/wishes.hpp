@@ -25,7 +25,7 @@ enum class Command : std::uint8_t {
     Open,
     Save,
     SaveAs,
-    SavePicture,
+    Export,  ///< asks for the name of the file for what the export page wishes
     Undo,
     Redo,
     Copy,
@@ -58,7 +58,9 @@ struct Wishes {
     std::optional<std::size_t> gallery_item;  ///< a line of the gallery was picked
     std::optional<std::string> open_path;     ///< a recent file was picked
     std::optional<Command> command;
-    std::optional<std::string> save_picture;  ///< the path of a file was chosen for the picture
+    std::optional<std::string> export_path;  ///< of the file for what the export page wishes
+    bool copy_picture = false;               ///< to the clipboard, in the size of the screen
+    bool stop_export = false;                ///< gives up what is being saved
     std::optional<PictureClick> click;
     ThumbnailWish thumbnails;  ///< lasts while the page is open
 };

@@ -57,7 +57,7 @@ fs::path typed_path(const FileChoice& choice) {
     std::error_code ignored;
     if (!saves(choice) || fs::is_directory(folder / choice.name, ignored))
         return folder / choice.name;
-    return folder / with_ending(choice.purpose, choice.name);
+    return folder / with_ending(choice, choice.name);
 }
 
 /// Opens the typed folder or accepts the typed file; asks once before a file is replaced.
@@ -117,11 +117,10 @@ void draw_entry(FileChoice& choice, const Entry& entry, const Palette& colors) {
 void draw_entries(FileChoice& choice, float height, const Palette& colors) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, colors.field);
     ImGui::BeginChild("##entries", ImVec2(0.0F, height));
-    const std::string ending = ending_of(choice.purpose);
-    const std::vector<Entry> entries = entries_of(choice.folder, ending);
+    const std::vector<Entry> entries = entries_of(choice.folder, choice.ending);
     for (const Entry& entry : entries)
         draw_entry(choice, entry, colors);
-    if (entries.empty()) ImGui::TextDisabled("  none here (*%s)", ending.c_str());
+    if (entries.empty()) ImGui::TextDisabled("  none here (*%s)", choice.ending.c_str());
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -138,15 +137,6 @@ void draw_buttons(FileChoice& choice, const Palette& colors) {
     if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", ImVec2(em(7.0F), 0.0F))) choice.finished = true;
-}
-
-const char* title_of(Purpose purpose) {
-    switch (purpose) {
-        case Purpose::Open: return "Open a document";
-        case Purpose::Save: return "Save as";
-        case Purpose::SavePicture: return "Save the picture (.png, .jpg, .webp, .tif or .exr)";
-    }
-    return "";
 }
 
 void draw_name(FileChoice& choice) {
@@ -168,7 +158,7 @@ void draw_file_browser(FileChoice& choice, const Palette& colors) {
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.45F * (window.y - size.y)));
     ImGui::SetNextWindowSize(size);
     if (!ImGui::BeginPopupModal("##files", nullptr, flags)) return;
-    ImGui::TextUnformatted(title_of(choice.purpose));
+    ImGui::TextUnformatted(choice.title.c_str());
     draw_places(choice, colors);
     draw_name(choice);
     const float below = (choice.asks_replace ? 2.2F : 1.2F) * ImGui::GetFrameHeightWithSpacing();

@@ -49,9 +49,12 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     draw_items(state, {"New", "Open..."});
     draw_recent(document.recent, state.wishes);
     ImGui::Separator();
-    draw_items(state, {"Save", "Save as...", "Save the picture..."});
+    draw_items(state, {"Save", "Save as..."});
     ImGui::Separator();
-    draw_items(state, {"Copy as text", "Copy as one line", "Paste"});
+    draw_items(state,
+               {"Save the picture...", "Save a film...", "Save the mesh...", "Save a drawing..."});
+    ImGui::Separator();
+    draw_items(state, {"Copy the picture", "Copy as text", "Copy as one line", "Paste"});
     ImGui::Separator();
     draw_items(state, {"Find a command...", "Quit"});
     ImGui::EndPopup();

@@ -1,6 +1,7 @@
 #include "ui/panels/status_panel.hpp"
 
 #include "document/look.hpp"
+#include "engine/base/text.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -25,15 +26,6 @@ constexpr const char* separator = "  \xC2\xB7  ";
 constexpr const char* keys_hint =
     "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
     "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
-
-/// Formats a number with its digits in groups of three, as in 1 234 567.
-std::string grouped(std::size_t number) {
-    std::string digits = std::to_string(number);
-    for (std::size_t at = digits.size(); at > 3; at -= 3) {
-        digits.insert(at - 3, " ");
-    }
-    return digits;
-}
 
 std::string milliseconds(double ms) {
     std::array<char, 32> text{};

@@ -18,8 +18,7 @@
 namespace zeroset::ui {
 namespace {
 
-/// Widths of the columns left (label) and right (value) of a slider, in em.
-constexpr float label_width = 3.6F;
+/// Width of the column at the right (value) of a slider, in em.
 constexpr float value_width = 4.3F;
 
 /// Reserves room for draw_value at the right of the next slider. That slider's format must begin
@@ -55,15 +54,15 @@ std::string slider_text(double value) {
 
 }  // namespace
 
-void draw_label(const std::string& label, const std::string& explanation) {
+void draw_label(const std::string& label, const std::string& explanation, float width_em) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    const bool cut = draw_elided(label, em(label_width - 0.3F));
+    const bool cut = draw_elided(label, em(width_em - 0.3F));
     ImGui::PopStyleColor();
     draw_tooltip(cut ? label + "\n" + explanation : explanation);
     ImGui::SameLine();
-    ImGui::SetCursorPosX(left + em(label_width));
+    ImGui::SetCursorPosX(left + em(width_em));
     ImGui::SetNextItemWidth(-FLT_MIN);
 }
 

@@ -6,8 +6,12 @@
 
 namespace zeroset::ui {
 
+/// Width of the labels in front of controls, in em.
+inline constexpr float label_width = 3.6F;
+
 /// Draws a label, cut where it is too long; the control that follows fills the rest of the line.
-void draw_label(const std::string& label, const std::string& explanation);
+void draw_label(const std::string& label, const std::string& explanation,
+                float width_em = label_width);
 
 /// An integer slider that fills the rest of the line, with `shown`, or the number if it is null, at
 /// its right. Returns true when it was moved.

@@ -22,9 +22,18 @@ Encoded encode_tikz(const LineDrawing& drawing, const DrawingStyle& style) {
 }
 
 constexpr std::array formats{
-    DrawingFormat{.ending = ".svg", .name = "SVG", .encode = encode_svg},
-    DrawingFormat{.ending = ".pdf", .name = "PDF", .encode = pdf_of},
-    DrawingFormat{.ending = ".tex", .name = "TikZ", .encode = encode_tikz},
+    DrawingFormat{.ending = ".svg",
+                  .name = "SVG",
+                  .about = "for the web and to be edited",
+                  .encode = encode_svg},
+    DrawingFormat{.ending = ".pdf",
+                  .name = "PDF",
+                  .about = "for papers: \\includegraphics",
+                  .encode = pdf_of},
+    DrawingFormat{.ending = ".tex",
+                  .name = "TikZ",
+                  .about = "for papers: lines as text of LaTeX",
+                  .encode = encode_tikz},
 };
 
 }  // namespace
@@ -36,15 +45,6 @@ const DrawingFormat* find_drawing_format(std::string_view path) {
     const auto* const found = std::ranges::find_if(
         formats, [&](const DrawingFormat& format) { return name.ends_with(format.ending); });
     return found == formats.end() ? nullptr : found;
-}
-
-std::string drawing_format_list() {
-    std::string text;
-    for (const DrawingFormat& format : formats) {
-        if (!text.empty()) text += ", ";
-        text += std::string(format.name) + " (" + std::string(format.ending) + ")";
-    }
-    return text;
 }
 
 }  // namespace zeroset

@@ -13,6 +13,7 @@ namespace zeroset {
 struct DrawingFormat {
     std::string_view ending;  ///< of file names, with the point
     std::string_view name;    ///< as a dialog lists it
+    std::string_view about;   ///< what it is good for
     /// The bytes of the file, or the reason why they cannot be made.
     std::expected<std::string, std::string> (*encode)(const LineDrawing& drawing,
                                                       const DrawingStyle& style);
@@ -22,7 +23,5 @@ struct DrawingFormat {
 std::span<const DrawingFormat> drawing_formats();
 /// The format of a file name's ending, in capitals, too; nullptr where there is none.
 const DrawingFormat* find_drawing_format(std::string_view path);
-/// "SVG (.svg), PDF (.pdf)": for help and errors.
-std::string drawing_format_list();
 
 }  // namespace zeroset

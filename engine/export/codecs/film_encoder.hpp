@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/frame_rate.hpp"
 #include "engine/export/codecs/video_pixels.hpp"
 
 #include <cstdint>
@@ -18,12 +19,6 @@ enum class FilmCodec : std::uint8_t {
     Ffv1,    ///< without loss, in a Matroska file
     Gif,     ///< one palette for all frames
     Apng,    ///< without loss
-};
-
-/// Frames a second: numerator and denominator.
-struct FrameRate {
-    int frames = 30;
-    int seconds = 1;
 };
 
 struct FilmSettings {

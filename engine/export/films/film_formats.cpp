@@ -84,14 +84,6 @@ const FilmFormat* film_format_of(const std::filesystem::path& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-std::string film_endings() {
-    std::vector<std::string_view> endings;
-    endings.reserve(formats.size());
-    for (const auto& format : formats)
-        endings.push_back(format.ending);
-    return one_of(endings);
-}
-
 std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings& settings) {
     const std::string name(format.name);
     const std::string missing = missing_encoder(encoder_of(format.codec));

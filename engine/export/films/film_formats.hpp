@@ -29,9 +29,6 @@ std::span<const FilmFormat> film_formats();
 /// The format of the path's ending, in any case; nullptr where there is none.
 const FilmFormat* film_format_of(const std::filesystem::path& path);
 
-/// The endings, as ".mp4, .webm or .gif".
-std::string film_endings();
-
 /// Why a film cannot be written so, with what can be done instead; nothing where it can.
 std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings& settings);
 

@@ -113,14 +113,6 @@ const PictureFormat* picture_format_of(const std::filesystem::path& path) {
     return found == formats.end() ? nullptr : found;
 }
 
-std::string picture_endings() {
-    std::vector<std::string_view> endings;
-    endings.reserve(formats.size());
-    for (const auto& format : formats)
-        endings.push_back(format.endings[0]);
-    return one_of(endings);
-}
-
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {
     const std::string name(format.name);
     if (format.encoder != nullptr) {

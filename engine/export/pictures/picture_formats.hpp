@@ -37,9 +37,6 @@ std::span<const PictureFormat> picture_formats();
 /// The format of the path's ending, in any case; nullptr where there is none.
 const PictureFormat* picture_format_of(const std::filesystem::path& path);
 
-/// The endings, as ".png, .jpg, .webp, .tif or .exr".
-std::string picture_endings();
-
 /// Why a picture cannot be written so, with what can be done instead; nothing where it can.
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options);
 

@@ -36,6 +36,7 @@ struct MeshFile {
 struct MeshFormat {
     std::string_view ending;  ///< with its dot, in small letters
     std::string_view name;
+    std::string_view about;  ///< what it is good for
     bool holds_colors, holds_objects, holds_normals;
     std::string_view unit;  ///< of its coordinates
     /// The file's bytes; an error is why they could not be made.

@@ -1,0 +1,115 @@
+#include "app/exports/export_news.hpp"
+
+#include "engine/base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Pixels along a side of the picture as it goes, at most.
+constexpr int shown_px = 480;
+/// Time between two of these pictures.
+constexpr std::chrono::milliseconds between_pictures(120);
+/// Before, a rate says nothing.
+constexpr double rate_from_s = 0.3;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Takes the pixels of the picture's part that begins at `row` over into a small picture of all.
+void take_over(const Framebuffer& frame, int row, int rows, RgbaImage& small) {
+    const double step = std::max(
+        {1.0, static_cast<double>(frame.width) / shown_px, static_cast<double>(rows) / shown_px});
+    const int width = std::max(static_cast<int>(frame.width / step), 1);
+    const int height = std::max(static_cast<int>(rows / step), 1);
+    if (small.width != width || small.height != height) {
+        small = {.width = width,
+                 .height = height,
+                 .pixels = std::vector<std::uint32_t>(static_cast<std::size_t>(width) *
+                                                      static_cast<std::size_t>(height))};
+    }
+    for (int y = 0; y < height; ++y) {
+        const int from = static_cast<int>((y + 0.5) * step) - row;
+        if (from < 0 || from >= frame.height) continue;
+        for (int x = 0; x < width; ++x) {
+            const int column = std::min(static_cast<int>((x + 0.5) * step), frame.width - 1);
+            const std::size_t pixel =
+                static_cast<std::size_t>(from) * static_cast<std::size_t>(frame.width) +
+                static_cast<std::size_t>(column);
+            small.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x)] = frame.color[pixel] | 0xFF000000U;
+        }
+    }
+}
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+    const auto whole = static_cast<long long>(std::ceil(seconds));
+    std::array<char, 48> text{};
+    if (whole < 3600) {
+        std::snprintf(text.data(), text.size(), "%lld:%02lld", whole / 60, whole % 60);
+    } else {
+        std::snprintf(text.data(), text.size(), "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
+                      whole % 60);
+    }
+    return text.data();
+}
+
+void ExportNews::enter(std::string stage, std::uint64_t parts, std::string unit) {
+    const std::scoped_lock lock(mutex_);
+    stage_ = std::move(stage);
+    unit_ = std::move(unit);
+    begun_ = Clock::now();
+    parts_ = parts;
+    done_ = 0;
+}
+
+void ExportNews::show(const Framebuffer& frame, int row, int rows) {
+    const bool last = row + frame.height >= rows;
+    {
+        const std::scoped_lock lock(mutex_);
+        const auto now = Clock::now();
+        if (row == 0 && last && now < shown_ + between_pictures) return;
+        shown_ = now;
+        take_over(frame, row, rows, picture_);
+        fresh_ = true;
+    }
+    wake_();
+}
+
+double ExportNews::share() const {
+    const std::uint64_t parts = parts_;
+    return parts == 0 ? 0.0
+                      : std::min(static_cast<double>(done_) / static_cast<double>(parts), 1.0);
+}
+
+std::string ExportNews::text() const {
+    const std::scoped_lock lock(mutex_);
+    const std::uint64_t parts = parts_;
+    const std::uint64_t done = std::min(done_.load(), parts);
+    if (parts == 0) return stage_;
+    const double seconds = seconds_since(begun_);
+    std::string text = unit_.empty()
+                           ? std::to_string(100 * done / parts) + " %"
+                           : unit_ + " " + std::to_string(done) + " of " + std::to_string(parts);
+    if (done == 0 || seconds < rate_from_s) return text;
+    const double rate = static_cast<double>(done) / seconds;
+    if (!unit_.empty()) text += ", " + short_number(rate, 3) + " a second";
+    return text + ", " + clock_text(static_cast<double>(parts - done) / rate) + " left";
+}
+
+std::optional<RgbaImage> ExportNews::take_picture() {
+    const std::scoped_lock lock(mutex_);
+    if (!std::exchange(fresh_, false)) return std::nullopt;
+    return picture_;
+}
+
+}  // namespace zeroset

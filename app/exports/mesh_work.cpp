@@ -1,0 +1,84 @@
+#include "app/exports/exports.hpp"
+#include "engine/base/clock.hpp"
+#include "engine/export/file.hpp"
+#include "pipeline/plans/export_formats.hpp"
+#include "pipeline/prepare.hpp"
+
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// Seconds after which a mesh stays as coarse as it is.
+constexpr double budget_s = 30.0;
+
+const char* name_of(MeshStage stage) {
+    switch (stage) {
+        case MeshStage::Dividing: return "dividing cells";
+        case MeshStage::Proving: return "proving the topology";
+        case MeshStage::Contouring: return "making triangles";
+        case MeshStage::Thinning: return "taking out triangles";
+    }
+    return "";
+}
+
+MeshSettings settings_of(const ui::MeshExport& wish, ExportNews& news) {
+    MeshSettings settings{
+        .size_mm = wish.size_mm,
+        .most_triangles = static_cast<std::size_t>(wish.most_triangles),
+        .open = wish.shape == ui::MeshExport::Shape::Open,
+        .limit = {.cancel = &news.cancel, .until = until_after(TimeLimit::Clock::now(), budget_s)},
+        .on_stage = [&news](MeshStage stage) { news.enter(name_of(stage)); }};
+    if (wish.tolerance > 0.0) settings.tolerance = wish.tolerance;
+    if (wish.shape == ui::MeshExport::Shape::Wall) settings.wall_mm = wish.wall_mm;
+    return settings;
+}
+
+ExportOutcome write(const DocumentMeshes& meshes, const std::filesystem::path& path,
+                    ExportNews& news) {
+    const MeshFormat* const format = mesh_format_of(path);
+    if (format == nullptr)
+        return std::unexpected("the mesh was not saved: " + other_name(ExportKind::Mesh, path));
+    if (auto writable = check_writable(path); !writable)
+        return std::unexpected(writable.error().message);
+    news.enter("writing");
+    const auto bytes = format->encode(meshes.file);
+    if (!bytes) return std::unexpected("the mesh was not saved: " + bytes.error());
+    if (news.cancel) return std::unexpected("it was cancelled");
+    if (const auto written = write_file(path, *bytes); !written)
+        return std::unexpected(written.error().message);
+    std::size_t triangles = 0;
+    for (const SurfaceMesh& surface : meshes.surfaces)
+        triangles += surface.facts.triangles;
+    return "saved " + path.filename().string() + " (" + std::to_string(triangles) + " triangles)";
+}
+
+}  // namespace
+
+std::expected<std::shared_ptr<const DocumentMeshes>, std::string> make_meshes(
+    const ExportSubject& subject, const ui::MeshExport& wish, ExportNews& news) {
+    news.enter("making code");
+    auto prepared = prepare(subject.document, subject.rows(), Preparation::Interpreted);
+    if (!prepared) return std::unexpected(prepared.error().reason);
+    constexpr glm::ivec2 size_px(1024, 1024);  // for the camera that distances are taken from
+    const PictureRequest request = picture_request(prepared->formula, prepared->colors,
+                                                   subject.document, subject.settings, size_px);
+    auto meshes = mesh_document(request, settings_of(wish, news));
+    if (news.cancel) return std::unexpected("it was cancelled");
+    if (!meshes) return std::unexpected(meshes.error().reason);
+    if (meshes->surfaces.empty()) return std::unexpected(nothing_found(*meshes));
+    return std::make_shared<const DocumentMeshes>(std::move(*meshes));
+}
+
+ExportWork mesh_work(ExportSubject subject, const ui::MeshExport& wish, std::filesystem::path path,
+                     std::shared_ptr<const DocumentMeshes> made) {
+    return [subject = std::move(subject), wish, path = std::move(path),
+            made = std::move(made)](ExportNews& news) -> ExportOutcome {
+        if (made != nullptr) return write(*made, path, news);
+        const auto meshes = make_meshes(subject, wish, news);
+        if (!meshes) return std::unexpected(meshes.error());
+        return write(**meshes, path, news);
+    };
+}
+
+}  // namespace zeroset

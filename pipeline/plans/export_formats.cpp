@@ -1,0 +1,123 @@
+#include "pipeline/plans/export_formats.hpp"
+
+#include "engine/base/text.hpp"
+#include "engine/draw/files/formats.hpp"
+#include "engine/export/films/film_formats.hpp"
+#include "engine/export/pictures/picture_formats.hpp"
+#include "engine/mesh/files/mesh_file.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+ExportFormat row_of(const PictureFormat& format) {
+    return {.kind = ExportKind::Picture,
+            .name = format.name,
+            .ending = format.endings[0],
+            .about = format.about,
+            .bits = format.bits,
+            .alpha = format.alpha,
+            .quality = format.lossy,
+            .density = format.density};
+}
+
+ExportFormat row_of(const FilmFormat& format) {
+    return {.kind = ExportKind::Film,
+            .name = format.name,
+            .ending = format.ending,
+            .about = format.about,
+            .alpha = format.alpha,
+            .quality = format.lossy,
+            .even = format.even};
+}
+
+/// Numbered pictures of a film's frames.
+ExportFormat frames_of(const PictureFormat& format) {
+    ExportFormat row = row_of(format);
+    row.kind = ExportKind::Film;
+    row.about = "a picture for each frame, numbered";
+    row.quality = row.density = false;
+    row.numbered = true;
+    return row;
+}
+
+ExportFormat row_of(const MeshFormat& format) {
+    return {.kind = ExportKind::Mesh,
+            .name = format.name,
+            .ending = format.ending,
+            .about = format.about};
+}
+
+ExportFormat row_of(const DrawingFormat& format) {
+    return {.kind = ExportKind::Drawing,
+            .name = format.name,
+            .ending = format.ending,
+            .about = format.about};
+}
+
+std::vector<ExportFormat> all_formats() {
+    std::vector<ExportFormat> rows;
+    for (const PictureFormat& format : picture_formats())
+        rows.push_back(row_of(format));
+    for (const FilmFormat& format : film_formats())
+        rows.push_back(row_of(format));
+    for (const PictureFormat& format : picture_formats())
+        rows.push_back(frames_of(format));
+    for (const MeshFormat& format : mesh_formats())
+        rows.push_back(row_of(format));
+    for (const DrawingFormat& format : drawing_formats())
+        rows.push_back(row_of(format));
+    return rows;
+}
+
+/// The command that writes files of a kind.
+std::string_view command_of(ExportKind kind) {
+    switch (kind) {
+        case ExportKind::Picture: return "render";
+        case ExportKind::Film: return "turntable";
+        case ExportKind::Mesh: return "mesh";
+        case ExportKind::Drawing: return "draw";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() {
+    static const std::vector<ExportFormat> formats = all_formats();
+    return formats;
+}
+
+const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::path& path) {
+    std::string ending = lower_case(path.extension().string());
+    // The other spellings are the writers' own.
+    if (const PictureFormat* const picture = picture_format_of(path)) ending = picture->endings[0];
+    const auto formats = export_formats();
+    const auto found = std::ranges::find_if(formats, [&](const ExportFormat& format) {
+        return format.kind == kind && format.ending == ending;
+    });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+std::string export_endings(ExportKind kind) {
+    std::vector<std::string_view> endings;
+    for (const ExportFormat& format : export_formats()) {
+        if (format.kind == kind && !format.numbered) endings.push_back(format.ending);
+    }
+    return one_of(endings);
+}
+
+std::string other_name(ExportKind kind, const std::filesystem::path& path) {
+    const std::string text = "type a name that ends in " + export_endings(kind);
+    const auto formats = export_formats();
+    const auto other = std::ranges::find_if(formats, [&](const ExportFormat& format) {
+        return !format.numbered && export_format_of(format.kind, path) == &format;
+    });
+    if (other == formats.end() || other->kind == kind) return text;
+    return text + "; " + std::string(other->ending) + " is written by `zeroset " +
+           std::string(command_of(other->kind)) + "`";
+}
+
+}  // namespace zeroset

@@ -1,0 +1,158 @@
+#include "app/exports/exports.hpp"
+
+#include "app/exports/make_preview.hpp"
+#include "engine/export/codecs/codec.hpp"
+#include "engine/export/pictures/picture_writer.hpp"
+#include "engine/export/png.hpp"
+#include "pipeline/prepare.hpp"
+#include "tests/support/test_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+namespace zeroset {
+namespace {
+
+ExportSubject subject_of(const std::string& text) {
+    ReadDocument read = read_document_text(text);
+    auto prepared = prepare(read.document, *read.rows, Preparation::Interpreted);
+    read.document.camera = default_camera(read.document.clip);
+    return {.document = read.document,
+            .formula = prepared->formula,
+            .colors = prepared->colors,
+            .settings = {}};
+}
+
+class Exports : public testing::Test {
+protected:
+    std::string bytes_of(const std::string& name) {
+        std::ifstream file(folder_ / name, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    }
+    [[nodiscard]] std::size_t files() const {
+        std::size_t count = 0;
+        for ([[maybe_unused]] const auto& entry :
+             std::filesystem::directory_iterator(folder_.path()))
+            ++count;
+        return count;
+    }
+
+    test::TestFolder folder_;
+    ExportSubject ball_ = subject_of("x^2+y^2+z^2=1");
+    ExportNews news_{[] {}};
+};
+
+TEST_F(Exports, WriteAPictureWithItsSession) {
+    const ui::PictureExport wish{.size_px = {40, 30}};
+    const auto outcome = picture_work(ball_, wish, folder_ / "a.png")(news_);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_EQ(*outcome, "saved a.png (40x30)");
+    const std::string png = bytes_of("a.png");
+    const auto size = size_of_png(std::as_bytes(std::span(png)));
+    ASSERT_TRUE(size);
+    EXPECT_EQ(size->width, 40U);
+    EXPECT_TRUE(text_in_png(std::as_bytes(std::span(png)), document_keyword));
+    EXPECT_TRUE(news_.take_picture());
+}
+
+TEST_F(Exports, WriteNumberedPicturesOfAFilm) {
+    ui::FilmExport wish{.size_px = {24, 18}, .seconds = 0.1};
+    const auto outcome = film_work(ball_, wish, folder_ / "f##.png")(news_);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_EQ(*outcome, "saved f##.png (3 frames)");
+    EXPECT_FALSE(bytes_of("f00.png").empty());
+    EXPECT_FALSE(bytes_of("f02.png").empty());
+    EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(Exports, WriteAFilm) {
+    const std::string missing = missing_encoder("libx264");
+    if (!missing.empty()) GTEST_SKIP() << missing;
+    const ui::FilmExport wish{.size_px = {32, 32}, .seconds = 0.2};
+    const auto outcome = film_work(ball_, wish, folder_ / "a.mp4")(news_);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_EQ(bytes_of("a.mp4").substr(4, 4), "ftyp");
+}
+
+TEST_F(Exports, WriteMeshesAndDrawings) {
+    const ui::MeshExport wish{.tolerance = 0.05};
+    const auto meshes = make_meshes(ball_, wish, news_);
+    ASSERT_TRUE(meshes) << meshes.error();
+    const auto outcome = mesh_work(ball_, wish, folder_ / "a.stl", *meshes)(news_);
+    ASSERT_TRUE(outcome) << outcome.error();
+    EXPECT_EQ(bytes_of("a.stl").size(), 84 + 50 * (*meshes)->surfaces[0].facts.triangles);
+    const auto drawn = drawing_work(ball_, {}, folder_ / "a.svg", nullptr)(news_);
+    ASSERT_TRUE(drawn) << drawn.error();
+    EXPECT_NE(bytes_of("a.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(Exports, SayWhatIsWrongAndLeaveNothing) {
+    EXPECT_EQ(picture_work(ball_, {}, folder_ / "a.stl")(news_).error(),
+              "the picture was not saved: type a name that ends in .png, .jpg, .webp, .tif or "
+              ".exr; .stl is written by `zeroset mesh`");
+    EXPECT_FALSE(film_work(ball_, {}, folder_ / "a.xyz")(news_));
+    EXPECT_FALSE(mesh_work(ball_, {.tolerance = 0.1}, folder_ / "a.xyz", nullptr)(news_));
+    EXPECT_FALSE(drawing_work(ball_, {}, folder_ / "a.xyz", nullptr)(news_));
+    EXPECT_FALSE(picture_work(ball_, {}, folder_ / "none" / "a.png")(news_));
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Exports, LeaveNothingWhereTheyAreStopped) {
+    news_.cancel = true;
+    EXPECT_FALSE(picture_work(ball_, {}, folder_ / "a.png")(news_));
+    EXPECT_FALSE(film_work(ball_, {}, folder_ / "f##.png")(news_));
+    EXPECT_FALSE(mesh_work(ball_, {}, folder_ / "a.stl", nullptr)(news_));
+    EXPECT_FALSE(drawing_work(ball_, {}, folder_ / "a.svg", nullptr)(news_));
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Exports, CopyThePictureAsAPng) {
+    const auto png = std::make_shared<std::vector<std::byte>>();
+    ASSERT_TRUE(copy_work(ball_, {50, 40}, png)(news_));
+    EXPECT_EQ(size_of_png(*png)->height, 40U);
+}
+
+TEST_F(Exports, PreviewsFitTheirRoom) {
+    PreviewRequest request;
+    request.subject = ball_;
+    request.wish.picture.size_px = {4000, 1000};
+    request.room_px = {200, 100};
+    const Preview preview = make_preview(request, std::nullopt, news_);
+    ASSERT_TRUE(preview.image);
+    EXPECT_EQ(preview.image->width, 200);
+    EXPECT_EQ(preview.image->height, 50);
+    EXPECT_EQ(preview.image->pixels[25 * 200 + 100] >> 24U, 0xFFU);
+}
+
+TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
+    PreviewRequest request;
+    request.subject = ball_;
+    request.wish.kind = ExportKind::Mesh;
+    request.wish.mesh.tolerance = 0.05;
+    request.camera = *ball_.document.camera;
+    request.room_px = {60, 40};
+    const Preview first = make_preview(request, std::nullopt, news_);
+    ASSERT_NE(first.meshes, nullptr);
+    EXPECT_FALSE(first.shown.facts.empty());
+    request.camera.eye *= 2.0;
+    const Preview second = make_preview(request, first, news_);
+    EXPECT_EQ(second.meshes, first.meshes);
+    EXPECT_NE(second.image->pixels, first.image->pixels);
+    request.wish.mesh.tolerance = 0.1;
+    EXPECT_NE(make_preview(request, second, news_).meshes, first.meshes);
+}
+
+TEST_F(Exports, FilmsTurnAboutTheAxis) {
+    ui::FilmExport wish{.seconds = 2.0, .degrees = 90.0, .axis = 2};
+    const FilmPlan plan = plan_of(wish, ball_.document);
+    EXPECT_EQ(plan.frames, 60);
+    ASSERT_TRUE(plan.turn);
+    EXPECT_EQ(plan.turn->axis, glm::dvec3(0, 1, 0));
+    wish.turns = false;
+    EXPECT_FALSE(plan_of(wish, ball_.document).turn);
+}
+
+}  // namespace
+}  // namespace zeroset

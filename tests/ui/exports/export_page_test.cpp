@@ -1,0 +1,144 @@
+// Tests of the panel of what is saved: tabs, formats, fields, keys, progress.
+
+#include "tests/ui/panels.hpp"
+#include "ui/actions/actions.hpp"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <string>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr const char* window_name = "Save as a file##export";
+
+class ExportPages : public Panels {
+protected:
+    void SetUp() override {
+        Panels::SetUp();
+        if (window_ == nullptr) return;
+        set_rows(state_, {"x^2 + y^2 + z^2 = a"});
+        state_.shown.export_formats = {
+            {.kind = ExportKind::Picture,
+             .name = "PNG",
+             .ending = ".png",
+             .about = "all",
+             .bits = {8, 16},
+             .alpha = true,
+             .density = true},
+            {.kind = ExportKind::Picture,
+             .name = "JPEG",
+             .ending = ".jpg",
+             .about = "small",
+             .bits = {8, 0},
+             .quality = true},
+            {.kind = ExportKind::Film,
+             .name = "MP4",
+             .ending = ".mp4",
+             .about = "plays",
+             .quality = true},
+            {.kind = ExportKind::Film,
+             .name = "PNG",
+             .ending = ".png",
+             .about = "frames",
+             .alpha = true,
+             .numbered = true},
+            {.kind = ExportKind::Mesh, .name = "STL", .ending = ".stl", .about = "prints"},
+            {.kind = ExportKind::Drawing, .name = "SVG", .ending = ".svg", .about = "web"},
+        };
+    }
+
+    void open(const char* action) {
+        std::ranges::find(actions(), std::string(action), &Action::name)->run(state_);
+        draw();
+        draw();
+    }
+    ExportPage& page() { return state_.pages.exports; }
+    static bool is_shown() {
+        const ImGuiWindow* const window = ImGui::FindWindowByName(window_name);
+        return window != nullptr && window->WasActive;
+    }
+    /// The middle of a line of the chosen part, counted from below the preview.
+    static glm::vec2 line(int number, float along) {
+        const ImGuiWindow& part = *child((std::string(window_name) + "/##part").c_str());
+        const float preview = std::min(em(15.0F), 0.5F * part.Size.y);
+        const float top = part.DC.CursorStartPos.y + preview + ImGui::GetStyle().ItemSpacing.y;
+        const float row = ImGui::GetFrameHeightWithSpacing();
+        return {part.Pos.x + along * part.Size.x, top + (static_cast<float>(number) + 0.4F) * row};
+    }
+};
+
+TEST_P(ExportPages, OpenAndCloseByTheirKeys) {
+    draw();
+    EXPECT_FALSE(is_shown());
+    press_with_ctrl(GLFW_KEY_E);
+    draw();
+    EXPECT_TRUE(is_shown());
+    EXPECT_EQ(page().wish.kind, ExportKind::Picture);
+    press(GLFW_KEY_ESCAPE);
+    draw();
+    EXPECT_FALSE(is_shown());
+}
+
+TEST_P(ExportPages, ChooseTheKindAndItsUsualFormat) {
+    open("Save a film...");
+    EXPECT_EQ(page().wish.kind, ExportKind::Film);
+    EXPECT_EQ(page().endings[1], ".mp4");
+    open("Save the mesh...");
+    EXPECT_TRUE(is_shown());
+    EXPECT_EQ(page().endings[2], ".stl");
+    open("Save the mesh...");
+    EXPECT_FALSE(page().open);
+}
+
+TEST_P(ExportPages, TakeTypedSizes) {
+    open("Save the picture...");
+    click_at(line(1, 0.3F));
+    OffscreenWindow::type("3840");
+    draw_frame();
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(page().wish.picture.size_px.x, 3840);
+    EXPECT_EQ(page().wish.picture.size_px.y, 1080);
+    EXPECT_FALSE(state_.wishes.command) << "Enter in a field is not Save";
+}
+
+TEST_P(ExportPages, SaveByEnter) {
+    open("Save the picture...");
+    state_.wishes.command.reset();
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(state_.wishes.command, Command::Export);
+}
+
+TEST_P(ExportPages, DoNotSaveWhileSomethingIsSaved) {
+    open("Save the picture...");
+    state_.shown.export_progress = {.name = "a.png", .share = 0.5, .text = "50 %"};
+    state_.wishes.command.reset();
+    draw();
+    press(GLFW_KEY_ENTER);
+    EXPECT_FALSE(state_.wishes.command);
+}
+
+TEST_P(ExportPages, PlayTheFilm) {
+    open("Save a film...");
+    click_at(line(0, 0.03F));
+    EXPECT_TRUE(page().plays);
+    for (int i = 0; i < 20 && page().at == 0.0; ++i)
+        draw();
+    EXPECT_GT(page().at, 0.0);
+}
+
+TEST_P(ExportPages, GiveRoomForThePreview) {
+    open("Save the picture...");
+    EXPECT_GT(page().preview_px.x, px(150));
+    EXPECT_GE(page().preview_px.y, px(70));
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, ExportPages, testing::ValuesIn(different_looks()),
+                         [](const auto& look) { return name_of(look.param); });
+
+}  // namespace
+}  // namespace zeroset::ui

@@ -1,0 +1,205 @@
+#include "ui/exports/export_page.hpp"
+
+#include "ui/exports/export_parts.hpp"
+#include "ui/exports/export_preview.hpp"
+#include "ui/style/keys.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr float narrowest_page_em = 25.0F;
+constexpr float widest_page_em = 33.0F;
+constexpr float highest_page_em = 50.0F;
+
+struct Tab {
+    ExportKind kind;
+    const char* name;
+};
+constexpr std::array<Tab, 4> tabs{{
+    {.kind = ExportKind::Picture, .name = "Picture"},
+    {.kind = ExportKind::Film, .name = "Film"},
+    {.kind = ExportKind::Mesh, .name = "Mesh"},
+    {.kind = ExportKind::Drawing, .name = "Drawing"},
+}};
+
+/// The format that is chosen for the page's kind; the kind's first one before any is chosen.
+const ExportFormat& chosen_format(UiState& state) {
+    ExportPage& page = state.pages.exports;
+    std::string& ending = page.endings.at(static_cast<std::size_t>(page.wish.kind));
+    const auto& formats = state.shown.export_formats;
+    const auto is_chosen = [&](const ExportFormat& format) {
+        return format.kind == page.wish.kind && (ending.empty() || ending == ending_of(format));
+    };
+    auto found = std::ranges::find_if(formats, is_chosen);
+    if (found == formats.end()) found = formats.begin();
+    ending = ending_of(*found);
+    return *found;
+}
+
+std::string shown_name(const ExportFormat& format) {
+    return (format.numbered ? "Numbered " : "") + std::string(format.name) + " (" +
+           std::string(format.ending) + ")";
+}
+
+void draw_formats(UiState& state, const ExportFormat& chosen) {
+    ExportPage& page = state.pages.exports;
+    draw_export_label("format", std::string(chosen.about).c_str());
+    if (!ImGui::BeginCombo("##format", shown_name(chosen).c_str(), ImGuiComboFlags_HeightLarge))
+        return;
+    for (const ExportFormat& format : state.shown.export_formats) {
+        if (format.kind != page.wish.kind) continue;
+        if (ImGui::Selectable(shown_name(format).c_str(), &format == &chosen))
+            page.endings.at(static_cast<std::size_t>(page.wish.kind)) = ending_of(format);
+        draw_tooltip(std::string(format.about));
+    }
+    ImGui::EndCombo();
+}
+
+void draw_part(UiState& state, const ExportFormat& format) {
+    switch (state.pages.exports.wish.kind) {
+        case ExportKind::Picture: return draw_picture_part(state, format);
+        case ExportKind::Film: return draw_film_part(state, format);
+        case ExportKind::Mesh: return draw_mesh_part(state);
+        case ExportKind::Drawing: return draw_drawing_part(state);
+    }
+}
+
+/// Draws how far an export is, with a button that stops it.
+void draw_progress(UiState& state) {
+    const ExportProgress& progress = state.shown.export_progress;
+    const float button = em(5.0F);
+    const float picture = progress.texture == 0 ? 0.0F : em(3.6F);
+    if (picture > 0.0F) {
+        const float height = 2.0F * ImGui::GetFrameHeight();
+        const ImVec2 lo = ImGui::GetCursorScreenPos();
+        const float aspect = static_cast<float>(progress.size_px.y) /
+                             static_cast<float>(std::max(progress.size_px.x, 1));
+        const float width = std::min(picture, height / aspect);
+        const auto id = static_cast<std::uintptr_t>(progress.texture);
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
+        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(id), lo,
+                                             ImVec2(lo.x + width, lo.y + width * aspect));
+        ImGui::Dummy(ImVec2(picture, height));
+        ImGui::SameLine();
+    }
+    ImGui::BeginGroup();
+    const float room = ImGui::GetContentRegionAvail().x;
+    draw_elided(progress.name + ": " + progress.text, room);
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::ProgressBar(static_cast<float>(progress.share), ImVec2(room - button - spacing, 0.0F),
+                       "");
+    ImGui::SameLine();
+    if (ImGui::Button("Stop", ImVec2(button, 0.0F))) state.wishes.stop_export = true;
+    draw_tooltip("Nothing is left behind; numbered pictures that are finished stay.");
+    ImGui::EndGroup();
+}
+
+void draw_save(UiState& state) {
+    const Palette& colors = palette(state.edited.theme);
+    ImGui::PushStyleColor(ImGuiCol_Button, colors.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.accent);
+    ImGui::PushStyleColor(ImGuiCol_Text, colors.bar);
+    if (ImGui::Button("Save...", ImVec2(em(7.0F), 0.0F))) state.wishes.command = Command::Export;
+    ImGui::PopStyleColor(3);
+    draw_tooltip("Choose the file's name (Enter)");
+    if (state.pages.exports.wish.kind != ExportKind::Picture) return;
+    ImGui::SameLine();
+    if (ImGui::Button("Copy the picture")) state.wishes.copy_picture = true;
+    draw_tooltip("The window's picture to the clipboard (Ctrl+Shift+C)");
+}
+
+/// Draws the list of kinds and, below it, what can be chosen of the kind that is shown.
+void draw_content(UiState& state) {
+    ExportPage& page = state.pages.exports;
+    const bool begins = std::exchange(page.begins, false);
+    if (!ImGui::BeginTabBar("##kinds")) return;
+    for (const Tab& tab : tabs) {
+        const bool chosen = begins && tab.kind == page.wish.kind;
+        if (!ImGui::BeginTabItem(tab.name, nullptr,
+                                 chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None))
+            continue;
+        if (!begins) page.wish.kind = tab.kind;
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+    const bool saves = !state.shown.export_progress.name.empty();
+    const float below = (saves ? 2.0F : 1.0F) * ImGui::GetFrameHeightWithSpacing() + em(0.6F);
+    ImGui::BeginChild("##part", ImVec2(0.0F, -below));
+    draw_export_preview(state);
+    const ExportFormat& format = chosen_format(state);
+    if (page.wish.kind != ExportKind::Film) draw_formats(state, format);
+    draw_part(state, format);
+    if (page.wish.kind == ExportKind::Film) draw_formats(state, format);
+    ImGui::EndChild();
+    ImGui::Separator();
+    if (saves) {
+        draw_progress(state);
+    } else {
+        draw_save(state);
+    }
+}
+
+/// Places the page at the right above the status line, over half of the picture if that is wide.
+void place_page(const Layout& layout) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const float margin = std::min(em(1.0F), 0.02F * window.y);
+    const float half_picture = 0.5F * (window.x - side_panel_width(layout));
+    const float room = window.y - status_bar_height() - 2.0F * margin;
+    const ImVec2 size(std::min(std::clamp(half_picture, em(narrowest_page_em), em(widest_page_em)),
+                               window.x - 2.0F * margin),
+                      std::min(room, em(highest_page_em)));
+    ImGui::SetNextWindowPos(ImVec2(window.x - margin - size.x, margin), ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(std::min(em(20.0F), window.x), em(12.0F)), window);
+}
+
+}  // namespace
+
+void follow_export_keys(UiState& state) {
+    ExportPage& page = state.pages.exports;
+    const bool is_for_others = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) ||
+                               state.input.handle_drag.has_value();
+    if (!page.open || is_for_others) return;
+    const int escape = ImGui::GetKeyIndex(ImGuiKey_Escape);
+    if (escape >= 0 && ImGui::IsKeyPressed(escape, false)) {
+        page.open = false;
+        // Mark Escape as no longer just pressed: a text field would discard what was typed.
+        ImGui::GetIO().KeysDownDuration[escape] = FLT_MIN;
+    }
+    const bool enter = is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter);
+    if (enter && !ImGui::GetIO().WantTextInput && state.shown.export_progress.name.empty())
+        state.wishes.command = Command::Export;
+}
+
+void draw_export_page(UiState& state) {
+    ExportPage& page = state.pages.exports;
+    if (!page.open || state.shown.export_formats.empty()) return;
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoFocusOnAppearing |
+        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
+    place_page(state.edited.layout);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.edited.theme).popup);
+    const bool open = ImGui::Begin("Save as a file##export", &page.open, flags);
+    ImGui::PopStyleColor();
+    if (open) {
+        if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
+        draw_content(state);
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui

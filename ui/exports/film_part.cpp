@@ -1,0 +1,212 @@
+#include "document/document.hpp"
+#include "ui/exports/export_parts.hpp"
+#include "ui/panels/parameter_row.hpp"
+#include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
+#include "ui/widgets/slider_row.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+constexpr int largest_film = 16384;
+constexpr double longest_s = 3600.0;
+
+constexpr std::array<const char*, 4> axes{"up", "x", "y", "z"};
+constexpr std::array<const char*, 3> ends{"stop", "loop", "bounce"};
+constexpr std::array<const char*, 2> easings{"even", "slow at the ends"};
+
+/// Draws a list from which one of `names` is chosen.
+template <std::size_t count>
+void draw_choice(const char* id, const std::array<const char*, count>& names, std::size_t& chosen) {
+    if (!ImGui::BeginCombo(id, names.at(chosen))) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (ImGui::Selectable(names.at(i), i == chosen)) chosen = i;
+    }
+    ImGui::EndCombo();
+}
+
+/// Draws a list from which an enum's value is chosen; the names are in the order of its values.
+template <class Enum, std::size_t count>
+void draw_enum(const char* id, const std::array<const char*, count>& names, Enum& value) {
+    auto chosen = static_cast<std::size_t>(value);
+    draw_choice(id, names, chosen);
+    value = static_cast<Enum>(chosen);
+}
+
+void draw_timeline(ExportPage& page, const Palette& colors) {
+    const FilmExport& film = page.wish.film;
+    const int frames = film.frames();
+    page.at = std::clamp(page.at, 0.0, static_cast<double>(frames - 1));
+    const float button = ImGui::GetFrameHeight();
+    if (icon_button("##play", page.plays ? Icon::Pause : Icon::Play,
+                    {.size = button, .color = colors.text},
+                    page.plays ? "Hold the preview" : "Play the preview"))
+        page.plays = !page.plays;
+    if (page.plays) {
+        const double rate = static_cast<double>(film.plan.rate.frames) / film.plan.rate.seconds;
+        page.at = std::fmod(page.at + rate * static_cast<double>(ImGui::GetIO().DeltaTime), frames);
+    }
+    ImGui::SameLine();
+    int frame = static_cast<int>(page.at);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "frame %d of %d, %.2f s", frame + 1, frames,
+                  page.at * film.plan.rate.seconds / film.plan.rate.frames);
+    ImGui::SetNextItemWidth(-em(12.0F));
+    if (ImGui::SliderInt("##timeline", &frame, 0, std::max(frames - 1, 1), "",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        page.at = frame;
+        page.plays = false;
+    }
+    draw_tooltip("The film's frames: drag to look at any of them.");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", text.data());
+}
+
+void draw_turn(FilmExport& film) {
+    draw_export_label("turn", "The camera goes around what it looks at.");
+    ImGui::Checkbox("##turns", &film.turns);
+    if (!film.turns) return;
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(em(5.0F));
+    draw_number_field("##degrees", film.degrees, -36000.0, 36000.0);
+    draw_tooltip("Degrees, against the clock seen from the axis' end.");
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::TextUnformatted("\xC2\xB0 about");
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::SetNextItemWidth(-1.0F);
+    auto axis = static_cast<std::size_t>(film.axis);
+    draw_choice("##axis", axes, axis);
+    film.axis = static_cast<int>(axis);
+}
+
+/// The names that can be swept and are not.
+std::vector<std::string> names_left(const UiState& state) {
+    std::vector<std::string> names = state.shown.reading.parameters;
+    if (state.shown.reading.uses_w) names.emplace_back(w_name);
+    const std::vector<Sweep>& sweeps = state.pages.exports.wish.film.plan.sweeps;
+    std::erase_if(names, [&](const std::string& name) {
+        return std::ranges::find(sweeps, name, &Sweep::name) != sweeps.end();
+    });
+    return names;
+}
+
+/// A sweep over the whole of the parameter's slider.
+Sweep whole_sweep(const Document& document, const std::string& name) {
+    const Slider slider = slider_named(document, name);
+    return {.name = name, .from = slider.lo, .to = slider.hi};
+}
+
+/// Draws one sweep; false when the user removes it.
+bool draw_sweep(Sweep& sweep, const Palette& colors) {
+    const float button = ImGui::GetFrameHeight();
+    draw_export_label(sweep.name.c_str(), "Goes from the first number to the second.");
+    const float room = ImGui::GetContentRegionAvail().x - button - em(2.6F);
+    ImGui::SetNextItemWidth(0.5F * room);
+    draw_number_field("##from", sweep.from, -largest_number, largest_number);
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::TextUnformatted("to");
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::SetNextItemWidth(0.5F * room);
+    draw_number_field("##to", sweep.to, -largest_number, largest_number);
+    ImGui::SameLine();
+    return !icon_button("##remove", Icon::Cross, {.size = button, .color = colors.quiet},
+                        "Leave it as it is");
+}
+
+void draw_sweeps(UiState& state) {
+    std::vector<Sweep>& sweeps = state.pages.exports.wish.film.plan.sweeps;
+    for (std::size_t i = 0; i < sweeps.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool kept = draw_sweep(sweeps[i], palette(state.edited.theme));
+        ImGui::PopID();
+        if (!kept) {
+            sweeps.erase(sweeps.begin() + static_cast<std::ptrdiff_t>(i));
+            break;
+        }
+    }
+    const std::vector<std::string> names = names_left(state);
+    if (names.empty()) return;
+    draw_export_label("sweep", "A parameter that changes with the film.");
+    if (!ImGui::BeginCombo("##sweep", "add a parameter...")) return;
+    for (const std::string& name : names) {
+        if (ImGui::Selectable(name.c_str()))
+            sweeps.push_back(whole_sweep(state.edited.document, name));
+    }
+    ImGui::EndCombo();
+}
+
+/// Draws the cameras that the film goes through.
+void draw_path(UiState& state) {
+    std::vector<Camera>& path = state.pages.exports.wish.film.plan.path;
+    draw_export_label("way", "The camera goes through these views, at an even speed.");
+    if (ImGui::Button("Add this view") && state.edited.document.camera)
+        path.push_back(*state.edited.document.camera);
+    draw_tooltip("Turn the picture, then add what it shows; two views make a way.");
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        ImGui::SameLine(0.0F, em(0.4F));
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button(std::to_string(i + 1).c_str())) state.edited.document.camera = path[i];
+        draw_tooltip("Look from there");
+        ImGui::PopID();
+    }
+    if (path.empty()) return;
+    ImGui::SameLine(0.0F, em(0.4F));
+    if (ImGui::Button("Clear")) path.clear();
+}
+
+void draw_time(FilmExport& film) {
+    draw_export_label("time", "How long it plays, and how many frames a second.");
+    ImGui::SetNextItemWidth(em(5.0F));
+    draw_number_field("##seconds", film.seconds, 0.01, longest_s);
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::TextUnformatted("s at");
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::SetNextItemWidth(em(4.0F));
+    draw_integer_field("##rate", film.plan.rate.frames, 1, 240);
+    ImGui::SameLine(0.0F, em(0.4F));
+    ImGui::TextUnformatted("fps");
+}
+
+void draw_blur(FilmPlan& plan) {
+    draw_export_label("blur", "Pictures that are mixed for each frame: motion blur.");
+    draw_integer_slider("##blur", plan.blur, 1, 64, plan.blur == 1 ? "off" : nullptr);
+}
+
+}  // namespace
+
+void draw_film_part(UiState& state, const ExportFormat& format) {
+    ExportPage& page = state.pages.exports;
+    FilmExport& film = page.wish.film;
+    draw_timeline(page, palette(state.edited.theme));
+    draw_turn(film);
+    draw_sweeps(state);
+    draw_path(state);
+    draw_time(film);
+    draw_export_label("end", "What comes after the last frame, and how changes begin and end.");
+    ImGui::SetNextItemWidth(em(6.0F));
+    draw_enum("##end", ends, film.plan.end);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    draw_enum("##easing", easings, film.plan.easing);
+    draw_size_fields(film.size_px, state.input.viewport_px, largest_film);
+    draw_blur(film.plan);
+    if (format.quality) {
+        draw_export_label("quality", "Less makes smaller files.");
+        draw_integer_slider("##quality", film.quality, 1, 100, nullptr);
+    }
+    draw_surface_checks(film.smooth, film.alpha, format.alpha);
+}
+
+}  // namespace zeroset::ui

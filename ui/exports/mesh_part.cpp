@@ -1,0 +1,63 @@
+#include "ui/exports/export_parts.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
+
+#include <imgui/imgui.h>
+
+#include <array>
+#include <cstddef>
+
+namespace zeroset::ui {
+namespace {
+
+using Shape = MeshExport::Shape;
+
+struct ShapeText {
+    Shape shape;
+    const char* name;
+    const char* about;
+};
+constexpr std::array<ShapeText, 3> shapes{{
+    {.shape = Shape::Solid, .name = "Solid", .about = "Where f < 0, closed where the box ends it."},
+    {.shape = Shape::Wall, .name = "Wall", .about = "The surface as a wall that can be printed."},
+    {.shape = Shape::Open,
+     .name = "Open surface",
+     .about = "The surface alone, without thickness."},
+}};
+
+void draw_shape(MeshExport& wish) {
+    draw_export_label("shape", "What becomes of the surface.");
+    if (!ImGui::BeginCombo("##shape",
+                           shapes
+                               .at(static_cast<std::size_t>(wish.shape == Shape::Solid  ? 0
+                                                            : wish.shape == Shape::Wall ? 1
+                                                                                        : 2))
+                               .name))
+        return;
+    for (const ShapeText& text : shapes) {
+        if (ImGui::Selectable(text.name, text.shape == wish.shape)) wish.shape = text.shape;
+        draw_tooltip(text.about);
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void draw_mesh_part(UiState& state) {
+    MeshExport& wish = state.pages.exports.wish.mesh;
+    draw_shape(wish);
+    if (wish.shape == Shape::Wall) {
+        draw_export_label("wall, mm", "How thick the wall is.");
+        draw_number_field("##wall", wish.wall_mm, 1e-6, 1e6);
+    }
+    draw_export_label("size, mm", "The longest edge of what is written.");
+    draw_number_field("##size", wish.size_mm, 1e-6, 1e6);
+    draw_export_label("tolerance",
+                      "How far triangles may be from the surface, in units of the formula.");
+    draw_number_field("##tolerance", wish.tolerance, 1e-9, 1e9, "a thousandth of the box");
+    draw_export_label("triangles", "At most about so many for each surface.");
+    draw_integer_field("##triangles", wish.most_triangles, 4, 1'000'000'000, "as many as needed");
+}
+
+}  // namespace zeroset::ui
