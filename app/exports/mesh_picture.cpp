@@ -15,9 +15,9 @@ namespace {
 
 /// Samples of a pixel along each side.
 constexpr int samples = 2;
-/// Samples from an edge within which it is seen, and from which height triangles show theirs.
+/// Samples from an edge within which it is seen, and the mean area from which edges are drawn.
 constexpr double edge_width = 0.9;
-constexpr double least_height = 9.0;
+constexpr double least_area = 120.0;
 constexpr double edge_shade = 0.45;
 
 /// A corner of a triangle in the picture, in samples.
@@ -42,7 +42,7 @@ public:
 
 private:
     [[nodiscard]] Corner corner_of(const glm::dvec3& point) const;
-    void draw(const std::array<Corner, 3>& corners, const glm::dvec3& color);
+    void draw(const std::array<Corner, 3>& corners, const glm::dvec3& color, bool has_edges);
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                static_cast<std::size_t>(x);
@@ -74,16 +74,20 @@ std::uint32_t packed(const glm::dvec3& color) {
     return bits;
 }
 
-void MeshPainter::draw(const std::array<Corner, 3>& corners, const glm::dvec3& color) {
+/// Twice the area of the triangle in the picture, with its sign.
+double area_of(const Corner& a, const Corner& b, const Corner& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+void MeshPainter::draw(const std::array<Corner, 3>& corners, const glm::dvec3& color,
+                       bool has_edges) {
     const auto& [a, b, c] = corners;
     if (!(a.shown && b.shown && c.shown)) return;
-    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const double area = area_of(a, b, c);
     if (!(std::abs(area) > 0.0)) return;
     const std::array<double, 3> lengths{std::hypot(c.x - b.x, c.y - b.y),
                                         std::hypot(a.x - c.x, a.y - c.y),
                                         std::hypot(b.x - a.x, b.y - a.y)};
-    const double longest = std::max({lengths[0], lengths[1], lengths[2]});
-    const bool has_edges = std::abs(area) / longest > least_height;
     const auto [left, right] = std::minmax({a.x, b.x, c.x});
     const auto [top, bottom] = std::minmax({a.y, b.y, c.y});
     const int x_end = static_cast<int>(std::min(std::ceil(right), static_cast<double>(width_)));
@@ -115,6 +119,10 @@ void MeshPainter::draw(const MeshObject& object) {
     std::vector<Corner> corners(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         corners[i] = corner_of(mesh.vertices[i].point);
+    double area = 0.0;
+    for (const auto& [i, j, k] : mesh.triangles)
+        area += 0.5 * std::abs(area_of(corners[i], corners[j], corners[k]));
+    const bool has_edges = area > least_area * static_cast<double>(mesh.triangles.size());
     const glm::dvec3 light = glm::normalize(view_.from_view({-0.4, 0.7, 0.9}));
     for (const auto& [i, j, k] : mesh.triangles) {
         const glm::dvec3 across = glm::cross(mesh.vertices[j].point - mesh.vertices[i].point,
@@ -125,7 +133,7 @@ void MeshPainter::draw(const MeshObject& object) {
         const double shade = 0.3 + 0.7 * std::abs(glm::dot(across, light)) / length;
         const MeshColor& own = object.colors.empty() ? object.color : object.colors[i];
         const glm::dvec3 color(own[0] / 255.0, own[1] / 255.0, own[2] / 255.0);
-        draw({corners[i], corners[j], corners[k]}, shade * color);
+        draw({corners[i], corners[j], corners[k]}, shade * color, has_edges);
     }
 }
 
@@ -151,10 +159,24 @@ RgbaImage MeshPainter::image() const {
     return image;
 }
 
+/// The smallest box that holds all vertices; of any place where there are none.
+Box bounds_of(const MeshFile& file) {
+    Box box{.lo = glm::dvec3(std::numeric_limits<double>::max()),
+            .hi = glm::dvec3(std::numeric_limits<double>::lowest())};
+    for (const MeshObject& object : file.objects) {
+        for (const MeshVertex& vertex : object.mesh.vertices) {
+            box.lo = glm::min(box.lo, vertex.point);
+            box.hi = glm::max(box.hi, vertex.point);
+        }
+    }
+    return box.lo.x <= box.hi.x ? box : Box{.lo = glm::dvec3(-1.0), .hi = glm::dvec3(1.0)};
+}
+
 }  // namespace
 
 RgbaImage mesh_picture(const MeshFile& file, const Camera& camera, const glm::ivec2& size_px) {
-    MeshPainter painter(camera, size_px);
+    const double aspect = static_cast<double>(size_px.x) / size_px.y;
+    MeshPainter painter(framed(camera, bounds_of(file), aspect), size_px);
     for (const MeshObject& object : file.objects)
         painter.draw(object);
     return painter.image();

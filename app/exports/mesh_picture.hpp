@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// Draws the triangles of a file, each with its edges where there is room for them, as the camera
-/// sees them. Transparent where there is none.
+/// Draws the triangles of a file, with their edges where there is room for them, from the camera's
+/// direction. Transparent where there is none.
 RgbaImage mesh_picture(const MeshFile& file, const Camera& camera, const glm::ivec2& size_px);
 
 }  // namespace zeroset

@@ -141,9 +141,9 @@ void draw_content(UiState& state) {
     ImGui::BeginChild("##part", ImVec2(0.0F, -below));
     draw_export_preview(state);
     const ExportFormat& format = chosen_format(state);
-    if (page.wish.kind != ExportKind::Film) draw_formats(state, format);
+    if (page.wish.kind == ExportKind::Film) draw_film_timeline(state);
+    draw_formats(state, format);
     draw_part(state, format);
-    if (page.wish.kind == ExportKind::Film) draw_formats(state, format);
     ImGui::EndChild();
     ImGui::Separator();
     if (saves) {

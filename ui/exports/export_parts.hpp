@@ -11,6 +11,8 @@ inline constexpr float export_label_em = 6.2F;
 
 /// Draws what can be chosen. `format`: the chosen one.
 void draw_picture_part(UiState& state, const ExportFormat& format);
+/// Draws the film's frames as a line on which one is chosen to be shown, or all are played.
+void draw_film_timeline(UiState& state);
 void draw_film_part(UiState& state, const ExportFormat& format);
 void draw_mesh_part(UiState& state);
 void draw_drawing_part(UiState& state);

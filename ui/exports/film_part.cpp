@@ -45,35 +45,6 @@ void draw_enum(const char* id, const std::array<const char*, count>& names, Enum
     value = static_cast<Enum>(chosen);
 }
 
-void draw_timeline(ExportPage& page, const Palette& colors) {
-    const FilmExport& film = page.wish.film;
-    const int frames = film.frames();
-    page.at = std::clamp(page.at, 0.0, static_cast<double>(frames - 1));
-    const float button = ImGui::GetFrameHeight();
-    if (icon_button("##play", page.plays ? Icon::Pause : Icon::Play,
-                    {.size = button, .color = colors.text},
-                    page.plays ? "Hold the preview" : "Play the preview"))
-        page.plays = !page.plays;
-    if (page.plays) {
-        const double rate = static_cast<double>(film.plan.rate.frames) / film.plan.rate.seconds;
-        page.at = std::fmod(page.at + rate * static_cast<double>(ImGui::GetIO().DeltaTime), frames);
-    }
-    ImGui::SameLine();
-    int frame = static_cast<int>(page.at);
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "frame %d of %d, %.2f s", frame + 1, frames,
-                  page.at * film.plan.rate.seconds / film.plan.rate.frames);
-    ImGui::SetNextItemWidth(-em(12.0F));
-    if (ImGui::SliderInt("##timeline", &frame, 0, std::max(frames - 1, 1), "",
-                         ImGuiSliderFlags_AlwaysClamp)) {
-        page.at = frame;
-        page.plays = false;
-    }
-    draw_tooltip("The film's frames: drag to look at any of them.");
-    ImGui::SameLine();
-    ImGui::TextDisabled("%s", text.data());
-}
-
 void draw_turn(FilmExport& film) {
     draw_export_label("turn", "The camera goes around what it looks at.");
     ImGui::Checkbox("##turns", &film.turns);
@@ -186,10 +157,39 @@ void draw_blur(FilmPlan& plan) {
 
 }  // namespace
 
-void draw_film_part(UiState& state, const ExportFormat& format) {
+void draw_film_timeline(UiState& state) {
     ExportPage& page = state.pages.exports;
-    FilmExport& film = page.wish.film;
-    draw_timeline(page, palette(state.edited.theme));
+    const Palette& colors = palette(state.edited.theme);
+    const FilmExport& film = page.wish.film;
+    const int frames = film.frames();
+    page.at = std::clamp(page.at, 0.0, static_cast<double>(frames - 1));
+    const float button = ImGui::GetFrameHeight();
+    if (icon_button("##play", page.plays ? Icon::Pause : Icon::Play,
+                    {.size = button, .color = colors.text},
+                    page.plays ? "Hold the preview" : "Play the preview"))
+        page.plays = !page.plays;
+    if (page.plays) {
+        const double rate = static_cast<double>(film.plan.rate.frames) / film.plan.rate.seconds;
+        page.at = std::fmod(page.at + rate * static_cast<double>(ImGui::GetIO().DeltaTime), frames);
+    }
+    ImGui::SameLine();
+    int frame = static_cast<int>(page.at);
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "frame %d of %d, %.2f s", frame + 1, frames,
+                  page.at * film.plan.rate.seconds / film.plan.rate.frames);
+    ImGui::SetNextItemWidth(-em(12.0F));
+    if (ImGui::SliderInt("##timeline", &frame, 0, std::max(frames - 1, 1), "",
+                         ImGuiSliderFlags_AlwaysClamp)) {
+        page.at = frame;
+        page.plays = false;
+    }
+    draw_tooltip("The film's frames: drag to look at any of them.");
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", text.data());
+}
+
+void draw_film_part(UiState& state, const ExportFormat& format) {
+    FilmExport& film = state.pages.exports.wish.film;
     draw_turn(film);
     draw_sweeps(state);
     draw_path(state);

@@ -14,6 +14,7 @@
 
 #include <glm/glm.hpp>
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -121,6 +122,17 @@ glm::vec2 gizmo_place(const GizmoBall& ball) {
     return glm::vec2(at.x, at.y) + em(rim_em) * glm::vec2(ball.at.x, -ball.at.y);
 }
 
+namespace {
+
+/// Puts the current window under all others but the picture.
+void put_under_pages() {
+    ImGui::BringWindowToDisplayBack(ImGui::GetCurrentWindow());
+    if (ImGuiWindow* const picture = ImGui::FindWindowByName("##viewport"))
+        ImGui::BringWindowToDisplayBack(picture);
+}
+
+}  // namespace
+
 void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = window.x - side_panel_width(state.edited.layout);
@@ -137,6 +149,7 @@ void draw_axis_gizmo(UiState& state) {
     ImGui::SetNextWindowPos(ImVec2(window.x - 2.0F * half, 0.0F));
     ImGui::SetNextWindowSize(ImVec2(2.0F * half, 2.0F * half));
     if (ImGui::Begin("##gizmo", nullptr, flags)) {
+        if (ImGui::IsWindowAppearing()) put_under_pages();
         const bool clicked = ImGui::InvisibleButton("##axes", ImGui::GetContentRegionAvail());
         const bool hovered = ImGui::IsItemHovered();
         const auto balls = gizmo_balls(*state.edited.document.camera);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 namespace zeroset {
 namespace {
 
@@ -37,13 +42,24 @@ TEST_P(MeshPicture, ShowsTheNearerTriangle) {
     }
 }
 
-TEST_P(MeshPicture, LeavesOutWhatIsBehindTheEye) {
+TEST_P(MeshPicture, ShowsAllFromAnyDistance) {
     Camera camera = from_above();
+    camera.projection = GetParam();
     MeshFile file;
-    file.objects = {triangle_at(6.0, {255, 255, 255})};
-    if (GetParam() == Projection::Orthographic) GTEST_SKIP() << "nothing is behind parallel rays";
-    const RgbaImage image = mesh_picture(file, camera, {41, 41});
-    EXPECT_EQ(image.pixels[20 * 41 + 20], 0U);
+    file.objects = {triangle_at(0.0, {255, 255, 255})};
+    const RgbaImage near = mesh_picture(file, camera, {41, 41});
+    camera.eye *= 100.0;
+    const RgbaImage far = mesh_picture(file, camera, {41, 41});
+    const auto seen = [](const RgbaImage& image) {
+        return std::ranges::count_if(image.pixels, [](std::uint32_t pixel) { return pixel != 0; });
+    };
+    EXPECT_GT(seen(near), 300);
+    EXPECT_EQ(seen(near), seen(far));
+}
+
+TEST_P(MeshPicture, IsEmptyWithoutTriangles) {
+    const RgbaImage image = mesh_picture({}, from_above(), {8, 8});
+    EXPECT_EQ(image.pixels, std::vector<std::uint32_t>(64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, MeshPicture,
