@@ -14,7 +14,6 @@
 #include <array>
 #include <cfloat>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -23,7 +22,7 @@ namespace {
 
 constexpr float narrowest_page_em = 25.0F;
 constexpr float widest_page_em = 33.0F;
-constexpr float highest_page_em = 50.0F;
+constexpr float highest_page_em = 53.0F;
 
 struct Tab {
     ExportKind kind;
@@ -82,30 +81,16 @@ void draw_part(UiState& state, const ExportFormat& format) {
 void draw_progress(UiState& state) {
     const ExportProgress& progress = state.shown.export_progress;
     const float button = em(5.0F);
-    const float picture = progress.texture == 0 ? 0.0F : em(3.6F);
-    if (picture > 0.0F) {
-        const float height = 2.0F * ImGui::GetFrameHeight();
-        const ImVec2 lo = ImGui::GetCursorScreenPos();
-        const float aspect = static_cast<float>(progress.size_px.y) /
-                             static_cast<float>(std::max(progress.size_px.x, 1));
-        const float width = std::min(picture, height / aspect);
-        const auto id = static_cast<std::uintptr_t>(progress.texture);
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
-        ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(id), lo,
-                                             ImVec2(lo.x + width, lo.y + width * aspect));
-        ImGui::Dummy(ImVec2(picture, height));
-        ImGui::SameLine();
-    }
-    ImGui::BeginGroup();
     const float room = ImGui::GetContentRegionAvail().x;
     draw_elided(progress.name + ": " + progress.text, room);
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette(state.edited.theme).accent);
     ImGui::ProgressBar(static_cast<float>(progress.share), ImVec2(room - button - spacing, 0.0F),
                        "");
+    ImGui::PopStyleColor();
     ImGui::SameLine();
     if (ImGui::Button("Stop", ImVec2(button, 0.0F))) state.wishes.stop_export = true;
     draw_tooltip("Nothing is left behind; numbered pictures that are finished stay.");
-    ImGui::EndGroup();
 }
 
 void draw_save(UiState& state) {

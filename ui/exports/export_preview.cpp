@@ -141,6 +141,12 @@ bool draw_content(ImDrawList& canvas, const ExportWish& wish, const ExportPrevie
     return true;
 }
 
+/// Draws the picture that is being saved, as it goes.
+bool draw_progress(ImDrawList& canvas, const ExportProgress& progress, const Rect& room) {
+    draw_image(canvas, progress.texture, fitted(room, progress.size_px.x, progress.size_px.y));
+    return true;
+}
+
 }  // namespace
 
 void draw_export_preview(UiState& state) {
@@ -155,7 +161,9 @@ void draw_export_preview(UiState& state) {
     page.preview_px = {static_cast<int>(room.width() * scale.x),
                        static_cast<int>(room.height() * scale.y)};
     canvas.AddRectFilled(room.lo, room.hi, colors.field, em(0.3F));
-    const bool drawn = draw_content(canvas, page.wish, preview, room);
+    const ExportProgress& progress = state.shown.export_progress;
+    const bool drawn = progress.texture != 0 ? draw_progress(canvas, progress, room)
+                                             : draw_content(canvas, page.wish, preview, room);
     // Pictures are soon there; what takes long says how far it is.
     const bool takes_long =
         page.wish.kind == ExportKind::Mesh || page.wish.kind == ExportKind::Drawing;
