@@ -148,8 +148,12 @@ void make_film(Filming& filming) {
                 return files.has(number, document);
             };
         }
-        const auto drawn =
-            draw_film(film, [&](const FilmFrame& frame) { return files.take(frame); }, watch);
+        const auto take = [&](const FilmFrame& frame) {
+            const Framebuffer& painted = frame.picture.painted;
+            filming.progress.show(painted, 0, painted.height);
+            return files.take(frame);
+        };
+        const auto drawn = draw_film(film, take, watch);
         if (drawn) work = *drawn;
         if (!drawn) filming.error = drawn.error();
         if (drawn) done = files.finish();

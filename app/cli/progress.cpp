@@ -1,6 +1,8 @@
 #include "app/cli/progress.hpp"
 
+#include "app/cli/terminal_picture.hpp"
 #include "engine/base/text.hpp"
+#include "engine/image/small_picture.hpp"
 
 #include <unistd.h>
 
@@ -20,16 +22,24 @@ using Clock = std::chrono::steady_clock;
 constexpr auto shown_after = std::chrono::seconds(1);
 constexpr auto shown_every = std::chrono::milliseconds(100);
 
-std::atomic<bool>& is_shown() {
-    static std::atomic<bool> shown = false;
-    return shown;
+/// Columns of a terminal that a picture takes; two rows of pixels are a line.
+constexpr int picture_columns = 48;
+
+/// Lines on the terminal above the one that shows the progress; none: -1.
+std::atomic<int>& lines_above() {
+    static std::atomic<int> lines = -1;
+    return lines;
 }
 
-void write_line(const std::string& text) {
-    // A single write cannot be cut in two by another thread that clears the line.
-    const std::string line = "\r\x1b[K" + text;
-    is_shown() = !text.empty();
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());
+/// Writes the picture and the line over those that were there; nothing: clears them.
+void write_progress(const RgbaImage& picture, const std::string& line) {
+    std::string text = "\r";
+    if (const int above = lines_above(); above > 0) text += "\x1b[" + std::to_string(above) + "A";
+    text += "\x1b[J";
+    lines_above() = line.empty() ? -1 : terminal_lines(picture);
+    // A single write cannot be cut in two by another thread that clears it.
+    text += terminal_picture(picture) + line;
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
 /// State shared by the working thread and the one that waits for it.
@@ -91,6 +101,16 @@ std::string film_line(std::uint64_t done, std::uint64_t frames, double seconds) 
            (part_of_minute.size() < 2 ? "0" : "") + part_of_minute + " left";
 }
 
+void Progress::show(const Framebuffer& frame, int row, int rows) {
+    const std::scoped_lock lock(mutex_);
+    take_over(frame, row, rows, picture_columns, picture_);
+}
+
+RgbaImage Progress::picture() const {
+    const std::scoped_lock lock(mutex_);
+    return picture_;
+}
+
 bool finish_until(Clock::time_point until, const Progress& progress, std::function<void()> work) {
     const auto ending = std::make_shared<Ending>();
     std::thread thread([ending, work = std::move(work)] {
@@ -100,6 +120,7 @@ bool finish_until(Clock::time_point until, const Progress& progress, std::functi
         ending->wake.notify_one();
     });
     const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+    const bool in_color = on_terminal && has_true_color();
     const auto start = Clock::now();
     const auto has_ended = [&] { return ending->ended; };
     std::unique_lock lock(ending->mutex);
@@ -109,7 +130,8 @@ bool finish_until(Clock::time_point until, const Progress& progress, std::functi
         if (now >= until) break;
         if (now < next) continue;
         const std::chrono::duration<double> elapsed = now - start;
-        write_line(line_of(progress, elapsed.count()));
+        write_progress(in_color ? progress.picture() : RgbaImage(),
+                       line_of(progress, elapsed.count()));
         next = now + shown_every;
     }
     const bool ended = ending->ended;
@@ -120,7 +142,7 @@ bool finish_until(Clock::time_point until, const Progress& progress, std::functi
 }
 
 void clear_progress() {
-    if (is_shown()) write_line("");
+    if (lines_above() >= 0) write_progress({}, "");
 }
 
 }  // namespace zeroset

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "app/platform/process.hpp"
+#include "engine/image/framebuffer.hpp"
+#include "engine/image/rgba_image.hpp"
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
 
 namespace zeroset {
@@ -32,6 +35,10 @@ public:
         stage_ = stage;
     }
     void add(std::uint64_t parts) { done_ += parts; }
+    /// The picture as it goes: the rows from `row` on, of `rows`.
+    void show(const Framebuffer& frame, int row, int rows);
+    /// It, in the size of a terminal; empty before there is one.
+    [[nodiscard]] RgbaImage picture() const;
     [[nodiscard]] Stage stage() const { return stage_; }
     [[nodiscard]] std::uint64_t parts() const { return parts_; }
     [[nodiscard]] std::uint64_t parts_done() const { return done_; }
@@ -44,6 +51,8 @@ public:
 private:
     std::atomic<Stage> stage_ = Stage::Compiling;
     std::atomic<std::uint64_t> parts_ = 0, done_ = 0;
+    mutable std::mutex mutex_;
+    RgbaImage picture_;
 };
 
 /// "compiling", "drawing", ...
@@ -59,12 +68,13 @@ std::string film_line(std::uint64_t done, std::uint64_t frames, double seconds);
 
 /// Runs `work` on a thread of its own and waits for its end, but not beyond `until`. Returns true
 /// if it has ended. If standard error is a terminal, it shows the progress of work that takes
-/// longer than a second. Unfinished work goes on: whatever it uses must stay alive, and the process
-/// must end by end_process (app/platform/process).
+/// longer than a second, with the picture as it goes if the terminal has the colours. Unfinished
+/// work goes on: whatever it uses must stay alive, and the process must end by end_process
+/// (app/platform/process).
 bool finish_until(std::chrono::steady_clock::time_point until, const Progress& progress,
                   std::function<void()> work);
 
-/// Clears the line that shows the progress, if there is one. Any thread.
+/// Clears what shows the progress, if there is anything. Any thread.
 void clear_progress();
 
 }  // namespace zeroset

@@ -145,7 +145,10 @@ void draw_bands(Drawing& drawing) {
     const auto pixels =
         static_cast<std::uint64_t>(plan.size.width) * static_cast<std::uint64_t>(plan.size.height);
     drawing.progress.enter(Progress::Stage::Drawing, pixels);
-    const auto take = [&](const PictureBand& band) { return plan.take_band(picture, band); };
+    const auto take = [&](const PictureBand& band) {
+        drawing.progress.show(band.painted, band.row, plan.size.height);
+        return plan.take_band(picture, band);
+    };
     const auto add = [&](std::uint64_t count) { drawing.progress.add(count); };
     const auto drawn = draw_poster(poster, take, {.cancel = &drawing.cancel, .on_pixels = add});
     if (!drawn) picture.write_error = drawn.error();

@@ -1,11 +1,11 @@
 #include "app/exports/export_news.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/image/small_picture.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 #include <utility>
 
@@ -21,32 +21,6 @@ constexpr double rate_from_s = 0.3;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Takes the pixels of the picture's part that begins at `row` over into a small picture of all.
-void take_over(const Framebuffer& frame, int row, int rows, RgbaImage& small) {
-    const double step = std::max(
-        {1.0, static_cast<double>(frame.width) / shown_px, static_cast<double>(rows) / shown_px});
-    const int width = std::max(static_cast<int>(frame.width / step), 1);
-    const int height = std::max(static_cast<int>(rows / step), 1);
-    if (small.width != width || small.height != height) {
-        small = {.width = width,
-                 .height = height,
-                 .pixels = std::vector<std::uint32_t>(static_cast<std::size_t>(width) *
-                                                      static_cast<std::size_t>(height))};
-    }
-    for (int y = 0; y < height; ++y) {
-        const int from = static_cast<int>((y + 0.5) * step) - row;
-        if (from < 0 || from >= frame.height) continue;
-        for (int x = 0; x < width; ++x) {
-            const int column = std::min(static_cast<int>((x + 0.5) * step), frame.width - 1);
-            const std::size_t pixel =
-                static_cast<std::size_t>(from) * static_cast<std::size_t>(frame.width) +
-                static_cast<std::size_t>(column);
-            small.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(x)] = frame.color[pixel] | 0xFF000000U;
-        }
-    }
 }
 
 }  // namespace
@@ -79,7 +53,7 @@ void ExportNews::show(const Framebuffer& frame, int row, int rows) {
         const auto now = Clock::now();
         if (row == 0 && last && now < shown_ + between_pictures) return;
         shown_ = now;
-        take_over(frame, row, rows, picture_);
+        take_over(frame, row, rows, shown_px, picture_);
         fresh_ = true;
     }
     wake_();

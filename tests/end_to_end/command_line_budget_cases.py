@@ -74,9 +74,9 @@ class SignalTest(ProgramTest):
     def start(self, *arguments, stdin, **how):
         how.setdefault("stderr", subprocess.PIPE)
         how.setdefault("preexec_fn", heed_signals)
+        how.setdefault("env", environment())
         process = subprocess.Popen([program(), *map(str, arguments)], stdin=subprocess.PIPE,
-                                   stdout=subprocess.PIPE, cwd=self.folder, env=environment(),
-                                   **how)
+                                   stdout=subprocess.PIPE, cwd=self.folder, **how)
         self.addCleanup(process.kill)
         process.stdin.write(stdin.encode())
         process.stdin.close()
@@ -114,7 +114,7 @@ class SignalTest(ProgramTest):
         process.communicate(timeout=TIMEOUT_S)
         self.assertEqual(process.returncode, 0)
 
-    def on_terminal(self, *arguments, stdin):
+    def on_terminal(self, *arguments, stdin, **variables):
         """Returns what the program writes to standard error if that is a terminal."""
         ours, theirs = pty.openpty()
         written = []
@@ -127,7 +127,8 @@ class SignalTest(ProgramTest):
                 pass
 
         reader = threading.Thread(target=read)
-        process = self.start(*arguments, stdin=stdin, stderr=theirs)
+        process = self.start(*arguments, stdin=stdin, stderr=theirs,
+                             env=environment(**variables))
         os.close(theirs)
         reader.start()
         process.communicate(timeout=TIMEOUT_S)
@@ -139,9 +140,17 @@ class SignalTest(ProgramTest):
     def test_progress_on_a_terminal(self):
         text = self.on_terminal("render", "-", "--size", "64x64", "--budget", 3, "-o", "out.png",
                                 stdin=ENDLESS)
-        lines = text.split("\r\x1b[K")
+        lines = text.split("\r\x1b[J")
         self.assertRegex(lines[1], r"^drawing  \[[# ]{30}\] +\d+ %$")
         self.assertEqual(lines[0], "")
         self.assertTrue(lines[-1].startswith("zeroset: the budget of 3 s is spent"), text)
         self.assertEqual(self.on_terminal("render", "-", "--size", "8x8", "-o", "out.png",
                                           stdin=SPHERE), "")
+
+    def test_pictures_on_a_terminal_with_colors(self):
+        text = self.on_terminal("turntable", "-", "--size", "64x36", "--frames", 2, "--budget", 2,
+                                "-o", "f###.png", stdin=ENDLESS, COLORTERM="truecolor")
+        # After the first frame, which takes all of its time, it is shown while the second is drawn:
+        # 48x27 pixels in 14 lines.
+        self.assertRegex(text, r"\u2580.*\x1b\[0m\r\nframe 1 of 2  \[[# ]{30}\]")
+        self.assertRegex(text, r"\r\x1b\[14A\x1b\[Jzeroset: \d+ pixels of the film are left undecided")

@@ -136,7 +136,9 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     const Preview first = make_preview(request, std::nullopt, news_);
     ASSERT_NE(first.meshes, nullptr);
     EXPECT_FALSE(first.shown.facts.empty());
-    request.camera.eye *= 2.0;
+    request.camera.eye = {3, 3, 3};
+    request.camera.look_at = {0.5, 0, 0};
+    request.camera.projection = Projection::Orthographic;
     const Preview second = make_preview(request, first, news_);
     EXPECT_EQ(second.meshes, first.meshes);
     EXPECT_NE(second.image->pixels, first.image->pixels);
