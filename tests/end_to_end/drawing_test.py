@@ -155,8 +155,8 @@ class ErrorTest(DrawingTest):
         output = ("-o", "a.svg")
         for options, words in (
                 ((), "-o OUT.svg"),
-                (("-o", "a.png"), "SVG (.svg), PDF (.pdf), TikZ (.tex)"),
-                (("-o", "svg"), "SVG (.svg)"),
+                (("-o", "a.png"), ".svg, .pdf or .tex; .png is written by `zeroset render`"),
+                (("-o", "svg"), "ends in .svg, .pdf or .tex"),
                 ((*output, "--size", "300"), "WIDTHxHEIGHT"),
                 ((*output, "--size", "5x5"), "from 10 to 10000 points"),
                 ((*output, "--size", "300x200yd"), "WIDTHxHEIGHT"),
