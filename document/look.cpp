@@ -38,7 +38,7 @@ int add_marker(std::vector<Marker>& markers, const glm::dvec3& at) {
     int number = 1;
     for (const Marker& marker : markers)
         number = std::max(number, marker.number + 1);
-    markers.push_back({number, at});
+    markers.push_back({.number = number, .at = at});
     return number;
 }
 

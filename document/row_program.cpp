@@ -53,7 +53,7 @@ std::vector<TextRow> cut_rows(std::string_view text, const Program* program) {
         // The sign that parted it from the next statement is not needed any more.
         if (program && (row.ends_with(',') || row.ends_with(':')))
             row = stripped(row.substr(0, row.size() - 1));
-        if (!row.empty()) rows.push_back({begins[i], row});
+        if (!row.empty()) rows.push_back({.begin = begins[i], .text = row});
     }
     return rows;
 }

@@ -82,7 +82,7 @@ void report_readings(const Sheet& sheet, TriedRows rows, SheetReading& result) {
 Sheet sheet_of(const Document& document) {
     Sheet sheet;
     for (const Statement& statement : document.statements)
-        sheet.push_back({statement.id, statement.text});
+        sheet.push_back({.id = statement.id, .text = statement.text});
     return sheet;
 }
 

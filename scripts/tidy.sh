@@ -7,8 +7,8 @@ set -euo pipefail
 # shellcheck source=scripts/build.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/build.sh"
 
-command -v clang-tidy-19 >/dev/null ||
-    die "clang-tidy-19 is missing; please run: apt-get install clang-tidy-19"
+command -v clang-tidy-22 >/dev/null ||
+    die "clang-tidy-22 is missing; please run: apt-get install clang-tidy-22"
 [[ -f $build/compile_commands.json ]] || die "there is no build yet; ./test.sh makes one"
 
 # Prints the compiled sources that begin with a prefix, one a line, without generated ones.
@@ -28,7 +28,7 @@ sources() {
 tidy() {
     local findings log
     log=$commands/${1//\//%}.log
-    findings=$(clang-tidy-19 -p "$commands" --quiet "$1" 2>"$log") && return
+    findings=$(clang-tidy-22 -p "$commands" --quiet "$1" 2>"$log") && return
     printf '%s\n' "${findings:-$(<"$log")}"
     return 1
 }

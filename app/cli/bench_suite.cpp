@@ -43,7 +43,7 @@ std::vector<BenchItem> gallery_suite() {
 std::vector<BenchItem> whole_gallery() {
     std::vector<BenchItem> items;
     for (const GalleryItem& item : gallery())
-        items.push_back({item.name, read_document(item)});
+        items.push_back({.name = item.name, .read = read_document(item)});
     return items;
 }
 
@@ -66,7 +66,7 @@ OrInputError<std::vector<BenchItem>> suite_of_file(const std::string& path) {
             read.document.clip = Box::cube(domain);
             read.document.camera = camera;
             read.document.w.value = suite_w;
-            items.push_back({surface.at("name"), std::move(read)});
+            items.push_back({.name = surface.at("name"), .read = std::move(read)});
         }
     } catch (const nlohmann::json::exception& error) {
         return wrong_input("--suite " + path +

@@ -139,7 +139,7 @@ std::optional<std::string> with_other_number(const std::string& text, const std:
         std::size_t begin = end;
         while (begin > 0 && (is_digit(text[begin - 1]) || text[begin - 1] == '.'))
             --begin;
-        const bool has_point = text.substr(begin, end - begin).find('.') != std::string::npos;
+        const bool has_point = text.substr(begin, end - begin).contains('.');
         std::string other = text;
         other.insert(end, has_point ? digits : "." + digits);
         const auto read = read_program(other);

@@ -66,8 +66,11 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.wishes.frame_surfaces = options.fit;
     state.shown.language_help = language_help();
     for (const GalleryItem& item : gallery())
-        state.shown.gallery.push_back(
-            {item.title, item.equation, item.about, item.group, item.source});
+        state.shown.gallery.push_back({.title = item.title,
+                                       .equation = item.equation,
+                                       .about = item.about,
+                                       .group = item.group,
+                                       .source = item.source});
     const auto formats = export_formats();
     state.shown.export_formats.assign(formats.begin(), formats.end());
     for (const ui::Action* const action : options.actions)

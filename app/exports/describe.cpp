@@ -26,7 +26,7 @@ std::string size_text(const Box& bounds, double mm) {
 }
 
 std::string shape_text(const MeshFacts& facts) {
-    std::string text = counted(facts.components, "component");
+    const std::string text = counted(facts.components, "component");
     if (facts.open_edges > 0) return text + ", open";
     return text + ", genus " + std::to_string(facts.genus()) + ", closed";
 }

@@ -146,7 +146,7 @@ void ThumbnailJob::finish(const Work& work, std::optional<RgbaImage> image) {
     {
         const std::scoped_lock lock(mutex_);
         if (size_px_ != work.size_px || std::erase(wanted_, work.item) == 0) return;
-        finished_.push_back({work.item, std::move(*image)});
+        finished_.push_back({.item = work.item, .image = std::move(*image)});
     }
     on_picture_();
 }

@@ -40,7 +40,7 @@ public:
     std::expected<void, std::string> offer(std::vector<std::byte> png);
 
 private:
-    xcb_atom_t atom(std::string_view name) const;
+    [[nodiscard]] xcb_atom_t atom(std::string_view name) const;
     void run();
     void answer(const xcb_selection_request_event_t& request);
     /// Puts what is asked for into the requestor's property; false where there is no such thing.

@@ -309,7 +309,7 @@ bool looks_like_document(std::string_view text) {
     if (is_share_text(text)) return true;
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
     return begin != std::string_view::npos && text[begin] == '{' &&
-           text.find("\"zeroset\"") != std::string_view::npos;
+           text.contains("\"zeroset\"");
 }
 
 }  // namespace zeroset

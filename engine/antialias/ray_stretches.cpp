@@ -23,7 +23,9 @@ public:
     }
 
     void clear() { points_.clear(); }
-    void ask(double col, double row, double s) { points_.push_back({col, row, s}); }
+    void ask(double col, double row, double s) {
+        points_.push_back({.col = col, .row = row, .s = s});
+    }
     /// Evaluates what was asked for.
     void evaluate();
     [[nodiscard]] double f(std::size_t i) const { return batch_.f(i); }

@@ -101,7 +101,8 @@ template <std::size_t size>
 HelpSection section(std::string title, const Line (&lines)[size]) {
     HelpSection result{.title = std::move(title), .entries = {}};
     for (const Line& line : lines)
-        result.entries.push_back({std::string(line.typed), std::string(line.meaning)});
+        result.entries.push_back(
+            {.typed = std::string(line.typed), .meaning = std::string(line.meaning)});
     return result;
 }
 
@@ -118,7 +119,7 @@ std::vector<HelpSection> language_help() {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";
         HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
-        list.entries.push_back({call, std::string(function.meaning)});
+        list.entries.push_back({.typed = call, .meaning = std::string(function.meaning)});
     }
     return help;
 }

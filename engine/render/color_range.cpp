@@ -28,7 +28,7 @@ std::vector<std::vector<SurfacePoint>> points_of(const Framebuffer& frame, const
             if (surface >= surfaces || !std::isfinite(distance)) continue;
             const PixelRay ray = pixel_ray(view, pixel_centre(col, row),
                                            {.width = frame.width, .height = frame.height});
-            points[surface].push_back({ray.at(distance), distance});
+            points[surface].push_back({.at = ray.at(distance), .distance = distance});
         }
     }
     return points;

@@ -81,8 +81,9 @@ void add_ball(std::vector<Handle>& handles, const Ball& ball, const ViewFrame& v
     // Off the axes, so that no face's handle stands there.
     const glm::dvec3 outward = std::numbers::sqrt2 / 2 * (view.right + view.up);
     const glm::dvec3 rim = ball.centre + ball.radius * outward;
-    handles.push_back({{.part = HandlePart::BallCentre}, ball.centre, ball.centre});
-    handles.push_back({{.part = HandlePart::BallRadius}, rim, rim});
+    handles.push_back(
+        {.id = {.part = HandlePart::BallCentre}, .from = ball.centre, .at = ball.centre});
+    handles.push_back({.id = {.part = HandlePart::BallRadius}, .from = rim, .at = rim});
 }
 
 void add_section(std::vector<Handle>& handles, std::size_t index, const Clipping& clipping,
@@ -91,12 +92,14 @@ void add_section(std::vector<Handle>& handles, std::size_t index, const Clipping
     const glm::dvec3 from = section_middle(section, clipping.clip);
     const glm::dvec3 reach = stem * height_at(view, from) * section.normal;
     if (!is_end_on(view, from, section.normal)) {
-        handles.push_back({{.part = HandlePart::SectionPlace, .index = index},
-                           from,
-                           from + arrow_part * reach,
-                           section.normal});
+        handles.push_back({.id = {.part = HandlePart::SectionPlace, .index = index},
+                           .from = from,
+                           .at = from + arrow_part * reach,
+                           .along = section.normal});
     }
-    handles.push_back({{.part = HandlePart::SectionTilt, .index = index}, from, from + reach});
+    handles.push_back({.id = {.part = HandlePart::SectionTilt, .index = index},
+                       .from = from,
+                       .at = from + reach});
 }
 
 double distance_to_stem(const glm::dvec2& from, const glm::dvec2& at, const glm::dvec2& cursor) {
@@ -241,7 +244,10 @@ std::vector<Handle> clip_handles(const Clipping& clipping, const ViewFrame& view
         const glm::dvec3 at = face_middle(clipping.clip, face);
         const glm::dvec3 along = face_normal(face);
         if (is_end_on(view, at, along)) continue;
-        handles.push_back({{.part = HandlePart::BoxFace, .index = face}, at, at, along});
+        handles.push_back({.id = {.part = HandlePart::BoxFace, .index = face},
+                           .from = at,
+                           .at = at,
+                           .along = along});
     }
     if (clipping.region.ball) add_ball(handles, *clipping.region.ball, view);
     for (std::size_t i = 0; i < clipping.region.sections.size(); ++i)
