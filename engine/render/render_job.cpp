@@ -15,6 +15,9 @@ namespace {
 /// The share of a first picture that may be left out.
 constexpr double most_left_out = 0.25;
 
+/// The side of a trial for each of a first picture.
+constexpr double trial_side = 0.25;
+
 }  // namespace
 
 RenderJob::RenderJob(std::function<void()> on_frame, const RenderPace& pace)
@@ -116,10 +119,11 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_firsts(Work& work) {
     const std::size_t pixels = work.request.pixels();
     std::shared_ptr<const Framebuffer> last;
     double scale = governor_.choose(pixels);
+    if (work.is_new && governor_.is_slow() && !draw_trial(work, scale)) return nullptr;
     auto within = pace_.first_within;
     constexpr int most_tries = 3;
     for (int tries = 1; tries <= most_tries; ++tries) {
-        const First next = draw_first(work, scale, within);
+        const First next = draw_first(work, scale, within, [] { return true; });
         if (next.frame == nullptr || !rests(work)) return nullptr;
         work.in_motion = false;
         last = next.frame;
@@ -151,8 +155,21 @@ void RenderJob::draw(Work work) {
     draw_full(work, first);
 }
 
+bool RenderJob::draw_trial(const Work& work, double scale) {
+    const double pixels = scale * scale * static_cast<double>(work.request.pixels());
+    const auto is_long = [&] {
+        const double expected = governor_.expected_ms(static_cast<std::size_t>(pixels));
+        return expected > pace_.trial_shown_from_ms;
+    };
+    const First trial = draw_first(work, trial_side * scale, pace_.first_within, is_long);
+    // Few pixels tell little of what many cost.
+    governor_.forget(true);
+    return trial.frame != nullptr && rests(work);
+}
+
 RenderJob::First RenderJob::draw_first(const Work& work, double scale,
-                                       std::chrono::milliseconds within) {
+                                       std::chrono::milliseconds within,
+                                       const std::function<bool()>& shown_if) {
     Work smaller = work;
     for (Kernel& surface : smaller.request.scene.surfaces)
         surface = surface.without_waiting();
@@ -171,6 +188,7 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     // A picture with most of it left out would only hide the one that is there.
     if (work.is_new && growing.cut_share() > most_left_out)
         return {.frame = growing.frame(), .complete = false};
+    if (!shown_if()) return {.frame = growing.frame(), .complete = growing.complete()};
     RenderResult result;
     result.frame = growing.frame();
     result.frame_ms = growing.elapsed_ms();

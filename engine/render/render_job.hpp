@@ -36,6 +36,9 @@ struct RenderPace {
     /// A first picture ends when it takes longer, with what is not decided left out; it is drawn
     /// again with four times as long, some times.
     std::chrono::milliseconds first_within{150};
+    /// Pictures of interpreted formulas that nobody has seen yet begin with a trial of a sixteenth
+    /// of the pixels; it is shown where the first picture is expected to take longer.
+    double trial_shown_from_ms = 16.0;
     /// A tile of a full picture that takes longer waits for the others (RenderWatch::first_turn).
     std::chrono::milliseconds first_turn{500};
     /// The time between two looks at a growing picture.
@@ -115,8 +118,13 @@ private:
         std::shared_ptr<const Framebuffer> frame;  ///< nothing when it was cancelled
         bool complete;
     };
-    /// A picture of the moment, by so many pixels along a side, with whatever code there is.
-    First draw_first(const Work& work, double scale, std::chrono::milliseconds within);
+    /// A picture of the moment, by so many pixels along a side, with whatever code there is. It is
+    /// shown only if the governor, which it tells its cost, then answers `shown_if` with true.
+    First draw_first(const Work& work, double scale, std::chrono::milliseconds within,
+                     const std::function<bool()>& shown_if);
+    /// A much smaller picture, shown where one of this scale will take long; false when it was
+    /// cancelled.
+    bool draw_trial(const Work& work, double scale);
     /// The surfaces, then their shadows, then smooth edges, mirrors, soft light, each over the
     /// picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);

@@ -40,10 +40,11 @@ RenderRequest request_for(std::string_view text, int width, int height) {
     return request;
 }
 
-/// No picture is shown while it grows, however slow the machine.
+/// No trial and no picture is shown while it grows, however slow the machine.
 RenderPace whole_pictures() {
     RenderPace pace;
     pace.growth_shown_after = std::chrono::hours(1);
+    pace.trial_shown_from_ms = 1e9;
     return pace;
 }
 
@@ -129,6 +130,23 @@ TEST(RenderJob, DrawsAtOnceWhatIsKnownToBeQuick) {
     const auto pictures = watched.pictures_until(number);
     ASSERT_EQ(pictures.size(), 3U);
     EXPECT_TRUE(pictures[2].complete);
+}
+
+TEST(RenderJob, ShowsATrialOfWhatWillTakeLong) {
+    for (const bool is_long : {true, false}) {
+        RenderPace pace = whole_pictures();
+        pace.trial_shown_from_ms = is_long ? 0.0 : 1e9;
+        RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 128, 64);
+        Watched watched(pace);
+        const auto first = watched.pictures_to(watched.job.submit(request)).front();
+        EXPECT_EQ(first.frame->width, is_long ? 4 : 16);
+        EXPECT_EQ(first.frame->height, is_long ? 2 : 8);
+        watched.pictures_until(first.request);
+        // What has been seen needs no trial.
+        request.again = true;
+        const auto next = watched.pictures_to(watched.job.submit(request)).back();
+        EXPECT_GE(next.frame->width, 16);
+    }
 }
 
 TEST(RenderJob, DrawsOnlyQuickPicturesWhileSomethingMoves) {
