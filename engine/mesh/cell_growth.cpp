@@ -32,7 +32,7 @@ double turn_of(std::span<const FieldValue> values, std::uint32_t part) {
 }  // namespace
 
 void CellGrowth::evaluate(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.threads,
+    parallel_upward(cells.size(), cells_at_once, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         std::vector<Box> boxes;
                         for (std::size_t i = first; i < last; ++i)
@@ -56,7 +56,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
         }
         points.push_back(tree_.point(tree_.middle(cell)));
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, limits_.threads);
+    const std::vector<FieldValue> values = field_at(solid_, points, limits_.work);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
         const auto own = std::span(values).subspan(places * i, places);
@@ -66,7 +66,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
 }
 
 void CellGrowth::judge(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.threads,
+    parallel_upward(cells.size(), cells_at_once, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         for (std::size_t i = first; i < last; ++i) {
                             MeshCell& cell = tree_[cells[i]];
@@ -91,7 +91,7 @@ std::vector<std::uint32_t> CellGrowth::split_all(std::span<const std::uint32_t> 
     std::vector<std::uint32_t> fresh;
     for (const std::uint32_t leaf : leaves) {
         if (!tree_[leaf].is_leaf() || tree_[leaf].level >= tree_.deepest()) continue;
-        if (tree_.size() + 8 > limits_.most_cells || limits_.limit.over()) {
+        if (tree_.size() + 8 > limits_.most_cells || limits_.work.limit.over()) {
             cut_ = true;
             break;
         }
@@ -106,7 +106,7 @@ void CellGrowth::grow(std::vector<std::uint32_t> fresh) {
     while (!fresh.empty()) {
         evaluate(fresh);
         judge(fresh);
-        if (limits_.limit.over()) cut_ = true;
+        if (limits_.work.limit.over()) cut_ = true;
         std::erase_if(fresh, [&](std::uint32_t cell) { return !wants_split(tree_[cell]); });
         fresh = split_all(fresh);
     }

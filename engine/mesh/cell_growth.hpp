@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/mesh/cell_tree.hpp"
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/solid.hpp"
-#include "engine/trace/time_limit.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +15,7 @@ namespace zeroset {
 struct GrowthLimits {
     double tolerance = 0.0;  ///< the surface may be so far from a plane in a cell, world units
     std::size_t most_cells = 0;
-    int threads = 0;  ///< 0: all cores
-    TimeLimit limit = {};
+    MeshWork work = {};
 };
 
 /// Divides cells: until the surface in each is proved to rise along one direction and is flat to

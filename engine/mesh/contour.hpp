@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct Contour {
 };
 
 /// In upward rounding.
-Contour make_contour(const Lattice& lattice, const MeshSolid& solid, int threads);
+Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work);
 
 /// Roots of the solid's function between points inside and outside, by Newton's method within
 /// brackets; where it jumps, the place of the jump.
@@ -32,6 +33,6 @@ struct RootBracket {
     glm::dvec3 inside, outside;
 };
 std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
-                                   int threads);
+                                   const MeshWork& work);
 
 }  // namespace zeroset

@@ -41,8 +41,8 @@ public:
           growth_(tree_, solid_,
                   {.tolerance = options.tolerance,
                    .most_cells = options.most_cells,
-                   .threads = options.threads,
-                   .limit = half_of(options.limit)}) {}
+                   .work = {.threads = options.threads, .limit = half_of(options.limit)}}),
+          work_{.threads = options.threads, .limit = options.limit} {}
     MadeMesh make();
 
 private:
@@ -63,6 +63,7 @@ private:
     const MeshOptions& options_;
     CellTree tree_;
     CellGrowth growth_;
+    MeshWork work_;
     Lattice lattice_;
     StarProof proof_;
     Contour contour_;
@@ -106,8 +107,8 @@ void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
             tree_.add_touching(tree_[cell], leaves);
         std::ranges::sort(leaves);
         leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
-        const Lattice lattice = make_lattice(tree_, leaves, solid_, options_.threads);
-        proof_ = prove_stars(tree_, lattice, core, options_.threads);
+        const Lattice lattice = make_lattice(tree_, leaves, solid_, work_);
+        proof_ = prove_stars(tree_, lattice, core, work_);
         cells = wanted_finer();
     }
 }
@@ -117,30 +118,30 @@ void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
 void MeshMaker::prove() {
     for (;;) {
         enter(MeshStage::Proving);
-        lattice_ = make_lattice(tree_, solid_, options_.threads);
-        proof_ = prove_stars(tree_, lattice_, options_.threads);
+        lattice_ = make_lattice(tree_, solid_, work_);
+        proof_ = prove_stars(tree_, lattice_, work_);
         std::vector<std::uint32_t> cells = wanted_finer();
         if (cells.empty() || growth_.is_cut()) break;
         prove_locally(std::move(cells));
     }
     if (proof_.failed.empty()) return;
-    split_at_kinks(solid_, proof_.failed, lattice_, options_.threads);
-    proof_ = prove_stars(tree_, lattice_, options_.threads);
+    split_at_kinks(solid_, proof_.failed, lattice_, work_);
+    proof_ = prove_stars(tree_, lattice_, work_);
 }
 
 void MeshMaker::contour() {
     enter(MeshStage::Contouring);
-    contour_ = make_contour(lattice_, solid_, options_.threads);
+    contour_ = make_contour(lattice_, solid_, work_);
     const std::size_t vertices = contour_.mesh.vertices.size();
-    sharpen_creases(solid_, lattice_.step, contour_, options_.threads);
-    add_features(tree_, lattice_, solid_, contour_, options_.threads);
+    sharpen_creases(solid_, lattice_.step, contour_, work_);
+    add_features(tree_, lattice_, solid_, contour_, work_);
     report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
 }
 
 /// Divides the cells of triangles that are too far from the surface; false: there are none.
 bool MeshMaker::divide_coarse() {
     if (growth_.is_cut()) return false;
-    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    const std::vector<float> far = deviations(solid_, contour_.mesh, work_);
     std::vector<std::uint32_t> cells;
     for (std::size_t i = 0; i < far.size(); ++i) {
         if (far[i] <= static_cast<float>(options_.tolerance)) continue;
@@ -205,8 +206,7 @@ void MeshMaker::thin_mesh() {
     const std::size_t most = options_.most_triangles;
     if (!options_.thin && (most == 0 || report_.thinned_from <= most)) return;
     enter(MeshStage::Thinning);
-    ThinOptions how{
-        .tolerance = options_.tolerance, .threads = options_.threads, .limit = options_.limit};
+    ThinOptions how{.tolerance = options_.tolerance, .work = work_};
     if (options_.thin) thin(contour_.mesh, solid_, how);
     how.most_triangles = most;
     constexpr int most_rounds = 40;
@@ -220,7 +220,7 @@ void MeshMaker::thin_mesh() {
 
 /// Measures how far the mesh is from the surface.
 void MeshMaker::measure() {
-    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    const std::vector<float> far = deviations(solid_, contour_.mesh, work_);
     for (std::size_t i = 0; i < far.size(); ++i) {
         report_.deviation = std::max(report_.deviation, double{far[i]});
         for (const std::uint32_t v : contour_.mesh.triangles[i]) {

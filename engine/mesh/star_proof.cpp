@@ -130,10 +130,10 @@ std::vector<std::uint32_t> vertices_of(const Lattice& lattice, std::vector<bool>
 }
 
 StarProof prove_some(const CellTree& tree, const Lattice& lattice,
-                     std::span<const std::uint32_t> vertices, int threads) {
+                     std::span<const std::uint32_t> vertices, const MeshWork& work) {
     const Prover prover(tree, lattice);
     std::vector<Rise> rises(vertices.size());
-    parallel_upward(rises.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+    parallel_upward(rises.size(), 256, work, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i)
             rises[i] = prover.rise(vertices[i]);
     });
@@ -153,18 +153,18 @@ StarProof prove_some(const CellTree& tree, const Lattice& lattice,
 
 }  // namespace
 
-StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work) {
     std::vector<std::uint32_t> vertices(lattice.vertices.size());
     std::iota(vertices.begin(), vertices.end(), 0U);
-    return prove_some(tree, lattice, vertices, threads);
+    return prove_some(tree, lattice, vertices, work);
 }
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, int threads) {
+                      std::span<const std::uint32_t> leaves, const MeshWork& work) {
     std::vector<bool> wanted(tree.size());
     for (const std::uint32_t leaf : leaves)
         wanted[leaf] = true;
-    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), threads);
+    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), work);
 }
 
 }  // namespace zeroset

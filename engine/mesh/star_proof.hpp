@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_work.hpp"
 
 #include <cstdint>
 #include <span>
@@ -39,10 +40,10 @@ struct StarProof {
 };
 
 /// In upward rounding.
-StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads);
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
 /// Only of stars about the middles and corners of these leaves; the lattice has all leaves that
 /// touch them.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, int threads);
+                      std::span<const std::uint32_t> leaves, const MeshWork& work);
 
 }  // namespace zeroset

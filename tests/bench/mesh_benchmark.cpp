@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr int most_cells = 400;
 
 double farthest(const MeshSolid& solid, const TriangleMesh& mesh) {
-    const std::vector<float> far = deviations(solid, mesh, 0);
+    const std::vector<float> far = deviations(solid, mesh, {});
     return far.empty() ? 0.0 : double{*std::ranges::max_element(far)};
 }
 
