@@ -28,7 +28,8 @@ struct Contour {
 Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work);
 
 /// Roots of the solid's function between points inside and outside, by Newton's method within
-/// brackets; where it jumps, the place of the jump.
+/// brackets; where it jumps, the place of the jump. Those that are left when the time is over are
+/// as close as they were.
 struct RootBracket {
     glm::dvec3 inside, outside;
 };

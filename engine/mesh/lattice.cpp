@@ -24,7 +24,7 @@ public:
         for (const std::uint32_t leaf : leaves)
             wanted_[leaf] = true;
     }
-    Lattice make();
+    Lattice make(const MeshWork& work);
 
 private:
     void index_corners();
@@ -104,10 +104,12 @@ void LatticeMaker::add_faces(std::uint32_t cell) {
     }
 }
 
-Lattice LatticeMaker::make() {
+Lattice LatticeMaker::make(const MeshWork& work) {
     index_corners();
-    for (const std::uint32_t leaf : leaves_)
+    for (const std::uint32_t leaf : leaves_) {
+        if (work.limit.cancelled()) break;
         add_faces(leaf);
+    }
     return std::move(lattice_);
 }
 
@@ -147,7 +149,7 @@ Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, const MeshWor
 
 Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
                      const MeshSolid& solid, const MeshWork& work) {
-    Lattice lattice = LatticeMaker(tree, leaves).make();
+    Lattice lattice = LatticeMaker(tree, leaves).make(work);
     std::vector<glm::dvec3> points;
     points.reserve(lattice.vertices.size());
     for (const LatticeVertex& vertex : lattice.vertices)

@@ -81,7 +81,7 @@ std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<Roo
     std::vector<Search> searches(brackets.size());
     for (std::uint32_t i = 0; i < brackets.size(); ++i)
         searches[i].bracket = i;
-    for (int step = 0; step < most_steps && !searches.empty(); ++step)
+    for (int step = 0; step < most_steps && !searches.empty() && !work.limit.over(); ++step)
         step_all(solid, brackets, searches, places, step, work);
     std::vector<glm::dvec3> points(brackets.size());
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -21,7 +21,7 @@ struct SmallestWall {
 /// where that way leaves the solid; a wall is there if the side met faces the other way within 60
 /// degrees. So edges of less than 60 degrees have no thickness, and walls between the places that
 /// are asked may be thinner, by what they change from one triangle to the next. Nothing: there is
-/// no such place. In upward rounding.
+/// no such place.
 std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWork& work);
 
 }  // namespace zeroset

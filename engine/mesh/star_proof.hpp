@@ -39,7 +39,7 @@ struct StarProof {
     std::vector<std::uint32_t> unknown, rough;
 };
 
-/// In upward rounding.
+/// In upward rounding. Stars that are left when the time is over count as not proved.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
 /// Only of stars about the middles and corners of these leaves; the lattice has all leaves that
 /// touch them.

@@ -183,6 +183,7 @@ Move Thinner::best_move(std::uint32_t from) const {
 std::vector<Move> Thinner::find_moves() {
     std::vector<Move> moves(mesh_.size());
     parallel_upward(mesh_.size(), 1024, options_.work, [&](std::size_t first, std::size_t last) {
+        if (options_.work.limit.over()) return;
         for (std::size_t i = first; i < last; ++i) {
             const auto v = static_cast<std::uint32_t>(i);
             if (settled_[i] == 0 && !mesh_.star(v).empty()) moves[i] = best_move(v);
