@@ -17,7 +17,7 @@ struct GrowthLimits {
     std::size_t most_cells = 0;
     /// No more cells than so many are divided at once for the proof's sake: so many do not hold
     /// single points or curves, but a surface along which nothing can be proved.
-    std::size_t most_uncertain = 40'000;
+    std::size_t most_uncertain = ~std::size_t{0};
     MeshWork work = {};
 };
 

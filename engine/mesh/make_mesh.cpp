@@ -43,6 +43,7 @@ public:
           growth_(tree_, solid_,
                   {.tolerance = options.tolerance,
                    .most_cells = options.most_cells,
+                   .most_uncertain = options.most_uncertain,
                    .work = fifths_of(options, 2)}),
           proving_(fifths_of(options, 3)),
           contouring_(fifths_of(options, 4)),

@@ -20,6 +20,7 @@ struct MeshOptions {
     int depth = 0;             ///< the smallest cells are the root's edge * 2^-depth; 0: as the
                                ///< tolerance wants it
     std::size_t most_cells = 1'000'000;
+    std::size_t most_uncertain = 40'000;  ///< GrowthLimits::most_uncertain
     std::size_t most_triangles = 0;  ///< raises the tolerance of thinning until no more are left;
                                      ///< 0: any number
     bool thin = true;                ///< takes away triangles that the tolerance does not need
