@@ -178,6 +178,7 @@ OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
     DocumentMesher mesher(request, settings);
     const std::size_t wanted = settings.surface.value_or(0);
     for (std::size_t i = 0; i < solids->size(); ++i) {
+        if (settings.limit.cancelled()) break;
         if (wanted != 0 && (*solids)[i].number != wanted) continue;
         mesher.add(i, std::move((*solids)[i]), wanted != 0 ? 1 : solids->size() - i);
     }
