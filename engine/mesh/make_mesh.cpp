@@ -224,6 +224,10 @@ void MeshMaker::thin_mesh() {
     how.most_triangles = most;
     constexpr int most_rounds = 40;
     for (int i = 0; i < most_rounds && most > 0 && contour_.mesh.triangles.size() > most; ++i) {
+        if (work_.limit.over()) {
+            report_.cut = true;
+            break;
+        }
         how.tolerance *= 1.4;
         thin(contour_.mesh, solid_, how);
     }
