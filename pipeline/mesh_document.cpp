@@ -49,6 +49,7 @@ public:
 
 private:
     std::optional<InputError> make_walls(double size);
+    void measure(const TriangleMesh& mesh, SurfaceMesh& surface) const;
     [[nodiscard]] MeshOptions options(std::size_t left) const {
         return {.tolerance = result_.tolerance,
                 .depth = settings_.depth,
@@ -75,13 +76,20 @@ void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t le
         result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
         return;
     }
-    result_.surfaces.push_back({.number = surface.number,
-                                .text = surface.text,
-                                .report = std::move(made.report),
-                                .facts = facts_of(made.mesh)});
+    result_.surfaces.push_back(
+        {.number = surface.number, .text = surface.text, .report = std::move(made.report)});
+    measure(made.mesh, result_.surfaces.back());
     MeshObject object{.name = std::move(surface.text), .mesh = std::move(made.mesh)};
     color_object(scene_, index, request_.camera.eye, object);
     result_.file.objects.push_back(std::move(object));
+}
+
+void DocumentMesher::measure(const TriangleMesh& mesh, SurfaceMesh& surface) const {
+    surface.facts = facts_of(mesh);
+    surface.wall.reset();
+    if (surface.facts.open_edges > 0) return;
+    const MeshWork work{.threads = settings_.threads, .limit = settings_.limit};
+    surface.wall = smallest_wall(mesh, work);
 }
 
 OrInputError<DocumentMeshes> DocumentMesher::finish() {
@@ -118,7 +126,7 @@ std::optional<InputError> DocumentMesher::make_walls(double size) {
         object.mesh = std::move(*wall);
         const std::vector<MeshColor> colors = object.colors;
         object.colors.insert(object.colors.end(), colors.begin(), colors.end());
-        result_.surfaces[i].facts = facts_of(object.mesh);
+        measure(object.mesh, result_.surfaces[i]);
         result_.surfaces[i].report.unchanged = false;
     }
     return std::nullopt;
@@ -142,6 +150,20 @@ std::string proof_line(const MeshReport& report) {
            places_text(report.places);
 }
 
+std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time) {
+    std::vector<std::string> lines;
+    if (report.dense) {
+        lines.push_back(
+            "f is not enclosed closely enough along its surface: cells there are left "
+            "unproved at a size of some " +
+            short_number(report.smallest_cell, 2));
+    }
+    if (report.cut)
+        lines.push_back("the time or the room for cells is spent; " + more_time +
+                        " or a larger tolerance gives more");
+    return lines;
+}
+
 std::string nothing_found(const DocumentMeshes& meshes) {
     if (meshes.unproved == 0)
         return "it is proved that no surface lies in the clip box; --box makes it larger";
@@ -156,6 +178,7 @@ OrInputError<DocumentMeshes> mesh_document(const PictureRequest& request,
     DocumentMesher mesher(request, settings);
     const std::size_t wanted = settings.surface.value_or(0);
     for (std::size_t i = 0; i < solids->size(); ++i) {
+        if (settings.limit.cancelled()) break;
         if (wanted != 0 && (*solids)[i].number != wanted) continue;
         mesher.add(i, std::move((*solids)[i]), wanted != 0 ? 1 : solids->size() - i);
     }

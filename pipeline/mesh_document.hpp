@@ -3,6 +3,7 @@
 #include "engine/mesh/files/mesh_file.hpp"
 #include "engine/mesh/make_mesh.hpp"
 #include "engine/mesh/mesh_facts.hpp"
+#include "engine/mesh/smallest_wall.hpp"
 #include "engine/trace/time_limit.hpp"
 #include "pipeline/input_error.hpp"
 #include "pipeline/mesh_solid.hpp"
@@ -40,6 +41,7 @@ struct SurfaceMesh {
     std::string text;
     MeshReport report;
     MeshFacts facts;
+    std::optional<SmallestWall> wall = std::nullopt;  ///< of a closed mesh that has one
 };
 
 /// All meshes of a document, ready for a file.
@@ -61,5 +63,9 @@ std::string nothing_found(const DocumentMeshes& meshes);
 
 /// One line on what of a surface's topology is proved.
 std::string proof_line(const MeshReport& report);
+
+/// What ended the work on a surface before it was done, one line for each; `more_time`: how to give
+/// it more of it.
+std::vector<std::string> limit_lines(const MeshReport& report, const std::string& more_time);
 
 }  // namespace zeroset

@@ -126,7 +126,7 @@ CLI::App* add_mesh(CLI::App& app, MeshCommand& mesh) {
               "the smallest cells are about the clip box's edge times 2^-N (default: no larger "
               "than the tolerance)");
     add_value(*mesh_app, "--budget", mesh.budget,
-              "seconds after which cells are divided no more (default 30)");
+              "seconds; what is not proved or thinned by then stays so (default 30)");
     add_value(*mesh_app, "--threads", mesh.threads, "threads (default: all cores)");
     add_value(*mesh_app, "--stats", mesh.stats, "what is known of the meshes: a JSON file, or -");
     add_region_options(*mesh_app, mesh.view);

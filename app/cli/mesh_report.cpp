@@ -26,6 +26,21 @@ std::string shape_text(const MeshFacts& facts) {
     return text + ", open (" + std::to_string(facts.open_edges) + " edges)";
 }
 
+std::string wall_text(const SurfaceMesh& surface, double mm) {
+    if (!surface.wall) return "";
+    const glm::dvec3& at = surface.wall->at;
+    return ", smallest wall " + short_number(surface.wall->thickness * mm, 3) + " mm near " +
+           short_number(at.x, 3) + "," + short_number(at.y, 3) + "," + short_number(at.z, 3);
+}
+
+Json wall_of(const std::optional<SmallestWall>& wall, double mm) {
+    if (!wall) return {};
+    return {{"thickness", wall->thickness},
+            {"mm", wall->thickness * mm},
+            {"at", {wall->at.x, wall->at.y, wall->at.z}},
+            {"places", wall->places}};
+}
+
 std::string surface_text(const SurfaceMesh& surface, double mm) {
     const MeshFacts& facts = surface.facts;
     const MeshReport& report = surface.report;
@@ -39,6 +54,7 @@ std::string surface_text(const SurfaceMesh& surface, double mm) {
             short_number(facts.area * mm * mm * 1e-2, 5) + " cm2";
     if (facts.open_edges == 0)
         text += ", volume " + short_number(facts.volume * mm * mm * mm * 1e-3, 5) + " cm3";
+    text += wall_text(surface, mm);
     text += "\n   measured distance from the surface at most " + short_number(report.deviation, 3) +
             " (" + short_number(report.deviation * mm, 3) + " mm)\n";
     return text + "   " + proof_line(report) + "\n";
@@ -70,6 +86,7 @@ Json stats_of(const SurfaceMesh& surface, double mm) {
         {"open_edges", facts.open_edges},
         {"area", facts.area},
         {"volume", facts.open_edges == 0 ? Json(facts.volume) : Json()},
+        {"smallest_wall", wall_of(surface.wall, mm)},
         {"bounds", {bounds.lo.x, bounds.hi.x, bounds.lo.y, bounds.hi.y, bounds.lo.z, bounds.hi.z}},
         {"size_mm",
          {mm * (bounds.hi.x - bounds.lo.x), mm * (bounds.hi.y - bounds.lo.y),
@@ -84,6 +101,7 @@ Json stats_of(const SurfaceMesh& surface, double mm) {
         {"sharp_places", json_of(report.rough_places)},
         {"isotopic", report.isotopic},
         {"as_proved", report.unchanged},
+        {"dense", report.dense},
         {"cut", report.cut}};
 }
 
@@ -105,11 +123,9 @@ std::string mesh_warnings(const DocumentMeshes& meshes, double budget_s) {
         const MeshReport& report = surface.report;
         const std::string who = "zeroset: surface " + std::to_string(surface.number) + ": ";
         if (!report.isotopic) text += who + proof_line(report) + "\n";
-        if (report.cut) {
-            text +=
-                who + "the budget of " + short_number(budget_s) +
-                " s or of cells is spent; --budget SECONDS or a larger --tolerance gives more\n";
-        }
+        const std::string more = "--budget " + short_number(2.0 * budget_s);
+        for (const std::string& line : limit_lines(report, more))
+            text += who + line + "\n";
     }
     return text;
 }

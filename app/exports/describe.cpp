@@ -66,10 +66,16 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
         shown.facts.push_back(who + counted(facts.triangles, "triangle") + ", " +
                               shape_text(facts));
         shown.facts.push_back(size_text(facts.bounds, mm) + ", " + measures(facts, mm));
+        if (surface.wall) {
+            shown.facts.push_back("smallest wall " + short_number(surface.wall->thickness * mm, 3) +
+                                  " mm, as measured");
+        }
         shown.facts.push_back("at most " + short_number(surface.report.deviation * mm, 2) +
                               " mm from the surface, as measured");
         (surface.report.isotopic ? shown.facts : shown.warnings)
             .push_back(who + proof_line(surface.report));
+        for (const std::string& line : limit_lines(surface.report, "more time"))
+            shown.warnings.push_back(who + line);
     }
 }
 

@@ -32,7 +32,7 @@ double turn_of(std::span<const FieldValue> values, std::uint32_t part) {
 }  // namespace
 
 void CellGrowth::evaluate(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.threads,
+    parallel_upward(cells.size(), cells_at_once, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         std::vector<Box> boxes;
                         for (std::size_t i = first; i < last; ++i)
@@ -56,7 +56,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
         }
         points.push_back(tree_.point(tree_.middle(cell)));
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, limits_.threads);
+    const std::vector<FieldValue> values = field_at(solid_, points, limits_.work);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         MeshCell& cell = tree_[cells[i]];
         const auto own = std::span(values).subspan(places * i, places);
@@ -66,7 +66,7 @@ void CellGrowth::judge_flatness(std::span<const std::uint32_t> cells) {
 }
 
 void CellGrowth::judge(std::span<const std::uint32_t> cells) {
-    parallel_upward(cells.size(), cells_at_once, limits_.threads,
+    parallel_upward(cells.size(), cells_at_once, limits_.work,
                     [&](std::size_t first, std::size_t last) {
                         for (std::size_t i = first; i < last; ++i) {
                             MeshCell& cell = tree_[cells[i]];
@@ -91,7 +91,9 @@ std::vector<std::uint32_t> CellGrowth::split_all(std::span<const std::uint32_t> 
     std::vector<std::uint32_t> fresh;
     for (const std::uint32_t leaf : leaves) {
         if (!tree_[leaf].is_leaf() || tree_[leaf].level >= tree_.deepest()) continue;
-        if (tree_.size() + 8 > limits_.most_cells || limits_.limit.over()) {
+        // Without the first levels the border would not be known to be outside.
+        if (tree_[leaf].level >= least_level &&
+            (tree_.size() + 8 > limits_.most_cells || limits_.work.limit.over())) {
             cut_ = true;
             break;
         }
@@ -102,20 +104,33 @@ std::vector<std::uint32_t> CellGrowth::split_all(std::span<const std::uint32_t> 
     return fresh;
 }
 
+/// Takes out those that are to be divided for the proof's sake alone, from where they are too many.
+void CellGrowth::leave_uncertain(std::vector<std::uint32_t>& cells) {
+    const auto for_proof = [&](std::uint32_t id) {
+        const MeshCell& cell = tree_[id];
+        return cell.uncertain && cell.level >= least_level;
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(cells, for_proof));
+    dense_ = dense_ || count > limits_.most_uncertain;
+    if (!dense_) return;
+    std::erase_if(cells, for_proof);
+}
+
 void CellGrowth::grow(std::vector<std::uint32_t> fresh) {
     while (!fresh.empty()) {
         evaluate(fresh);
         judge(fresh);
-        if (limits_.limit.over()) cut_ = true;
         std::erase_if(fresh, [&](std::uint32_t cell) { return !wants_split(tree_[cell]); });
+        leave_uncertain(fresh);
         fresh = split_all(fresh);
     }
 }
 
-std::vector<std::uint32_t> CellGrowth::too_large() const {
+/// Leaves that are more than twice as large as a new neighbour that the surface may go through.
+std::vector<std::uint32_t> CellGrowth::too_large() {
     std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < tree_.size(); ++i) {
-        const MeshCell& cell = tree_[i];
+    for (; balanced_ < tree_.size(); ++balanced_) {
+        const MeshCell& cell = tree_[balanced_];
         if (!cell.is_leaf() || !cell.is_active()) continue;
         for (int face = 0; face < 6; ++face) {
             const std::uint32_t other = tree_.neighbour(cell, face / 2, face % 2 == 0 ? -1 : 1);
@@ -132,6 +147,11 @@ void CellGrowth::begin() {
     evaluate({&root, 1});
     judge({&root, 1});
     if (tree_[root].is_active()) divide({root});
+}
+
+void CellGrowth::divide_uncertain(std::vector<std::uint32_t> leaves) {
+    dense_ = dense_ || leaves.size() > limits_.most_uncertain;
+    if (!dense_) divide(std::move(leaves));
 }
 
 void CellGrowth::divide(std::vector<std::uint32_t> leaves) {

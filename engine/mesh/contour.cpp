@@ -15,7 +15,7 @@ public:
         : lattice_(lattice), edges_(lattice.tetrahedra.size() / 4) {}
 
     void march();
-    Contour finish(const MeshSolid& solid, int threads);
+    Contour finish(const MeshSolid& solid, const MeshWork& work);
 
 private:
     void add_one(const Four& v, std::uint32_t tetrahedron, bool inside);
@@ -93,7 +93,7 @@ void Marcher::mark_crease(std::uint64_t key, MeshVertex& vertex) {
     contour_.creases.push_back({.vertex = edges_.find(key), .parts = a.kink});
 }
 
-Contour Marcher::finish(const MeshSolid& solid, int threads) {
+Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
     std::vector<RootBracket> brackets;
     brackets.reserve(edges_.keys().size());
     for (const std::uint64_t key : edges_.keys()) {
@@ -102,7 +102,7 @@ Contour Marcher::finish(const MeshSolid& solid, int threads) {
         brackets.push_back({.inside = lattice_.vertices[inside].point,
                             .outside = lattice_.vertices[outside].point});
     }
-    contour_.mesh.vertices = find_roots(solid, brackets, threads);
+    contour_.mesh.vertices = find_roots(solid, brackets, work);
     for (std::size_t i = 0; i < brackets.size(); ++i)
         mark_crease(edges_.keys()[i], contour_.mesh.vertices[i]);
     return std::move(contour_);
@@ -110,10 +110,10 @@ Contour Marcher::finish(const MeshSolid& solid, int threads) {
 
 }  // namespace
 
-Contour make_contour(const Lattice& lattice, const MeshSolid& solid, int threads) {
+Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work) {
     Marcher marcher(lattice);
     marcher.march();
-    return marcher.finish(solid, threads);
+    return marcher.finish(solid, work);
 }
 
 }  // namespace zeroset

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
 #include <cstdint>
@@ -24,14 +25,15 @@ struct Contour {
 };
 
 /// In upward rounding.
-Contour make_contour(const Lattice& lattice, const MeshSolid& solid, int threads);
+Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work);
 
 /// Roots of the solid's function between points inside and outside, by Newton's method within
-/// brackets; where it jumps, the place of the jump.
+/// brackets; where it jumps, the place of the jump. Those that are left when the time is over are
+/// as close as they were.
 struct RootBracket {
     glm::dvec3 inside, outside;
 };
 std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
-                                   int threads);
+                                   const MeshWork& work);
 
 }  // namespace zeroset

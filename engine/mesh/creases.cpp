@@ -25,7 +25,7 @@ std::vector<double> shortest_edges(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, int threads) {
+void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, const MeshWork& work) {
     constexpr int most_steps = 4;
     const std::vector<double> room = shortest_edges(contour.mesh);
     std::vector<glm::dvec3> points;
@@ -50,7 +50,7 @@ void sharpen_creases(const MeshSolid& solid, double step, Contour& contour, int 
             points[c] = meeting_point(sides, points[c]).value_or(points[c]);
         }
     }
-    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    const std::vector<FieldValue> values = field_at(solid, points, work);
     for (std::size_t c = 0; c < points.size(); ++c) {
         const std::uint32_t v = contour.creases[c].vertex;
         MeshVertex& vertex = contour.mesh.vertices[v];

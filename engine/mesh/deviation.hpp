@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/solid.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
@@ -10,6 +11,7 @@ namespace zeroset {
 
 /// About how far each triangle lies from the surface: the most that is measured, by value over
 /// slope, in its middle and in the middles of its sides. +inf where the function is not defined.
-std::vector<float> deviations(const MeshSolid& solid, const TriangleMesh& mesh, int threads);
+std::vector<float> deviations(const MeshSolid& solid, const TriangleMesh& mesh,
+                              const MeshWork& work);
 
 }  // namespace zeroset

@@ -34,8 +34,8 @@ glm::dvec3 middle_of(const TriangleMesh& mesh, std::span<const std::uint32_t> ri
 class FeatureMaker {
 public:
     FeatureMaker(const CellTree& tree, const Lattice& lattice, const MeshSolid& solid,
-                 Contour& contour, int threads)
-        : tree_(tree), lattice_(lattice), solid_(solid), contour_(contour), threads_(threads) {}
+                 Contour& contour, const MeshWork& work)
+        : tree_(tree), lattice_(lattice), solid_(solid), contour_(contour), work_(work) {}
     void make();
 
 private:
@@ -53,7 +53,7 @@ private:
     const Lattice& lattice_;
     const MeshSolid& solid_;
     Contour& contour_;
-    int threads_;
+    const MeshWork& work_;
     std::vector<Piece> pieces_;
     std::size_t first_tip_ = 0;  ///< vertices from there on are those of features
 };
@@ -136,7 +136,7 @@ void FeatureMaker::approach(double share) {
             sides.push_back(&side);
         }
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, threads_);
+    const std::vector<FieldValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         const glm::dvec3& normal = values[i].normal;
         // A gradient of another side tells nothing of this one.
@@ -203,7 +203,7 @@ void FeatureMaker::turn_sides() {
         middle(t[1], t[2]);
         middle(t[0], mesh.triangles[other->second][0]);
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, threads_);
+    const std::vector<FieldValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < shared.size(); ++i) {
         if (!(values[2 * i + 1].distance() < values[2 * i].distance())) continue;
         Triangle& s = mesh.triangles[shared[i].first];
@@ -233,8 +233,8 @@ void FeatureMaker::make() {
 }  // namespace
 
 void add_features(const CellTree& tree, const Lattice& lattice, const MeshSolid& solid,
-                  Contour& contour, int threads) {
-    FeatureMaker(tree, lattice, solid, contour, threads).make();
+                  Contour& contour, const MeshWork& work) {
+    FeatureMaker(tree, lattice, solid, contour, work).make();
 }
 
 }  // namespace zeroset

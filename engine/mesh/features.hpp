@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/contour.hpp"
+#include "engine/mesh/mesh_work.hpp"
 
 namespace zeroset {
 
@@ -12,6 +13,6 @@ namespace zeroset {
 ///   to the vertex, so that curved edges are met, too, and sides turn by measure.
 /// In upward rounding.
 void add_features(const CellTree& tree, const Lattice& lattice, const MeshSolid& solid,
-                  Contour& contour, int threads);
+                  Contour& contour, const MeshWork& work);
 
 }  // namespace zeroset

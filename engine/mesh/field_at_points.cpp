@@ -87,17 +87,16 @@ void take_cuts(const MeshSolid& solid, const glm::dvec3& point, FieldValue& valu
 }  // namespace
 
 std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                                 int threads) {
+                                 const MeshWork& work) {
     std::vector<FieldValue> values(points.size());
-    parallel_upward(points.size(), points_at_once, threads,
-                    [&](std::size_t first, std::size_t last) {
-                        static thread_local PartValues parts;
-                        parts.evaluate(solid, points.subspan(first, last - first));
-                        for (std::size_t i = first; i < last; ++i) {
-                            values[i] = parts.at(solid, i - first);
-                            take_cuts(solid, points[i], values[i]);
-                        }
-                    });
+    parallel_upward(points.size(), points_at_once, work, [&](std::size_t first, std::size_t last) {
+        static thread_local PartValues parts;
+        parts.evaluate(solid, points.subspan(first, last - first));
+        for (std::size_t i = first; i < last; ++i) {
+            values[i] = parts.at(solid, i - first);
+            take_cuts(solid, points[i], values[i]);
+        }
+    });
     return values;
 }
 

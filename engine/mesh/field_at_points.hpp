@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/kernel/point_batch.hpp"
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/solid.hpp"
 
 #include <glm/glm.hpp>
@@ -26,7 +27,7 @@ struct FieldValue {
 
 /// Values at points, any number of them, on all cores.
 std::vector<FieldValue> field_at(const MeshSolid& solid, std::span<const glm::dvec3> points,
-                                 int threads);
+                                 const MeshWork& work);
 
 /// The part's or the cut's own value at a point, with the sign of its first leaf.
 struct PartPlace {

@@ -24,7 +24,7 @@ public:
         for (const std::uint32_t leaf : leaves)
             wanted_[leaf] = true;
     }
-    Lattice make();
+    Lattice make(const MeshWork& work);
 
 private:
     void index_corners();
@@ -104,10 +104,12 @@ void LatticeMaker::add_faces(std::uint32_t cell) {
     }
 }
 
-Lattice LatticeMaker::make() {
+Lattice LatticeMaker::make(const MeshWork& work) {
     index_corners();
-    for (const std::uint32_t leaf : leaves_)
+    for (const std::uint32_t leaf : leaves_) {
+        if (work.limit.cancelled()) break;
         add_faces(leaf);
+    }
     return std::move(lattice_);
 }
 
@@ -137,22 +139,22 @@ double lattice_level(const FieldValue& value, double step) {
     return value.inside() ? -level : level;
 }
 
-Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads) {
+Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, const MeshWork& work) {
     std::vector<std::uint32_t> leaves;
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         if (tree[i].is_leaf()) leaves.push_back(i);
     }
-    return make_lattice(tree, leaves, solid, threads);
+    return make_lattice(tree, leaves, solid, work);
 }
 
 Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
-                     const MeshSolid& solid, int threads) {
-    Lattice lattice = LatticeMaker(tree, leaves).make();
+                     const MeshSolid& solid, const MeshWork& work) {
+    Lattice lattice = LatticeMaker(tree, leaves).make(work);
     std::vector<glm::dvec3> points;
     points.reserve(lattice.vertices.size());
     for (const LatticeVertex& vertex : lattice.vertices)
         points.push_back(vertex.point);
-    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    const std::vector<FieldValue> values = field_at(solid, points, work);
     lattice.step = tree.step();
     for (std::size_t i = 0; i < values.size(); ++i) {
         lattice.vertices[i].level = lattice_level(values[i], lattice.step);

@@ -2,6 +2,7 @@
 
 #include "engine/mesh/cell_tree.hpp"
 #include "engine/mesh/field_at_points.hpp"
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/place_index.hpp"
 
 #include <array>
@@ -50,9 +51,9 @@ struct Lattice {
 double lattice_level(const FieldValue& value, double step);
 
 /// In upward rounding.
-Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, int threads);
+Lattice make_lattice(const CellTree& tree, const MeshSolid& solid, const MeshWork& work);
 /// The part of it between these leaves.
 Lattice make_lattice(const CellTree& tree, std::span<const std::uint32_t> leaves,
-                     const MeshSolid& solid, int threads);
+                     const MeshSolid& solid, const MeshWork& work);
 
 }  // namespace zeroset

@@ -16,10 +16,10 @@ double volume(const std::array<glm::dvec3, 4>& v) {
 class KinkSplitter {
 public:
     KinkSplitter(const MeshSolid& solid, std::span<const std::uint32_t> vertices, Lattice& lattice,
-                 int threads)
+                 const MeshWork& work)
         : solid_(solid),
           lattice_(lattice),
-          threads_(threads),
+          work_(work),
           wanted_(lattice.vertices.size()),
           edges_(1024) {
         for (const std::uint32_t vertex : vertices)
@@ -46,7 +46,7 @@ private:
 
     const MeshSolid& solid_;
     Lattice& lattice_;
-    int threads_;
+    const MeshWork& work_;
     std::vector<bool> wanted_;             ///< vertices whose edges are divided
     KeyIndex edges_;                       ///< with a change of the part
     std::vector<std::uint32_t> vertices_;  ///< on them
@@ -101,7 +101,7 @@ void KinkSplitter::find_changes() {
     for (int step = 0; step < steps; ++step) {
         for (std::size_t i = 0; i < count; ++i)
             points[i] = point_at(i, 0.5 * (lo[i] + hi[i]));
-        const std::vector<FieldValue> values = field_at(solid_, points, threads_);
+        const std::vector<FieldValue> values = field_at(solid_, points, work_);
         for (std::size_t i = 0; i < count; ++i) {
             const bool first = values[i].part == lattice_.vertices[ends(i).first].part;
             (first ? lo[i] : hi[i]) = 0.5 * (lo[i] + hi[i]);
@@ -201,7 +201,7 @@ void KinkSplitter::find_levels(std::size_t first) {
     std::vector<glm::dvec3> points;
     for (std::size_t i = first; i < lattice_.vertices.size(); ++i)
         points.push_back(lattice_.vertices[i].point);
-    const std::vector<FieldValue> values = field_at(solid_, points, threads_);
+    const std::vector<FieldValue> values = field_at(solid_, points, work_);
     for (std::size_t i = 0; i < values.size(); ++i) {
         LatticeVertex& vertex = lattice_.vertices[first + i];
         vertex.level = lattice_level(values[i], lattice_.step);
@@ -224,8 +224,8 @@ void KinkSplitter::split() {
 }  // namespace
 
 void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices,
-                    Lattice& lattice, int threads) {
-    KinkSplitter(solid, vertices, lattice, threads).split();
+                    Lattice& lattice, const MeshWork& work) {
+    KinkSplitter(solid, vertices, lattice, work).split();
 }
 
 }  // namespace zeroset

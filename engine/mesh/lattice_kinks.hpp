@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_work.hpp"
 
 #include <cstdint>
 #include <span>
@@ -13,6 +14,6 @@ namespace zeroset {
 /// vertices as the parts themselves, and sharp edges of the solid are edges of the lattice's
 /// surface. For edges that are too sharp for the lattice as it is. In upward rounding.
 void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices,
-                    Lattice& lattice, int threads);
+                    Lattice& lattice, const MeshWork& work);
 
 }  // namespace zeroset

@@ -25,11 +25,13 @@ int depth_for(const Box& box, const MeshOptions& options) {
     return static_cast<int>(std::clamp(levels, 4.0, double{CellTree::deepest_ever}));
 }
 
-/// The first half of the time that is left.
-TimeLimit half_of(const TimeLimit& limit) {
-    if (limit.until == TimeLimit::never) return limit;
+/// The first fifths of the time that is left.
+MeshWork fifths_of(const MeshOptions& options, int fifths) {
+    MeshWork work{.threads = options.threads, .limit = options.limit};
+    if (options.limit.until == TimeLimit::never) return work;
     const auto now = TimeLimit::Clock::now();
-    return {.cancel = limit.cancel, .until = now + (limit.until - now) / 2};
+    work.limit.until = now + (options.limit.until - now) / 5 * fifths;
+    return work;
 }
 
 class MeshMaker {
@@ -41,13 +43,20 @@ public:
           growth_(tree_, solid_,
                   {.tolerance = options.tolerance,
                    .most_cells = options.most_cells,
-                   .threads = options.threads,
-                   .limit = half_of(options.limit)}) {}
+                   .most_uncertain = options.most_uncertain,
+                   .work = fifths_of(options, 2)}),
+          proving_(fifths_of(options, 3)),
+          contouring_(fifths_of(options, 4)),
+          work_{.threads = options.threads, .limit = options.limit} {}
     MadeMesh make();
 
 private:
     void enter(MeshStage stage) const {
         if (options_.on_stage) options_.on_stage(stage);
+    }
+    /// Whether there is time and room for cells that the proof wants divided.
+    [[nodiscard]] bool may_prove() const {
+        return !growth_.is_cut() && !growth_.is_dense() && !proving_.limit.over();
     }
     void prove();
     void prove_locally(std::vector<std::uint32_t> cells);
@@ -63,6 +72,7 @@ private:
     const MeshOptions& options_;
     CellTree tree_;
     CellGrowth growth_;
+    MeshWork proving_, contouring_, work_;  ///< until the end of each
     Lattice lattice_;
     StarProof proof_;
     Contour contour_;
@@ -89,12 +99,13 @@ std::vector<std::uint32_t> MeshMaker::divisible(std::vector<std::uint32_t> cells
 
 /// Divides cells and proves their stars anew, until these are proved or nothing more can be done.
 void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
-    while (!cells.empty() && !growth_.is_cut()) {
+    while (!cells.empty() && may_prove()) {
         enter(MeshStage::Dividing);
         std::vector<std::uint32_t> core = proof_.rough;
         core.insert(core.end(), proof_.unknown.begin(), proof_.unknown.end());
         const auto first_new = static_cast<std::uint32_t>(tree_.size());
-        growth_.divide(std::move(cells));
+        growth_.divide_uncertain(std::move(cells));
+        if (!may_prove()) return;
         enter(MeshStage::Proving);
         for (std::uint32_t cell = first_new; cell < tree_.size(); ++cell)
             core.push_back(cell);
@@ -106,8 +117,8 @@ void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
             tree_.add_touching(tree_[cell], leaves);
         std::ranges::sort(leaves);
         leaves.erase(std::ranges::unique(leaves).begin(), leaves.end());
-        const Lattice lattice = make_lattice(tree_, leaves, solid_, options_.threads);
-        proof_ = prove_stars(tree_, lattice, core, options_.threads);
+        const Lattice lattice = make_lattice(tree_, leaves, solid_, proving_);
+        proof_ = prove_stars(tree_, lattice, core, proving_);
         cells = wanted_finer();
     }
 }
@@ -117,30 +128,31 @@ void MeshMaker::prove_locally(std::vector<std::uint32_t> cells) {
 void MeshMaker::prove() {
     for (;;) {
         enter(MeshStage::Proving);
-        lattice_ = make_lattice(tree_, solid_, options_.threads);
-        proof_ = prove_stars(tree_, lattice_, options_.threads);
+        lattice_ = make_lattice(tree_, solid_, proving_);
+        proof_ = prove_stars(tree_, lattice_, proving_);
         std::vector<std::uint32_t> cells = wanted_finer();
-        if (cells.empty() || growth_.is_cut()) break;
+        if (cells.empty() || !may_prove()) break;
         prove_locally(std::move(cells));
     }
-    if (proof_.failed.empty()) return;
-    split_at_kinks(solid_, proof_.failed, lattice_, options_.threads);
-    proof_ = prove_stars(tree_, lattice_, options_.threads);
+    if (proof_.failed.empty() || proving_.limit.over()) return;
+    split_at_kinks(solid_, proof_.failed, lattice_, proving_);
+    proof_ = prove_stars(tree_, lattice_, proving_);
 }
 
 void MeshMaker::contour() {
     enter(MeshStage::Contouring);
-    contour_ = make_contour(lattice_, solid_, options_.threads);
+    contour_ = make_contour(lattice_, solid_, contouring_);
+    if (contouring_.limit.over()) return;
     const std::size_t vertices = contour_.mesh.vertices.size();
-    sharpen_creases(solid_, lattice_.step, contour_, options_.threads);
-    add_features(tree_, lattice_, solid_, contour_, options_.threads);
+    sharpen_creases(solid_, lattice_.step, contour_, contouring_);
+    add_features(tree_, lattice_, solid_, contour_, contouring_);
     report_.unchanged = contour_.creases.empty() && contour_.mesh.vertices.size() == vertices;
 }
 
 /// Divides the cells of triangles that are too far from the surface; false: there are none.
 bool MeshMaker::divide_coarse() {
-    if (growth_.is_cut()) return false;
-    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    if (growth_.is_cut() || proving_.limit.over()) return false;
+    const std::vector<float> far = deviations(solid_, contour_.mesh, contouring_);
     std::vector<std::uint32_t> cells;
     for (std::size_t i = 0; i < far.size(); ++i) {
         if (far[i] <= static_cast<float>(options_.tolerance)) continue;
@@ -179,8 +191,9 @@ void MeshMaker::count_cells() {
     report_.smallest_cell = tree_.edge(smallest);
     report_.places = unproved_places(tree_, proof_.unknown);
     report_.rough_places = unproved_places(tree_, proof_.rough);
-    report_.cut = growth_.is_cut();
-    report_.isotopic = report_.unproved + report_.rough == 0 && !report_.cut;
+    report_.dense = growth_.is_dense();
+    report_.cut = growth_.is_cut() || contouring_.limit.over();
+    report_.isotopic = report_.unproved + report_.rough == 0 && !growth_.is_cut();
 }
 
 MadeMesh MeshMaker::make() {
@@ -195,6 +208,7 @@ MadeMesh MeshMaker::make() {
     count_cells();
     thin_mesh();
     measure();
+    if (options_.limit.cancelled()) return {};
     return {.mesh = std::move(contour_.mesh), .report = std::move(report_)};
 }
 
@@ -205,12 +219,15 @@ void MeshMaker::thin_mesh() {
     const std::size_t most = options_.most_triangles;
     if (!options_.thin && (most == 0 || report_.thinned_from <= most)) return;
     enter(MeshStage::Thinning);
-    ThinOptions how{
-        .tolerance = options_.tolerance, .threads = options_.threads, .limit = options_.limit};
+    ThinOptions how{.tolerance = options_.tolerance, .work = work_};
     if (options_.thin) thin(contour_.mesh, solid_, how);
     how.most_triangles = most;
     constexpr int most_rounds = 40;
     for (int i = 0; i < most_rounds && most > 0 && contour_.mesh.triangles.size() > most; ++i) {
+        if (work_.limit.over()) {
+            report_.cut = true;
+            break;
+        }
         how.tolerance *= 1.4;
         thin(contour_.mesh, solid_, how);
     }
@@ -220,7 +237,7 @@ void MeshMaker::thin_mesh() {
 
 /// Measures how far the mesh is from the surface.
 void MeshMaker::measure() {
-    const std::vector<float> far = deviations(solid_, contour_.mesh, options_.threads);
+    const std::vector<float> far = deviations(solid_, contour_.mesh, work_);
     for (std::size_t i = 0; i < far.size(); ++i) {
         report_.deviation = std::max(report_.deviation, double{far[i]});
         for (const std::uint32_t v : contour_.mesh.triangles[i]) {

@@ -20,11 +20,14 @@ struct MeshOptions {
     int depth = 0;             ///< the smallest cells are the root's edge * 2^-depth; 0: as the
                                ///< tolerance wants it
     std::size_t most_cells = 1'000'000;
+    std::size_t most_uncertain = 40'000;  ///< GrowthLimits::most_uncertain
     std::size_t most_triangles = 0;  ///< raises the tolerance of thinning until no more are left;
                                      ///< 0: any number
     bool thin = true;                ///< takes away triangles that the tolerance does not need
     int threads = 0;                 ///< 0: all cores
-    TimeLimit limit = {};  ///< cells are divided for half of the time, thinned for the rest
+    /// Cells are divided for two fifths of the time, proved for a fifth, roots are looked for for
+    /// another one, triangles thinned for the rest.
+    TimeLimit limit = {};
     std::function<void(MeshStage)> on_stage = {};  ///< on the caller's thread
 };
 
@@ -46,6 +49,7 @@ struct MeshReport {
     std::vector<UnprovedPlace> places, rough_places;
     double smallest_cell = 0.0;    ///< its edge
     bool cut = false;              ///< cells or time did not suffice
+    bool dense = false;            ///< GrowthLimits::most_uncertain ended the division
     bool isotopic = false;         ///< the mesh of roots is proved isotopic to the surface
     bool unchanged = true;         ///< the mesh is that one: no edges were put in, nothing thinned
     double tolerance = 0.0;        ///< what thinning kept
@@ -58,7 +62,8 @@ struct MadeMesh {
     MeshReport report;
 };
 
-/// The surface of a solid as triangles: closed, every edge in two triangles, outward.
+/// The surface of a solid as triangles: closed, every edge in two triangles, outward. Without any
+/// where the work was cancelled.
 MadeMesh make_mesh(const MeshSolid& solid, const MeshOptions& options);
 
 }  // namespace zeroset

@@ -47,12 +47,13 @@ glm::dvec3 point_at(const RootBracket& bracket, double t) {
 
 /// Takes all searches a step further and keeps those that are not over; `places` gets the ends.
 void step_all(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
-              std::vector<Search>& searches, std::vector<double>& places, int step, int threads) {
+              std::vector<Search>& searches, std::vector<double>& places, int step,
+              const MeshWork& work) {
     std::vector<glm::dvec3> points;
     points.reserve(searches.size());
     for (const Search& search : searches)
         points.push_back(point_at(brackets[search.bracket], search.t));
-    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    const std::vector<FieldValue> values = field_at(solid, points, work);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < searches.size(); ++i) {
         Search search = searches[i];
@@ -75,17 +76,17 @@ MeshVertex vertex_at(const glm::dvec3& point, const FieldValue& value) {
 }  // namespace
 
 std::vector<MeshVertex> find_roots(const MeshSolid& solid, const std::vector<RootBracket>& brackets,
-                                   int threads) {
+                                   const MeshWork& work) {
     std::vector<double> places(brackets.size(), 0.5);
     std::vector<Search> searches(brackets.size());
     for (std::uint32_t i = 0; i < brackets.size(); ++i)
         searches[i].bracket = i;
-    for (int step = 0; step < most_steps && !searches.empty(); ++step)
-        step_all(solid, brackets, searches, places, step, threads);
+    for (int step = 0; step < most_steps && !searches.empty() && !work.limit.over(); ++step)
+        step_all(solid, brackets, searches, places, step, work);
     std::vector<glm::dvec3> points(brackets.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         points[i] = point_at(brackets[i], places[i]);
-    const std::vector<FieldValue> values = field_at(solid, points, threads);
+    const std::vector<FieldValue> values = field_at(solid, points, work);
     std::vector<MeshVertex> vertices(brackets.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         vertices[i] = vertex_at(points[i], values[i]);

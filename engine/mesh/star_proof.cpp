@@ -82,29 +82,32 @@ private:
 };
 
 Rise Prover::rise(std::size_t vertex) const {
-    std::vector<std::uint32_t> cells;
-    std::vector<GradientBox> gradients;
-    bool flat = false;
+    static thread_local std::vector<std::uint32_t> cells;
+    static thread_local std::vector<GradientBox> gradients;
+    cells.clear();
+    gradients.clear();
     for (const std::uint32_t id : stars_.of(vertex)) {
-        const Tetrahedron& tetrahedron = lattice_.tetrahedra[id];
-        cells.insert(cells.end(), tetrahedron.cells.begin(), tetrahedron.cells.end());
-        const auto linear = linear_gradient(lattice_, tetrahedron);
-        flat = flat || !linear;
-        if (linear) gradients.push_back(*linear);
+        const auto& own = lattice_.tetrahedra[id].cells;
+        cells.insert(cells.end(), own.begin(), own.end());
     }
-    const std::size_t linear = gradients.size();
     keep_each_once(cells);
+    bool kinked = false;
     for (const std::uint32_t cell : cells) {
         const BoxFacts& facts = tree_[cell].facts;
         if (facts.side != Side::Unknown) continue;
-        if (!facts.graded) return Rise::None;
+        if (!facts.graded || tree_[cell].uncertain) return Rise::None;
+        kinked = kinked || facts.kinked;
         gradients.insert(gradients.end(), facts.all().begin(), facts.all().end());
     }
-    if (!flat && common_rise(gradients)) return Rise::Both;
-    const bool kinked =
-        std::ranges::any_of(cells, [&](std::uint32_t cell) { return tree_[cell].facts.kinked; });
-    return kinked && common_rise(std::span(gradients).subspan(linear)) ? Rise::Function
-                                                                       : Rise::None;
+    // What does not rise alone does not rise with the levels, of which there are many.
+    if (!common_rise(gradients)) return Rise::None;
+    const Rise function = kinked ? Rise::Function : Rise::None;
+    for (const std::uint32_t id : stars_.of(vertex)) {
+        const auto linear = linear_gradient(lattice_, lattice_.tetrahedra[id]);
+        if (!linear) return function;
+        gradients.push_back(*linear);
+    }
+    return common_rise(gradients) ? Rise::Both : function;
 }
 
 void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
@@ -130,10 +133,11 @@ std::vector<std::uint32_t> vertices_of(const Lattice& lattice, std::vector<bool>
 }
 
 StarProof prove_some(const CellTree& tree, const Lattice& lattice,
-                     std::span<const std::uint32_t> vertices, int threads) {
+                     std::span<const std::uint32_t> vertices, const MeshWork& work) {
     const Prover prover(tree, lattice);
     std::vector<Rise> rises(vertices.size());
-    parallel_upward(rises.size(), 256, threads, [&](std::size_t first, std::size_t last) {
+    parallel_upward(rises.size(), 256, work, [&](std::size_t first, std::size_t last) {
+        if (work.limit.over()) return;  // what is left counts as not proved
         for (std::size_t i = first; i < last; ++i)
             rises[i] = prover.rise(vertices[i]);
     });
@@ -153,18 +157,18 @@ StarProof prove_some(const CellTree& tree, const Lattice& lattice,
 
 }  // namespace
 
-StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads) {
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work) {
     std::vector<std::uint32_t> vertices(lattice.vertices.size());
     std::iota(vertices.begin(), vertices.end(), 0U);
-    return prove_some(tree, lattice, vertices, threads);
+    return prove_some(tree, lattice, vertices, work);
 }
 
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, int threads) {
+                      std::span<const std::uint32_t> leaves, const MeshWork& work) {
     std::vector<bool> wanted(tree.size());
     for (const std::uint32_t leaf : leaves)
         wanted[leaf] = true;
-    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), threads);
+    return prove_some(tree, lattice, vertices_of(lattice, std::move(wanted)), work);
 }
 
 }  // namespace zeroset

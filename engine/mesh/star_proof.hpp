@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/mesh/lattice.hpp"
+#include "engine/mesh/mesh_work.hpp"
 
 #include <cstdint>
 #include <span>
@@ -38,11 +39,11 @@ struct StarProof {
     std::vector<std::uint32_t> unknown, rough;
 };
 
-/// In upward rounding.
-StarProof prove_stars(const CellTree& tree, const Lattice& lattice, int threads);
+/// In upward rounding. Stars that are left when the time is over count as not proved.
+StarProof prove_stars(const CellTree& tree, const Lattice& lattice, const MeshWork& work);
 /// Only of stars about the middles and corners of these leaves; the lattice has all leaves that
 /// touch them.
 StarProof prove_stars(const CellTree& tree, const Lattice& lattice,
-                      std::span<const std::uint32_t> leaves, int threads);
+                      std::span<const std::uint32_t> leaves, const MeshWork& work);
 
 }  // namespace zeroset

@@ -182,7 +182,8 @@ Move Thinner::best_move(std::uint32_t from) const {
 
 std::vector<Move> Thinner::find_moves() {
     std::vector<Move> moves(mesh_.size());
-    parallel_upward(mesh_.size(), 1024, options_.threads, [&](std::size_t first, std::size_t last) {
+    parallel_upward(mesh_.size(), 1024, options_.work, [&](std::size_t first, std::size_t last) {
+        if (options_.work.limit.over()) return;
         for (std::size_t i = first; i < last; ++i) {
             const auto v = static_cast<std::uint32_t>(i);
             if (settled_[i] == 0 && !mesh_.star(v).empty()) moves[i] = best_move(v);
@@ -257,7 +258,7 @@ std::size_t Thinner::apply(const std::vector<Move>& moves) {
             add_samples(change.after, points);
         ends.push_back(points.size());
     }
-    const std::vector<FieldValue> values = field_at(solid_, points, options_.threads);
+    const std::vector<FieldValue> values = field_at(solid_, points, options_.work);
     std::size_t made = 0;
     std::size_t first = 0;
     for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -278,7 +279,7 @@ std::size_t Thinner::apply(const std::vector<Move>& moves) {
 TriangleMesh Thinner::run() {
     constexpr int most_passes = 200;
     constexpr std::size_t few = 2'000;  // a part in so many of the vertices is not worth a pass
-    for (int pass = 0; pass < most_passes && !options_.limit.over(); ++pass) {
+    for (int pass = 0; pass < most_passes && !options_.work.limit.over(); ++pass) {
         std::vector<Move> moves = find_moves();
         if (moves.empty()) break;
         const std::size_t made = apply(independent(std::move(moves)));

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/solid.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
-#include "engine/trace/time_limit.hpp"
 
 #include <cstddef>
 
@@ -11,8 +11,7 @@ namespace zeroset {
 struct ThinOptions {
     double tolerance = 0.0;  ///< new triangles are measured to be no farther from the surface
     std::size_t most_triangles = 0;  ///< ends the work where so many are left; 0: as few as can be
-    int threads = 0;
-    TimeLimit limit = {};
+    MeshWork work = {};
 };
 
 /// Collapses edges of a closed mesh while the tolerance holds, those that change it least first

@@ -29,7 +29,7 @@ public:
                     points.push_back(lo_ + step_ * glm::dvec3(x, y, z));
             }
         }
-        values_ = field_at(solid, points, 0);
+        values_ = field_at(solid, points, {});
     }
     TriangleMesh march() {
         for (int z = 0; z < cells_; ++z) {

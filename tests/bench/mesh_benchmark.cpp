@@ -9,6 +9,7 @@
 #include "tests/bench/marching_cubes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <string>
@@ -24,9 +25,30 @@ using Clock = std::chrono::steady_clock;
 constexpr int most_cells = 400;
 
 double farthest(const MeshSolid& solid, const TriangleMesh& mesh) {
-    const std::vector<float> far = deviations(solid, mesh, 0);
+    const std::vector<float> far = deviations(solid, mesh, {});
     return far.empty() ? 0.0 : double{*std::ranges::max_element(far)};
 }
+
+/// Milliseconds of each stage, one after the other.
+class StageTimes {
+public:
+    void enter(MeshStage stage) {
+        end();
+        now_ = static_cast<std::size_t>(stage);
+    }
+    void end() {
+        ms_.at(now_) += ms_since(since_);
+        since_ = Clock::now();
+    }
+    [[nodiscard]] double of(MeshStage stage) const {
+        return ms_.at(static_cast<std::size_t>(stage));
+    }
+
+private:
+    std::array<double, 4> ms_{};
+    std::size_t now_ = 0;
+    Clock::time_point since_ = Clock::now();
+};
 
 /// The coarsest grid of 1, 1.25, 1.5, ... times a power of 2 cells that is good enough.
 void print_cubes(const MeshSolid& solid, double error) {
@@ -54,12 +76,21 @@ void compare(const std::string& name, double relative) {
     const MeshSolid& solid = solids->front().solid;
     const double tolerance = relative * solid.box.size();
     const auto start = Clock::now();
+    StageTimes times;
     const MadeMesh made =
-        make_mesh(solid, {.tolerance = tolerance, .limit = {.until = until_after(start, 30.0)}});
+        make_mesh(solid, {.tolerance = tolerance,
+                          .limit = {.until = until_after(start, 30.0)},
+                          .on_stage = [&](MeshStage stage) { times.enter(stage); }});
+    times.end();
     const double ms = ms_since(start);
-    std::printf("%-14s tol %.1e | ours %8zu %8.0f ms %.2e chi %lld %s", name.c_str(), tolerance,
-                made.mesh.triangles.size(), ms, made.report.deviation, facts_of(made.mesh).euler(),
-                made.report.isotopic ? "proved" : "not proved");
+    std::printf(
+        "%-14s tol %.1e | ours %8zu (of %zu, %zu cells) %8.0f ms %.2e chi %lld %s; ms of "
+        "cells %.0f, proof %.0f, triangles %.0f, thinning %.0f",
+        name.c_str(), tolerance, made.mesh.triangles.size(), made.report.thinned_from,
+        made.report.cells, ms, made.report.deviation, facts_of(made.mesh).euler(),
+        made.report.isotopic ? "proved" : "not proved", times.of(MeshStage::Dividing),
+        times.of(MeshStage::Proving), times.of(MeshStage::Contouring),
+        times.of(MeshStage::Thinning));
     const UpwardRegisters upward;
     print_cubes(solid, std::max(tolerance, made.report.deviation));
     std::fflush(stdout);

@@ -161,6 +161,28 @@ class MeshTest(ProgramTest):
         self.assertLessEqual(surface["deviation"], 0.05)
         self.assertEqual(len(read_stl(path)[1]), surface["triangles"])
 
+    def test_smallest_wall_of_a_shell_is_told(self):
+        shell = "(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - 0.81) = 0"
+        out = self.folder / "a.stl"
+        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.002", "--stats", "-")
+        surface = json.loads(result.out)["surfaces"][0]
+        self.assertAlmostEqual(surface["smallest_wall"]["mm"], 5, delta=0.2)
+        self.assertAlmostEqual(surface["smallest_wall"]["thickness"], 0.1, delta=0.004)
+        distance = sum(c * c for c in surface["smallest_wall"]["at"]) ** 0.5
+        self.assertAlmostEqual(distance, 0.95, delta=0.01)
+        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.01")
+        self.assertRegex(result.out, r"smallest wall 4\.\d+ mm near ")
+        result = self.run_ok("mesh", "z = x*y", "-o", out, "--open", "--tolerance", "0.05")
+        self.assertNotIn("smallest wall", result.out)
+
+    def test_a_budget_that_is_too_small_leaves_a_closed_mesh(self):
+        out = self.folder / "a.ply"
+        result = run("mesh", "@labs_septic", "-o", out, "--budget", "0.2")
+        self.assertEqual(result.code, 0)
+        self.assertIn("--budget 0.4", result.err)
+        self.assertIn("topology not proved in", result.err)
+        self.assertTrue(is_closed(read_ply(out)[2]))
+
     def test_what_is_not_proved_is_said(self):
         path = self.folder / "a.stl"
         result = run("mesh", "x^2 + y^2 = z^2", "-o", path, "--tolerance", "0.05")

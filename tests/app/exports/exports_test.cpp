@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -135,6 +136,10 @@ TEST_F(Exports, PreviewsOfMeshesAreMadeOnce) {
     request.room_px = {60, 40};
     const Preview first = make_preview(request, std::nullopt, news_);
     ASSERT_NE(first.meshes, nullptr);
+    // 100 mm across; the triangles cut off a little on both sides.
+    EXPECT_TRUE(std::ranges::any_of(first.shown.facts, [](const std::string& fact) {
+        return fact.starts_with("smallest wall 9") && fact.ends_with(" mm, as measured");
+    }));
     EXPECT_FALSE(first.shown.facts.empty());
     request.camera.eye = {3, 3, 3};
     request.camera.look_at = {0.5, 0, 0};

@@ -1,0 +1,82 @@
+#include "engine/mesh/smallest_wall.hpp"
+
+#include "engine/mesh/collapsible_mesh.hpp"
+#include "engine/mesh/parallel.hpp"
+#include "engine/mesh/triangle_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace zeroset {
+namespace {
+
+// Rays take a microsecond or two.
+constexpr std::size_t most_triangles = 40'000;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// The cosine between the way inwards and the normal of the side that it meets.
+constexpr double least_facing = 0.5;
+// The direction of narrower triangles is not to be trusted.
+constexpr double least_shape = 0.02;
+
+/// Where a triangle is asked, as shares of its corners.
+constexpr std::array<glm::dvec3, 4> places{
+    {{1.0 / 3, 1.0 / 3, 1.0 / 3}, {0.96, 0.02, 0.02}, {0.02, 0.96, 0.02}, {0.02, 0.02, 0.96}}};
+
+glm::dvec3 across(const TriangleMesh& mesh, const Triangle& t) {
+    return area_vector(mesh.vertices[t[0]].point, mesh.vertices[t[1]].point,
+                       mesh.vertices[t[2]].point);
+}
+
+double shape(const TriangleMesh& mesh, const Triangle& t) {
+    return shape_of(mesh.vertices[t[0]].point, mesh.vertices[t[1]].point,
+                    mesh.vertices[t[2]].point);
+}
+
+/// The thinnest wall behind one triangle.
+SmallestWall behind(const TriangleMesh& mesh, const TriangleTree& tree, std::uint32_t triangle) {
+    SmallestWall least{.thickness = infinity};
+    const Triangle& t = mesh.triangles[triangle];
+    if (shape(mesh, t) < least_shape) return least;
+    const glm::dvec3 inward = -glm::normalize(across(mesh, t));
+    for (const glm::dvec3& share : places) {
+        const glm::dvec3 from = share.x * mesh.vertices[t[0]].point +
+                                share.y * mesh.vertices[t[1]].point +
+                                share.z * mesh.vertices[t[2]].point;
+        ++least.places;
+        const auto hit = tree.way_out(from, inward, triangle);
+        if (!hit || hit->distance >= least.thickness) continue;
+        const Triangle& met = mesh.triangles[hit->triangle];
+        if (shape(mesh, met) < least_shape) continue;
+        const glm::dvec3 normal = glm::normalize(across(mesh, met));
+        if (!(glm::dot(normal, inward) > least_facing)) continue;
+        least.thickness = hit->distance;
+        least.at = from + 0.5 * hit->distance * inward;
+    }
+    return least;
+}
+
+}  // namespace
+
+std::optional<SmallestWall> smallest_wall(const TriangleMesh& mesh, const MeshWork& work) {
+    const TriangleTree tree(mesh);
+    const std::size_t count = mesh.triangles.size();
+    const std::size_t every = (count + most_triangles - 1) / most_triangles;
+    const std::size_t asked = count == 0 ? 0 : (count + every - 1) / every;
+    std::vector<SmallestWall> found(asked);
+    parallel_upward(asked, 512, work, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            found[i] = behind(mesh, tree, static_cast<std::uint32_t>(i * every));
+    });
+    SmallestWall least{.thickness = infinity};
+    for (const SmallestWall& wall : found) {
+        const std::size_t places_before = least.places;
+        if (wall.thickness < least.thickness) least = wall;
+        least.places = places_before + wall.places;
+    }
+    if (least.thickness == infinity) return std::nullopt;
+    return least;
+}
+
+}  // namespace zeroset

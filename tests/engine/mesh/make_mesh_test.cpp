@@ -1,0 +1,58 @@
+#include "engine/mesh/make_mesh.hpp"
+
+#include "engine/mesh/mesh_facts.hpp"
+#include "tests/support/mesh_checks.hpp"
+#include "tests/support/solids.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+
+// Whatever ends the work, what comes out is closed or nothing.
+
+namespace zeroset::test {
+namespace {
+
+TEST(MakeMesh, IsClosedAndSaysSoWhereThereIsNoTimeAtAll) {
+    for (const char* text : {"x^2 + y^2 + z^2 - 1", "x^2 + y^2 - z^2", "max(x, y, z) - 0.5"}) {
+        const MadeMesh made =
+            make_mesh(solid_of({text}, Box::cube(2)),
+                      {.tolerance = 1e-4, .limit = {.until = TimeLimit::Clock::now()}});
+        EXPECT_EQ(defect_of(made.mesh), "") << text;
+        EXPECT_FALSE(made.mesh.triangles.empty()) << text;
+        EXPECT_LT(made.mesh.triangles.size(), 20'000U) << text;
+        EXPECT_TRUE(made.report.cut) << text;
+        EXPECT_FALSE(made.report.isotopic) << text;
+        EXPECT_GT(made.report.unproved, 0U) << text;
+    }
+}
+
+TEST(MakeMesh, IsClosedAndSmallWhereNothingCanBeProved) {
+    // All gradients vanish at the surface.
+    const MadeMesh made = make_mesh(solid_of({"(x^2 + y^2 + z^2 - 1)^3"}, Box::cube(2)),
+                                    {.tolerance = 2e-3, .most_uncertain = 1'000});
+    EXPECT_EQ(defect_of(made.mesh), "");
+    EXPECT_EQ(facts_of(made.mesh).euler(), 2);
+    EXPECT_TRUE(made.report.dense);
+    EXPECT_FALSE(made.report.isotopic);
+    EXPECT_LT(made.report.thinned_from, 100'000U);
+}
+
+TEST(MakeMesh, IsNothingWhereItIsCancelled) {
+    const std::atomic<bool> cancelled = true;
+    const MadeMesh made = make_mesh(unit_ball(), {.limit = {.cancel = &cancelled}});
+    EXPECT_TRUE(made.mesh.triangles.empty());
+    EXPECT_FALSE(made.report.isotopic);
+    for (const MeshStage last : {MeshStage::Proving, MeshStage::Contouring, MeshStage::Thinning}) {
+        std::atomic<bool> later = false;
+        const MadeMesh ended =
+            make_mesh(unit_ball(), {.limit = {.cancel = &later}, .on_stage = [&](MeshStage stage) {
+                                        if (stage == last) later = true;
+                                    }});
+        EXPECT_TRUE(ended.mesh.triangles.empty());
+    }
+}
+
+}  // namespace
+}  // namespace zeroset::test
