@@ -1,10 +1,12 @@
 #include "app/cli/render_files.hpp"
 
 #include "document/json/document_json.hpp"
+#include "engine/base/clock.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 #include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 
 namespace zeroset {
@@ -99,9 +101,17 @@ std::expected<void, FileError> RenderFiles::begin(const RenderedPicture& picture
 
 std::expected<void, FileError> RenderFiles::add(const RenderedPicture& picture,
                                                 const PictureBand& band) {
+    if (command_.stats) count(band.frame);
+    const auto start = std::chrono::steady_clock::now();
+    auto written = write(picture, band);
+    writing_ms_ += ms_since(start);
+    return written;
+}
+
+std::expected<void, FileError> RenderFiles::write(const RenderedPicture& picture,
+                                                  const PictureBand& band) {
     std::expected<void, FileError> written;
     if (!begun_) written = begin(picture);
-    if (command_.stats) count(band.frame);
     if (written && picture_ != nullptr) written = picture_->add(band);
     if (written && depth_ != nullptr) written = depth_->add(band.frame, band.row);
     if (written && certificate_ != nullptr) {
@@ -119,10 +129,12 @@ void RenderFiles::count(const Framebuffer& band) {
 }
 
 std::expected<void, FileError> RenderFiles::finish() {
+    const auto start = std::chrono::steady_clock::now();
     std::expected<void, FileError> written;
     if (picture_ != nullptr) written = picture_->finish();
     if (written && depth_ != nullptr) written = depth_->finish();
     if (written && certificate_ != nullptr) written = certificate_->finish();
+    writing_ms_ += ms_since(start);
     return written;
 }
 
