@@ -52,7 +52,7 @@ void draw_export_label(const char* label, const char* about) {
     draw_label(label, about, export_label_em);
 }
 
-void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest) {
+void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest, bool even) {
     draw_export_label("size", "Width and height in pixels.");
     const float arrow = ImGui::GetFrameHeight();
     const float room = ImGui::GetContentRegionAvail().x - arrow - em(2.0F);
@@ -73,6 +73,7 @@ void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int larg
         ImGui::EndCombo();
     }
     draw_tooltip("Usual sizes");
+    if (even) size_px += size_px % 2;
 }
 
 void draw_surface_checks(bool& smooth, bool& alpha, bool has_alpha) {

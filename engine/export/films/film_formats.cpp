@@ -92,7 +92,7 @@ std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings&
     if (settings.alpha && !format.alpha)
         return "a film in " + name + " cannot be transparent; .webm, .mov and .apng can";
     if (format.even && (settings.width % 2 != 0 || settings.height % 2 != 0))
-        return name + " has even sides only; type --size " + even_size(settings);
+        return name + " has even sides only: " + even_size(settings) + " would do";
     if (std::max(settings.width, settings.height) > format.largest_side) {
         return name + " films cannot be larger than " + std::to_string(format.largest_side) +
                " pixels a side";
@@ -100,7 +100,7 @@ std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings&
     const double rate = static_cast<double>(settings.rate.frames) / settings.rate.seconds;
     if (rate > format.largest_rate) {
         return name + " plays " + std::to_string(static_cast<int>(format.largest_rate)) +
-               " frames a second at most; type a smaller --fps";
+               " frames a second at most";
     }
     return std::nullopt;
 }
