@@ -68,11 +68,13 @@ OrInputError<PictureOptions> read_picture_options(const RenderCommand& command, 
     if (const auto wrong = read_numbers_of(command, options)) return std::unexpected(*wrong);
     if (command.quality && !format->lossy) {
         return wrong_input("--quality " + *command.quality + ": a " + std::string(format->name) +
-                           " loses nothing; it is for .jpg and .webp");
+                           " loses nothing; it is for " +
+                           export_endings(ExportKind::Picture, &ExportFormat::quality));
     }
     if (command.dpi && !format->density) {
         return wrong_input("--dpi " + *command.dpi + ": a " + std::string(format->name) +
-                           " cannot tell it here; it is for .png, .tif and .exr");
+                           " cannot tell it here; it is for " +
+                           export_endings(ExportKind::Picture, &ExportFormat::density));
     }
     if (const auto refused = refusal(*format, options))
         return wrong_input(option + ": " + *refused);

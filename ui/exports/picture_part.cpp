@@ -36,7 +36,7 @@ std::vector<UsualSize> usual_sizes(const glm::ivec2& window_px) {
 }
 
 void draw_bits(PictureExport& wish, const ExportFormat& format) {
-    if (format.bits[1] == 0) return;
+    if (!format.deep) return;
     draw_export_label("bits", "Of each colour channel.");
     const int bits = wish.bits == format.bits[1] ? wish.bits : format.bits[0];
     if (!ImGui::BeginCombo("##bits", std::to_string(bits).c_str())) return;
