@@ -30,7 +30,9 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "--blur", film.blur, "pictures that are mixed for a frame, 1 (default) to 64");
     add_value(app, "--shutter", film.shutter,
               "the part of a frame's time that --blur mixes, 0 to 1 (default 0.5)");
-    add_value(app, "--quality", film.quality, "1 to 100 for .mp4 and .webm (default 90)");
+    add_value(app, "--quality", film.quality,
+              "1 to 100 for " + export_endings(ExportKind::Film, &ExportFormat::quality) +
+                  " (default 90)");
     add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
@@ -54,10 +56,12 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,
-              "of a colour channel: 8 (default) or 16 for .png and .tif");
+              "of a colour channel: 8 (default) or 16 for " +
+                  export_endings(ExportKind::Picture, &ExportFormat::deep));
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
     add_value(*render_app, "--quality", render.quality,
-              "1 to 100 for .jpg and .webp (default 92); 100 in .webp is without loss");
+              "1 to 100 for " + export_endings(ExportKind::Picture, &ExportFormat::quality) +
+                  " (default 92); 100 in .webp is without loss");
     render_app->add_flag("--no-session", render.no_session,
                          "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);

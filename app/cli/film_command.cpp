@@ -90,6 +90,7 @@ Json stats_of(const Filming& filming, const FilmWork& work, const FrameFiles& fi
              {{"numerator", job.plan.rate.frames}, {"denominator", job.plan.rate.seconds}}},
             {"drawing_ms", work.drawing_ms},
             {"writing_ms", files.writing_ms()},
+            {"waiting_ms", work.waiting_ms},
             {"elapsed_ms", ms},
             {"undecided_by_budget", work.counters.cut_pixels}};
 }

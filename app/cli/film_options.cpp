@@ -215,7 +215,9 @@ std::optional<InputError> read_blur(const FilmCommand& command, FilmPlan& plan) 
 OrInputError<int> read_quality(const FilmCommand& command, bool lossy) {
     constexpr int usual = 90;
     if (!command.quality) return usual;
-    if (!lossy) return wrong_input("--quality " + *command.quality + ": it is for .mp4 and .webm");
+    if (!lossy)
+        return wrong_input("--quality " + *command.quality + ": it is for " +
+                           export_endings(ExportKind::Film, &ExportFormat::quality));
     return read_integer("--quality", *command.quality, 1, 100);
 }
 

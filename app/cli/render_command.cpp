@@ -145,6 +145,7 @@ Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
               {"min", timing.min_ms},
               {"max", timing.max_ms},
               {"repeats", timing.repeats}}},
+            {"writing_ms", files.writing_ms()},
             {"certified", counts.certified},
             {"undecided", counts.undecided},
             {"miss", counts.miss},

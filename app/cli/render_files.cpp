@@ -1,10 +1,12 @@
 #include "app/cli/render_files.hpp"
 
 #include "document/json/document_json.hpp"
+#include "engine/base/clock.hpp"
 #include "engine/export/pictures/picture_makers.hpp"
 #include "pipeline/plans/export_formats.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 
 namespace zeroset {
@@ -66,11 +68,13 @@ OrInputError<PictureOptions> read_picture_options(const RenderCommand& command, 
     if (const auto wrong = read_numbers_of(command, options)) return std::unexpected(*wrong);
     if (command.quality && !format->lossy) {
         return wrong_input("--quality " + *command.quality + ": a " + std::string(format->name) +
-                           " loses nothing; it is for .jpg and .webp");
+                           " loses nothing; it is for " +
+                           export_endings(ExportKind::Picture, &ExportFormat::quality));
     }
     if (command.dpi && !format->density) {
         return wrong_input("--dpi " + *command.dpi + ": a " + std::string(format->name) +
-                           " cannot tell it here; it is for .png, .tif and .exr");
+                           " cannot tell it here; it is for " +
+                           export_endings(ExportKind::Picture, &ExportFormat::density));
     }
     if (const auto refused = refusal(*format, options))
         return wrong_input(option + ": " + *refused);
@@ -99,9 +103,17 @@ std::expected<void, FileError> RenderFiles::begin(const RenderedPicture& picture
 
 std::expected<void, FileError> RenderFiles::add(const RenderedPicture& picture,
                                                 const PictureBand& band) {
+    if (command_.stats) count(band.frame);
+    const auto start = std::chrono::steady_clock::now();
+    auto written = write(picture, band);
+    writing_ms_ += ms_since(start);
+    return written;
+}
+
+std::expected<void, FileError> RenderFiles::write(const RenderedPicture& picture,
+                                                  const PictureBand& band) {
     std::expected<void, FileError> written;
     if (!begun_) written = begin(picture);
-    if (command_.stats) count(band.frame);
     if (written && picture_ != nullptr) written = picture_->add(band);
     if (written && depth_ != nullptr) written = depth_->add(band.frame, band.row);
     if (written && certificate_ != nullptr) {
@@ -119,10 +131,12 @@ void RenderFiles::count(const Framebuffer& band) {
 }
 
 std::expected<void, FileError> RenderFiles::finish() {
+    const auto start = std::chrono::steady_clock::now();
     std::expected<void, FileError> written;
     if (picture_ != nullptr) written = picture_->finish();
     if (written && depth_ != nullptr) written = depth_->finish();
     if (written && certificate_ != nullptr) written = certificate_->finish();
+    writing_ms_ += ms_since(start);
     return written;
 }
 

@@ -31,15 +31,19 @@ public:
     [[nodiscard]] const CertificateCounts& certificates() const { return certificates_; }
     /// Number of pixels that show each surface.
     [[nodiscard]] const std::vector<std::size_t>& surfaces() const { return surfaces_; }
+    /// What the files took.
+    [[nodiscard]] double writing_ms() const { return writing_ms_; }
 
 private:
     std::expected<void, FileError> begin(const RenderedPicture& picture);
+    std::expected<void, FileError> write(const RenderedPicture& picture, const PictureBand& band);
     void count(const Framebuffer& band);
 
     RenderCommand command_;
     bool begun_ = false;
     std::unique_ptr<PictureWriter> picture_, certificate_;
     std::unique_ptr<PfmWriter> depth_;
+    double writing_ms_ = 0.0;
     CertificateCounts certificates_;
     std::vector<std::size_t> surfaces_;
 };

@@ -311,6 +311,9 @@ std::optional<ExportSubject> Desktop::export_subject() const {
                           .colors = wanted->colors,
                           .settings = settings_};
     subject.document.camera = wanted->camera;
+    // The usual background of pictures is dark: not what a light window shows.
+    if (state_.edited.theme == ui::Theme::Light && !subject.document.light.background)
+        subject.document.light.background = ui::picture_background(ui::Theme::Light);
     return subject;
 }
 

@@ -16,6 +16,7 @@ struct ExportFormat {
     std::string_view ending;    ///< ".png"
     std::string_view about;     ///< what it is good for
     std::array<int, 2> bits{};  ///< of a colour channel, the usual number first; 0: none to choose
+    bool deep = false;          ///< there are two numbers of bits
     bool alpha = false;         ///< can be transparent
     bool quality = false;       ///< loses detail where less quality is wanted
     bool density = false;       ///< tells printers the dots per inch

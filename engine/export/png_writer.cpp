@@ -3,13 +3,14 @@
 #include "engine/base/parallel.hpp"
 #include "engine/export/packed.hpp"
 
+#include <isa-l/igzip_lib.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
 #include <utility>
 
 namespace zeroset {
@@ -18,12 +19,8 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 using ByteSpan = std::span<const std::uint8_t>;
 
-// zlib's level and strategy. Filtered pictures of surfaces are runs of equal bytes between numbers
-// that do not repeat: looking for other matches makes them little smaller, and takes longer than
-// drawing them.
-constexpr int deflate_level = 1;
-constexpr int deflate_strategy = Z_RLE;
-/// Filtered bytes that are deflated at once, about: smaller pieces make larger files.
+/// Filtered bytes that are deflated at once, about: smaller pieces make larger files, larger ones
+/// leave the processor's caches.
 constexpr std::size_t piece_size = std::size_t{1} << 18U;
 constexpr double inch_in_metres = 0.0254;
 
@@ -38,12 +35,19 @@ void append_text(Bytes& to, const std::string& text) {
     to.insert(to.end(), text.begin(), text.end());
 }
 
-/// Sum of the absolute differences in a filtered row: small differences deflate best.
-std::uint32_t size_of(ByteSpan differences) {
+/// Sum of the absolute differences of bytes: small ones deflate best.
+std::uint32_t distance(const std::uint8_t* a, const std::uint8_t* b, std::size_t count) {
     std::uint32_t sum = 0;
-    for (const std::uint8_t byte : differences)
-        sum += static_cast<std::uint32_t>(std::min<int>(byte, 256 - byte));
+    for (std::size_t i = 0; i < count; ++i)
+        sum += static_cast<std::uint32_t>(std::abs(a[i] - b[i]));
     return sum;
+}
+
+/// Writes the differences of bytes; none of the ranges overlap.
+void subtract(const std::uint8_t* __restrict a, const std::uint8_t* __restrict b, std::size_t count,
+              std::uint8_t* __restrict out) {
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = static_cast<std::uint8_t>(a[i] - b[i]);
 }
 
 /// Writes a row as it is deflated: as differences from the pixel before or from the row above,
@@ -52,45 +56,69 @@ void filter_row(const std::uint8_t* row, const std::uint8_t* above, const PngFor
                 std::uint8_t* out) {
     const std::size_t bytes = format.row_bytes();
     const std::size_t pixel = format.pixel_bytes();
-    thread_local Bytes sub;
-    sub.resize(bytes);
-    std::copy_n(row, pixel, sub.data());
-    for (std::size_t i = pixel; i < bytes; ++i)
-        sub[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel]);
-    for (std::size_t i = 0; i < bytes; ++i)
-        out[i + 1] = static_cast<std::uint8_t>(row[i] - above[i]);
-    const bool up = size_of({out + 1, bytes}) <= size_of(sub);
-    *out = static_cast<std::uint8_t>(up ? RowFilter::Up : RowFilter::Sub);
-    if (!up) std::ranges::copy(sub, out + 1);
+    const std::uint32_t from_above = distance(row, above, bytes);
+    // Equal rows are frequent: there is nothing smaller to look for.
+    if (from_above == 0 || from_above <= distance(row + pixel, row, bytes - pixel)) {
+        *out = static_cast<std::uint8_t>(RowFilter::Up);
+        return subtract(row, above, bytes, out + 1);
+    }
+    *out = static_cast<std::uint8_t>(RowFilter::Sub);
+    std::copy_n(row, pixel, out + 1);
+    subtract(row + pixel, row, bytes - pixel, out + 1 + pixel);
 }
 
-/// Part of a deflated stream.
-struct Piece {
-    Bytes bytes;
-    unsigned long sum = 1;  ///< Adler-32 of what was deflated
+/// Deflates pieces of a stream, one after the other, with room that is kept between them. One for
+/// each thread.
+class Deflater {
+public:
+    Deflater() : room_(ISAL_DEF_LVL1_LARGE) {}
+
+    /// The piece, which may stand before and behind others; empty where that fails.
+    Bytes operator()(ByteSpan data) {
+        // A byte of a block that does not get smaller, and what stands around the blocks.
+        out_.resize(std::max(out_.size(), data.size() + data.size() / 8 + 1024));
+        isal_deflate_stateless_init(&stream_);
+        stream_.level = 1;
+        stream_.level_buf = room_.data();
+        stream_.level_buf_size = static_cast<std::uint32_t>(room_.size());
+        // Filtered pictures of surfaces are runs of equal bytes between numbers that do not repeat:
+        // other matches than with the bytes just before make files larger by a third.
+        stream_.hist_bits = 1;
+        stream_.flush = FULL_FLUSH;
+        stream_.next_in = const_cast<std::uint8_t*>(data.data());  // it is only read
+        stream_.avail_in = static_cast<std::uint32_t>(data.size());
+        stream_.next_out = out_.data();
+        stream_.avail_out = static_cast<std::uint32_t>(out_.size());
+        if (isal_deflate_stateless(&stream_) != COMP_OK || stream_.avail_in != 0) return {};
+        return {out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(stream_.total_out)};
+    }
+
+private:
+    isal_zstream stream_{};
+    Bytes room_, out_;
 };
 
-/// Deflates `data`; the stream goes on. As runs refer to the byte before alone, a piece need not
-/// know the one before.
-Piece deflated(ByteSpan data) {
-    z_stream stream{};
-    constexpr int raw = -15;
-    constexpr int memory = 9;
-    Piece piece;
-    if (deflateInit2(&stream, deflate_level, Z_DEFLATED, raw, memory, deflate_strategy) != Z_OK)
-        return piece;
-    constexpr std::size_t end_of_piece = 16;  // the empty block that Z_SYNC_FLUSH appends
-    piece.bytes.resize(deflateBound(&stream, static_cast<uLong>(data.size())) + end_of_piece);
-    stream.next_in = const_cast<Bytef*>(data.data());  // zlib only reads it
-    stream.avail_in = static_cast<uInt>(data.size());
-    stream.next_out = piece.bytes.data();
-    stream.avail_out = static_cast<uInt>(piece.bytes.size());
-    const int done = deflate(&stream, Z_SYNC_FLUSH);
-    assert(done == Z_OK && stream.avail_in == 0);
-    piece.bytes.resize(done == Z_OK ? stream.total_out : 0);
-    deflateEnd(&stream);
-    piece.sum = adler32_z(1, data.data(), data.size());
-    return piece;
+/// Part of the deflated stream.
+struct Piece {
+    Bytes bytes;                 ///< empty: it could not be deflated
+    std::uint32_t sum = 1;       ///< Adler-32 of what was deflated
+    std::size_t plain_size = 0;  ///< bytes of that
+};
+
+/// Filters rows and deflates them. `above`: the row before the first one.
+Piece piece_of(ByteSpan rows, const std::uint8_t* above, const PngFormat& format) {
+    thread_local Deflater deflated;
+    thread_local Bytes filtered;
+    const std::size_t row = format.row_bytes();
+    const std::size_t count = rows.size() / row;
+    filtered.resize(count * (row + 1));
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t* const own = rows.data() + i * row;
+        filter_row(own, i == 0 ? above : own - row, format, filtered.data() + i * (row + 1));
+    }
+    return {.bytes = deflated(filtered),
+            .sum = isal_adler32(1, filtered.data(), filtered.size()),
+            .plain_size = filtered.size()};
 }
 
 Bytes header_of(const PngFormat& format) {
@@ -158,35 +186,24 @@ bool PngWriter::write_header() {
     return write_chunk("IDAT", zlib_header);
 }
 
-bool PngWriter::deflate_and_write(ByteSpan filtered) {
-    const std::size_t row = format_.row_bytes() + 1;
-    const std::size_t step = std::max<std::size_t>(piece_size / row, 1) * row;
-    const auto part = [&](std::size_t i) {
-        return filtered.subspan(i * step, std::min(step, filtered.size() - i * step));
-    };
-    std::vector<Piece> pieces((filtered.size() + step - 1) / step);
-    parallel_for(pieces.size(), 0, [&](std::size_t i) { pieces[i] = deflated(part(i)); });
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        sum_ = adler32_combine(sum_, pieces[i].sum, static_cast<z_off_t>(part(i).size()));
-        if (!write_chunk("IDAT", pieces[i].bytes)) return false;
-    }
-    return true;
-}
-
 bool PngWriter::add_rows(ByteSpan rows) {
     if (!begun_ && !write_header()) return false;
     const std::size_t row = format_.row_bytes();
-    const std::size_t count = rows.size() / row;
-    assert(count * row == rows.size());
-    if (failed_ || count == 0) return !failed_;
-    filtered_.resize(count * (row + 1));
-    parallel_for(count, 0, [&](std::size_t i) {
-        const std::uint8_t* const own = rows.data() + i * row;
-        const std::uint8_t* const above = i == 0 ? last_row_.data() : own - row;
-        filter_row(own, above, format_, filtered_.data() + i * (row + 1));
+    assert(rows.size() % row == 0);
+    if (failed_ || rows.empty()) return !failed_;
+    const std::size_t step = std::max<std::size_t>(piece_size / row, 1) * row;
+    std::vector<Piece> pieces((rows.size() + step - 1) / step);
+    parallel_for(pieces.size(), 0, [&](std::size_t i) {
+        const ByteSpan part = rows.subspan(i * step, std::min(step, rows.size() - i * step));
+        pieces[i] = piece_of(part, i == 0 ? last_row_.data() : part.data() - row, format_);
     });
     std::copy_n(rows.end() - static_cast<std::ptrdiff_t>(row), row, last_row_.begin());
-    return deflate_and_write(filtered_);
+    for (const Piece& piece : pieces) {
+        sum_ = adler32_combine(sum_, piece.sum, static_cast<z_off_t>(piece.plain_size));
+        failed_ = failed_ || piece.bytes.empty();
+        if (failed_ || !write_chunk("IDAT", piece.bytes)) return false;
+    }
+    return true;
 }
 
 bool PngWriter::finish() {

@@ -50,12 +50,10 @@ public:
 private:
     bool write_chunk(const char* type, std::span<const std::uint8_t> data);
     bool write_header();
-    bool deflate_and_write(std::span<const std::uint8_t> filtered);
 
     PngFormat format_;
     ByteSink sink_;
     std::vector<std::uint8_t> last_row_;  ///< of the band before; zeros before the first
-    std::vector<std::uint8_t> filtered_;  ///< room, kept from band to band
     unsigned long sum_ = 1;               ///< Adler-32 of all filtered rows
     bool begun_ = false;
     bool failed_ = false;

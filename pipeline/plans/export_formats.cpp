@@ -7,6 +7,7 @@
 #include "engine/mesh/files/mesh_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace zeroset {
@@ -17,7 +18,8 @@ ExportFormat row_of(const PictureFormat& format) {
             .name = format.name,
             .ending = format.endings[0],
             .about = format.about,
-            .bits = format.bits,
+            .bits = format.bits[1] == format.bits[0] ? std::array{format.bits[0], 0} : format.bits,
+            .deep = format.bits[1] != format.bits[0],
             .alpha = format.alpha,
             .quality = format.lossy,
             .density = format.density};
@@ -83,6 +85,17 @@ std::string_view command_of(ExportKind kind) {
     return "";
 }
 
+/// The endings of the files of a kind that are chosen.
+template <class Chosen>
+std::string endings_of(ExportKind kind, const Chosen& chosen) {
+    std::vector<std::string_view> endings;
+    for (const ExportFormat& format : export_formats()) {
+        if (format.kind == kind && !format.numbered && chosen(format))
+            endings.push_back(format.ending);
+    }
+    return one_of(endings);
+}
+
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
@@ -102,11 +115,11 @@ const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::pat
 }
 
 std::string export_endings(ExportKind kind) {
-    std::vector<std::string_view> endings;
-    for (const ExportFormat& format : export_formats()) {
-        if (format.kind == kind && !format.numbered) endings.push_back(format.ending);
-    }
-    return one_of(endings);
+    return endings_of(kind, [](const ExportFormat&) { return true; });
+}
+
+std::string export_endings(ExportKind kind, bool ExportFormat::* has) {
+    return endings_of(kind, [has](const ExportFormat& format) { return format.*has; });
 }
 
 std::string other_name(ExportKind kind, const std::filesystem::path& path) {

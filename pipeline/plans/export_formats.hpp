@@ -19,6 +19,9 @@ const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::pat
 /// The endings of a kind's files, as ".png, .jpg or .exr".
 std::string export_endings(ExportKind kind);
 
+/// Those of the formats that have this member, as &ExportFormat::alpha.
+std::string export_endings(ExportKind kind, bool ExportFormat::* has);
+
 /// What to type instead of a path of which this kind has no format: "type a name that ends in
 /// ...", and the command for files with that ending, if there is one.
 std::string other_name(ExportKind kind, const std::filesystem::path& path);

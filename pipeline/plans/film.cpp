@@ -11,8 +11,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -85,70 +87,117 @@ private:
     int count_ = 0;
 };
 
-/// Draws frames into one picture.
+/// A frame and its picture, which are taken while the next one is drawn.
+struct NumberedFrame {
+    int number = 0;
+    Document document;
+    std::shared_ptr<Framebuffer> frame;
+    std::shared_ptr<const Framebuffer> painted;
+
+    [[nodiscard]] FilmFrame shown() const {
+        return {.number = number,
+                .document = document,
+                .picture = {.frame = *frame, .painted = *painted, .row = 0}};
+    }
+};
+
+/// Draws the frames of a film.
 class FrameDrawer {
 public:
     FrameDrawer(const Film& film, const FilmWatch& watch)
-        : film_(film),
-          watch_(watch),
-          range_(range_of(film, watch)),
-          frame_(std::make_shared<Framebuffer>(film.size.width, film.size.height)) {
-        if (film.keeps_light || blurs()) frame_->keep_planes(film.keeps_normals);
-    }
+        : film_(film), watch_(watch), range_(range_of(film, watch)) {}
 
-    /// Draws a frame with what lies over it; `document`: as it is there.
-    std::expected<std::shared_ptr<const Framebuffer>, std::string> draw(int number,
-                                                                        const Document& document,
-                                                                        FilmWork& work);
-    [[nodiscard]] const Framebuffer& frame() const { return *frame_; }
+    /// A frame with room for its picture.
+    [[nodiscard]] NumberedFrame room() const;
+    /// Draws the picture, with what lies over it, of the number and the document that `drawn` has;
+    /// or says why it cannot.
+    std::optional<std::string> draw(NumberedFrame& drawn, FilmWork& work);
 
 private:
     [[nodiscard]] bool blurs() const { return film_.script.plan().blur > 1; }
-    /// Draws the moments over which a frame is mixed, the last one at its middle.
-    void draw_moments(int number, FilmWork& work);
-    void draw_moment(const Document& document, FilmWork& work);
+    /// Draws the moments over which a frame is mixed, the last one at its end.
+    void draw_moments(int number, Framebuffer& frame, FilmWork& work);
+    void draw_moment(const Document& document, Framebuffer& frame, FilmWork& work);
 
     const Film& film_;
     const FilmWatch& watch_;
     std::optional<ValueRange> range_;
-    std::shared_ptr<Framebuffer> frame_;
     Coloring coloring_;  ///< of the last picture
 };
 
-void FrameDrawer::draw_moment(const Document& document, FilmWork& work) {
+NumberedFrame FrameDrawer::room() const {
+    NumberedFrame drawn;
+    drawn.frame = std::make_shared<Framebuffer>(film_.size.width, film_.size.height);
+    if (film_.keeps_light || blurs()) drawn.frame->keep_planes(film_.keeps_normals);
+    return drawn;
+}
+
+void FrameDrawer::draw_moment(const Document& document, Framebuffer& frame, FilmWork& work) {
     const PictureRequest request = request_at(film_, document);
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
     coloring_ = scene.coloring;
-    work.counters += render_frame(scene, request.camera, request.settings, *frame_,
+    work.counters += render_frame(scene, request.camera, request.settings, frame,
                                   {.limit = limit_for(film_, watch_)});
 }
 
-void FrameDrawer::draw_moments(int number, FilmWork& work) {
+void FrameDrawer::draw_moments(int number, Framebuffer& frame, FilmWork& work) {
     const FilmPlan& plan = film_.script.plan();
     LightSum sum;
     for (int i = 0; i < plan.blur; ++i) {
         const double place = (i + 0.5) / plan.blur - 0.5;
-        draw_moment(film_.script.document_at(number + plan.shutter * place), work);
-        sum.add(*frame_);
+        draw_moment(film_.script.document_at(number + plan.shutter * place), frame, work);
+        sum.add(frame);
     }
-    sum.put_mean(*frame_);
+    sum.put_mean(frame);
 }
 
-std::expected<std::shared_ptr<const Framebuffer>, std::string> FrameDrawer::draw(
-    int number, const Document& document, FilmWork& work) {
+std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& work) {
     const auto start = TimeLimit::Clock::now();
+    drawn.painted.reset();
     if (blurs()) {
-        draw_moments(number, work);
+        draw_moments(drawn.number, *drawn.frame, work);
     } else {
-        draw_moment(document, work);
+        draw_moment(drawn.document, *drawn.frame, work);
     }
+    auto painted = finish_picture(drawn.frame, {.document = drawn.document,
+                                                .camera = *drawn.document.camera,
+                                                .coloring = coloring_,
+                                                .legend = film_.legend});
+    if (!painted) return painted.error();
+    drawn.painted = std::move(*painted);
     work.drawing_ms += ms_since(start);
-    const Camera camera = *document.camera;
-    return finish_picture(
-        frame_,
-        {.document = document, .camera = camera, .coloring = coloring_, .legend = film_.legend});
+    ++work.drawn;
+    return std::nullopt;
 }
+
+/// Hands frames on, one after the other, on a thread of its own.
+class FrameTaker {
+public:
+    FrameTaker(const TakeFrame& take, const FilmWatch& watch) : take_(take), watch_(watch) {}
+
+    /// Begins to hand on a frame, which must stay as it is until the next wait().
+    void begin(const NumberedFrame& drawn) {
+        number_ = drawn.number;
+        taking_ = std::async(std::launch::async, [this, &drawn] { return take_(drawn.shown()); });
+    }
+    /// Waits for the frame that was begun last, if there is one; says why it was not taken.
+    std::optional<std::string> wait(FilmWork& work) {
+        if (!taking_.valid()) return std::nullopt;
+        const auto start = TimeLimit::Clock::now();
+        const auto taken = taking_.get();
+        work.waiting_ms += ms_since(start);
+        if (!taken) return taken.error().message;
+        if (watch_.on_frame) watch_.on_frame(number_);
+        return std::nullopt;
+    }
+
+private:
+    const TakeFrame& take_;
+    const FilmWatch& watch_;
+    int number_ = 0;
+    std::future<std::expected<void, FileError>> taking_;
+};
 
 }  // namespace
 
@@ -157,19 +206,24 @@ std::expected<FilmWork, std::string> draw_film(const Film& film, const TakeFrame
     const auto cancelled = [&] { return watch.cancel != nullptr && *watch.cancel; };
     FilmWork work;
     FrameDrawer drawer(film, watch);
+    NumberedFrame next = drawer.room();
+    NumberedFrame last = drawer.room();  // is being taken
+    FrameTaker taker(take, watch);
     for (int number = film.first; number <= film.last; ++number) {
-        const Document document = film.script.document_at(number);
-        if (!watch.has_frame || !watch.has_frame(number, document)) {
-            const auto painted = drawer.draw(number, document, work);
-            if (cancelled()) return std::unexpected("it was cancelled");
-            if (!painted) return std::unexpected(painted.error());
-            const PictureBand picture{.frame = drawer.frame(), .painted = **painted, .row = 0};
-            const auto taken = take({.number = number, .document = document, .picture = picture});
-            if (!taken) return std::unexpected(taken.error().message);
-            ++work.drawn;
+        next.number = number;
+        next.document = film.script.document_at(number);
+        if (watch.has_frame && watch.has_frame(number, next.document)) {
+            if (watch.on_frame) watch.on_frame(number);
+            continue;
         }
-        if (watch.on_frame) watch.on_frame(number);
+        const auto not_drawn = drawer.draw(next, work);
+        if (cancelled()) return std::unexpected("it was cancelled");
+        if (not_drawn) return std::unexpected(*not_drawn);
+        if (const auto not_taken = taker.wait(work)) return std::unexpected(*not_taken);
+        std::swap(next, last);
+        taker.begin(last);
     }
+    if (const auto not_taken = taker.wait(work)) return std::unexpected(*not_taken);
     return work;
 }
 

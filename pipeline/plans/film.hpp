@@ -40,7 +40,7 @@ struct FilmWatch {
     const std::atomic<bool>* cancel = nullptr;
     /// Whether a frame is there already and need not be drawn.
     std::function<bool(int number, const Document& document)> has_frame = {};
-    /// Called after each frame, drawn or not.
+    /// Called after each frame that was taken or is there.
     std::function<void(int number)> on_frame = {};
 };
 
@@ -50,11 +50,13 @@ using TakeFrame = std::function<std::expected<void, FileError>(const FilmFrame&)
 struct FilmWork {
     int drawn = 0;  ///< frames
     Counters counters;
-    double drawing_ms = 0.0;  ///< without that of taking the frames
+    double drawing_ms = 0.0;
+    double waiting_ms = 0.0;  ///< time in which nothing was drawn, as frames were taken too slowly
 };
 
-/// Draws the frames one after the other; the colours have one range for all. Ends with one line
-/// that says why where it was cancelled, the marks cannot be drawn or a frame was not taken.
+/// Draws the frames one after the other; the colours have one range for all. Each is taken on
+/// another thread while the next one is drawn. Ends with one line that says why where it was
+/// cancelled, the marks cannot be drawn or a frame was not taken.
 std::expected<FilmWork, std::string> draw_film(const Film& film, const TakeFrame& take,
                                                const FilmWatch& watch);
 

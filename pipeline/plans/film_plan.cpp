@@ -131,9 +131,9 @@ double progress_at(const FilmPlan& plan, double frame) {
             return eased(part - std::floor(part), plan.easing);
         }
         case FilmEnd::Bounce: {
-            const double part = 2 * frame / frames;
-            const double way = part - 2 * std::floor(part / 2);
-            return eased(way <= 1 ? way : 2 - way, plan.easing);
+            // The way back has the numbers of the way there, to the last bit.
+            const double place = frame - frames * std::floor(frame / frames);
+            return eased(2 * std::min(place, frames - place) / frames, plan.easing);
         }
     }
     return 0.0;

@@ -10,18 +10,21 @@ from command_line_depth_cases import DepthTest
 from command_line_error_cases import UnwritableTest, WrongInputTest
 from command_line_explain_cases import ExplainTest
 from command_line_film_cases import FilmTest, FormatTest
+from command_line_film_pixels_cases import FilmPixelsTest
+from command_line_lost_file_cases import LostFileTest
 from command_line_mesh_cases import MeshTest
 from rays import Box, Camera, Sphere
 from zeroset_program import SOURCE_DIR, ProgramTest, main, read_pfm, read_png, run
 
 # The test cases that unittest runs from here, imported ones included.
-__all__ = ["BenchTest", "BudgetTest", "DepthTest", "ExplainTest", "FilmTest", "FormatTest",
-           "MeshTest", "SignalTest", "UnwritableTest", "WrongInputTest"]
+__all__ = ["BenchTest", "BudgetTest", "DepthTest", "ExplainTest", "FilmPixelsTest",
+           "FilmTest", "FormatTest", "LostFileTest", "MeshTest", "SignalTest", "UnwritableTest",
+           "WrongInputTest"]
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
-              "frame_ms", "certified", "certified_coarse", "coarse_width", "undecided", "miss",
-              "jumps", "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
+              "frame_ms", "writing_ms", "certified", "certified_coarse", "coarse_width", "undecided",
+              "miss", "jumps", "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
               "evaluations"}
 
 

@@ -20,8 +20,10 @@ void draw_drawing_part(UiState& state);
 /// Draws a label in the width of this page; the control that follows fills the rest of the line.
 void draw_export_label(const char* label, const char* about);
 
-/// Draws the size in pixels, with a list of usual sizes. `even`: only even numbers.
-void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest);
+/// Draws the size in pixels, with a list of usual sizes. `even`: odd
+/// numbers become the next even ones.
+void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest,
+                      bool even = false);
 
 /// Draws the checkboxes of smooth edges and of a transparent background, where there can be one.
 void draw_surface_checks(bool& smooth, bool& alpha, bool has_alpha);

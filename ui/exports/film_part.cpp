@@ -22,10 +22,11 @@ namespace {
 
 constexpr int largest_film = 16384;
 constexpr double longest_s = 3600.0;
+constexpr int most_frames = 100'000;
 
 constexpr std::array<const char*, 4> axes{"up", "x", "y", "z"};
 constexpr std::array<const char*, 3> ends{"stop", "loop", "bounce"};
-constexpr std::array<const char*, 2> easings{"even", "slow at the ends"};
+constexpr std::array<const char*, 2> easings{"at an even speed", "slow at both ends"};
 
 /// Draws a list from which one of `names` is chosen.
 template <std::size_t count>
@@ -137,14 +138,23 @@ void draw_path(UiState& state) {
     if (ImGui::Button("Clear")) path.clear();
 }
 
+/// Draws how long the film is: seconds, frames and frames a second, of which any two make the
+/// third.
 void draw_time(FilmExport& film) {
-    draw_export_label("time", "How long it plays, and how many frames a second.");
-    ImGui::SetNextItemWidth(em(5.0F));
-    draw_number_field("##seconds", film.seconds, 0.01, longest_s);
-    ImGui::SameLine(0.0F, em(0.4F));
-    ImGui::TextUnformatted("s at");
-    ImGui::SameLine(0.0F, em(0.4F));
+    const auto text = [](const char* words) {
+        ImGui::SameLine(0.0F, em(0.4F));
+        ImGui::TextUnformatted(words);
+        ImGui::SameLine(0.0F, em(0.4F));
+    };
+    draw_export_label("time", "How long it plays, in seconds or frames, and how fast.");
     ImGui::SetNextItemWidth(em(4.0F));
+    draw_number_field("##seconds", film.seconds, 0.01, longest_s);
+    text("s =");
+    ImGui::SetNextItemWidth(em(4.0F));
+    int frames = film.frames();
+    if (draw_integer_field("##frames", frames, 1, most_frames)) film.take_frames(frames);
+    text("frames at");
+    ImGui::SetNextItemWidth(-em(2.6F));
     draw_integer_field("##rate", film.plan.rate.frames, 1, 240);
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::TextUnformatted("fps");
@@ -200,7 +210,7 @@ void draw_film_part(UiState& state, const ExportFormat& format) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     draw_enum("##easing", easings, film.plan.easing);
-    draw_size_fields(film.size_px, state.input.viewport_px, largest_film);
+    draw_size_fields(film.size_px, state.input.viewport_px, largest_film, format.even);
     draw_blur(film.plan);
     if (format.quality) {
         draw_export_label("quality", "Less makes smaller files.");

@@ -36,7 +36,7 @@ std::vector<UsualSize> usual_sizes(const glm::ivec2& window_px) {
 }
 
 void draw_bits(PictureExport& wish, const ExportFormat& format) {
-    if (format.bits[1] == 0) return;
+    if (!format.deep) return;
     draw_export_label("bits", "Of each colour channel.");
     const int bits = wish.bits == format.bits[1] ? wish.bits : format.bits[0];
     if (!ImGui::BeginCombo("##bits", std::to_string(bits).c_str())) return;
@@ -52,7 +52,7 @@ void draw_export_label(const char* label, const char* about) {
     draw_label(label, about, export_label_em);
 }
 
-void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest) {
+void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int largest, bool even) {
     draw_export_label("size", "Width and height in pixels.");
     const float arrow = ImGui::GetFrameHeight();
     const float room = ImGui::GetContentRegionAvail().x - arrow - em(2.0F);
@@ -73,6 +73,7 @@ void draw_size_fields(glm::ivec2& size_px, const glm::ivec2& window_px, int larg
         ImGui::EndCombo();
     }
     draw_tooltip("Usual sizes");
+    if (even) size_px += size_px % 2;
 }
 
 void draw_surface_checks(bool& smooth, bool& alpha, bool has_alpha) {

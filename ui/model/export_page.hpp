@@ -46,6 +46,9 @@ struct FilmExport {
         const double count = std::round(seconds * plan.rate.frames / plan.rate.seconds);
         return count < 1.0 ? 1 : static_cast<int>(count);
     }
+    void take_frames(int count) {
+        seconds = static_cast<double>(count) * plan.rate.seconds / plan.rate.frames;
+    }
 };
 
 /// What is asked for of meshes.

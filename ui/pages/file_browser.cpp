@@ -60,6 +60,14 @@ fs::path typed_path(const FileChoice& choice) {
     return folder / with_ending(choice, choice.name);
 }
 
+/// The file that saving replaces first: that of a film in numbered pictures has zeros for its #.
+fs::path first_written(const fs::path& path) {
+    std::string name = path.filename().string();
+    for (std::size_t i = name.find_last_of('#'); i < name.size() && name[i] == '#'; --i)
+        name[i] = '0';
+    return path.parent_path() / name;
+}
+
 /// Opens the typed folder or accepts the typed file; asks once before a file is replaced.
 void accept(FileChoice& choice) {
     if (choice.name.empty()) return;
@@ -69,7 +77,7 @@ void accept(FileChoice& choice) {
         choice.name.clear();
         return go_to(choice, path);
     }
-    const bool exists = fs::exists(path, ignored);
+    const bool exists = fs::exists(first_written(path), ignored);
     if (saves(choice) && exists && !choice.asks_replace) {
         choice.asks_replace = true;
         return;

@@ -132,6 +132,14 @@ void set_colors(ImGuiStyle& style, const Palette& colors) {
 
 const Palette& palette(Theme theme) { return theme == Theme::Dark ? dark : light; }
 
+Background picture_background(Theme theme) {
+    // Palettes have red in the lowest byte, backgrounds blue.
+    const auto turned = [](std::uint32_t color) {
+        return (color & 0xFFU) << 16U | (color & 0xFF00U) | (color >> 16U & 0xFFU);
+    };
+    return {.top = turned(palette(theme).sky), .bottom = turned(palette(theme).ground)};
+}
+
 void apply_theme(Theme theme, float scale) {
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();

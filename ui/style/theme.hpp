@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/image/background.hpp"
 #include "ui/model/theme.hpp"
 
 #include <cstdint>
@@ -36,6 +37,9 @@ struct Palette {
 };
 
 const Palette& palette(Theme theme);
+
+/// What a theme shows behind the picture.
+Background picture_background(Theme theme);
 
 /// Sets ImGui's style; `scale` is in window coordinates per design unit.
 void apply_theme(Theme theme, float scale);

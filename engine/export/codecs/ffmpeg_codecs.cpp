@@ -20,8 +20,8 @@ int on_scale(int quality, double best, double worst) {
 }
 
 void set_up_h264(AVCodecContext& encoder, const FilmSettings& settings) {
-    av_opt_set(encoder.priv_data, "preset", "veryfast", 0);
-    av_opt_set_double(encoder.priv_data, "crf", on_scale(settings.quality, 12, 40), 0);
+    av_opt_set(encoder.priv_data, "preset", "superfast", 0);
+    av_opt_set_double(encoder.priv_data, "crf", on_scale(settings.quality, 15, 43), 0);
 }
 
 void set_up_vp9(AVCodecContext& encoder, const FilmSettings& settings) {

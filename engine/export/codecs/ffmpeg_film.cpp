@@ -66,6 +66,7 @@ void FfmpegFilm::set_up_encoder() {
     encoder.pix_fmt = settings_.alpha ? row_.with_alpha : row_.opaque;
     encoder.sample_aspect_ratio = av_make_q(1, 1);
     encoder.flags |= AV_CODEC_FLAG_BITEXACT;
+    encoder.thread_count = 0;  // as many as there are cores
     if (row_.is_video) {
         encoder.color_range = AVCOL_RANGE_MPEG;
         encoder.colorspace = AVCOL_SPC_BT709;

@@ -74,6 +74,14 @@ std::string even_size(const FilmSettings& settings) {
            std::to_string(settings.height + settings.height % 2);
 }
 
+std::string transparent_endings() {
+    std::vector<std::string_view> endings;
+    for (const FilmFormat& format : formats) {
+        if (format.alpha) endings.push_back(format.ending);
+    }
+    return one_of(endings);
+}
+
 }  // namespace
 
 std::span<const FilmFormat> film_formats() { return formats; }
@@ -90,9 +98,10 @@ std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings&
     if (!missing.empty())
         return "no " + name + ": " + missing + "; numbered frames need none: type frame####.png";
     if (settings.alpha && !format.alpha)
-        return "a film in " + name + " cannot be transparent; .webm, .mov and .apng can";
+        return "a film in " + name + " cannot be transparent; type a name that ends in " +
+               transparent_endings();
     if (format.even && (settings.width % 2 != 0 || settings.height % 2 != 0))
-        return name + " has even sides only; type --size " + even_size(settings);
+        return name + " has even sides only: " + even_size(settings) + " would do";
     if (std::max(settings.width, settings.height) > format.largest_side) {
         return name + " films cannot be larger than " + std::to_string(format.largest_side) +
                " pixels a side";
@@ -100,7 +109,7 @@ std::optional<std::string> refusal(const FilmFormat& format, const FilmSettings&
     const double rate = static_cast<double>(settings.rate.frames) / settings.rate.seconds;
     if (rate > format.largest_rate) {
         return name + " plays " + std::to_string(static_cast<int>(format.largest_rate)) +
-               " frames a second at most; type a smaller --fps";
+               " frames a second at most";
     }
     return std::nullopt;
 }

@@ -78,6 +78,20 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_exr_picture},
 }};
 
+bool has_bits(const PictureFormat& format, int bits) {
+    return std::ranges::find(format.bits, bits) != format.bits.end();
+}
+
+/// "; type a name that ends in ..." with the endings of the formats that can; or nothing.
+template <class Can>
+std::string other_ending(const Can& can) {
+    std::vector<std::string_view> endings;
+    for (const PictureFormat& format : formats) {
+        if (can(format)) endings.push_back(format.endings[0]);
+    }
+    return endings.empty() ? "" : "; type a name that ends in " + one_of(endings);
+}
+
 std::string size_text(const ImageSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
@@ -121,10 +135,12 @@ std::optional<std::string> refusal(const PictureFormat& format, const PictureOpt
             return "no " + name + ": " + missing + "; type a name that ends in .png";
     }
     if (options.alpha && !format.alpha)
-        return "a " + name + " cannot be transparent; type a name that ends in .png or .webp";
-    if (std::ranges::find(format.bits, options.bits) == format.bits.end()) {
-        return "a " + name + " cannot have " + std::to_string(options.bits) +
-               " bits a channel; PNG and TIFF have 8 or 16, OpenEXR 32";
+        return "a " + name + " cannot be transparent" +
+               other_ending([](const PictureFormat& other) { return other.alpha; });
+    if (!has_bits(format, options.bits)) {
+        return "a " + name + " cannot have " + std::to_string(options.bits) + " bits a channel" +
+               other_ending(
+                   [&](const PictureFormat& other) { return has_bits(other, options.bits); });
     }
     return size_refusal(format, options);
 }

@@ -13,15 +13,25 @@
 namespace zeroset {
 namespace {
 
+/// Writes a pixel's channels as bytes.
+template <unsigned channels>
+std::uint8_t* append_8(std::uint32_t color, std::uint8_t* out) {
+    for (unsigned channel = 0; channel < channels; ++channel)
+        *out++ = static_cast<std::uint8_t>(color >> 8U * channel & 0xFFU);
+    return out;
+}
+
 void write_row_8(const PictureBand& band, int row, int height, bool alpha, std::uint8_t* out) {
     const Framebuffer& frame = band.frame;
-    const std::uint32_t background = background_color(frame.background, band.row + row, height);
-    for (std::size_t at = frame.index(0, row); at < frame.index(0, row + 1); ++at) {
-        const std::uint32_t color =
-            alpha ? drawn_color(frame, band.painted, at, background) : band.painted.color[at];
-        for (unsigned shift = 0; shift < (alpha ? 32U : 24U); shift += 8)
-            *out++ = static_cast<std::uint8_t>(color >> shift & 0xFFU);
+    const std::size_t end = frame.index(0, row + 1);
+    if (!alpha) {
+        for (std::size_t at = frame.index(0, row); at < end; ++at)
+            out = append_8<3>(band.painted.color[at], out);
+        return;
     }
+    const std::uint32_t background = background_color(frame.background, band.row + row, height);
+    for (std::size_t at = frame.index(0, row); at < end; ++at)
+        out = append_8<4>(drawn_color(frame, band.painted, at, background), out);
 }
 
 std::uint8_t* append_16(float shown, std::endian order, std::uint8_t* out) {

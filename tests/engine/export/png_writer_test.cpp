@@ -102,6 +102,17 @@ TEST(PngWriter, WritesWhatStbReads) {
     }
 }
 
+TEST(PngWriter, WritesWhatCannotGetSmaller) {
+    const PngFormat format{.width = 700, .height = 400, .channels = 4, .bits = 16, .texts = {}};
+    std::mt19937 random(11);
+    Bytes rows(format.row_bytes() * static_cast<std::size_t>(format.height));
+    for (std::uint8_t& byte : rows)
+        byte = static_cast<std::uint8_t>(random());
+    const std::vector<std::byte> file = png_from(format, rows, 200);
+    EXPECT_EQ(decoded(file, format), rows);
+    EXPECT_LE(file.size(), rows.size() + rows.size() / 100);
+}
+
 TEST(PngWriter, WritesOnePixel) {
     const PngFormat format{.width = 1, .height = 1, .texts = {}};
     const Bytes rows{1, 2, 3};

@@ -42,6 +42,9 @@ TEST(ExportFormats, TellTheEndings) {
     EXPECT_EQ(export_endings(ExportKind::Film), ".mp4, .webm, .mov, .mkv, .gif or .apng");
     EXPECT_EQ(export_endings(ExportKind::Mesh), ".stl, .3mf, .ply, .obj or .glb");
     EXPECT_EQ(export_endings(ExportKind::Drawing), ".svg, .pdf or .tex");
+    EXPECT_EQ(export_endings(ExportKind::Picture, &ExportFormat::deep), ".png or .tif");
+    EXPECT_EQ(export_endings(ExportKind::Picture, &ExportFormat::density), ".png, .tif or .exr");
+    EXPECT_EQ(export_endings(ExportKind::Film, &ExportFormat::quality), ".mp4 or .webm");
 }
 
 TEST(ExportFormats, NameTheCommandOfAnotherKindsEnding) {

@@ -40,7 +40,8 @@ protected:
              .name = "MP4",
              .ending = ".mp4",
              .about = "plays",
-             .quality = true},
+             .quality = true,
+             .even = true},
             {.kind = ExportKind::Film,
              .name = "PNG",
              .ending = ".png",
@@ -104,6 +105,27 @@ TEST_P(ExportPages, TakeTypedSizes) {
     EXPECT_EQ(page().wish.picture.size_px.x, 3840);
     EXPECT_EQ(page().wish.picture.size_px.y, 1080);
     EXPECT_FALSE(state_.wishes.command) << "Enter in a field is not Save";
+}
+
+TEST_P(ExportPages, TakeATypedNumberOfFrames) {
+    open("Save a film...");
+    click_at(line(5, 0.48F));
+    OffscreenWindow::type("45");
+    draw_frame();
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(page().wish.film.frames(), 45);
+    EXPECT_DOUBLE_EQ(page().wish.film.seconds, 1.5);
+}
+
+TEST_P(ExportPages, KeepTheSidesEvenWhereFilmsWantThat) {
+    open("Save a film...");
+    page().wish.film.size_px = {641, 360};
+    draw();
+    EXPECT_EQ(page().wish.film.size_px, glm::ivec2(642, 360));
+    page().endings[1] = "####.png";
+    page().wish.film.size_px = {641, 360};
+    draw();
+    EXPECT_EQ(page().wish.film.size_px, glm::ivec2(641, 360));
 }
 
 TEST_P(ExportPages, SaveByEnter) {
