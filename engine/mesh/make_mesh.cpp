@@ -224,14 +224,12 @@ void MeshMaker::thin_mesh() {
     how.most_triangles = most;
     constexpr int most_rounds = 40;
     for (int i = 0; i < most_rounds && most > 0 && contour_.mesh.triangles.size() > most; ++i) {
-        if (work_.limit.over()) {
-            report_.cut = true;
-            break;
-        }
+        if (work_.limit.over()) break;
         how.tolerance *= 1.4;
         thin(contour_.mesh, solid_, how);
     }
     report_.tolerance = how.tolerance;
+    report_.cut = report_.cut || work_.limit.over();
     if (contour_.mesh.triangles.size() < report_.thinned_from) report_.unchanged = false;
 }
 
