@@ -16,7 +16,7 @@ void add_look_options(CLI::App& app, LookText& look) {
 
 void add_light_options(CLI::App& app, LightText& light) {
     add_value(app, "--look", light.look,
-              "standard (default), matte, porcelain, metal, glass, clay or technical");
+              "standard (default), phong, matte, porcelain, metal, glass, clay or technical");
     add_repeated(app, "--light", light.lights,
                  "a light instead of the look's own: X,Y,Z towards it, or camera X,Y,Z (right, up, "
                  "back); then, each after a ;, power P, size DEGREES (soft shadows), color "

@@ -154,6 +154,7 @@ Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
             {"certified_coarse", counts.coarse},
             {"coarse_width", counts.coarse > 0 ? Json(timing.counters.coarse_width) : Json()},
             {"certified_width", width ? Json(*width) : Json()},
+            {"unproved_shadows", timing.counters.unproved_shadows},
             {"surfaces", surfaces},
             {"evaluations",
              {{"range", timing.counters.range},

@@ -281,11 +281,7 @@ void Desktop::follow_edits() {
 void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
-    Document document = read_document(gallery()[*picked]).document;
-    keep_settings(document, state_.edited.document);
-    document.coloring = state_.edited.document.coloring;
-    document.coloring.range.reset();
-    session_.show(std::move(document));
+    session_.show(taken_over(gallery()[*picked], state_.edited.document));
     window_.wake();
 }
 

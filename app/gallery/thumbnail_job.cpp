@@ -57,7 +57,9 @@ std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
          {shown.clip.lo, shown.clip.hi, camera.eye, camera.look_at, camera.up}) {
         numbers.insert(numbers.end(), {point.x, point.y, point.z});
     }
-    return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" + text_of(numbers);
+    numbers.push_back(shown.light.reflections);
+    return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" +
+           std::string(name_of(shown.light.look)) + text_of(numbers);
 }
 
 ThumbnailJob::ThumbnailJob(ThumbnailCache cache, Priority priority,

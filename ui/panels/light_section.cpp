@@ -33,6 +33,7 @@ std::string shown_name(Look look) {
 const char* about(Look look) {
     switch (look) {
         case Look::Standard: return "A little gloss; quickest to draw.";
+        case Look::Phong: return "One light and a sharp highlight, as in figures of papers.";
         case Look::Matte: return "No gloss at all.";
         case Look::Porcelain: return "Whitish, under a clear glaze.";
         case Look::Metal: return "Mirrors its surroundings in its own colour.";
