@@ -252,6 +252,7 @@ void RenderJob::publish(const Work& work, RenderResult result) {
     result.camera = work.request.camera;
     result.precision = work.precision;
     result.coloring = work.request.scene.coloring;
+    result.uniforms = work.request.scene.uniforms;
     {
         const std::scoped_lock lock(mutex_);
         if (cancel_) return;

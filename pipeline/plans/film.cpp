@@ -113,6 +113,7 @@ private:
     std::optional<ValueRange> range_;
     std::shared_ptr<Framebuffer> frame_;
     Coloring coloring_;  ///< of the last picture
+    Uniforms uniforms_;
 };
 
 void FrameDrawer::draw_moment(const Document& document, FilmWork& work) {
@@ -120,6 +121,7 @@ void FrameDrawer::draw_moment(const Document& document, FilmWork& work) {
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
     coloring_ = scene.coloring;
+    uniforms_ = scene.uniforms;
     work.counters += render_frame(scene, request.camera, request.settings, *frame_,
                                   {.limit = limit_for(film_, watch_)});
 }
@@ -145,9 +147,11 @@ std::expected<std::shared_ptr<const Framebuffer>, std::string> FrameDrawer::draw
     }
     work.drawing_ms += ms_since(start);
     const Camera camera = *document.camera;
-    return finish_picture(
-        frame_,
-        {.document = document, .camera = camera, .coloring = coloring_, .legend = film_.legend});
+    return finish_picture(frame_, {.document = document,
+                                   .camera = camera,
+                                   .coloring = coloring_,
+                                   .uniforms = uniforms_,
+                                   .legend = film_.legend});
 }
 
 }  // namespace
