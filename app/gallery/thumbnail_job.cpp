@@ -84,7 +84,7 @@ DrawThumbnail gallery_thumbnails(ThumbnailCache cache) {
         const ReadDocument read = read_document(gallery()[item]);
         const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
         if (cancel) return std::nullopt;
-        if (!prepared) return RgbaImage(size_px.x, size_px.y);
+        if (!prepared) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
         const auto image =
             thumbnail_of(render_request(request_of(*prepared, read.document, 2 * size_px)), cancel);
         if (image) cache.keep(key, *image);

@@ -147,8 +147,9 @@ TEST_F(Thumbnails, AreNotThoseOfBeforeWhatIsDrawnChanged) {
     std::atomic<bool> begun = false;
     std::atomic<std::uint32_t> shade = 1;
     WatchedJob watched([&](std::size_t, glm::ivec2 size, const std::atomic<bool>& cancel) {
-        RgbaImage image(size.x, size.y);
-        image.pixels.assign(image.pixels.size(), shade);
+        const RgbaImage image{
+            size.x, size.y,
+            std::vector<std::uint32_t>(static_cast<std::size_t>(size.x * size.y), shade)};
         begun = true;
         while (shade == 1 && !cancel) {
         }
