@@ -135,7 +135,8 @@ SoftHit PathLight::soft_hit(const PathHit& hit) const {
             .normal = normal,
             .error = cosine * hit.hit.error,
             .seed = (static_cast<std::uint32_t>(tile_.row) + row) * 65536U +
-                    static_cast<std::uint32_t>(tile_.col) + col};
+                    static_cast<std::uint32_t>(tile_.col) + col,
+            .gradient = hit.hit.gradient};
 }
 
 void PathLight::ask_shadows(std::span<const PathHit> hits, std::size_t light,

@@ -71,6 +71,8 @@ SceneRay leaving(const SoftHit& hit, const glm::dvec3& direction) {
     ray.direction = UnitVector(direction);
     const double cosine = std::abs(glm::dot(glm::dvec3(ray.direction), hit.normal));
     ray.own_error = hit.error / std::max(cosine, 1e-3);
+    const double slope = glm::dot(hit.gradient, direction);
+    ray.own_sign = slope > 0.0 ? 1 : slope < 0.0 ? -1 : 0;
     return ray;
 }
 
