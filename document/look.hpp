@@ -33,8 +33,10 @@ inline constexpr double most_line_px = 20.0;
 struct LineChoice {
     Contours contours = Contours::None;
     std::string expression = {};  ///< for Contours::Expression; UTF-8
-    /// From line to line; above 0. None: some twenty lines in the clip box, 1 for expressions.
+    /// From line to line; above 0. None: some twenty lines in the clip box, some ten on the
+    /// surfaces for expressions.
     std::optional<double> step = std::nullopt;
+    bool labels = false;         ///< with numbers along contour lines
     double width_px = 1.4;       ///< least_line_px to most_line_px
     bool intersections = false;  ///< lines where two surfaces meet
 

@@ -4,6 +4,7 @@
 #include "engine/interpret/interpret.hpp"
 #include "engine/rewrite/differences/derivatives.hpp"
 #include "jit/compile.hpp"
+#include "pipeline/contour_step.hpp"
 #include "pipeline/input_error.hpp"
 
 #include <cmath>
@@ -45,20 +46,12 @@ PointFunction code_of(const Expr& expr) {
     return interpret_points(expr);
 }
 
-/// The greatest of 1, 2, 5 times a power of ten that is no more than `length`.
-double even_step(double length) {
-    const double power = std::pow(10.0, std::floor(std::log10(length)));
-    for (const double digit : {5.0, 2.0}) {
-        if (digit * power <= length) return digit * power;
-    }
-    return power;
-}
-
 SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, const glm::dvec3& up,
                       const Box& clip) {
     constexpr double lines_a_box = 20.0;
     SurfaceLines lines;
     lines.width_px = static_cast<float>(choice.width_px);
+    lines.labels = choice.labels;
     lines.intersections = choice.intersections;
     switch (choice.contours) {
         case Contours::None: break;

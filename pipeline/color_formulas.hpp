@@ -37,7 +37,8 @@ std::optional<InputError> check_contours(const RowProgram& rows, const LineChoic
 std::expected<Expr, InputError> contour_expression(const LineChoice& lines, const RowProgram& rows);
 
 /// Colours a scene by the choice. `shown`: indices of the program's surfaces in the scene. Heights
-/// are measured along the axis nearest to `up`, the camera's up.
+/// are measured along the axis nearest to `up`, the camera's up. The step of an expression's
+/// contour lines is 1 where the choice leaves it open.
 Coloring coloring_of(const ColorChoice& choice, const ColorFormulas& formulas,
                      const std::vector<std::size_t>& shown, const glm::dvec3& up, const Box& clip);
 

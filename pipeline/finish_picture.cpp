@@ -2,6 +2,7 @@
 
 #include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/card_style.hpp"
+#include "engine/annotate/contour_labels.hpp"
 #include "engine/annotate/label_font.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/annotate/markers.hpp"
@@ -54,11 +55,26 @@ Shapes legend_over(const ImageSize& size, const FrameSubject& subject, const Car
     return legend_shapes({.legend = &legend}, canvas - margin, canvas - 2.0 * margin, style);
 }
 
+bool has_contour_labels(const FrameSubject& subject) {
+    const SurfaceLines& lines = subject.coloring.lines;
+    return lines.labels && !lines.contours.empty();
+}
+
+Shapes labels_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject,
+                   const CardStyle& style) {
+    return contour_label_shapes({.frame = shown,
+                                 .camera = subject.camera,
+                                 .lines = subject.coloring.lines,
+                                 .uniforms = subject.uniforms,
+                                 .size = canvas_of(size)},
+                                style);
+}
+
 }  // namespace
 
 bool has_marks(const FrameSubject& subject) {
     return axes_choice(subject.document).any() || !subject.document.markers.empty() ||
-           needs_legend(subject);
+           needs_legend(subject) || has_contour_labels(subject);
 }
 
 PictureMarks::PictureMarks(LabelFont font, Shapes shapes)
@@ -73,6 +89,7 @@ std::expected<PictureMarks, std::string> PictureMarks::make(const Framebuffer& s
         card_style_for(size.width, size.height,
                        [&](std::string_view words, double em) { return font->width(words, em); });
     Shapes shapes = axes_over(shown, size, subject);
+    append(shapes, labels_over(shown, size, subject, style));
     append(shapes, markers_over(shown, size, subject, style));
     append(shapes, legend_over(size, subject, style));
     return PictureMarks(std::move(*font), std::move(shapes));

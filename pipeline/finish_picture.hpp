@@ -18,6 +18,7 @@ struct FrameSubject {
     const Document& document;
     const Camera& camera;      ///< the camera that the frame was drawn with
     const Coloring& coloring;  ///< the frame's colouring, with the range of its values
+    const Uniforms& uniforms;  ///< the frame's, of what contour lines are of
     bool legend = true;        ///< draw a legend, if the colours stand for something
 };
 

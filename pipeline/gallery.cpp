@@ -32,6 +32,14 @@ Camera camera_of(const json& camera) {
             .fov_rad = glm::radians(camera.at("fov").get<double>())};
 }
 
+/// Reads the look, and how often it mirrors light.
+LightChoice light_of(const json& item) {
+    LightChoice light;
+    if (item.contains("look")) light.look = look_named(item.at("look").get<std::string>()).value();
+    light.reflections = item.value("reflections", 0);
+    return light;
+}
+
 /// Reads an item. `group`: used for an item that names none.
 GalleryItem item_of(const json& item, const std::string& group) {
     GalleryItem result;
@@ -43,6 +51,7 @@ GalleryItem item_of(const json& item, const std::string& group) {
     result.source = item.at("source");
     result.clip = box_of(item.at("box"));
     result.w = item.value("w", 0.0);
+    result.light = light_of(item);
     if (item.contains("camera")) {
         result.camera = camera_of(item.at("camera"));
     } else if (item.at("box").is_number()) {
@@ -74,8 +83,20 @@ ReadDocument read_document(const GalleryItem& item) {
     Document& document = read.document;
     document.clip = item.clip;
     document.camera = document.home = item.camera;
+    document.light = item.light;
     set_value(document.w, item.w);
     return read;
+}
+
+Document taken_over(const GalleryItem& item, const Document& last) {
+    Document document = read_document(item).document;
+    keep_settings(document, last);
+    document.coloring = last.coloring;
+    document.coloring.range.reset();
+    const bool is_of_gallery =
+        std::ranges::find(gallery(), last.light, &GalleryItem::light) != gallery().end();
+    if (is_of_gallery || last.light == LightChoice()) document.light = item.light;
+    return document;
 }
 
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name) {

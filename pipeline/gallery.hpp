@@ -23,6 +23,7 @@ struct GalleryItem {
     Box clip;
     double w = 0.0;
     std::optional<Camera> camera;  ///< default_camera(clip) when absent
+    LightChoice light = {};        ///< the look that suits it
 };
 
 /// The group of surfaces from papers, which the benchmark times.
@@ -31,8 +32,13 @@ inline constexpr std::string_view suite_group = "From the papers";
 /// All items, in the order of the files, which are compiled into the program.
 const std::vector<GalleryItem>& gallery();
 
-/// Returns the item as a document with the item's view.
+/// Returns the item as a document with the item's view and light.
 ReadDocument read_document(const GalleryItem& item);
+
+/// Returns the item as a document that takes the place of `last`: with the settings that a person
+/// made there for all surfaces. A light of one's own stays; the usual one and those that the gallery
+/// brings give way to the item's.
+Document taken_over(const GalleryItem& item, const Document& last);
 
 /// Returns the item called `name` (without "@"), or an error that names the nearest one.
 std::expected<GalleryItem, InputError> gallery_item(std::string_view name);

@@ -2,6 +2,7 @@
 
 #include "document/colors.hpp"
 #include "engine/scene/precision.hpp"
+#include "pipeline/contour_step.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -105,6 +106,10 @@ Scene scene_of(const PictureRequest& request) {
     }
     scene.coloring = coloring_of(request.coloring, *request.colors, shown_indices(request),
                                  request.camera.up, request.clip);
+    SurfaceLines& lines = scene.coloring.lines;
+    const bool leaves_step = !request.coloring.lines.step && !lines.contours.empty();
+    if (leaves_step && lines.contours.front().code)
+        lines.step = contour_step(scene, lines.contours.front().code);
     return scene;
 }
 

@@ -9,14 +9,14 @@ void add_look_options(CLI::App& app, LookText& look) {
     add_color_options(app, look);
     add_value(app, "--contours", look.contours,
               "contour lines: height, xyz (the coordinates' grid), an expression, or none; then, "
-              "each after a ;, step S and width PIXELS");
+              "each after a ;, step S, width PIXELS and labels");
     add_switch(app, "intersections", look.intersections, "draw lines where two surfaces meet");
     add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
 }
 
 void add_light_options(CLI::App& app, LightText& light) {
     add_value(app, "--look", light.look,
-              "standard (default), matte, porcelain, metal, glass, clay or technical");
+              "standard (default), phong, matte, porcelain, metal, glass, clay or technical");
     add_repeated(app, "--light", light.lights,
                  "a light instead of the look's own: X,Y,Z towards it, or camera X,Y,Z (right, up, "
                  "back); then, each after a ;, power P, size DEGREES (soft shadows), color "

@@ -29,6 +29,7 @@ using Json = nlohmann::ordered_json;
 struct BenchPlan {
     std::vector<BenchItem> items;
     std::vector<TraceSettings> settings;  ///< one for each tracer
+    LightChoice light;
     Size size{};
     int repeats = 5;
     double budget_s = default_budget_s;  ///< for each frame
@@ -46,6 +47,9 @@ std::optional<InputError> check_first_picture(const BenchCommand& command) {
     if (command.shadows) return InputError{.reason = has + "no --shadows; leave it out"};
     if (command.antialias) return InputError{.reason = has + "no --antialias; leave it out"};
     if (command.aa) return InputError{.reason = has + "no --aa; leave it out"};
+    if (command.light.look) return InputError{.reason = has + "no --look; leave it out"};
+    if (command.light.reflections)
+        return InputError{.reason = has + "no --reflections; leave it out"};
     if (command.tracers && command.tracers->contains(',')) {
         return InputError{.reason =
                               has + "one --tracer; type " + std::string(tracers().front().name)};
@@ -71,6 +75,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
     const auto budget = read_budget(command.budget);
     if (!budget) return std::unexpected(budget.error());
     plan.budget_s = *budget;
+    if (const auto wrong = take_light(command.light, plan.light)) return std::unexpected(*wrong);
     const std::string names = command.tracers.value_or(std::string(tracers().front().name));
     for (std::size_t begin = 0; begin <= names.size();) {
         const std::size_t end = std::min(names.find(',', begin), names.size());
@@ -83,6 +88,7 @@ OrInputError<BenchPlan> plan_of(const BenchCommand& command) {
         plan.settings.push_back(*settings);
         plan.settings.back().shadows = command.shadows;
         plan.settings.back().antialias = *antialias;
+        plan.settings.back().reflections = plan.light.reflections;
         begin = end + 1;
     }
     if (!command.suite) {
@@ -106,10 +112,12 @@ struct BenchCell {
 OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
                                 const TraceSettings& settings) {
     if (!item.read.rows) return std::unexpected(item.read.rows.error());
-    const auto prepared = prepare(item.read.document, *item.read.rows, Preparation::Compiled);
+    Document document = item.read.document;
+    document.light = plan.light;
+    const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
     if (!prepared) return std::unexpected(prepared.error());
     PictureRequest request =
-        picture_request(prepared->formula, prepared->colors, item.read.document, settings,
+        picture_request(prepared->formula, prepared->colors, document, settings,
                         {plan.size.width, plan.size.height});
     add_needed_code(request);
     const Scene scene = scene_of(request);
@@ -239,6 +247,8 @@ int run_bench(const BenchCommand& command) {
                                   {"d_stop", plan->settings.front().stop.value},
                                   {"shadows", command.shadows},
                                   {"antialias", name_of(plan->settings.front().antialias)},
+                                  {"look", name_of(plan->light.look)},
+                                  {"reflections", plan->light.reflections},
                                   {"geometric_mean_ms", by_tracer(*plan, means)},
                                   {"geometric_mean_times_floor", by_tracer(*plan, floors)},
                                   {"surfaces", surfaces}}

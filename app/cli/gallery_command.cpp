@@ -17,6 +17,8 @@ void print_json() {
                          {"title", item.title},
                          {"equation", item.equation},
                          {"about", item.about},
+                         {"look", name_of(item.light.look)},
+                         {"reflections", item.light.reflections},
                          {"source", item.source}});
     }
     std::cout << items.dump(2) << "\n";

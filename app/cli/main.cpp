@@ -102,6 +102,9 @@ CLI::App* add_bench(CLI::App& app, BenchCommand& bench) {
         bench_app->add_flag("--antialias", bench.antialias, "smooth edges: --aa iaa");
     add_value(*bench_app, "--aa", bench.aa, "smooth edges: iaa, none, or 4, 9, 16, 64 rays a pixel")
         ->excludes(smooth);
+    add_value(*bench_app, "--look", bench.light.look, "as for render (default standard)");
+    add_value(*bench_app, "--reflections", bench.light.reflections,
+              "how often a ray is mirrored, 0 (default) to 5");
     add_value(*bench_app, "--budget", bench.budget,
               "seconds after which a frame ends undecided (default 30)");
     add_value(*bench_app, "--json", bench.json, "also as a JSON file; - for JSON alone");

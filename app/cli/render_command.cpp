@@ -155,6 +155,9 @@ Json stats_of(const RenderedPicture& picture, const RenderFiles& files) {
             {"certified_coarse", counts.coarse},
             {"coarse_width", counts.coarse > 0 ? Json(timing.counters.coarse_width) : Json()},
             {"certified_width", width ? Json(*width) : Json()},
+            {"contour_step",
+             scene.coloring.lines.contours.empty() ? Json() : Json(scene.coloring.lines.step)},
+            {"unproved_shadows", timing.counters.unproved_shadows},
             {"surfaces", surfaces},
             {"evaluations",
              {{"range", timing.counters.range},
@@ -191,6 +194,7 @@ std::expected<void, std::string> add_whole(const RenderCommand& command,
     const FrameSubject subject{.document = made->plan.document,
                                .camera = made->request.camera,
                                .coloring = made->scene.coloring,
+                               .uniforms = made->scene.uniforms,
                                .legend = made->plan.legend};
     const std::shared_ptr<const Framebuffer> frame(made, &made->frame);
     std::expected<std::shared_ptr<const Framebuffer>, std::string> painted = frame;

@@ -2,6 +2,7 @@
 
 #include "document/colors.hpp"
 #include "document/play.hpp"
+#include "engine/annotate/contour_labels.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/base/text.hpp"
 #include "engine/language/help.hpp"
@@ -13,6 +14,7 @@
 #include "pipeline/plans/export_formats.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
+#include "ui/picture/draw_shapes.hpp"
 #include "ui/screen.hpp"
 #include "ui/widgets/typing_popup.hpp"
 #include "ui/window/texture.hpp"
@@ -90,6 +92,8 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       latency_(options.latency_log.empty() ? nullptr
                                            : std::make_unique<LatencyLog>(options.latency_log)),
       cards_(options.keeps_files, [this] { window_.wake(); }),
+      look_cards_(options.keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
+                  [this] { window_.wake(); }),
       feed_([this] { window_.wake(); },
             [this] {
                 if (latency_ != nullptr) latency_->picture_ready();
@@ -122,6 +126,7 @@ void Desktop::draw_frame() {
     feed_.take_double();
     take_frame();
     cards_.show(state_);
+    look_cards_.show(state_);
     exports_.show(state_);
     follow_waiting();
     if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
@@ -130,6 +135,7 @@ void Desktop::draw_frame() {
     window_.begin_frame(state_.edited.theme);
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
+    look_cards_.follow(state_, feed_.on_screen());
     // Jobs get the edits before the frame waits for the screen.
     follow_edits();
     follow_waiting();
@@ -153,7 +159,7 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           cards_.settled() && exports_.settled();
+           cards_.settled() && look_cards_.settled() && exports_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
@@ -220,6 +226,7 @@ void Desktop::take_frame() {
                         result->complete);
     }
     show_legend(*result);
+    show_contour_labels(*result);
     upload_frame();
     feed_.note_shown(*result);
     picture.tracing = feed_.tracing();
@@ -236,6 +243,18 @@ void Desktop::show_legend(const RenderResult& result) {
     legend.reset();
     if (result.coloring.by == ColorBy::Plain) return;
     legend = legend_of(result.coloring, feed_.colors().expression);
+}
+
+void Desktop::show_contour_labels(const RenderResult& result) {
+    ui::ShownPicture& picture = state_.shown.picture;
+    const SurfaceLines& lines = result.coloring.lines;
+    picture.contour_step = lines.contours.empty() ? std::nullopt : std::optional(lines.step);
+    picture.contour_labels = contour_label_shapes({.frame = *result.frame,
+                                                   .camera = result.camera,
+                                                   .lines = lines,
+                                                   .uniforms = result.uniforms,
+                                                   .size = state_.input.viewport_px},
+                                                  ui::card_style(state_.edited.theme));
 }
 
 Desktop::TextureLook Desktop::wanted_look() const {
@@ -284,11 +303,7 @@ void Desktop::follow_edits() {
 void Desktop::show_gallery_item() {
     const auto picked = std::exchange(state_.wishes.gallery_item, std::nullopt);
     if (!picked) return;
-    Document document = read_document(gallery()[*picked]).document;
-    keep_settings(document, state_.edited.document);
-    document.coloring = state_.edited.document.coloring;
-    document.coloring.range.reset();
-    session_.show(std::move(document));
+    session_.show(taken_over(gallery()[*picked], state_.edited.document));
     window_.wake();
 }
 

@@ -10,6 +10,7 @@
 #include "app/desktop/wait_notice.hpp"
 #include "app/exports/export_desk.hpp"
 #include "app/gallery/gallery_cards.hpp"
+#include "app/gallery/look_cards.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_request.hpp"
@@ -90,6 +91,7 @@ private:
     [[nodiscard]] TextureLook wanted_look() const;
     void upload_frame();
     void show_legend(const RenderResult& result);
+    void show_contour_labels(const RenderResult& result);
     void follow_edits();
     void show_gallery_item();
     void find_view();
@@ -125,6 +127,7 @@ private:
 
     // Their threads wake the window, so that they end first.
     GalleryCards cards_;
+    LookCards look_cards_;
     PictureFeed feed_;
     ExportDesk exports_;
 };

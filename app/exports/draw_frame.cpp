@@ -22,8 +22,10 @@ std::optional<DrawnFrame> draw_frame(const ExportSubject& subject, const Documen
     auto frame = std::make_shared<Framebuffer>(size_px.x, size_px.y);
     render_frame(scene, request.camera, request.settings, *frame, {.limit = limit});
     if (news.cancel) return std::nullopt;
-    const auto painted = finish_picture(
-        frame, {.document = document, .camera = request.camera, .coloring = scene.coloring});
+    const auto painted = finish_picture(frame, {.document = document,
+                                                .camera = request.camera,
+                                                .coloring = scene.coloring,
+                                                .uniforms = scene.uniforms});
     return DrawnFrame{.frame = frame, .painted = painted ? *painted : frame};
 }
 

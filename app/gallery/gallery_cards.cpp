@@ -17,7 +17,7 @@ std::optional<std::filesystem::path> folder_for(bool keeps_files) {
 }  // namespace
 
 GalleryCards::GalleryCards(bool keeps_files, std::function<void()> wake)
-    : job_(ThumbnailCache(folder_for(keeps_files)),
+    : job_(gallery_thumbnails(ThumbnailCache(folder_for(keeps_files))),
            keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
            std::move(wake)) {}
 

@@ -25,10 +25,8 @@ constexpr int low_priority = 10;
 /// The request for the item's picture.
 PictureRequest request_of(const PreparedDocument& prepared, const Document& document,
                           glm::ivec2 size_px) {
-    TraceSettings settings;
-    settings.stop.value = thumbnail_d_stop;
-    settings.threads = 1;
-    return picture_request(prepared.formula, prepared.colors, document, settings, size_px);
+    return picture_request(prepared.formula, prepared.colors, document, thumbnail_settings(),
+                           size_px);
 }
 
 /// A failure leaves the thread's priority as it is, which only makes other work slower.
@@ -57,12 +55,45 @@ std::string thumbnail_key(std::size_t item, glm::ivec2 size_px) {
          {shown.clip.lo, shown.clip.hi, camera.eye, camera.look_at, camera.up}) {
         numbers.insert(numbers.end(), {point.x, point.y, point.z});
     }
-    return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" + text_of(numbers);
+    numbers.push_back(shown.light.reflections);
+    return "zeroset " ZEROSET_VERSION "\n" + shown.equation + "\n" +
+           std::string(name_of(shown.light.look)) + text_of(numbers);
 }
 
-ThumbnailJob::ThumbnailJob(ThumbnailCache cache, Priority priority,
-                           std::function<void()> on_picture)
-    : cache_(std::move(cache)), on_picture_(std::move(on_picture)), thread_([this, priority] {
+TraceSettings thumbnail_settings() {
+    TraceSettings settings;
+    settings.stop.value = thumbnail_d_stop;
+    settings.threads = 1;
+    return settings;
+}
+
+std::optional<RgbaImage> thumbnail_of(const RenderRequest& request,
+                                      const std::atomic<bool>& cancel) {
+    Framebuffer frame(request.width, request.height);
+    (void)render_frame(request.scene, request.camera, request.settings, frame,
+                       {.limit = {.cancel = &cancel}});
+    if (cancel) return std::nullopt;
+    return halved(frame);
+}
+
+DrawThumbnail gallery_thumbnails(ThumbnailCache cache) {
+    return [cache = std::move(cache)](std::size_t item, glm::ivec2 size_px,
+                                      const std::atomic<bool>& cancel) -> std::optional<RgbaImage> {
+        const std::string key = thumbnail_key(item, size_px);
+        if (auto kept = cache.find(key)) return kept;
+        const ReadDocument read = read_document(gallery()[item]);
+        const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
+        if (cancel) return std::nullopt;
+        if (!prepared) return halved(Framebuffer(2 * size_px.x, 2 * size_px.y));
+        const auto image =
+            thumbnail_of(render_request(request_of(*prepared, read.document, 2 * size_px)), cancel);
+        if (image) cache.keep(key, *image);
+        return image;
+    };
+}
+
+ThumbnailJob::ThumbnailJob(DrawThumbnail draw, Priority priority, std::function<void()> on_picture)
+    : draw_(std::move(draw)), on_picture_(std::move(on_picture)), thread_([this, priority] {
           if (priority == Priority::Low) lower_priority();
           run();
       }) {}
@@ -83,7 +114,10 @@ void ThumbnailJob::want(std::vector<std::size_t> items, glm::ivec2 size_px) {
         if (items == wanted_ && size_px == size_px_) return;
         const bool goes_on = size_px == size_px_ && !wanted_.empty() && !items.empty() &&
                              items.front() == wanted_.front();
-        if (!goes_on) cancel_ = true;
+        if (!goes_on) {
+            cancel_ = true;
+            ++round_;
+        }
         wanted_ = std::move(items);
         size_px_ = size_px;
     }
@@ -112,7 +146,7 @@ bool ThumbnailJob::busy() const {
 
 void ThumbnailJob::run() {
     while (const auto work = wait_for_work())
-        finish(*work, picture_of(*work));
+        finish(*work, draw_(work->item, work->size_px, cancel_));
 }
 
 std::optional<ThumbnailJob::Work> ThumbnailJob::wait_for_work() {
@@ -120,32 +154,14 @@ std::optional<ThumbnailJob::Work> ThumbnailJob::wait_for_work() {
     wake_.wait(lock, [this] { return stop_ || (!held_ && !wanted_.empty()); });
     if (stop_) return std::nullopt;
     cancel_ = false;
-    return Work{.item = wanted_.front(), .size_px = size_px_};
-}
-
-std::optional<RgbaImage> ThumbnailJob::picture_of(const Work& work) const {
-    const std::string key = thumbnail_key(work.item, work.size_px);
-    if (auto kept = cache_.find(key)) return kept;
-    const ReadDocument read = read_document(gallery()[work.item]);
-    const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
-    const glm::ivec2 fine_px = 2 * work.size_px;
-    Framebuffer frame(fine_px.x, fine_px.y);
-    if (prepared && !cancel_) {
-        const RenderRequest request = render_request(request_of(*prepared, read.document, fine_px));
-        (void)render_frame(request.scene, request.camera, request.settings, frame,
-                           {.limit = {.cancel = &cancel_}});
-    }
-    if (cancel_) return std::nullopt;
-    RgbaImage image = halved(frame);
-    cache_.keep(key, image);
-    return image;
+    return Work{.item = wanted_.front(), .size_px = size_px_, .round = round_};
 }
 
 void ThumbnailJob::finish(const Work& work, std::optional<RgbaImage> image) {
     if (!image) return;
     {
         const std::scoped_lock lock(mutex_);
-        if (size_px_ != work.size_px || std::erase(wanted_, work.item) == 0) return;
+        if (round_ != work.round || std::erase(wanted_, work.item) == 0) return;
         finished_.push_back({.item = work.item, .image = std::move(*image)});
     }
     on_picture_();

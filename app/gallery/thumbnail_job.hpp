@@ -2,6 +2,7 @@
 
 #include "app/gallery/thumbnail_cache.hpp"
 #include "engine/image/rgba_image.hpp"
+#include "engine/render/render_request.hpp"
 
 #include <glm/ext/vector_int2.hpp>
 
@@ -17,20 +18,33 @@
 
 namespace zeroset {
 
-/// A finished picture of a gallery item; transparent where no surface is hit.
+/// A finished picture of an item; transparent where no surface is hit.
 struct Thumbnail {
-    std::size_t item = 0;  ///< index in gallery()
+    std::size_t item = 0;  ///< of the gallery: index in gallery()
     RgbaImage image;
 };
 
-/// Draws small pictures of gallery items in the background, on one thread; pictures drawn before
-/// come from the cache. The UI thread may call all members; none waits for a picture.
+/// Draws an item's picture; nothing if it was cancelled meanwhile. Called from a job's thread.
+using DrawThumbnail = std::function<std::optional<RgbaImage>(std::size_t item, glm::ivec2 size_px,
+                                                             const std::atomic<bool>& cancel)>;
+
+/// Draws items of the gallery; pictures drawn before come from the cache.
+DrawThumbnail gallery_thumbnails(ThumbnailCache cache);
+
+/// A picture of the request in half its width and height.
+std::optional<RgbaImage> thumbnail_of(const RenderRequest& request,
+                                      const std::atomic<bool>& cancel);
+/// The settings of such pictures.
+TraceSettings thumbnail_settings();
+
+/// Draws small pictures in the background, on one thread. The UI thread may call all members; none
+/// waits for a picture.
 class ThumbnailJob {
 public:
     enum class Priority : std::uint8_t { Usual, Low };
 
     /// Calls `on_picture` from the job's thread after each picture.
-    ThumbnailJob(ThumbnailCache cache, Priority priority, std::function<void()> on_picture);
+    ThumbnailJob(DrawThumbnail draw, Priority priority, std::function<void()> on_picture);
     ~ThumbnailJob();
     ThumbnailJob(const ThumbnailJob&) = delete;
     ThumbnailJob& operator=(const ThumbnailJob&) = delete;
@@ -48,20 +62,20 @@ private:
     struct Work {
         std::size_t item;
         glm::ivec2 size_px;
+        unsigned round;
     };
 
     void run();
     std::optional<Work> wait_for_work();
-    /// Returns nothing if the drawing was cancelled.
-    std::optional<RgbaImage> picture_of(const Work& work) const;
     void finish(const Work& work, std::optional<RgbaImage> image);
 
-    ThumbnailCache cache_;
+    DrawThumbnail draw_;
     std::function<void()> on_picture_;
     mutable std::mutex mutex_;
     std::condition_variable wake_;
     std::vector<std::size_t> wanted_;  ///< the first is being drawn or is next
     glm::ivec2 size_px_{0};
+    unsigned round_ = 0;  ///< counts what was cancelled
     std::vector<Thumbnail> finished_;
     bool held_ = false;
     bool stop_ = false;

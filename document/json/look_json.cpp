@@ -16,6 +16,7 @@ ValueRange range_of(const Json& json) {
 Json json_of(const LineChoice& lines) {
     Json json{{"contours", name_of(lines.contours)},
               {"width_px", lines.width_px},
+              {"labels", lines.labels},
               {"intersections", lines.intersections}};
     if (!lines.expression.empty()) json["expression"] = lines.expression;
     if (lines.step) json["step"] = *lines.step;
@@ -39,6 +40,8 @@ LineChoice lines_of(const Json& json, std::vector<std::string>& unknown) {
     }
     if (const Json* width = fields.find("width_px"))
         lines.width_px = number_in(*width, fields.at("width_px"), least_line_px, most_line_px);
+    if (const Json* labels = fields.find("labels"))
+        lines.labels = flag_of(*labels, fields.at("labels"));
     if (const Json* intersections = fields.find("intersections"))
         lines.intersections = flag_of(*intersections, fields.at("intersections"));
     return lines;

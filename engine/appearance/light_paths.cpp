@@ -27,6 +27,10 @@ constexpr float least_weight = 1.0F / 512.0F;
 /// Directions over a hit are closed by what is nearer than this part of the clip box's edge.
 constexpr double sky_reach = 0.2;
 
+/// Rays to soft light from a part of a pixel: the noise of whole pixels makes most of those that
+/// show it be divided in 16 parts.
+constexpr std::size_t rays_a_part = 4;
+
 float greatest(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
 
 class PathLight {
@@ -135,7 +139,9 @@ SoftHit PathLight::soft_hit(const PathHit& hit) const {
             .normal = normal,
             .error = cosine * hit.hit.error,
             .seed = (static_cast<std::uint32_t>(tile_.row) + row) * 65536U +
-                    static_cast<std::uint32_t>(tile_.col) + col};
+                    static_cast<std::uint32_t>(tile_.col) + col,
+            .rays = tile_.places == nullptr ? SoftHit::most_rays : rays_a_part,
+            .gradient = hit.hit.gradient};
 }
 
 void PathLight::ask_shadows(std::span<const PathHit> hits, std::size_t light,

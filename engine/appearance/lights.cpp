@@ -28,6 +28,7 @@ std::vector<SeenLight> lights_of(const Lighting& lighting, const ViewFrame& view
                       .color = glm::vec3(0.85F),
                       .radius_rad = 0.0,
                       .casts_shadows = true});
+    if (lighting.look == Look::Phong) return lights;
     lights.push_back({.towards = fill_light(view),
                       .color = glm::vec3(0.26F),
                       .radius_rad = 0.0,

@@ -7,7 +7,8 @@ namespace zeroset {
 
 Material material_of(Look look) {
     switch (look) {
-        case Look::Standard: return {.roughness = 0.1F, .reflectance = 0.05F};
+        case Look::Standard:
+        case Look::Phong: return {.roughness = 0.1F, .reflectance = 0.05F};
         case Look::Matte: return {};
         case Look::Porcelain:
             return {.roughness = 0.16F,

@@ -35,7 +35,22 @@ HitShader::HitShader(const Lighting& lighting, const ViewFrame& view, bool trace
       up_(view.up) {}
 
 HitLight HitShader::shade(const LitHit& hit) const {
-    return look_ == Look::Standard ? shade_standard(hit) : shade_material(hit);
+    switch (look_) {
+        case Look::Standard: return shade_standard(hit);
+        case Look::Phong: return shade_phong(hit);
+        case Look::Matte:
+        case Look::Porcelain:
+        case Look::Metal:
+        case Look::Glass:
+        case Look::Clay:
+        case Look::Technical: break;
+    }
+    return shade_material(hit);
+}
+
+glm::vec3 HitShader::mirror_of(const LitHit& hit) const {
+    if (!traces_mirrors_) return glm::vec3(0.0F);
+    return fresnel(glm::vec3(material_.reflectance), glm::dot(hit.normal, hit.towards_eye));
 }
 
 /// As engine/light/shade does it.
@@ -53,9 +68,29 @@ HitLight HitShader::shade_standard(const LitHit& hit) const {
         out.gloss += 0.22F / 0.85F * light * std::pow(std::max(gloss, 0.0F), 32.0F);
     }
     out.body = hit.color * diffuse;
-    if (traces_mirrors_)
-        out.mirror =
-            fresnel(glm::vec3(material_.reflectance), glm::dot(hit.normal, hit.towards_eye));
+    out.mirror = mirror_of(hit);
+    return out;
+}
+
+/// c = c_r (c_a + c_l max(0, n.l)) + max(0, e.r)^p, where r is the light's mirrored direction
+/// [Florez08, eq. 2.6]. Differs from the paper: there may be several lights, the highlight is as
+/// bright as its light, and there is none where its light does not reach the surface.
+HitLight HitShader::shade_phong(const LitHit& hit) const {
+    constexpr float ambient = 0.15F;
+    constexpr float power = 30.0F;
+    HitLight out{};
+    glm::vec3 diffuse(ambient);
+    for (std::size_t i = 0; i < lights_.size(); ++i) {
+        const glm::vec3 towards(lights_[i].towards);
+        const glm::vec3 light = hit.lit[i] * lights_[i].color;
+        const float cosine = glm::dot(hit.normal, towards);
+        if (cosine <= 0.0F) continue;
+        diffuse += light * cosine;
+        const glm::vec3 mirrored = 2.0F * cosine * hit.normal - towards;
+        out.gloss += light * std::pow(std::max(glm::dot(hit.towards_eye, mirrored), 0.0F), power);
+    }
+    out.body = hit.color * diffuse;
+    out.mirror = mirror_of(hit);
     return out;
 }
 

@@ -42,6 +42,9 @@ public:
 
 private:
     [[nodiscard]] HitLight shade_standard(const LitHit& hit) const;
+    [[nodiscard]] HitLight shade_phong(const LitHit& hit) const;
+    /// The part that a mirror's picture has in the hit of a look whose gloss is no mirror's.
+    [[nodiscard]] glm::vec3 mirror_of(const LitHit& hit) const;
     [[nodiscard]] HitLight shade_material(const LitHit& hit) const;
 
     Look look_;

@@ -12,8 +12,6 @@
 namespace zeroset {
 namespace {
 
-constexpr std::size_t rays_a_hit = 16;
-
 /// A number in [0, 1) that looks random.
 double noise(std::uint32_t seed) {
     seed = (seed ^ (seed >> 16U)) * 0x7FEB352DU;
@@ -21,10 +19,10 @@ double noise(std::uint32_t seed) {
     return static_cast<double>(seed ^ (seed >> 16U)) * 0x1p-32;
 }
 
-/// A place of the unit disc: the k-th of some that are evenly spread over it [Vogel79].
-glm::dvec2 disc_place(std::size_t k, std::uint32_t seed) {
+/// A place of the unit disc: the k-th of `count` that are evenly spread over it [Vogel79].
+glm::dvec2 disc_place(std::size_t k, std::size_t count, std::uint32_t seed) {
     const double radius =
-        std::sqrt((static_cast<double>(k) + noise(2 * seed)) / static_cast<double>(rays_a_hit));
+        std::sqrt((static_cast<double>(k) + noise(2 * seed)) / static_cast<double>(count));
     const double turn = noise(2 * seed + 1) + static_cast<double>(k) * 0.6180339887498949;
     const double angle = 2.0 * glm::pi<double>() * turn;
     return {radius * std::cos(angle), radius * std::sin(angle)};
@@ -46,12 +44,12 @@ std::vector<float> free_part(std::span<const TraceFrame> surfaces, std::span<con
     std::vector<float> parts;
     parts.reserve(hits.size());
     std::vector<SceneRay> rays;
-    std::array<std::uint8_t, rays_a_hit> blocked{};
+    std::array<std::uint8_t, SoftHit::most_rays> blocked{};
     for (const SoftHit& hit : hits) {
         rays.clear();
         const auto direction = directions_of(hit);
-        for (std::size_t k = 0; k < rays_a_hit; ++k) {
-            const glm::dvec3 towards = direction(disc_place(k, hit.seed));
+        for (std::size_t k = 0; k < hit.rays; ++k) {
+            const glm::dvec3 towards = direction(disc_place(k, hit.rays, hit.seed));
             if (!(glm::dot(towards, hit.normal) > 1e-3)) continue;
             rays.push_back(leaving(hit, towards));
             rays.back().to = reach;
@@ -59,7 +57,7 @@ std::vector<float> free_part(std::span<const TraceFrame> surfaces, std::span<con
         find_blocked(surfaces, rays, std::span(blocked).first(rays.size()), counters);
         const auto free = std::count(blocked.begin(),
                                      blocked.begin() + static_cast<std::ptrdiff_t>(rays.size()), 0);
-        parts.push_back(static_cast<float>(free) / static_cast<float>(rays_a_hit));
+        parts.push_back(static_cast<float>(free) / static_cast<float>(hit.rays));
     }
     return parts;
 }
@@ -71,6 +69,8 @@ SceneRay leaving(const SoftHit& hit, const glm::dvec3& direction) {
     ray.direction = UnitVector(direction);
     const double cosine = std::abs(glm::dot(glm::dvec3(ray.direction), hit.normal));
     ray.own_error = hit.error / std::max(cosine, 1e-3);
+    const double slope = glm::dot(hit.gradient, direction);
+    ray.own_sign = slope > 0.0 ? 1 : slope < 0.0 ? -1 : 0;
     return ray;
 }
 

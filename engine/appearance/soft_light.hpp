@@ -13,10 +13,14 @@ namespace zeroset {
 
 /// A hit of which light is asked for that comes from many directions.
 struct SoftHit {
-    SceneRay ray;        ///< from the hit, in any direction; without an end
-    glm::dvec3 normal;   ///< of length 1, on the side that is seen
-    double error;        ///< how far the surface may be from ray.origin, along the normal
-    std::uint32_t seed;  ///< hits of one seed take the same directions
+    static constexpr std::size_t most_rays = 16;
+
+    SceneRay ray;                  ///< from the hit, in any direction; without an end
+    glm::dvec3 normal;             ///< of length 1, on the side that is seen
+    double error;                  ///< how far the surface may be from ray.origin, along the normal
+    std::uint32_t seed;            ///< hits of one seed take the same directions
+    std::size_t rays = most_rays;  ///< to be sent; more tell it better
+    glm::dvec3 gradient{0.0};      ///< of the surface's f
 };
 
 /// The part of a broad light that reaches each hit, 0 to 1, by rays to places spread over its disc:

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,10 @@ constexpr float ink = 0.04F;  ///< the part of the light that a line leaves
 /// Contours nearer to each other than this many widths fade, and are gone at the first.
 constexpr double closest_widths = 1.5;
 constexpr double fair_widths = 3.5;
-/// Normals of neighbours whose angle has a smaller cosine belong to two sides of a crease.
+/// Normals whose angle has a smaller cosine belong to two sides of a crease.
 constexpr double crease_cosine = 0.82;
+/// Where a surface is seen more from aside a pixel is too long on it to tell creases from bends.
+constexpr double least_crease_facing = 0.15;
 
 /// A hit of a layer, on its tangent plane.
 struct Place {
@@ -82,6 +85,8 @@ private:
     void draw_edge(const glm::dvec3& normal, double offset);
     void draw_silhouettes();
     void draw_creases();
+    /// Whether the normals of hits so far from a pixel are all much like its own one.
+    [[nodiscard]] bool is_smooth_around(const Place& place, int reach) const;
     /// The direction of the gradient of a pixel's hit, if there is one.
     [[nodiscard]] std::optional<glm::dvec3> normal_of(std::size_t pixel) const;
 
@@ -251,29 +256,58 @@ void LinePainter::draw_silhouettes() {
     }
 }
 
-/// Draws where the normals of neighbours on one surface differ much.
-void LinePainter::draw_creases() {
-    const auto is_crease = [&](const Place& place, int right, int down) {
+bool LinePainter::is_smooth_around(const Place& place, int reach) const {
+    if (tile_.places != nullptr) return false;  // pixels are no neighbours
+    const auto is_alike = [&](int right, int down) {
         const int col = static_cast<int>(place.pixel % tile_size) + right;
         const int row = static_cast<int>(place.pixel / tile_size) + down;
         if (col < 0 || row < 0 || col >= tile_.cols || row >= tile_.rows) return false;
         const auto beside = static_cast<std::size_t>(row * tile_size + col);
         if (!std::isfinite(layer_.hits->depth[beside])) return false;
         const auto normal = normal_of(beside);
-        return normal && std::abs(glm::dot(*normal, place.normal)) < crease_cosine;
+        return normal && std::abs(glm::dot(*normal, place.normal)) >= crease_cosine;
     };
+    return is_alike(reach, 0) && is_alike(-reach, 0) && is_alike(0, reach) && is_alike(0, -reach);
+}
+
+/// Beyond a crease f follows the surface's other side, on the tangent plane of this one, too: f and
+/// its gradient at a point there tell the other side's plane, and so how far the crease is.
+void LinePainter::draw_creases() {
+    // One of four points across comes this far behind any straight line.
+    const double reach = std::numbers::sqrt2 * (0.5 * line_width_ + 0.5);
+    std::vector<std::size_t> at;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-        const Place& place = places_[i];
-        if (place.facing < 0.3) continue;
-        if (is_crease(place, 1, 0) || is_crease(place, -1, 0) || is_crease(place, 0, 1) ||
-            is_crease(place, 0, -1))
-            add(i, std::min(0.5 * line_width_, 1.0));
+        if (places_[i].facing < least_crease_facing) continue;
+        if (!is_smooth_around(places_[i], static_cast<int>(std::ceil(reach)))) at.push_back(i);
+    }
+    if (at.empty()) return;
+    const auto step_to = [&](const Place& place, std::size_t k) {
+        return (k < 2 ? reach : -reach) * (k % 2 == 0 ? place.right : place.down);
+    };
+    PointBatch<double> batch(4 * at.size());
+    for (std::size_t i = 0; i < 4 * at.size(); ++i) {
+        const Place& place = places_[at[i / 4]];
+        const glm::dvec3 point = place.point + step_to(place, i % 4);
+        batch.set(i, point.x, point.y, point.z);
+    }
+    batch.pad();
+    counters_.value += 4 * at.size();
+    batch.evaluate(frame_.kernel.in_double.value, frame_.scene.uniforms.points<double>(),
+                   [this] { return frame_.stopped(); });
+    for (std::size_t i = 0; i < 4 * at.size(); ++i) {
+        const Place& place = places_[at[i / 4]];
+        const glm::dvec3 gradient(batch.gradient(0, i), batch.gradient(1, i), batch.gradient(2, i));
+        const double cosine = glm::dot(gradient, place.normal) / glm::length(gradient);
+        if (!(std::abs(cosine) < crease_cosine)) continue;
+        const double here = batch.f(i) - glm::dot(gradient, step_to(place, i % 4));
+        const double distance = std::abs(here) / place.rate_of(gradient);
+        if (std::isfinite(distance)) add(at[i / 4], cover_of(distance, line_width_));
     }
 }
 
 void LinePainter::draw_outlines() {
     draw_silhouettes();
-    if (tile_.places == nullptr) draw_creases();
+    draw_creases();
     const Scene& scene = frame_.scene;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 normal(0.0);

@@ -97,6 +97,13 @@ bool any(const TileBits& bits) {
     return std::ranges::any_of(bits, [](std::uint64_t row) { return row != 0; });
 }
 
+std::uint64_t count(const TileBits& bits) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t row : bits)
+        sum += static_cast<std::uint64_t>(std::popcount(row));
+    return sum;
+}
+
 /// Searches the hits of `search`, which are all in a square of the tile: with a kernel of their own
 /// where it pays, and those of each quarter of the square with one made of that while it is long.
 void search_square(const ShadowSearch& search, const Square& square, ShadowBits& found,
@@ -244,6 +251,7 @@ ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& 
                        found, counters);
         open = without(open, proved_dark(found));
     }
+    if (tile.places == nullptr) counters.unproved_shadows += count(found.unproved);
     return found;
 }
 

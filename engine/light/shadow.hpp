@@ -11,7 +11,7 @@ namespace zeroset {
 /// Finds which hits of a tile's layers a light does not reach, by beams from squares of them to the
 /// light [Knoll07 5.6, Florez08 5.4.4]: nothing that throws a shadow is missed, however thin. The
 /// light's rays are parallel. The gradients of the hits are known. What is not found within `limit`
-/// is lit. In upward rounding.
+/// is lit. Counts what is not proved, but in parts of pixels. In upward rounding.
 ShadowBits find_shadows(std::span<const TraceFrame> surfaces, const UnitVector& to_light,
                         const TimeLimit& limit, const Tile& tile, std::span<const LitLayer> layers,
                         Counters& counters);

@@ -49,8 +49,9 @@ struct Approach {
 
 /// Where the search stands on its way.
 struct Progress {
-    bool left;  ///< the root at the ray's origin is behind
-    int sign;   ///< of f there, or where `approach` begins, if it is known; else 0
+    bool left;       ///< the root at the ray's origin is behind
+    bool not_below;  ///< else: f is 0 or above at the origin, so where it falls it leaves that
+    int sign;        ///< of f there, or where `approach` begins, if it is known; else 0
     bool unsettled = false;
     std::optional<Approach> approach = std::nullopt;
 };
@@ -69,9 +70,10 @@ Verdict judge(const Cell<Real>& f, const Progress& at, RootWish wish) {
     if (f.nowhere) return {.answer = Answer::Free};
     if (size > steepness + f.spread) return {.answer = Answer::Free, .sign = f.c > 0 ? 1 : -1};
     if (!f.continuous) return {.answer = Answer::Open};
-    if (f.is_monotone() && (!at.left || sign == f.trend()))
+    const bool is_left = at.left || (at.not_below && f.falls);
+    if (f.is_monotone() && (!is_left || sign == f.trend()))
         return {.answer = Answer::Free, .sign = f.trend()};
-    if (!at.left) return {.answer = Answer::Open};
+    if (!is_left) return {.answer = Answer::Open};
     const bool holds_root = steepness > size + f.spread || turned(f, sign);
     const bool enough = f.is_monotone() || wish == RootWish::Any;
     if (holds_root && enough) return {.answer = Answer::Root};
@@ -83,15 +85,17 @@ Verdict judge(const Cell<Real>& f, const Progress& at, RootWish wish) {
 template <class Real>
 class Search {
 public:
-    Search(const TraceFrame& surface, const SceneRay& ray, bool is_own, RootWish wish,
+    Search(const TraceFrame& surface, const SceneRay& ray, RayStart start, RootWish wish,
            Counters& counters)
         : surface_(surface),
           ray_(ray),
           wish_(wish),
           counters_(counters),
-          own_error_(is_own ? ray.own_error : 0.0),
+          own_error_(start == RayStart::Anywhere ? 0.0 : ray.own_error),
           place_error_(place_error(surface)),
-          at_{.left = !is_own, .sign = 0} {
+          at_{.left = start == RayStart::Anywhere,
+              .not_below = start == RayStart::NotBelow,
+              .sign = start == RayStart::NotBelow ? 1 : 0} {
         const double cell = std::ldexp(surface.scene.clip.size(), -surface.depth.wanted);
         const double extent = std::min(surface.scene.clip.size(), surface.view.look_distance);
         finest_ = std::max({0x1p-16 * extent, 4 * cell, 64 * place_error_});
@@ -291,7 +295,7 @@ bool is_noise(const Cell<Real>& f, Real whole) {
 
 template <class Real>
 bool Search<Real>::divide_in_double(double from, double to) {
-    Search<double> finer(surface_, ray_, false, wish_, counters_);
+    Search<double> finer(surface_, ray_, RayStart::Anywhere, wish_, counters_);
     finer.own_error_ = own_error_;
     finer.at_ = at_;
     const bool over = finer.divide(from, to, std::numeric_limits<double>::infinity());
@@ -326,11 +330,11 @@ bool Search<Real>::divide(double from, double to, Real whole) {
 
 }  // namespace
 
-RootFinding search_ray(const TraceFrame& surface, const SceneRay& ray, bool is_own, RootWish wish,
-                       Counters& counters) {
+RootFinding search_ray(const TraceFrame& surface, const SceneRay& ray, RayStart start,
+                       RootWish wish, Counters& counters) {
     if (surface.precision == Precision::Double)
-        return Search<double>(surface, ray, is_own, wish, counters).run();
-    return Search<float>(surface, ray, is_own, wish, counters).run();
+        return Search<double>(surface, ray, start, wish, counters).run();
+    return Search<float>(surface, ray, start, wish, counters).run();
 }
 
 }  // namespace zeroset

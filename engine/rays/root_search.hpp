@@ -27,10 +27,19 @@ enum class RootWish : std::uint8_t {
     Any,    ///< whether there is any
 };
 
+/// What is known of where a ray begins.
+enum class RayStart : std::uint8_t {
+    Anywhere,
+    OnSurface,  ///< within the ray's own_error of a root that is none of the ray's
+    /// So near to a place at which f is 0 or above: a part of a union whose surface is left
+    /// outwards.
+    NotBelow,
+};
+
 /// Searches a ray for roots of one surface: 16 cells of it at a time are enclosed by forms
 /// without width, and the first that may hold a root is divided in 16 again. `ray`: within the clip
 /// box. In upward rounding.
-RootFinding search_ray(const TraceFrame& surface, const SceneRay& ray, bool is_own, RootWish wish,
-                       Counters& counters);
+RootFinding search_ray(const TraceFrame& surface, const SceneRay& ray, RayStart start,
+                       RootWish wish, Counters& counters);
 
 }  // namespace zeroset

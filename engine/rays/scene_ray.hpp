@@ -22,6 +22,7 @@ struct SceneRay {
     std::uint8_t own = no_surface;
     /// How far that root may be from the origin, along the ray; above 0 if there is one.
     double own_error = 0.0;
+    int own_sign = 0;  ///< of the own surface's f, where the ray leaves it: -1, 1; 0: not known
 
     [[nodiscard]] glm::dvec3 at(double t) const { return origin + t * direction; }
 };

@@ -24,6 +24,7 @@ RenderJob::RenderJob(std::function<void()> on_frame, const RenderPace& pace)
     : on_frame_(std::move(on_frame)),
       pace_(pace),
       governor_(pace.budget_ms),
+      shadowed_(pace.budget_ms),
       thread_([this] { run(); }) {}
 
 RenderJob::~RenderJob() {
@@ -88,6 +89,7 @@ RenderJob::Work RenderJob::begin(RenderRequest request) {
     if (!have_same_code(drawing_.surfaces, surfaces)) {
         work.is_new = !work.request.again;
         governor_.forget(std::ranges::any_of(surfaces, &Kernel::interpreted));
+        shadowed_.forget();
     }
     drawing_.surfaces = surfaces;
     drawing_.phase = Phase::Blank;
@@ -179,7 +181,7 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     smaller.request.width = scaled(work.request.width);
     smaller.request.height = scaled(work.request.height);
     GrowingPicture growing(smaller.request, pool_,
-                           {.settings = stages_of(work.request).front(),
+                           {.settings = stages_of(work.request, false).front(),
                             .limit = {.cancel = &cancel_, .until = Clock::now() + within},
                             .first_turn = pace_.first_turn});
     const bool drawn = growing.draw();
@@ -196,8 +198,17 @@ RenderJob::First RenderJob::draw_first(const Work& work, double scale,
     return {.frame = growing.frame(), .complete = growing.complete()};
 }
 
-/// The settings of full pictures, which are drawn one after the other.
-std::vector<TraceSettings> RenderJob::stages_of(const RenderRequest& request) {
+bool RenderJob::shadows_fit(const RenderRequest& request) {
+    return request.settings.shadows && shadowed_.choose(request.pixels()) == 1.0;
+}
+
+ResolutionGovernor* RenderJob::governor_of(const TraceSettings& stage) {
+    if (stage.antialias != Antialias::None || stage.reflections > 0 || stage.soft_light)
+        return nullptr;
+    return stage.shadows ? &shadowed_ : &governor_;
+}
+
+std::vector<TraceSettings> RenderJob::stages_of(const RenderRequest& request, bool at_once) {
     const TraceSettings& settings = request.settings;
     std::vector<TraceSettings> stages;
     TraceSettings stage = settings;
@@ -205,7 +216,7 @@ std::vector<TraceSettings> RenderJob::stages_of(const RenderRequest& request) {
     stage.antialias = Antialias::None;
     stage.reflections = 0;
     stage.soft_light = false;
-    stages.push_back(stage);
+    if (!at_once) stages.push_back(stage);
     stage.shadows = settings.shadows;
     if (settings.shadows) stages.push_back(stage);
     stage.antialias = settings.antialias;
@@ -224,7 +235,7 @@ void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> p
         result.frame_ms = elapsed_ms;
         publish(work, std::move(result));
     };
-    const std::vector<TraceSettings> stages = stages_of(work.request);
+    const std::vector<TraceSettings> stages = stages_of(work.request, shadows_fit(work.request));
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (i > 0 && !rests(work)) return;
         GrowingPicture growing(work.request, pool_,
@@ -235,7 +246,7 @@ void RenderJob::draw_full(const Work& work, std::shared_ptr<const Framebuffer> p
                                 .shown_after = pace_.growth_shown_after,
                                 .show = show});
         const bool drawn = growing.draw();
-        if (i == 0) growing.tell(governor_);
+        if (ResolutionGovernor* const governor = governor_of(stages[i])) growing.tell(*governor);
         if (!drawn) return;
         RenderResult result;
         result.frame = growing.frame();
@@ -259,6 +270,7 @@ void RenderJob::publish(const Work& work, RenderResult result) {
     result.camera = work.request.camera;
     result.precision = work.precision;
     result.coloring = work.request.scene.coloring;
+    result.uniforms = work.request.scene.uniforms;
     {
         const std::scoped_lock lock(mutex_);
         if (cancel_) return;

@@ -48,7 +48,8 @@ struct RenderPace {
 /// Renders the newest request in the background. A first picture comes as quickly as it takes to
 /// draw one at a resolution that holds 60 a second; then, unless requests follow one another, the
 /// full one, which replaces it tile by tile, with shadows, smooth edges, mirrors and soft light
-/// where they are wanted. All members may be called from the UI thread; none waits for a frame.
+/// where they are wanted. Shadows are there while something moves, too, once they are known to be
+/// quick enough. All members may be called from the UI thread; none waits for a frame.
 class RenderJob {
 public:
     /// `on_frame` is called from the job's threads after each picture.
@@ -128,7 +129,13 @@ private:
     /// The surfaces, then their shadows, then smooth edges, mirrors, soft light, each over the
     /// picture before.
     void draw_full(const Work& work, std::shared_ptr<const Framebuffer> picture);
-    static std::vector<TraceSettings> stages_of(const RenderRequest& request);
+    /// The settings of full pictures, which are drawn one after the other; without the one of
+    /// surfaces alone where their shadows come `at_once`.
+    static std::vector<TraceSettings> stages_of(const RenderRequest& request, bool at_once);
+    /// Whether a full picture with shadows is known to fit in the time of a first one.
+    [[nodiscard]] bool shadows_fit(const RenderRequest& request);
+    /// What is to know how long pictures of these settings take; or nullptr.
+    ResolutionGovernor* governor_of(const TraceSettings& stage);
     /// Whether no other request has come, nor comes for a while if this one was part of a motion.
     bool rests(const Work& work);
     /// Makes the request the one that is drawn; with the mutex held.
@@ -141,8 +148,10 @@ private:
     std::function<void()> on_frame_;
     RenderPace pace_;
     FramePool pool_;
-    ResolutionGovernor governor_;  ///< used by the job's thread only
-    SteadyRange range_;            ///< used by the job's thread only
+    // Used by the job's thread only.
+    ResolutionGovernor governor_;  ///< of surfaces alone
+    ResolutionGovernor shadowed_;  ///< of surfaces and their shadows
+    SteadyRange range_;
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;

@@ -41,6 +41,7 @@ struct RenderResult {
     Camera camera;
     Precision precision = Precision::Float;
     Coloring coloring = {};  ///< with the range that was found, if there is one
+    Uniforms uniforms = {};  ///< of the scene
 };
 
 }  // namespace zeroset

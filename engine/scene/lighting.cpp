@@ -8,7 +8,7 @@ namespace zeroset {
 namespace {
 
 constexpr auto look_names =
-    enum_names<Look>("standard", "matte", "porcelain", "metal", "glass", "clay", "technical");
+    enum_names<Look>("standard", "phong", "matte", "porcelain", "metal", "glass", "clay", "technical");
 constexpr auto tone_names = enum_names<Tone>("plain", "filmic");
 
 }  // namespace
@@ -26,6 +26,7 @@ std::optional<Tone> tone_named(std::string_view name) { return tone_names.named(
 float ambient_shade(Look look) {
     switch (look) {
         case Look::Standard:
+        case Look::Phong:
         case Look::Matte:
         case Look::Glass:
         case Look::Technical: return 0.0F;

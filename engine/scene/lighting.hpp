@@ -15,6 +15,7 @@ namespace zeroset {
 /// The material that surfaces look as if they were made of.
 enum class Look : std::uint8_t {
     Standard,   ///< a little gloss under two lights, quick
+    Phong,      ///< a sharp white highlight, as figures of papers have it [Florez08, 2.3]
     Matte,      ///< reflects alike in all directions
     Porcelain,  ///< a white body under a clear glaze
     Metal,      ///< mirrors its surroundings in its own colour, somewhat blurred

@@ -47,6 +47,8 @@ struct Counters {
     /// Pixels of tiles that a time limit ended: those that are undecided, those without shadows or
     /// smooth edges.
     std::uint64_t cut_pixels = 0, rough_pixels = 0;
+    /// Pixels, once for each light, of which it is not proved whether the light reaches them.
+    std::uint64_t unproved_shadows = 0;
 
     [[nodiscard]] bool is_cut() const { return cut_pixels + rough_pixels > 0; }
 
@@ -57,6 +59,7 @@ struct Counters {
         coarse_width = std::max(coarse_width, other.coarse_width);
         cut_pixels += other.cut_pixels;
         rough_pixels += other.rough_pixels;
+        unproved_shadows += other.unproved_shadows;
         return *this;
     }
 };

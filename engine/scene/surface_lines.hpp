@@ -22,6 +22,7 @@ struct SurfaceLines {
     std::vector<PointNumber> contours;
     double step = 1.0;           ///< above 0
     float width_px = 1.4F;       ///< of all lines, as one looks straight at them; above 0
+    bool labels = false;         ///< contour lines have their numbers, in what lies over pictures
     bool intersections = false;  ///< where two surfaces meet
 
     bool operator==(const SurfaceLines&) const = default;

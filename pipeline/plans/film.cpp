@@ -123,6 +123,7 @@ private:
     const FilmWatch& watch_;
     std::optional<ValueRange> range_;
     Coloring coloring_;  ///< of the last picture
+    Uniforms uniforms_;
 };
 
 NumberedFrame FrameDrawer::room() const {
@@ -137,6 +138,7 @@ void FrameDrawer::draw_moment(const Document& document, Framebuffer& frame, Film
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
     coloring_ = scene.coloring;
+    uniforms_ = scene.uniforms;
     work.counters += render_frame(scene, request.camera, request.settings, frame,
                                   {.limit = limit_for(film_, watch_)});
 }
@@ -163,6 +165,7 @@ std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& wor
     auto painted = finish_picture(drawn.frame, {.document = drawn.document,
                                                 .camera = *drawn.document.camera,
                                                 .coloring = coloring_,
+                                                .uniforms = uniforms_,
                                                 .legend = film_.legend});
     if (!painted) return painted.error();
     drawn.painted = std::move(*painted);

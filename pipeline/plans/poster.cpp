@@ -32,6 +32,7 @@ FrameSubject subject_of(const Poster& poster) {
     return {.document = poster.document,
             .camera = poster.camera,
             .coloring = poster.scene.coloring,
+            .uniforms = poster.scene.uniforms,
             .legend = poster.legend};
 }
 

@@ -44,6 +44,20 @@ class BenchTest(ProgramTest):
         self.assertLess(forms["--shadows",], forms["--shadows", "--antialias"])
         self.assertLess(forms["--antialias",], forms["--shadows", "--antialias"])
 
+    def test_looks(self):
+        suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
+                 "surfaces": [{"name": "balls", "domain": 2,
+                               "f": "((x - 1)^2 + y^2 + z^2 - 0.8) * ((x + 1)^2 + y^2 + z^2 - 0.8)"}]}
+        (self.folder / "suite.json").write_text(json.dumps(suite), encoding="utf-8")
+        forms = []
+        for options in ((), ("--look", "metal"), ("--look", "metal", "--reflections", 2)):
+            answer = json.loads(self.run_ok("bench", "--suite", "suite.json", "--size", 64, "--repeat",
+                                            1, "--json", "-", *options).out)
+            self.assertEqual(answer["look"], "metal" if options else "standard")
+            self.assertEqual(answer["reflections"], 2 if "--reflections" in options else 0)
+            forms.append(answer["surfaces"][0]["beams"]["form_per_ray"])
+        self.assertEqual(forms, sorted(set(forms)))
+
     def test_first_pictures(self):
         suite = {"camera": {"direction": [1, -1.6, 0.9], "distance": 4, "fov": 42},
                  "surfaces": [{"name": "ball", "f": "x^2 + y^2 + z^2 - 1.5", "domain": 2},

@@ -23,8 +23,9 @@ __all__ = ["BenchTest", "BudgetTest", "DepthTest", "ExplainTest", "FilmPixelsTes
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
 STATS_KEYS = {"width", "height", "threads", "tracer", "compile_ms", "machine_code", "precision",
-              "frame_ms", "writing_ms", "certified", "certified_coarse", "coarse_width", "undecided",
-              "miss", "jumps", "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
+              "frame_ms", "writing_ms", "certified", "certified_coarse", "coarse_width",
+              "contour_step", "unproved_shadows", "undecided", "miss", "jumps",
+              "undecided_not_drawn", "undecided_by_budget", "certified_width", "surfaces",
               "evaluations"}
 
 

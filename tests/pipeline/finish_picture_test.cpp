@@ -20,9 +20,11 @@ protected:
         frame_ = frame;
     }
     [[nodiscard]] std::shared_ptr<const Framebuffer> finished(bool legend = true) const {
-        const auto picture = finish_picture(
-            frame_,
-            {.document = document_, .camera = camera_, .coloring = coloring_, .legend = legend});
+        const auto picture = finish_picture(frame_, {.document = document_,
+                                                     .camera = camera_,
+                                                     .coloring = coloring_,
+                                                     .uniforms = uniforms_,
+                                                     .legend = legend});
         EXPECT_TRUE(picture) << picture.error();
         return picture.value_or(nullptr);
     }
@@ -37,6 +39,7 @@ protected:
     Document document_ = empty_document();
     Camera camera_ = default_camera(document_.clip, 4.0 / 3.0);
     Coloring coloring_;
+    Uniforms uniforms_;
     std::shared_ptr<const Framebuffer> frame_;
 };
 

@@ -80,6 +80,24 @@ TEST(Gallery, BoxesAndCamerasAreUsable) {
     }
 }
 
+TEST(Gallery, BringsItsLookUnlessThereIsALightOfOnesOwn) {
+    const GalleryItem metal = *gallery_item("tiger");
+    const GalleryItem glass = *gallery_item("catenoid");
+    ASSERT_EQ(metal.light.look, Look::Metal);
+    ASSERT_EQ(glass.light.look, Look::Glass);
+    EXPECT_EQ(read_document(metal).document.light, metal.light);
+    Document last = empty_document();
+    EXPECT_EQ(taken_over(metal, last).light, metal.light) << "over the usual light";
+    last = taken_over(metal, last);
+    EXPECT_EQ(taken_over(glass, last).light, glass.light) << "over one that the gallery brought";
+    last.light.tone = Tone::Filmic;
+    last.shadows = true;
+    const Document next = taken_over(glass, last);
+    EXPECT_EQ(next.light, last.light);
+    EXPECT_TRUE(next.shadows);
+    EXPECT_EQ(next.clip, glass.clip);
+}
+
 TEST(GalleryItem, IsFoundByItsName) {
     for (const GalleryItem& item : gallery()) {
         const auto found = gallery_item(item.name);

@@ -215,6 +215,7 @@ constexpr auto table = std::to_array<Action>({
     choice("Color by an expression", color_by<ColorBy::Expression>,
            is_colored_by<ColorBy::Expression>),
     choice("Look: standard", take_look<Look::Standard>, has_look<Look::Standard>),
+    choice("Look: Phong", take_look<Look::Phong>, has_look<Look::Phong>),
     choice("Look: matte", take_look<Look::Matte>, has_look<Look::Matte>),
     choice("Look: porcelain", take_look<Look::Porcelain>, has_look<Look::Porcelain>),
     choice("Look: metal", take_look<Look::Metal>, has_look<Look::Metal>),

@@ -2,9 +2,11 @@
 
 #include "document/sheet.hpp"
 #include "engine/annotate/legend.hpp"
+#include "engine/annotate/shapes.hpp"
 #include "engine/image/framebuffer.hpp"
 #include "engine/language/help.hpp"
 #include "engine/measure/probe.hpp"
+#include "engine/scene/lighting.hpp"
 #include "engine/scene/precision.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/model/export_page.hpp"
@@ -56,9 +58,11 @@ struct StatusTexts {
 /// The picture on the screen, fine or coarse; no frame before the first.
 struct ShownPicture {
     std::shared_ptr<const Framebuffer> frame;
-    Camera camera;                 ///< that the frame was taken with
-    std::optional<Legend> legend;  ///< of its colours
-    bool tracing = false;          ///< a finer picture is on its way
+    Camera camera;                                      ///< that the frame was taken with
+    std::optional<Legend> legend;                       ///< of its colours
+    Shapes contour_labels = {};                         ///< in pixels of the canvas
+    std::optional<double> contour_step = std::nullopt;  ///< of its contour lines
+    bool tracing = false;                               ///< a finer picture is on its way
     /// The picture is of another text than the rows', and so little of it is seen: 0 (all) to 1.
     float dimmed = 0.0F;
 };
@@ -84,6 +88,7 @@ struct PointedFacts {
 struct Shown {
     std::vector<GalleryEntry> gallery;
     std::map<std::size_t, unsigned int> thumbnails;  ///< OpenGL's names of the gallery's pictures
+    std::map<Look, unsigned int> look_pictures;      ///< of what is drawn, in each look
     std::vector<HelpSection> language_help;
     ReadingFacts reading;
     DocumentStatus document;

@@ -63,6 +63,8 @@ struct Wishes {
     bool stop_export = false;                ///< gives up what is being saved
     std::optional<PictureClick> click;
     ThumbnailWish thumbnails;  ///< lasts while the page is open
+    /// The size of pictures of each look, while those are to be chosen from.
+    std::optional<glm::ivec2> look_pictures_px;
 };
 
 }  // namespace zeroset::ui

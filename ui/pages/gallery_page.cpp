@@ -7,6 +7,7 @@
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/card_grid.hpp"
+#include "ui/widgets/thumbnail.hpp"
 #include "ui/widgets/typing_popup.hpp"
 
 #include <imgui/imgui.h>
@@ -14,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 
 namespace zeroset::ui {
@@ -110,22 +110,6 @@ void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
                    colors.quiet, in_one_line(entry.equation).c_str(), nullptr, 0.0F, &clip);
 }
 
-/// Draws the picture of this OpenGL name; 0: it is still to come.
-void draw_picture(unsigned int name, const ImVec2& lo, const ImVec2& hi, const Palette& colors) {
-    ImDrawList& canvas = *ImGui::GetWindowDrawList();
-    canvas.AddRectFilledMultiColor(lo, hi, colors.sky, colors.sky, colors.ground, colors.ground);
-    if (name == 0) {
-        const ImVec2 size = ImGui::CalcTextSize("...");
-        canvas.AddText(ImVec2(0.5F * (lo.x + hi.x - size.x), 0.5F * (lo.y + hi.y - size.y)),
-                       colors.quiet, "...");
-        return;
-    }
-    const auto id = static_cast<std::uintptr_t>(name);
-    // ImGui's texture handle is a pointer that the OpenGL renderer uses as a number.
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): ImGui keeps OpenGL's number as a pointer
-    canvas.AddImage(reinterpret_cast<ImTextureID>(id), lo, hi);
-}
-
 /// Draws a card; true if it was clicked.
 bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
     const Palette& colors = palette(state.edited.theme);
@@ -150,8 +134,8 @@ bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
     canvas.AddRectFilled(lo, hi, selected ? colors.row_active : colors.row_field);
     const auto& thumbnails = state.shown.thumbnails;
     const auto picture = thumbnails.find(item);
-    draw_picture(picture == thumbnails.end() ? 0 : picture->second, lo,
-                 ImVec2(hi.x, lo.y + grid.picture_height), colors);
+    draw_thumbnail(picture == thumbnails.end() ? 0 : picture->second, lo,
+                   ImVec2(hi.x, lo.y + grid.picture_height), colors);
     draw_texts(state.shown.gallery[item], lo, grid, colors);
     if (!has_details()) draw_tooltip(state.shown.gallery[item].about);
     if (selected) canvas.AddRect(lo, hi, colors.accent, 0.0F, 0, em(0.14F));

@@ -8,7 +8,9 @@
 #include "ui/widgets/color_picker.hpp"
 #include "ui/widgets/light_ball.hpp"
 #include "ui/widgets/slider_row.hpp"
+#include "ui/widgets/thumbnail.hpp"
 
+#include <glm/glm.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -22,6 +24,7 @@
 namespace zeroset::ui {
 namespace {
 
+constexpr glm::vec2 look_picture_em(4.4F, 3.3F);
 constexpr float ball_rows = 3.0F;  ///< the height of a light's ball, in lines of the panel
 
 std::string shown_name(Look look) {
@@ -33,6 +36,7 @@ std::string shown_name(Look look) {
 const char* about(Look look) {
     switch (look) {
         case Look::Standard: return "A little gloss; quickest to draw.";
+        case Look::Phong: return "One light and a sharp highlight, as in figures of papers.";
         case Look::Matte: return "No gloss at all.";
         case Look::Porcelain: return "Whitish, under a clear glaze.";
         case Look::Metal: return "Mirrors its surroundings in its own colour.";
@@ -43,14 +47,33 @@ const char* about(Look look) {
     return "";
 }
 
-void draw_look(LightChoice& light) {
+/// Draws a line of the list of looks: a picture of what is drawn in that look, and its name.
+void draw_look_line(Look look, const UiState& state, LightChoice& light) {
+    const ImVec2 lo = ImGui::GetCursorScreenPos();
+    const ImVec2 size(em(look_picture_em.x), em(look_picture_em.y));
+    const std::string name = shown_name(look);
+    if (ImGui::Selectable(("##" + name).c_str(), look == light.look, 0, ImVec2(0.0F, size.y)))
+        light.look = look;
+    draw_tooltip(about(look));
+    const Palette& colors = palette(state.edited.theme);
+    const auto picture = state.shown.look_pictures.find(look);
+    draw_thumbnail(picture == state.shown.look_pictures.end() ? 0 : picture->second, lo,
+                   ImVec2(lo.x + size.x, lo.y + size.y), colors);
+    const float down = 0.5F * (size.y - ImGui::GetTextLineHeight());
+    ImGui::GetWindowDrawList()->AddText(ImVec2(lo.x + size.x + em(0.7F), lo.y + down),
+                                        ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+}
+
+void draw_look(UiState& state) {
+    LightChoice& light = state.edited.document.light;
     draw_label("look", "What the surfaces look as if they were made of.");
-    if (!ImGui::BeginCombo("##look", shown_name(light.look).c_str(), ImGuiComboFlags_HeightLarge))
+    if (!ImGui::BeginCombo("##look", shown_name(light.look).c_str(), ImGuiComboFlags_HeightLargest))
         return;
-    for (const Look look : looks()) {
-        if (ImGui::Selectable(shown_name(look).c_str(), look == light.look)) light.look = look;
-        draw_tooltip(about(look));
-    }
+    const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
+    state.wishes.look_pictures_px =
+        glm::ivec2(glm::round(em(1.0F) * scale * glm::vec2(look_picture_em)));
+    for (const Look look : looks())
+        draw_look_line(look, state, light);
     ImGui::EndCombo();
 }
 
@@ -165,13 +188,13 @@ float light_section_height(const Document& document) {
     return (4.0F + add + ball_rows * lights) * ImGui::GetFrameHeightWithSpacing();
 }
 
-void draw_light_section(Edited& edited) {
-    LightChoice& light = edited.document.light;
-    draw_look(light);
+void draw_light_section(UiState& state) {
+    LightChoice& light = state.edited.document.light;
+    draw_look(state);
     draw_mirrors(light);
     draw_tint(light);
     draw_tone(light);
-    draw_lights(edited);
+    draw_lights(state.edited);
 }
 
 }  // namespace zeroset::ui

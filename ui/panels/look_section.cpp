@@ -127,16 +127,18 @@ const char* shown_name(Contours contours) {
 }
 
 /// Draws the field of the step between contour lines; empty: chosen by itself.
-void draw_step(LineChoice& lines) {
-    double step = lines.step.value_or(0.0);
-    const char* const format = lines.step ? "step %.5g" : "step by itself";
+/// `found`: the one that was.
+void draw_step(LineChoice& lines, const std::optional<double>& found) {
+    double step = lines.step.value_or(found.value_or(0.0));
+    const char* const format = lines.step ? "step %.5g" : found ? "step %.5g (auto)" : "step auto";
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::InputDouble("##step", &step, 0.0, 0.0, format) && step <= largest_number)
         lines.step = step > 0.0 ? std::optional(step) : std::nullopt;
     draw_tooltip("From line to line; 0: chosen by itself.");
 }
 
-void draw_lines(LineChoice& lines, const std::string& error, const Palette& colors) {
+void draw_lines(LineChoice& lines, const Shown& shown, const Palette& colors) {
+    const std::string& error = shown.reading.contour_error;
     draw_label("lines", "Contour lines: where a number is a whole multiple of a step.");
     const bool has_lines = lines.contours != Contours::None;
     if (has_lines) ImGui::SetNextItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
@@ -150,7 +152,9 @@ void draw_lines(LineChoice& lines, const std::string& error, const Palette& colo
     }
     if (has_lines) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
-        draw_step(lines);
+        draw_step(lines, shown.picture.contour_step);
+        ImGui::Checkbox("Numbers###labels", &lines.labels);
+        draw_tooltip("Numbers along the contour lines.");
     }
     if (lines.contours == Contours::Expression)
         draw_expression("##contour_expression", lines.expression, error, colors);
@@ -191,7 +195,7 @@ void draw_undecided(Document& document, Theme theme) {
 
 float look_section_height(const Document& document, const ReadingFacts& reading) {
     const ColorChoice& coloring = document.coloring;
-    float rows = 3.0F;
+    float rows = coloring.lines.contours == Contours::None ? 3.0F : 4.0F;
     if (coloring.lines.contours == Contours::Expression)
         rows += reading.contour_error.empty() ? 1.0F : 2.0F;
     if (coloring.by == ColorBy::Expression) rows += reading.color_error.empty() ? 1.0F : 2.0F;
@@ -212,7 +216,7 @@ void draw_look_section(Edited& edited, const Shown& shown) {
         draw_map(coloring);
         draw_range(coloring, shown.picture.legend);
     }
-    draw_lines(coloring.lines, shown.reading.contour_error, palette(edited.theme));
+    draw_lines(coloring.lines, shown, palette(edited.theme));
     draw_undecided(edited.document, edited.theme);
 }
 

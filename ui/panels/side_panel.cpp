@@ -134,7 +134,7 @@ constexpr std::array<FoldedSection, 6> sections{
      {.title = "Light",
       .id = "##light",
       .open = &Layout::light_open,
-      .draw = [](UiState& state) { draw_light_section(state.edited); },
+      .draw = [](UiState& state) { draw_light_section(state); },
       .height = [](const UiState& state) { return light_section_height(state.edited.document); }},
      {.title = "Clip",
       .id = "##clip",

@@ -45,11 +45,12 @@ void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
     const ShownPicture& picture = shown.picture;
     const CardStyle style = card_style(edited.theme);
     const glm::dvec2 size(hi.x - lo.x, hi.y - lo.y);
-    Shapes shapes;
+    Shapes shapes = picture.contour_labels;
     if (picture.frame != nullptr) {
-        shapes =
-            marker_shapes(marked_points(edited, picture),
-                          {.frame = *picture.frame, .camera = picture.camera, .size = size}, style);
+        append(shapes,
+               marker_shapes(marked_points(edited, picture),
+                             {.frame = *picture.frame, .camera = picture.camera, .size = size},
+                             style));
     }
     const CornerLegend legend{.legend = picture.legend ? &*picture.legend : nullptr,
                               .undecided = edited.document.mark_undecided,

@@ -59,17 +59,20 @@ std::optional<InputError> read_contours(const std::string& text, LineChoice& lin
     lines.contours = is_name ? *named : Contours::Expression;
     if (!is_name) lines.expression = parts.front();
     lines.step.reset();
+    lines.labels = false;
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const auto step = number_behind(parts[i], "step");
         const auto width = number_behind(parts[i], "width");
-        if (step && *step > 0.0) {
+        if (trimmed(parts[i]) == "labels") {
+            lines.labels = true;
+        } else if (step && *step > 0.0) {
             lines.step = step;
         } else if (width && *width >= least_line_px && *width <= most_line_px) {
             lines.width_px = *width;
         } else {
             return InputError{.reason = "--contours " + text +
                                         ": after a ; type step S, above 0, " +
-                                        "or width PIXELS, 0.25 to 20"};
+                                        "width PIXELS, 0.25 to 20, or labels"};
         }
     }
     return std::nullopt;

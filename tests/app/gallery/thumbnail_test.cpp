@@ -1,5 +1,6 @@
 // Tests of the gallery's thumbnails: drawing them in the background and caching them.
 
+#include "app/gallery/look_cards.hpp"
 #include "app/gallery/thumbnail_cache.hpp"
 #include "app/gallery/thumbnail_job.hpp"
 #include "pipeline/gallery.hpp"
@@ -8,12 +9,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,7 +82,9 @@ TEST_F(Thumbnails, AreNotKeptWithoutAFolder) {
 class WatchedJob {
 public:
     explicit WatchedJob(const fs::path& folder)
-        : job_(ThumbnailCache(folder), ThumbnailJob::Priority::Usual, [this] {
+        : WatchedJob(gallery_thumbnails(ThumbnailCache(folder))) {}
+    explicit WatchedJob(DrawThumbnail draw)
+        : job_(std::move(draw), ThumbnailJob::Priority::Usual, [this] {
               const std::scoped_lock lock(mutex_);
               ++finished_;
               changed_.notify_one();
@@ -130,6 +135,49 @@ TEST_F(Thumbnails, ComeFromTheCache) {
     WatchedJob watched(folder_.path());
     watched.job().want({item}, {2, 1});
     EXPECT_EQ(watched.wait_for(1).front().image, some_image());
+}
+
+TEST_F(Thumbnails, ShowTheLookOfTheirSurface) {
+    const std::size_t item = item_named("tiger");
+    ASSERT_EQ(gallery()[item].light.look, Look::Metal);
+    EXPECT_NE(thumbnail_key(item, {32, 24}).find("metal"), std::string::npos);
+}
+
+TEST_F(Thumbnails, AreNotThoseOfBeforeWhatIsDrawnChanged) {
+    std::atomic<bool> begun = false;
+    std::atomic<std::uint32_t> shade = 1;
+    WatchedJob watched([&](std::size_t, glm::ivec2 size, const std::atomic<bool>& cancel) {
+        const RgbaImage image{
+            size.x, size.y,
+            std::vector<std::uint32_t>(static_cast<std::size_t>(size.x * size.y), shade)};
+        begun = true;
+        while (shade == 1 && !cancel) {
+        }
+        return std::optional(image);
+    });
+    watched.job().want({0}, {2, 1});
+    while (!begun) {
+    }
+    watched.job().want({}, {2, 1});
+    shade = 2;
+    watched.job().want({0}, {2, 1});
+    EXPECT_EQ(watched.wait_for(1).front().image.pixels.front(), 2U);
+}
+
+TEST_F(Thumbnails, OfLooksDifferFromEachOther) {
+    const ReadDocument read = read_document(gallery()[item_named("torus")]);
+    const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
+    ASSERT_TRUE(prepared);
+    const PictureRequest request = picture_request(prepared->formula, prepared->colors,
+                                                   read.document, thumbnail_settings(), {800, 600});
+    std::set<std::vector<std::uint32_t>> pictures;
+    for (std::size_t look = 0; look < looks().size(); ++look) {
+        const auto image = thumbnail_of(look_picture(request, look, {24, 18}), false);
+        ASSERT_TRUE(image);
+        EXPECT_EQ(image->width, 24);
+        pictures.insert(image->pixels);
+    }
+    EXPECT_EQ(pictures.size(), looks().size());
 }
 
 TEST_F(Thumbnails, WaitWhileTheyAreHeld) {

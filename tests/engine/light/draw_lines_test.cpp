@@ -113,6 +113,40 @@ TEST(Lines, AreDrawnWhereSurfacesMeet) {
     EXPECT_GT(on_line, 200U);
 }
 
+/// The technical look's creases on a roof, seen from above: its ridge at an angle to the pixels.
+TEST(Lines, OfTheTechnicalLookAreAsWideAtCreasesAsAskedForAndSmooth) {
+    constexpr double slope = 0.2;  // the ridge is at y = slope x
+    Scene scene = scene_of("z = -abs(y - 0.2 x)", Box::cube(2));
+    scene.lighting.look = Look::Technical;
+    for (const Antialias antialias : {Antialias::None, Antialias::Beams}) {
+        for (const float width : {1.4F, 3.0F}) {
+            scene.coloring.lines.width_px = width;
+            const Framebuffer frame = picture_of(scene, from_above(), antialias);
+            double least = 1e9;
+            double most = 0.0;
+            for (int col = 20; col < side - 20; ++col) {
+                const auto light_at = [&](int row) {
+                    return static_cast<double>(
+                        light_of_channel(frame.color[frame.index(col, row)] >> 8U & 0xFFU));
+                };
+                const double x = (col + 0.5 - 0.5 * side) * 2.0 / side;
+                const int ridge = static_cast<int>(0.5 * side - slope * x * 0.5 * side);
+                double covered = 0.0;
+                for (int row = ridge - 6; row <= ridge + 6; ++row) {
+                    const double bare = light_at(row < ridge ? ridge - 10 : ridge + 10);
+                    covered += 1.0 - light_at(row) / bare;
+                }
+                least = std::min(least, covered);
+                most = std::max(most, covered);
+            }
+            // Ink leaves some light, and the ridge's pixels may be bare as either side is.
+            const double across = static_cast<double>(width) * std::hypot(1.0, slope);
+            EXPECT_GT(least, 0.8 * across) << width;
+            EXPECT_LT(most, 1.15 * across) << width;
+        }
+    }
+}
+
 TEST(Lines, OfTheTechnicalLookFollowTheSilhouette) {
     Scene scene = scene_of("x^2 + y^2 + z^2 = 0.64", Box::cube(2));
     scene.lighting.look = Look::Technical;

@@ -62,6 +62,105 @@ TEST(FirstRoots, FromInsideASphereAreWhereItsClosedFormSays) {
     }
 }
 
+/// Balls, and their union as a text.
+struct Balls {
+    std::vector<Ball> balls;
+    std::string text;
+
+    explicit Balls(std::size_t count) {
+        RandomNumbers random(7);
+        const auto number = [](double value) { return "(" + std::to_string(value) + ")"; };
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 c(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5),
+                               random.uniform(-1.5, 1.5));
+            const double r = random.uniform(0.1, 0.5);
+            // As the text has them, to its digits.
+            const auto kept = [](double value) { return std::stod(std::to_string(value)); };
+            balls.push_back({.centre = {kept(c.x), kept(c.y), kept(c.z)}, .radius = kept(r)});
+            const std::string ball = "(x-" + number(c.x) + ")^2+(y-" + number(c.y) + ")^2+(z-" +
+                                     number(c.z) + ")^2-" + number(r) + "^2";
+            text = text.empty() ? ball : "min(" + text + ", " + ball + ")";
+        }
+    }
+    /// Above 0 outside of all balls, which is about how far they are.
+    [[nodiscard]] double room(const glm::dvec3& at) const {
+        double least = 1e9;
+        for (const Ball& ball : balls)
+            least = std::min(least, glm::distance(at, ball.centre) - ball.radius);
+        return least;
+    }
+    /// Where a ray from outside first meets a ball, behind `after`.
+    [[nodiscard]] double first(const SceneRay& ray, double after) const {
+        double nearest = infinity;
+        for (const Ball& ball : balls) {
+            const glm::dvec3 from = ray.origin - ball.centre;
+            const double b = glm::dot(from, glm::dvec3(ray.direction));
+            const double square = b * b - glm::dot(from, from) + ball.radius * ball.radius;
+            if (square < 0.0) continue;
+            const double t = -b - std::sqrt(square);
+            if (t > after) nearest = std::min(nearest, t);
+        }
+        return nearest;
+    }
+};
+
+TEST(FirstRoots, OfAUnionAreTheFirstOnesOfItsParts) {
+    const Balls balls(24);
+    const Frames of({balls.text + " = 0"}, Box::cube(2));
+    RandomNumbers random(8);
+    std::vector<SceneRay> rays;
+    std::vector<double> after;
+    while (rays.size() < 600) {
+        SceneRay ray{.origin = 1.9 * random_direction(random),
+                     .direction = UnitVector(random_direction(random))};
+        if (balls.room(ray.origin) < 0.01) continue;
+        rays.push_back(ray);
+        after.push_back(0.0);
+        // On from where it meets a ball, mirrored there.
+        const double t = balls.first(ray, 0.0);
+        if (!(t < 3.0)) continue;
+        const glm::dvec3 at = ray.at(t);
+        glm::dvec3 normal(0.0);
+        for (const Ball& ball : balls.balls) {
+            if (std::abs(glm::distance(at, ball.centre) - ball.radius) < 1e-9)
+                normal = glm::normalize(at - ball.centre);
+        }
+        rays.push_back({.origin = at,
+                        .direction = UnitVector(glm::reflect(glm::dvec3(ray.direction), normal)),
+                        .own = 0,
+                        .own_error = 1e-9,
+                        .own_sign = 1});
+        after.push_back(1e-6);
+    }
+    const std::vector<RayHit> hits = of.hits(rays);
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const double expected = balls.first(rays[i], after[i]);
+        const bool inside = glm::all(glm::lessThan(glm::abs(rays[i].at(expected)), glm::dvec3(2)));
+        if (!std::isfinite(expected) || !inside) {
+            EXPECT_FALSE(hits[i].is_hit()) << i;
+            continue;
+        }
+        ++met;
+        EXPECT_NEAR(hits[i].t, expected, 1e-9) << i;
+        EXPECT_EQ(hits[i].certificate, Certificate::Certified) << i;
+    }
+    EXPECT_GT(met, 100U);
+}
+
+TEST(FirstRoots, OfAUnionFromInsideAreWhereTheLastPartIsLeft) {
+    const Frames of({"min(x^2 + y^2 + z^2 - 1, (x - 1)^2 + y^2 + z^2 - 1) = 0"}, Box::cube(3));
+    const std::vector<RayHit> hits =
+        of.hits({{.origin = {0, 0, 0}, .direction = UnitVector(glm::dvec3(1, 0, 0))},
+                 {.origin = {-1, 0, 0},
+                  .direction = UnitVector(glm::dvec3(1, 0, 0)),
+                  .own = 0,
+                  .own_error = 1e-9,
+                  .own_sign = -1}});
+    EXPECT_NEAR(hits[0].t, 2.0, 1e-12);
+    EXPECT_NEAR(hits[1].t, 3.0, 1e-12);
+}
+
 TEST(FirstRoots, OfARayFromTheSurfaceLeaveOutWhereItBegins) {
     const Frames of({"x^2 + y^2 + z^2 = 1"}, Box::cube(2));
     RandomNumbers random(2);

@@ -2,6 +2,7 @@
 
 #include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
+#include "engine/render/render.hpp"
 #include "tests/engine/render/hooked_kernel.hpp"
 
 #include <gtest/gtest.h>
@@ -207,6 +208,23 @@ TEST(RenderJob, DrawsShadowsAndSmoothEdgesLast) {
         EXPECT_EQ(pictures[i - 1].frame->depth, pictures[i].frame->depth);
         EXPECT_NE(pictures[i - 1].frame->color, pictures[i].frame->color);
         EXPECT_EQ(pictures[i - 1].counts.certified, pictures[i].counts.certified);
+    }
+}
+
+TEST(RenderJob, DrawsShadowsWhileSomethingMovesOnceTheyAreKnownToFit) {
+    RenderPace pace = whole_pictures();
+    pace.rest_after = std::chrono::hours(1);
+    RenderRequest request = request_for("(z + 1) (x^2 + y^2 + z^2 - 0.25) = 0", 64, 64);
+    request.settings.shadows = true;
+    Framebuffer shadowed(64, 64);
+    render_frame(request.scene, request.camera, request.settings, shadowed);
+    for (const bool fits : {true, false}) {
+        pace.budget_ms = fits ? 1e9 : 1e-9;
+        Watched watched(pace);
+        watched.pictures_until(watched.job.submit(request));
+        const auto moving = watched.pictures_to(watched.job.submit(request)).back();
+        EXPECT_EQ(moving.frame->color == shadowed.color, fits);
+        EXPECT_EQ(moving.frame->width == 64, fits);
     }
 }
 

@@ -75,7 +75,10 @@ TEST(ContourOptions, AreANameOrAnExpressionWithStepAndWidth) {
     LineChoice lines;
     ASSERT_FALSE(read_contours("height; step 0.5; width 3", lines));
     EXPECT_EQ(lines, (LineChoice{.contours = Contours::Height, .step = 0.5, .width_px = 3.0}));
+    ASSERT_FALSE(read_contours("height; labels; step 2", lines));
+    EXPECT_TRUE(lines.labels);
     ASSERT_FALSE(read_contours("xyz", lines));
+    EXPECT_FALSE(lines.labels);
     EXPECT_EQ(lines.contours, Contours::Coordinates);
     EXPECT_FALSE(lines.step);
     ASSERT_FALSE(read_contours("x^2 + y;step=2", lines));
