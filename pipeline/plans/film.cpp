@@ -92,6 +92,10 @@ public:
         : film_(film),
           watch_(watch),
           range_(range_of(film, watch)),
+          frame_ranges_(film.script.plan(), film.frame_range, film.settings, film.size.height,
+                        [this](double moment) {
+                            return request_at(film_, film_.script.document_at(moment)).uniforms;
+                        }),
           frame_(std::make_shared<Framebuffer>(film.size.width, film.size.height)) {
         if (film.keeps_light || blurs()) frame_->keep_planes(film.keeps_normals);
     }
@@ -106,30 +110,30 @@ private:
     [[nodiscard]] bool blurs() const { return film_.script.plan().blur > 1; }
     /// Draws the moments over which a frame is mixed, the last one at its middle.
     void draw_moments(int number, FilmWork& work);
-    void draw_moment(const Document& document, FilmWork& work);
+    void draw_moment(int number, const Document& document, FilmWork& work);
 
     const Film& film_;
     const FilmWatch& watch_;
     std::optional<ValueRange> range_;
+    FrameRanges frame_ranges_;
     std::shared_ptr<Framebuffer> frame_;
     Coloring coloring_;  ///< of the last picture
 };
 
-void FrameDrawer::draw_moment(const Document& document, FilmWork& work) {
+void FrameDrawer::draw_moment(int number, const Document& document, FilmWork& work) {
     const PictureRequest request = request_at(film_, document);
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
     coloring_ = scene.coloring;
+    frame_ranges_.add_to(scene, number);
     work.counters += render_frame(scene, request.camera, request.settings, *frame_,
                                   {.limit = limit_for(film_, watch_)});
 }
 
 void FrameDrawer::draw_moments(int number, FilmWork& work) {
-    const FilmPlan& plan = film_.script.plan();
     LightSum sum;
-    for (int i = 0; i < plan.blur; ++i) {
-        const double place = (i + 0.5) / plan.blur - 0.5;
-        draw_moment(film_.script.document_at(number + plan.shutter * place), work);
+    for (const double moment : moments_of(film_.script.plan(), number)) {
+        draw_moment(number, film_.script.document_at(moment), work);
         sum.add(*frame_);
     }
     sum.put_mean(*frame_);
@@ -138,11 +142,14 @@ void FrameDrawer::draw_moments(int number, FilmWork& work) {
 std::expected<std::shared_ptr<const Framebuffer>, std::string> FrameDrawer::draw(
     int number, const Document& document, FilmWork& work) {
     const auto start = TimeLimit::Clock::now();
+    const Counters before = work.counters;
     if (blurs()) {
         draw_moments(number, work);
     } else {
-        draw_moment(document, work);
+        draw_moment(number, document, work);
     }
+    frame_ranges_.learn(work.counters.form + work.counters.range - before.form - before.range);
+    work.frame_ranges = frame_ranges_.work();
     work.drawing_ms += ms_since(start);
     const Camera camera = *document.camera;
     return finish_picture(
