@@ -30,6 +30,9 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "--blur", film.blur, "pictures that are mixed for a frame, 1 (default) to 64");
     add_value(app, "--shutter", film.shutter,
               "the part of a frame's time that --blur mixes, 0 to 1 (default 0.5)");
+    add_value(app, "--frame-range", film.frame_range,
+              "frames that share a search for empty space: auto (default; as many as measurement "
+              "says), off, or a number");
     add_value(app, "--quality", film.quality,
               "1 to 100 for " + export_endings(ExportKind::Film, &ExportFormat::quality) +
                   " (default 90)");

@@ -35,7 +35,7 @@ struct FilmCommand {
     std::string output;
     std::string size = "1280x720";
     std::optional<std::string> frames, seconds, fps, turn, axis, end, ease, blur, shutter, quality,
-        bits, budget, stats;
+        bits, budget, stats, frame_range;
     std::vector<std::string> sweeps;     ///< NAME=FROM..TO
     std::vector<std::string> waypoints;  ///< as read_waypoint reads them
     bool turntable = false;              ///< a full turn, unless another is asked for

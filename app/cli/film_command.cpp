@@ -31,6 +31,7 @@ struct FilmJob {
     Size size{};
     FilmPlan plan;
     FrameRange range;
+    FrameRangeChoice frame_range;
     FilmTarget target;
     double budget_s = default_budget_s;
 };
@@ -62,6 +63,9 @@ OrInputError<FilmJob> job_of(const FilmCommand& command) {
     const auto range = read_frame_range(command, job.plan);
     if (!range) return std::unexpected(range.error());
     job.range = *range;
+    const auto frame_range = read_frame_range_choice(command);
+    if (!frame_range) return std::unexpected(frame_range.error());
+    job.frame_range = *frame_range;
     auto target = read_film_target(command, job.size, job.plan);
     if (!target) return std::unexpected(target.error());
     job.target = std::move(*target);
@@ -89,6 +93,13 @@ Json stats_of(const Filming& filming, const FilmWork& work, const FrameFiles& fi
             {"frames_per_second",
              {{"numerator", job.plan.rate.frames}, {"denominator", job.plan.rate.seconds}}},
             {"drawing_ms", work.drawing_ms},
+            {"frame_ranges",
+             {{"frames", work.frame_ranges.frames},
+              {"searches", work.frame_ranges.searches},
+              {"boxes", work.frame_ranges.ranges},
+              {"search_ms", work.frame_ranges.search_ms},
+              {"length", work.frame_ranges.length}}},
+            {"evaluations", work.counters.form + work.counters.range + work.counters.value},
             {"writing_ms", files.writing_ms()},
             {"waiting_ms", work.waiting_ms},
             {"elapsed_ms", ms},
@@ -132,6 +143,7 @@ void make_film(Filming& filming) {
                     .size = {.width = job.size.width, .height = job.size.height},
                     .first = job.range.first,
                     .last = job.range.last,
+                    .frame_range = job.frame_range,
                     .legend = !filming.command.no_legend,
                     .keeps_light = pictures && needs_light(options),
                     .keeps_normals = pictures && needs_normals(options),

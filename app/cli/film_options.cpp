@@ -287,6 +287,18 @@ OrInputError<FrameRange> read_frame_range(const FilmCommand& command, const Film
     return FrameRange{.first = *first, .last = *last};
 }
 
+OrInputError<FrameRangeChoice> read_frame_range_choice(const FilmCommand& command) {
+    const std::string text = command.frame_range.value_or("auto");
+    if (text == "auto") return std::nullopt;
+    if (text == "off") return 0;
+    const std::string option = "--frame-range " + text;
+    if (text.find_first_not_of("0123456789") != std::string::npos)
+        return wrong_input(option + ": type auto, off or a number of frames, such as 8");
+    const auto frames = read_integer("--frame-range", text, 1, longest_frame_range);
+    if (!frames) return std::unexpected(frames.error());
+    return *frames;
+}
+
 OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size& size,
                                           const FilmPlan& plan) {
     if (FrameNames::from(command.output)) return read_frame_files(command, size);

@@ -16,6 +16,7 @@
 #include "engine/trace/frame_union.hpp"
 #include "engine/trace/hit_gradients.hpp"
 #include "engine/trace/nearest.hpp"
+#include "engine/trace/open_view.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "engine/trace/turns.hpp"
 
@@ -64,6 +65,13 @@ std::unique_ptr<FrameUnion> union_of(const TraceFrame& surface) {
     return std::make_unique<FrameUnion>(surface, *union_parts);
 }
 
+/// Where in its view surface i may be; nullptr where that is not known.
+std::unique_ptr<OpenView> open_view_of(const TraceFrame& surface, std::size_t i) {
+    const auto& spaces = surface.scene.open_space;
+    if (i >= spaces.size() || spaces[i] == nullptr) return nullptr;
+    return std::make_unique<OpenView>(surface, *spaces[i]);
+}
+
 /// How the scene is antialiased. Beams know neither of caps nor of jumps: there 16 rays do it.
 Antialias antialias_of(const Scene& scene, const TraceSettings& settings) {
     const bool by_rays = scene.jumps || has_caps(scene);
@@ -108,6 +116,7 @@ private:
     std::vector<TraceFrame> surfaces_;
     std::vector<std::unique_ptr<FrameKernels>> kernels_;  ///< nullptr: of all tiles the same
     std::vector<std::unique_ptr<FrameUnion>> unions_;     ///< nullptr: no union is known
+    std::vector<std::unique_ptr<OpenView>> open_views_;   ///< nullptr: not known
     std::vector<int> solid_signs_;  ///< of the surfaces; empty: nothing is capped
 };
 
@@ -126,6 +135,7 @@ TilePainter::TilePainter(const Scene& scene, const ViewFrame& view, const TraceS
         kernels_.push_back(
             pays && surface.kernel.specializer ? std::make_unique<FrameKernels>(surface) : nullptr);
         unions_.push_back(tracer_.takes_unions ? union_of(surface) : nullptr);
+        open_views_.push_back(open_view_of(surface, open_views_.size()));
     }
 }
 
@@ -138,6 +148,7 @@ bool TilePainter::trace_union(std::size_t i, const Tile& tile, const TimeLimit& 
     }
     TraceFrame frame = surfaces_[i];
     frame.union_members = workspace.union_members;
+    frame.open = open_views_[i].get();
     frame.limit = limit;
     tracer_.trace_tile(frame, tile, workspace.hits[i], counters);
     find_gradients(frame, tile, workspace.hits[i], counters);
@@ -150,7 +161,8 @@ void TilePainter::trace_surface(std::size_t i, const Tile& tile, const TimeLimit
     hits.clear();
     if (limit.over()) return hits.leave_undecided(tile);
     if (trace_union(i, tile, limit, workspace, counters)) return;
-    const TraceFrame frame = frame_of(i, tile, limit);
+    TraceFrame frame = frame_of(i, tile, limit);
+    frame.open = open_views_[i].get();
     if (solid_signs_.empty()) return tracer_.trace_tile(frame, tile, hits, counters);
     CapFinder& caps = workspace.caps;
     caps.fill(frame, solid_signs_[i], counters);

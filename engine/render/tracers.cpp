@@ -15,6 +15,7 @@ std::span<const Tracer> tracers() {
             .about = "beam forms over tiles of pixels, certified roots (Florez 2008, Knoll 2009)",
             .trace_tile = trace_tile_beams,
             .specializes = true,
+            .takes_open_space = true,
             .takes_unions = true},
         Tracer{.name = "k-bisection",
                .about = "bisection along the dominant axis of a packet of rays (Knoll 2007)",

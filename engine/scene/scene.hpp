@@ -4,12 +4,14 @@
 #include "engine/kernel/kernel.hpp"
 #include "engine/scene/coloring.hpp"
 #include "engine/scene/lighting.hpp"
+#include "engine/scene/open_space.hpp"
 #include "engine/scene/palette.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/box.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace zeroset {
@@ -45,6 +47,9 @@ struct Scene {
     /// Whether places are drawn, too, where f changes its sign in a jump
     /// (engine/algebra/switches.hpp). By the tracer of beams.
     bool jumps = false;
+    /// Where in the clip box each surface may be, for its tracer; nullptr, or none: not known. For
+    /// these uniforms, and without jumps only if there are none.
+    std::vector<std::shared_ptr<const OpenSpace>> open_space = {};
 
     [[nodiscard]] const SurfaceColors& colors_of_surface(std::size_t surface) const {
         return surface < colors.size() ? colors[surface] : colors_of(surface);

@@ -10,6 +10,8 @@
 
 namespace zeroset {
 
+class OpenView;
+
 /// A part of a union (engine/trace/frame_union.hpp), and where it may be: at which depths along the
 /// view axis, from the plane through the point looked at, and where in the image.
 struct UnionMember {
@@ -34,11 +36,14 @@ struct TraceFrame {
     /// one of any of them, and where one is below 0 there is a root before. Empty: there is only
     /// `kernel`.
     std::span<const UnionMember> union_members = {};
+    /// Where in this view the surface may be, of rays through the pixels of the image; nullptr: not
+    /// known. Tracers may leave out what is elsewhere.
+    const OpenView* open = nullptr;
 
     /// Whether the search is to end. Tracers look at it before each call of a kernel or so, not for
     /// each cell.
     [[nodiscard]] bool stopped() const { return limit.over(); }
-    /// This surface by another kernel of it, or of a part of it; without union_members.
+    /// This surface by another kernel of it, or of a part of it; without union_members and `open`.
     [[nodiscard]] TraceFrame with(const Kernel& other, const TimeLimit& new_limit) const {
         return {.scene = scene,
                 .kernel = other,

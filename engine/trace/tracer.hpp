@@ -19,7 +19,8 @@ struct Tracer {
                        Counters& counters);
     /// Whether it is quicker with specialized kernels than with machine code of many choices.
     bool specializes = false;
-    bool takes_unions = false;  ///< knows of TraceFrame::union_members
+    bool takes_open_space = false;  ///< knows of TraceFrame::open
+    bool takes_unions = false;      ///< knows of TraceFrame::union_members
 };
 
 }  // namespace zeroset

@@ -105,7 +105,13 @@ struct NumberedFrame {
 class FrameDrawer {
 public:
     FrameDrawer(const Film& film, const FilmWatch& watch)
-        : film_(film), watch_(watch), range_(range_of(film, watch)) {}
+        : film_(film),
+          watch_(watch),
+          range_(range_of(film, watch)),
+          frame_ranges_(film.script.plan(), film.frame_range, film.settings, film.size.height,
+                        [this](double moment) {
+                            return request_at(film_, film_.script.document_at(moment)).uniforms;
+                        }) {}
 
     /// A frame with room for its picture.
     [[nodiscard]] NumberedFrame room() const;
@@ -117,11 +123,12 @@ private:
     [[nodiscard]] bool blurs() const { return film_.script.plan().blur > 1; }
     /// Draws the moments over which a frame is mixed, the last one at its end.
     void draw_moments(int number, Framebuffer& frame, FilmWork& work);
-    void draw_moment(const Document& document, Framebuffer& frame, FilmWork& work);
+    void draw_moment(int number, const Document& document, Framebuffer& frame, FilmWork& work);
 
     const Film& film_;
     const FilmWatch& watch_;
     std::optional<ValueRange> range_;
+    FrameRanges frame_ranges_;
     Coloring coloring_;  ///< of the last picture
     Uniforms uniforms_;
 };
@@ -133,22 +140,22 @@ NumberedFrame FrameDrawer::room() const {
     return drawn;
 }
 
-void FrameDrawer::draw_moment(const Document& document, Framebuffer& frame, FilmWork& work) {
+void FrameDrawer::draw_moment(int number, const Document& document, Framebuffer& frame,
+                              FilmWork& work) {
     const PictureRequest request = request_at(film_, document);
     Scene scene = scene_of(request);
     if (range_) scene.coloring.range = range_;
     coloring_ = scene.coloring;
     uniforms_ = scene.uniforms;
+    frame_ranges_.add_to(scene, number);
     work.counters += render_frame(scene, request.camera, request.settings, frame,
                                   {.limit = limit_for(film_, watch_)});
 }
 
 void FrameDrawer::draw_moments(int number, Framebuffer& frame, FilmWork& work) {
-    const FilmPlan& plan = film_.script.plan();
     LightSum sum;
-    for (int i = 0; i < plan.blur; ++i) {
-        const double place = (i + 0.5) / plan.blur - 0.5;
-        draw_moment(film_.script.document_at(number + plan.shutter * place), frame, work);
+    for (const double moment : moments_of(film_.script.plan(), number)) {
+        draw_moment(number, film_.script.document_at(moment), frame, work);
         sum.add(frame);
     }
     sum.put_mean(frame);
@@ -157,11 +164,14 @@ void FrameDrawer::draw_moments(int number, Framebuffer& frame, FilmWork& work) {
 std::optional<std::string> FrameDrawer::draw(NumberedFrame& drawn, FilmWork& work) {
     const auto start = TimeLimit::Clock::now();
     drawn.painted.reset();
+    const Counters before = work.counters;
     if (blurs()) {
         draw_moments(drawn.number, *drawn.frame, work);
     } else {
-        draw_moment(drawn.document, *drawn.frame, work);
+        draw_moment(drawn.number, drawn.document, *drawn.frame, work);
     }
+    frame_ranges_.learn(work.counters.form + work.counters.range - before.form - before.range);
+    work.frame_ranges = frame_ranges_.work();
     auto painted = finish_picture(drawn.frame, {.document = drawn.document,
                                                 .camera = *drawn.document.camera,
                                                 .coloring = coloring_,

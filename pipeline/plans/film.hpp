@@ -4,6 +4,7 @@
 #include "engine/scene/settings.hpp"
 #include "engine/trace/tracer.hpp"
 #include "pipeline/plans/film_plan.hpp"
+#include "pipeline/plans/frame_ranges.hpp"
 #include "pipeline/prepare.hpp"
 
 #include <atomic>
@@ -20,8 +21,9 @@ struct Film {
     FilmScript script;
     TraceSettings settings;
     ImageSize size{};
-    int first = 0;             ///< the first frame to be drawn
-    int last = 0;              ///< the last one
+    int first = 0;  ///< the first frame to be drawn
+    int last = 0;   ///< the last one
+    FrameRangeChoice frame_range = {};
     bool legend = true;        ///< draw a legend, if the colours stand for something
     bool keeps_light = false;  ///< frames have Framebuffer::light
     bool keeps_normals = false;
@@ -50,6 +52,7 @@ using TakeFrame = std::function<std::expected<void, FileError>(const FilmFrame&)
 struct FilmWork {
     int drawn = 0;  ///< frames
     Counters counters;
+    FrameRangeWork frame_ranges;
     double drawing_ms = 0.0;
     double waiting_ms = 0.0;  ///< time in which nothing was drawn, as frames were taken too slowly
 };

@@ -139,6 +139,16 @@ double progress_at(const FilmPlan& plan, double frame) {
     return 0.0;
 }
 
+std::vector<double> moments_of(const FilmPlan& plan, int frame) {
+    if (plan.blur <= 1) return {static_cast<double>(frame)};
+    std::vector<double> moments;
+    for (int i = 0; i < plan.blur; ++i) {
+        const double place = (i + 0.5) / plan.blur - 0.5;
+        moments.push_back(frame + plan.shutter * place);
+    }
+    return moments;
+}
+
 FilmScript::FilmScript(FilmPlan plan, Document document, double aspect)
     : plan_(std::move(plan)),
       document_(std::move(document)),

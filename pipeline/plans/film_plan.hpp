@@ -11,6 +11,9 @@ namespace zeroset {
 /// How far the changes are, 0 to 1, at a frame; between frames for parts of them.
 double progress_at(const FilmPlan& plan, double frame);
 
+/// The moments that a frame mixes; without blur its own alone.
+std::vector<double> moments_of(const FilmPlan& plan, int frame);
+
 /// The document as it is at a frame of the film. Its camera is set, for a picture of this aspect
 /// (width / height): one that sees all of the clip box on the whole way round, unless the document
 /// has one.

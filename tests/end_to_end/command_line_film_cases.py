@@ -83,6 +83,28 @@ class FilmTest(ProgramTest):
         sharp, mixed = (read_png(self.folder / name) for name in ("sharp1.png", "mixed1.png"))
         self.assertGreater(len(mixed.colors()), len(sharp.colors()))
 
+    def test_frame_ranges_change_no_picture(self):
+        arguments = ["animate", "min((x-a)^2 + y^2 + z^2, x^2 + (y+a)^2 + z^4) = 0.3", "--turn",
+                     "40", "--sweep", "a=0..0.8", "--frames", "14", "--size", "80x80", "--box",
+                     "1.5", "--shadows", "--stats", "-"]
+        pictures, told = {}, {}
+        for choice in ("off", "auto", "1", "5"):
+            done = self.run_ok(*arguments, "-o", choice + "##.png", "--frame-range", choice)
+            told[choice] = json.loads(done.out)["frame_ranges"]
+            pictures[choice] = [(self.folder / f"{choice}{i:02}.png").read_bytes()
+                                for i in range(14)]
+            self.assertEqual(pictures[choice], pictures["off"], choice)
+        self.assertEqual((told["off"]["frames"], told["off"]["searches"]), (0, 0))
+        self.assertEqual((told["1"]["frames"], told["1"]["searches"]), (14, 14))
+        self.assertEqual((told["5"]["frames"], told["5"]["searches"]), (14, 3))
+        self.assertGreater(told["auto"]["searches"], 0, "lengths are tried")
+        turn = self.film("-o", "turn.mkv", "--frame-range", "2", "--stats", "-")
+        self.assertEqual(json.loads(turn.out)["frame_ranges"]["searches"], 1,
+                         "where only the camera moves one search is enough")
+        other = self.film("-o", "other.mkv", "--frame-range", "2", "--tracer", "k-bisection",
+                          "--stats", "-")
+        self.assertEqual(json.loads(other.out)["frame_ranges"]["frames"], 0)
+
     def test_wrong_films(self):
         for arguments, words in (
                 (["-o", "film.avi"], ["film.avi", ".mp4", "####"]),
@@ -102,7 +124,10 @@ class FilmTest(ProgramTest):
                 (["-o", "film.mp4", "--end", "never"], ["--end", "bounce"]),
                 (["-o", "film.mp4", "--ease", "odd"], ["--ease", "smooth"]),
                 (["-o", "film.mp4", "--blur", "0"], ["--blur"]),
-                (["-o", "film.mp4", "--shutter", "2"], ["--shutter"])):
+                (["-o", "film.mp4", "--shutter", "2"], ["--shutter"]),
+                (["-o", "film.mp4", "--frame-range", "0"], ["--frame-range", "1"]),
+                (["-o", "film.mp4", "--frame-range", "2.5"], ["--frame-range", "auto", "off"]),
+                (["-o", "film.mp4", "--frame-range", "on"], ["--frame-range", "auto", "off"])):
             with self.subTest(arguments=arguments):
                 done = run("turntable", SWEPT, *arguments, cwd=self.folder)
                 self.assertEqual(done.code, 2, str(done))

@@ -1,0 +1,144 @@
+#include "engine/trace/open_view.hpp"
+
+#include "engine/trace/tile.hpp"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace zeroset {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Places in the image where rays surely are that belong to a pixel: half a pixel for those beside
+/// its centre, the rest for rounding.
+constexpr double pixel_spare = 1.0;
+
+struct Ends {
+    double lo, hi;
+};
+
+/// Where `[lo, hi] / z` is for z in a range above 0.
+Ends over(const Ends& across, const Ends& z) {
+    return {.lo = across.lo / (across.lo < 0 ? z.lo : z.hi),
+            .hi = across.hi / (across.hi < 0 ? z.hi : z.lo)};
+}
+
+/// The half of a box's width along an axis of the view.
+double half_along(const glm::dvec3& axis, const glm::dvec3& half) {
+    return glm::dot(glm::abs(axis), half);
+}
+
+}  // namespace
+
+int OpenView::slab_at(double s) const {
+    const double place = (s - first_depth_) * slabs_per_depth_;
+    return static_cast<int>(std::clamp(place, 0.0, slab_count - 1.0));
+}
+
+void OpenView::begin_slabs(const TraceFrame& frame, const Box& box, double spare) {
+    const double middle =
+        glm::dot(box.centre() - frame.view.eye, frame.view.forward) - frame.view.look_distance;
+    const double radius = half_along(frame.view.forward, 0.5 * (box.hi - box.lo)) + spare;
+    const double nearest = frame.view.parallel() ? -unbounded : -frame.view.look_distance;
+    first_depth_ = std::max(middle - radius, nearest);
+    const double length = middle + radius - first_depth_;
+    slabs_per_depth_ = length > 0 ? slab_count / length : 0.0;
+}
+
+void OpenView::mark(const Seen& seen) {
+    Level& level = levels_.front();
+    const auto block = [](double place, std::size_t count) {
+        return static_cast<std::size_t>(
+            std::clamp(place / block_pixels, 0.0, static_cast<double>(count) - 1.0));
+    };
+    const double width = static_cast<double>(level.cols) * block_pixels;
+    const double height = static_cast<double>(level.rows) * block_pixels;
+    if (seen.last_col < 0 || seen.last_row < 0 || seen.first_col > width || seen.first_row > height)
+        return;
+    const std::size_t first_col = block(seen.first_col, level.cols);
+    const std::size_t last_col = block(seen.last_col, level.cols);
+    const std::size_t last_row = block(seen.last_row, level.rows);
+    const std::uint64_t slabs = slabs_between(seen.from, seen.to);
+    for (std::size_t row = block(seen.first_row, level.rows); row <= last_row; ++row) {
+        for (std::size_t col = first_col; col <= last_col; ++col)
+            level.slabs[row * level.cols + col] |= slabs;
+    }
+}
+
+void OpenView::join_levels() {
+    for (std::size_t i = 1; i < level_count; ++i) {
+        const Level& fine = levels_[i - 1];
+        for (std::size_t row = 0; row < fine.rows; ++row) {
+            for (std::size_t col = 0; col < fine.cols; ++col)
+                levels_[i].slabs[row / 2 * levels_[i].cols + col / 2] |=
+                    fine.slabs[row * fine.cols + col];
+        }
+    }
+}
+
+OpenView::OpenView(const TraceFrame& frame, const OpenSpace& space) {
+    for (std::size_t i = 0; i < level_count; ++i) {
+        Level& level = levels_[i];
+        level.shift = first_shift + static_cast<int>(i);
+        const auto squares = [&](int pixels) {
+            // Whole tiles: squares at the edges may stick out of the image.
+            const int tiles = (pixels + tile_size - 1) / tile_size;
+            return static_cast<std::size_t>(tiles) * (tile_size >> level.shift);
+        };
+        level.cols = squares(frame.image.width);
+        level.rows = squares(frame.image.height);
+        level.slabs.assign(level.cols * level.rows, 0);
+    }
+    const Box& box = space.box;
+    const glm::dvec3 size = box.hi - box.lo;
+    const glm::dvec3 half = 0.5 / space.side * size;
+    // Depths of slabs are rounded to floats, as large as the box seen from the point looked at.
+    const glm::dvec3 from_look = glm::abs(box.centre() - frame.view.look_at()) + 0.5 * size;
+    const double spare = 4 * place_error(frame) + 0x1p-18 * glm::length(from_look);
+    begin_slabs(frame, box, spare);
+    const ViewFrame& view = frame.view;
+    const double right_half = half_along(view.right, half) + spare;
+    const double up_half = half_along(view.up, half) + spare;
+    const double along_half = half_along(view.forward, half) + spare;
+    const double pixel = view.parallel() ? view.pixel_at_look(frame.image.height)
+                                         : view.pixel_size(frame.image.height);
+    const auto side = static_cast<std::uint32_t>(space.side);
+    for (const std::uint32_t cell : space.cells) {
+        const glm::dvec3 at(cell % side, cell / side % side, cell / side / side);
+        const glm::dvec3 centre = box.lo + (2.0 * at + 1.0) * half - view.eye;
+        const double along = glm::dot(centre, view.forward);
+        const Ends z{along - along_half, along + along_half};
+        const double x = glm::dot(centre, view.right);
+        const double y = glm::dot(centre, view.up);
+        Ends across{x - right_half, x + right_half};
+        Ends upwards{y - up_half, y + up_half};
+        Seen seen{.first_col = 0,
+                  .last_col = unbounded,
+                  .first_row = 0,
+                  .last_row = unbounded,
+                  .from = z.lo - view.look_distance,
+                  .to = z.hi - view.look_distance};
+        if (view.parallel() || z.lo > 0) {
+            if (!view.parallel()) {
+                across = over(across, z);
+                upwards = over(upwards, z);
+            }
+            const double middle_col = 0.5 * frame.image.width;
+            const double middle_row = 0.5 * frame.image.height;
+            seen.first_col = middle_col + across.lo / pixel - pixel_spare;
+            seen.last_col = middle_col + across.hi / pixel + pixel_spare;
+            seen.first_row = middle_row - upwards.hi / pixel - pixel_spare;
+            seen.last_row = middle_row - upwards.lo / pixel + pixel_spare;
+        } else if (z.hi < 0) {
+            continue;
+        }
+        mark(seen);
+    }
+    join_levels();
+}
+
+}  // namespace zeroset
