@@ -74,7 +74,7 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
 }
 
 void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportPreview& shown) {
-    for (const LineGroup& group : line_groups(style)) {
+    for (const LineGroup& group : line_groups(drawing, style)) {
         for (const DrawnPath& path : drawing.paths) {
             if (path.kind != group.kind || path.hidden != group.hidden) continue;
             shown.lines.push_back({.points = points_of(path, drawing.size),

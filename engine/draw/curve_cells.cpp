@@ -84,6 +84,7 @@ void CellSearch::judge() {
 
 void CellSearch::divide() {
     const bool is_full = cells_.size() > limits_.most_cells || limits_.time.over();
+    result_.in_time = result_.in_time && !limits_.time.over();
     std::vector<CurveCell> parts;
     for (const CurveCell& cell : cells_) {
         const bool is_small = domain_.page.diameter(cell.box) <= limits_.smallest_pt;

@@ -63,6 +63,7 @@ struct CurveCells {
     std::vector<CurveCell> regular;  ///< of different levels
     std::vector<CurveCell> open;     ///< not regular, not divided further
     std::size_t seen = 0;            ///< cells looked at
+    bool in_time = true;             ///< the time sufficed to divide them
 };
 
 /// Those of the cells in which enclosures of the functions leave a point of the curve possible, in

@@ -228,7 +228,7 @@ void CurveFinder::divide(const CurveCell& cell, const Passage& passage, int divi
     for (const CellPlace& place : parts_of(domain_, cell.place))
         parts.push_back({.place = place, .box = box_of(domain_, place)});
     parts = sifted(system_, domain_, limits_.time, std::move(parts));
-    const std::vector<JudgedCell> judged = judge_cells(system_, parts);
+    const std::vector<JudgedCell> judged = judge_cells(system_, parts, limits_.time);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (judged[i].state != CellState::Empty) settle(parts[i], passage, divisions + 1);
     }
@@ -307,7 +307,7 @@ FoundCurves CurveFinder::run() {
     }
     found_.report.cells = cells_.seen;
     found_.report.regular = cells_.regular.size();
-    found_.report.in_time = !limits_.time.over();
+    found_.report.in_time = cells_.in_time && !limits_.time.over();
     return std::move(found_);
 }
 

@@ -15,7 +15,7 @@ struct FindingReport {
     std::size_t open = 0;     ///< in which more may be
     double open_pt = 0.0;     ///< the diameter of the largest of these on the page
     std::size_t stuck = 0;    ///< ends of curves within the domain
-    bool in_time = true;
+    bool in_time = true;  ///< the search was not cut
 
     FindingReport& operator+=(const FindingReport& other);
 };

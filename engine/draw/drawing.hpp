@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +47,11 @@ struct LineDrawing {
     PageSize size;
     std::vector<DrawnPath> paths = {};
     FindingReport report = {};
+    std::array<bool, 5> cut{};  ///< by CurveKind: the time did not suffice for all of them
+    bool all_seams = true;      ///< false: some jumps are left out, as there were too many
+    std::optional<double> contour_width_pt = {};  ///< if one was asked for with the contour lines
+
+    [[nodiscard]] bool in_time() const { return std::ranges::find(cut, true) == cut.end(); }
 };
 
 }  // namespace zeroset

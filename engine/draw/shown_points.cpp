@@ -1,7 +1,5 @@
 #include "engine/draw/shown_points.hpp"
 
-#include "engine/draw/space_function.hpp"
-#include "engine/interpret/interpret.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,10 +29,23 @@ Sides sides_of(const Kernel& border, const Scene& scene, const glm::dvec3& point
     return {.above = point + step, .below = point - step};
 }
 
+/// How much a continuous function may change between the sides, to first order with some room.
+double most_change(const ValueAndGradient& above, const ValueAndGradient& below,
+                   const Scene& scene) {
+    constexpr double room = 8.0;
+    const double steepness = std::max(glm::length(above.gradient), glm::length(below.gradient));
+    return room * side_part * scene.clip.size() * steepness;
+}
+
+double larger_side(const ValueAndGradient& above, const ValueAndGradient& below) {
+    return std::max(std::abs(above.value), std::abs(below.value));
+}
+
 }  // namespace
 
-ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& piece) {
-    return [&scene, surface, code = interpret(piece)](const CurvePoint& point) {
+ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& piece,
+                           const KernelMaker& make_kernel) {
+    return [&scene, surface, code = make_kernel(piece)](const CurvePoint& point) {
         const glm::dvec3 steepness = value_at(code, scene.uniforms, point.place).gradient;
         const double f = surface_at(scene, surface, point.place).value;
         return std::abs(f) <= zero_slack * scene.clip.size() * glm::length(steepness);
@@ -47,22 +58,39 @@ ShownAt where_defined(const Scene& scene, std::size_t surface) {
     };
 }
 
-ShownAt where_edge(const Scene& scene, std::size_t surface, const Expr& whole, const Expr& border) {
-    return [&scene, surface, code = interpret(whole),
-            border_code = interpret(border)](const CurvePoint& point) {
+ShownAt where_edge(const Scene& scene, std::size_t surface, const Expr& whole, const Expr& border,
+                   const KernelMaker& make_kernel) {
+    return [&scene, surface, code = make_kernel(whole),
+            border_code = make_kernel(border)](const CurvePoint& point) {
         constexpr double least_sine = 1e-3;
         const Sides sides = sides_of(border_code, scene, point.place);
-        const glm::dvec3 a = value_at(code, scene.uniforms, sides.above).gradient;
-        const glm::dvec3 b = value_at(code, scene.uniforms, sides.below).gradient;
+        const ValueAndGradient above = value_at(code, scene.uniforms, sides.above);
+        const ValueAndGradient below = value_at(code, scene.uniforms, sides.below);
+        const glm::dvec3& a = above.gradient;
+        const glm::dvec3& b = below.gradient;
         const double steepness = std::max(glm::length(a), glm::length(b));
         const double f = surface_at(scene, surface, point.place).value;
         return std::abs(f) <= zero_slack * scene.clip.size() * steepness &&
+               larger_side(above, below) <= most_change(above, below, scene) &&
                glm::length(glm::cross(a, b)) > least_sine * glm::length(a) * glm::length(b);
     };
 }
 
-ShownAt where_end(const Scene& scene, std::size_t surface, const Expr& border) {
-    return [&scene, surface, border_code = interpret(border)](const CurvePoint& point) {
+ShownAt where_jump(const Scene& scene, std::size_t surface, const Expr& border,
+                   const KernelMaker& make_kernel) {
+    return [&scene, surface, border_code = make_kernel(border)](const CurvePoint& point) {
+        const Sides sides = sides_of(border_code, scene, point.place);
+        const ValueAndGradient above = surface_at(scene, surface, sides.above);
+        const ValueAndGradient below = surface_at(scene, surface, sides.below);
+        const double change = most_change(above, below, scene);
+        return std::min(std::abs(above.value), std::abs(below.value)) <= change &&
+               larger_side(above, below) > change;
+    };
+}
+
+ShownAt where_end(const Scene& scene, std::size_t surface, const Expr& border,
+                  const KernelMaker& make_kernel) {
+    return [&scene, surface, border_code = make_kernel(border)](const CurvePoint& point) {
         const Sides sides = sides_of(border_code, scene, point.place);
         const bool above = std::isnan(surface_at(scene, surface, sides.above).value);
         const bool below = std::isnan(surface_at(scene, surface, sides.below).value);

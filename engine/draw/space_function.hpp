@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <functional>
 #include <span>
 
 namespace zeroset {
@@ -32,13 +33,17 @@ struct ValueAndGradient {
     glm::dvec3 gradient;
 };
 
+/// Makes the code of a formula, of which values, ranges and forms in double are called.
+using KernelMaker = std::function<Kernel(const Expr&)>;
+
 /// A function of space with its derivatives: values at points, and enclosures over boxes, in
 /// double. Any thread, in whatever rounding.
 class SpaceFunction {
 public:
     /// `uniforms` lives longer. The derivatives are written so that they are enclosed tightly in
     /// `box`, which takes some milliseconds for a polynomial.
-    SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box);
+    SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box,
+                  const KernelMaker& make_kernel);
 
     [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
     void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;

@@ -41,7 +41,8 @@ private:
         CurveEquations equations;
         for (const std::string& text : texts)
             equations.zero.push_back(
-                std::make_shared<const SpaceFunction>(parse(text).value(), uniforms, box));
+                std::make_shared<const SpaceFunction>(parse(text).value(), uniforms, box,
+                [](const Expr& f) { return interpret(f); }));
         return equations;
     }
 };

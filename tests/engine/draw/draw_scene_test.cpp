@@ -313,12 +313,9 @@ TEST(DrawScene, IsolatedSingularPointsAreNoCreases) {
 
 TEST(DrawScene, ABudgetEndsTheSearch) {
     const TextScene of({"sin(20 x y z) sin(30 x) sin(40 y) = 0.01"}, Box::cube(2));
-    const DrawnScene input{.scene = of.scene,
-                           .surfaces = of.surfaces,
-                           .camera = default_camera(Box::cube(2)),
-                           .page = {}};
-    const LineDrawing drawing = draw_scene(input, {}, {.until = TimeLimit::Clock::now()});
-    EXPECT_FALSE(drawing.report.in_time);
+    const LineDrawing drawing = draw_scene(of.input(default_camera(Box::cube(2))), {},
+                                           {.until = TimeLimit::Clock::now()});
+    EXPECT_FALSE(drawing.in_time());
 }
 
 }  // namespace
