@@ -61,7 +61,7 @@ Kernel kernel_of(const Expr& f) {
     constexpr std::size_t most_nodes = 4'000;
     constexpr std::size_t most_thorough_nodes = 200;
     // Items that the interpreter evaluates in about the time that LLVM takes for them.
-    constexpr std::size_t patience = 40'000;
+    constexpr std::size_t patience = 15'000;
     const std::size_t nodes = f.nodes().size();
     if (nodes > most_nodes) return interpret(f);
     return jit::compile_when_called(

@@ -90,32 +90,12 @@ void work_on(DrawJob& job) {
     });
 }
 
-/// "silhouettes, creases": the kinds of lines of which some may be missing.
-std::string cut_kinds(const LineDrawing& drawing) {
-    std::string names;
-    for (const CurveKind kind : curve_kinds()) {
-        if (!drawing.cut.at(static_cast<std::size_t>(kind))) continue;
-        names += (names.empty() ? "" : ", ") + std::string(name_of(kind)) + "s";
-    }
-    return names;
-}
-
 /// One line on what the drawing may lack; empty if it lacks nothing.
 std::string warning_of(const DrawJob& job, const LineDrawing& drawing) {
-    const FindingReport& report = drawing.report;
-    if (!drawing.in_time()) {
-        return "the budget of " + short_number(job.budget_s) + " s is spent on " +
-               name_of(job.progress.stage()) + ": some " + cut_kinds(drawing) +
-               " may be missing; --budget SECONDS gives more";
-    }
-    if (!drawing.all_seams)
-        return "lines may be missing where f jumps: there are too many such places";
-    if (report.open_pt > job.plan.choice.tolerance_pt) {
-        return "lines may be missing in " + std::to_string(report.open) + " places of up to " +
-               short_number(report.open_pt) +
-               " pt, where equations of lines could not be told apart";
-    }
-    return "";
+    const std::string lacks = drawing.lacks(job.plan.choice.tolerance_pt);
+    if (drawing.in_time()) return lacks;
+    return "the budget of " + short_number(job.budget_s) + " s is spent on " +
+           name_of(job.progress.stage()) + ": " + lacks + "; --budget SECONDS gives more";
 }
 
 Json stats_of(const DrawJob& job, const LineDrawing& drawing) {
@@ -140,6 +120,7 @@ Json stats_of(const DrawJob& job, const LineDrawing& drawing) {
             {"cells", report.cells},
             {"cells_proved", report.regular},
             {"cells_open", report.open},
+            {"cells_on_double_lines", report.singular},
             {"cells_open_pt", report.open_pt},
             {"ends_within", report.stuck},
             {"in_time", drawing.in_time()},

@@ -85,6 +85,8 @@ void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportP
     std::size_t pieces = 0;
     for (const DrawnPath& path : drawing.paths)
         pieces += path.pieces.size();
+    const std::string lacks = drawing.lacks(style.tolerance_pt);
+    if (!lacks.empty()) shown.warnings.push_back(lacks);
     shown.facts.push_back(counted(drawing.paths.size(), "curve") + " of " +
                           counted(pieces, "B\xC3\xA9zier piece"));
 }

@@ -14,8 +14,7 @@ ValueRange range_of(const Json& json) {
 }
 
 Json json_of(const LineChoice& lines) {
-    Json json{{"contours", name_of(lines.contours)},
-              {"intersections", lines.intersections}};
+    Json json{{"contours", name_of(lines.contours)}, {"intersections", lines.intersections}};
     if (!lines.expression.empty()) json["expression"] = lines.expression;
     if (lines.step) json["step"] = *lines.step;
     if (lines.width) json["width"] = *lines.width;

@@ -132,14 +132,15 @@ private:
     };
 
     /// Calls `add_lines` for each piece of a surface while there is time.
-    void for_pieces(const Surface& surface, CurveKind kind, void (TaskMaker::*add_lines)(const Piece&));
+    void for_pieces(const Surface& surface, CurveKind kind,
+                    void (TaskMaker::*add_lines)(const Piece&));
     /// A task in the clip box and the region.
     CurveTask& add_task(CurveKind kind, std::size_t surface, CurveEquations equations) {
         tasks_.list.push_back({.kind = kind,
-                          .surface = surface,
-                          .equations = std::move(equations),
-                          .box = input_.scene.clip,
-                          .region = input_.scene.region});
+                               .surface = surface,
+                               .equations = std::move(equations),
+                               .box = input_.scene.clip,
+                               .region = input_.scene.region});
         return tasks_.list.back();
     }
     CurveTask& add(CurveKind kind, const Piece& piece, CurveEquations equations);
@@ -195,8 +196,9 @@ void TaskMaker::require_piece(CurveTask& task, const Piece& piece) {
     const Surface& surface = surfaces_[piece.surface];
     const bool is_whole = surface.pieces.size() == 1;
     if (is_whole && !surface.is_restricted) return;
-    ShownAt shown = is_whole ? where_defined(scene, piece.surface)
-                             : where_piece_counts(scene, piece.surface, piece.f, input_.make_kernel);
+    ShownAt shown = is_whole
+                        ? where_defined(scene, piece.surface)
+                        : where_piece_counts(scene, piece.surface, piece.f, input_.make_kernel);
     if (!is_whole) task.equations.also.push_back(surface.zero);
     if (!task.is_shown) {
         task.is_shown = std::move(shown);
@@ -223,7 +225,9 @@ void TaskMaker::add_double_curves(const Piece& piece) {
     CurveEquations equations{.zero = {}, .also = {piece.zero}};
     for (const Expr& slope : gradient_of(piece.f))
         equations.zero.push_back(tight(slope));
-    add(CurveKind::Crease, piece, std::move(equations));
+    CurveTask& task = add_task(CurveKind::Crease, piece.surface, std::move(equations));
+    task.is_shown = where_branches_meet(input_.scene, piece.f, input_.make_kernel);
+    require_piece(task, piece);
 }
 
 void TaskMaker::add_edge(std::size_t i, CurveEquations equations, const Expr& border) {

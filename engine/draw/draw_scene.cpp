@@ -164,11 +164,11 @@ void CurveDrawer::add_run(const CurveRun& run) {
         return;
     }
     paths_.push_back({.kind = task_.kind,
-                              .surface = task_.surface,
-                              .level = task_.level,
-                              .hidden = hidden,
-                              .closed = run.curve.closed,
-                              .pieces = std::move(pieces)});
+                      .surface = task_.surface,
+                      .level = task_.level,
+                      .hidden = hidden,
+                      .closed = run.curve.closed,
+                      .pieces = std::move(pieces)});
 }
 
 /// A part of the time that is left, from 0 to 1.
@@ -202,7 +202,8 @@ private:
     /// Parts of the time that is left for each step, and for the finding of one task's curves.
     static constexpr double part_to_prepare = 0.3;
     static constexpr double part_to_find = 0.6;
-    static constexpr double part_for_task = 0.7;
+    static constexpr double part_for_others = 0.3;
+    static constexpr double part_for_silhouettes = 0.8;
 
     /// A curve that is to be drawn.
     struct Item {
@@ -211,6 +212,8 @@ private:
     };
 
     void find();
+    void find(std::size_t i, const TimeLimit& limit);
+    [[nodiscard]] std::vector<const SpaceCurve*> double_lines(std::size_t surface) const;
     void draw(LineDrawing& drawing);
     void report(LineDrawing& drawing) const;
 
@@ -227,14 +230,39 @@ private:
 
 void SceneDrawer::find() {
     const TimeLimit until = part_of(limit_, part_to_find);
+    const auto is_silhouette = [](const CurveTask& task) {
+        return task.kind == CurveKind::Silhouette;
+    };
     found_.resize(tasks_.list.size());
-    parallel_for(tasks_.list.size(), 0, [&](std::size_t i) {
+    // Silhouettes take longest, and are better found where double lines are known.
+    for (const bool silhouettes : {false, true}) {
+        const double part = silhouettes ? part_for_silhouettes : part_for_others;
+        parallel_for(tasks_.list.size(), 0, [&](std::size_t i) {
+            if (is_silhouette(tasks_.list[i]) == silhouettes) find(i, part_of(until, part));
+        });
+    }
+}
+
+void SceneDrawer::find(std::size_t i, const TimeLimit& limit) {
+    const CurveTask& task = tasks_.list[i];
+    const CurveDomain domain{.box = task.box, .region = task.region, .page = page_};
+    SearchLimits limits{.smallest_pt = options_.tolerance_pt,
+                        .time = limit,
+                        .singular_pt = 8.0 * options_.tolerance_pt};
+    if (task.kind == CurveKind::Silhouette) limits.singular = double_lines(task.surface);
+    found_[i] = find_curves(systems_[i], domain, limits);
+}
+
+/// The curves found on which a surface meets itself.
+std::vector<const SpaceCurve*> SceneDrawer::double_lines(std::size_t surface) const {
+    std::vector<const SpaceCurve*> lines;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
         const CurveTask& task = tasks_.list[i];
-        const CurveDomain domain{.box = task.box, .region = task.region, .page = page_};
-        const SearchLimits limits{.smallest_pt = options_.tolerance_pt,
-                                  .time = part_of(until, part_for_task)};
-        found_[i] = find_curves(systems_[i], domain, limits);
-    });
+        if (task.surface != surface || task.equations.zero.size() < 3) continue;
+        for (const SpaceCurve& curve : found_[i].curves)
+            lines.push_back(&curve);
+    }
+    return lines;
 }
 
 void SceneDrawer::draw(LineDrawing& drawing) {

@@ -24,9 +24,9 @@ struct ContourNumber {
 struct DrawOptions {
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind
     std::vector<ContourNumber> contours = {};
-    double contour_step = 1.0;   ///< above 0
+    double contour_step = 1.0;                    ///< above 0
     std::optional<double> contour_width_pt = {};  ///< none: as the style has it
-    bool hidden = true;          ///< hidden parts are kept, marked as such
+    bool hidden = true;                           ///< hidden parts are kept, marked as such
     double tolerance_pt = 0.05;  ///< how far drawn curves may be from the true ones
 
     [[nodiscard]] bool wants(CurveKind kind) const {

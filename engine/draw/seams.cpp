@@ -58,8 +58,8 @@ public:
 private:
     void add(NodeId id);
     void add(NodeId id, const MakeNode& border, const MakeNode& one, const MakeNode& other);
-    /// The seams of a step, at the whole numbers and a shift of what `steps` makes; `held` makes what
-    /// it is there.
+    /// The seams of a step, at the whole numbers and a shift of what `steps` makes; `held` makes
+    /// what it is there.
     void add_steps(NodeId id, const MakeNode& steps, double shift,
                    const std::function<MakeNode(double)>& held, double below, double above);
     [[nodiscard]] MakeNode operand(NodeId id) const {

@@ -1,6 +1,5 @@
 #include "engine/draw/shown_points.hpp"
 
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -55,6 +54,32 @@ ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& 
 ShownAt where_defined(const Scene& scene, std::size_t surface) {
     return [&scene, surface](const CurvePoint& point) {
         return !std::isnan(surface_at(scene, surface, point.place).value);
+    };
+}
+
+// Across the curve the piece is a quadratic form to second order. A definite one vanishes on the
+// curve only.
+ShownAt where_branches_meet(const Scene& scene, const Expr& piece, const KernelMaker& make_kernel) {
+    return [&scene, code = make_kernel(piece)](const CurvePoint& point) {
+        constexpr double step_part = 1e-5;
+        constexpr double least_part = 1e-3;  // of the larger curvature, for the form to be definite
+        const double step = step_part * scene.clip.size();
+        const auto change = [&](const glm::dvec3& along) {
+            const glm::dvec3 ahead = point.place + step * along;
+            const glm::dvec3 behind = point.place - step * along;
+            return value_at(code, scene.uniforms, ahead).gradient -
+                   value_at(code, scene.uniforms, behind).gradient;
+        };
+        const glm::dvec3 any =
+            std::abs(point.tangent.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        const glm::dvec3 u = glm::normalize(glm::cross(point.tangent, any));
+        const glm::dvec3 v = glm::cross(point.tangent, u);
+        const glm::dvec3 change_u = change(u);
+        const double uu = glm::dot(u, change_u);
+        const double uv = glm::dot(v, change_u);
+        const double vv = glm::dot(v, change(v));
+        const double size = uu * uu + 2.0 * uv * uv + vv * vv;
+        return !(uu * vv - uv * uv > least_part * size);
     };
 }
 

@@ -17,9 +17,12 @@ using ShownAt = std::function<bool(const CurvePoint&)>;
 
 /// Whether the surface's function is defined there and 0, as its piece is.
 ShownAt where_piece_counts(const Scene& scene, std::size_t surface, const Expr& piece,
-                            const KernelMaker& make_kernel);
+                           const KernelMaker& make_kernel);
 /// Whether the surface's function is defined there.
 ShownAt where_defined(const Scene& scene, std::size_t surface);
+/// Whether branches of the piece meet there: not where the point's curve, on which the piece's
+/// derivatives vanish, is all that there is of it, a line without a surface.
+ShownAt where_branches_meet(const Scene& scene, const Expr& piece, const KernelMaker& make_kernel);
 /// Whether the surface has an edge there: its normals on both sides of the border differ.
 ShownAt where_edge(const Scene& scene, std::size_t surface, const Expr& whole, const Expr& border,
                    const KernelMaker& make_kernel);

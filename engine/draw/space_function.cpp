@@ -45,8 +45,10 @@ void enclose_some(const Kernel& kernel, const Uniforms& uniforms, std::span<cons
     }
     batch.pad(boxes.size());
     call_range(kernel, batch.batch(padded(boxes.size()), uniforms.boxes<double>()));
-    for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
         out[i] = bounds_of(batch.f_neg_lo[i], batch.f_hi[i]);
+        out[i].continuous = batch.continuous[i] != 0;
+    }
 }
 
 void enclose_all(const Kernel& kernel, const Uniforms& uniforms, std::span<const Box> boxes,

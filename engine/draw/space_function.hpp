@@ -17,6 +17,7 @@ namespace zeroset {
 struct Bounds {
     double lo, hi;               ///< infinite where nothing is known
     bool excludes_zero = false;  ///< the function is surely nowhere 0, or nowhere defined
+    bool continuous = false;     ///< it surely is, and defined, in all of the box
 };
 
 /// A function over a box: within `error` of value + dot(gradient, p - centre), or of another
@@ -45,6 +46,8 @@ public:
     SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box,
                   const KernelMaker& make_kernel);
 
+    /// Whether it has jumps, of which its derivatives tell nothing.
+    [[nodiscard]] bool may_jump() const { return kernel_.switches > 0; }
     [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
     void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;
     /// Encloses the function by linear ones over boxes of one size, none of them flat.
