@@ -26,8 +26,8 @@ enum class Contours : std::uint8_t {
 std::string_view name_of(Contours contours);
 std::optional<Contours> contours_named(std::string_view name);
 
-inline constexpr double least_line_px = 0.25;
-inline constexpr double most_line_px = 20.0;
+inline constexpr double least_line = 0.25;
+inline constexpr double most_line = 20.0;
 
 /// Lines on all surfaces.
 struct LineChoice {
@@ -36,8 +36,10 @@ struct LineChoice {
     /// From line to line; above 0. None: some twenty lines in the clip box, some ten on the
     /// surfaces for expressions.
     std::optional<double> step = std::nullopt;
-    bool labels = false;         ///< with numbers along contour lines
-    double width_px = 1.4;       ///< least_line_px to most_line_px
+    bool labels = false;  ///< with numbers along contour lines
+    /// least_line to most_line: pixels of a picture, points of a drawing. None: 1.4 pixels, thin
+    /// lines of a drawing.
+    std::optional<double> width = std::nullopt;
     bool intersections = false;  ///< lines where two surfaces meet
 
     bool operator==(const LineChoice&) const = default;

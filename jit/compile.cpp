@@ -307,6 +307,20 @@ std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptio
     return kernel;
 }
 
+Kernel compile_when_called(const Expr& expr, const CompileOptions& options) {
+    Kernel kernel = interpret(expr);
+    const auto vectors = usable_vectors(options);
+    if (!vectors) return kernel;
+    const auto later = [&](auto& function, KernelKind kind) {
+        make_later(function, expr, {vectors->in_double, kind, options.hasty},
+                   options.patient_nodes);
+    };
+    later(kernel.in_double.range, KernelKind::Range);
+    later(kernel.in_double.value, KernelKind::Value);
+    later(kernel.in_double.form, KernelKind::Form);
+    return kernel;
+}
+
 bool is_compiled(const Expr& expr, const CompileOptions& options) {
     const auto vectors = usable_vectors(options);
     return vectors && std::ranges::all_of(pieces_of(*vectors, options), [&](const Piece& piece) {

@@ -37,6 +37,12 @@ struct CompileError {
 /// call with double makes only what is missing. LLVM runs on threads of its own with a large stack.
 std::expected<Kernel, CompileError> compile(const Expr& expr, const CompileOptions& options = {});
 
+/// A kernel of which only what is in double is quick: its ranges, values and forms become machine
+/// code, each once it has been called for as many items as the interpreter does in about the time
+/// that LLVM takes. Until then, and where LLVM fails, the interpreter does their work with the same
+/// bits. Thread-safe.
+Kernel compile_when_called(const Expr& expr, const CompileOptions& options = {});
+
 /// Whether all that `compile` makes at once for these options is in the cache.
 bool is_compiled(const Expr& expr, const CompileOptions& options = {});
 

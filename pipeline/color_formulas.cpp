@@ -50,7 +50,7 @@ SurfaceLines lines_of(const LineChoice& choice, const ColorFormulas& formulas, c
                       const Box& clip) {
     constexpr double lines_a_box = 20.0;
     SurfaceLines lines;
-    lines.width_px = static_cast<float>(choice.width_px);
+    if (choice.width) lines.width_px = static_cast<float>(*choice.width);
     lines.labels = choice.labels;
     lines.intersections = choice.intersections;
     switch (choice.contours) {

@@ -1,6 +1,8 @@
 #include "pipeline/drawing_scene.hpp"
 
 #include "document/framing.hpp"
+#include "engine/interpret/interpret.hpp"
+#include "jit/compile.hpp"
 #include "pipeline/color_formulas.hpp"
 #include "pipeline/fit_view.hpp"
 #include "pipeline/picture_request.hpp"
@@ -54,6 +56,18 @@ std::expected<std::vector<ContourNumber>, InputError> contour_numbers(const Docu
     return numbers;
 }
 
+/// The code of a function of curves: machine code where that is soon made and often called.
+Kernel kernel_of(const Expr& f) {
+    constexpr std::size_t most_nodes = 4'000;
+    constexpr std::size_t most_thorough_nodes = 200;
+    // Items that the interpreter evaluates in about the time that LLVM takes for them.
+    constexpr std::size_t patience = 15'000;
+    const std::size_t nodes = f.nodes().size();
+    if (nodes > most_nodes) return interpret(f);
+    return jit::compile_when_called(
+        f, {.hasty = nodes > most_thorough_nodes, .patient_nodes = patience * nodes});
+}
+
 }  // namespace
 
 std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProgram rows,
@@ -78,17 +92,19 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
     result.options = {.kinds = choice.kinds,
                       .contours = std::move(*numbers),
                       .contour_step = result.scene.coloring.lines.step,
+                      .contour_width_pt = document.coloring.lines.width,
                       .hidden = choice.hidden,
                       .tolerance_pt = choice.tolerance_pt};
     return result;
 }
 
-LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit) {
+LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit, const OnPath& on_path) {
     const DrawnScene input{.scene = scene.scene,
                            .surfaces = scene.surfaces,
                            .camera = scene.camera,
-                           .page = scene.page};
-    return draw_scene(input, scene.options, limit);
+                           .page = scene.page,
+                           .make_kernel = kernel_of};
+    return draw_scene(input, scene.options, limit, on_path);
 }
 
 }  // namespace zeroset

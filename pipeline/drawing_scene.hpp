@@ -38,7 +38,8 @@ std::expected<DrawingScene, InputError> drawing_scene(Document document, RowProg
                                                       const DrawingChoice& choice,
                                                       const TimeLimit& limit);
 
-/// Draws it.
-LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit);
+/// Draws it, by machine code where that pays.
+LineDrawing line_drawing(const DrawingScene& scene, const TimeLimit& limit,
+                         const OnPath& on_path = {});
 
 }  // namespace zeroset

@@ -9,7 +9,7 @@ void add_look_options(CLI::App& app, LookText& look) {
     add_color_options(app, look);
     add_value(app, "--contours", look.contours,
               "contour lines: height, xyz (the coordinates' grid), an expression, or none; then, "
-              "each after a ;, step S, width PIXELS and labels");
+              "each after a ;, step S, width W in pixels, of drawings in points, and labels");
     add_switch(app, "intersections", look.intersections, "draw lines where two surfaces meet");
     add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
 }

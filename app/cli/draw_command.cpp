@@ -15,8 +15,10 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace zeroset {
 namespace {
@@ -40,7 +42,9 @@ struct DrawJob {
     std::optional<InputError> error;
     std::string note;
     LineDrawing drawing;
-    double elapsed_ms = 0.0;
+
+    std::mutex mutex;
+    std::vector<DrawnPath> so_far;  ///< paths that are drawn already
 };
 
 const DrawingFormat* format_of(const DrawCommand& command) {
@@ -80,27 +84,21 @@ void work_on(DrawJob& job) {
     }
     job.note = scene->note;
     job.progress.enter(Progress::Stage::Drawing);
-    job.drawing = line_drawing(*scene, limit);
-    job.elapsed_ms = ms_since(job.start);
+    job.drawing = line_drawing(*scene, limit, [&job](const DrawnPath& path) {
+        const std::scoped_lock lock(job.mutex);
+        job.so_far.push_back(path);
+    });
 }
 
 /// One line on what the drawing may lack; empty if it lacks nothing.
-std::string warning_of(const DrawJob& job) {
-    const FindingReport& report = job.drawing.report;
-    if (!report.in_time) {
-        return "the budget of " + short_number(job.budget_s) +
-               " s is spent: lines may be missing; --budget SECONDS gives more";
-    }
-    if (report.open_pt > job.plan.choice.tolerance_pt) {
-        return "lines may be missing in " + std::to_string(report.open) + " places of up to " +
-               short_number(report.open_pt) +
-               " pt, where equations of lines could not be told apart";
-    }
-    return "";
+std::string warning_of(const DrawJob& job, const LineDrawing& drawing) {
+    const std::string lacks = drawing.lacks(job.plan.choice.tolerance_pt);
+    if (drawing.in_time()) return lacks;
+    return "the budget of " + short_number(job.budget_s) + " s is spent on " +
+           name_of(job.progress.stage()) + ": " + lacks + "; --budget SECONDS gives more";
 }
 
-Json stats_of(const DrawJob& job) {
-    const LineDrawing& drawing = job.drawing;
+Json stats_of(const DrawJob& job, const LineDrawing& drawing) {
     Json kinds = Json::object();
     for (const CurveKind kind : curve_kinds()) {
         std::size_t paths = 0, loops = 0, hidden = 0, pieces = 0;
@@ -122,34 +120,45 @@ Json stats_of(const DrawJob& job) {
             {"cells", report.cells},
             {"cells_proved", report.regular},
             {"cells_open", report.open},
+            {"cells_on_double_lines", report.singular},
             {"cells_open_pt", report.open_pt},
             {"ends_within", report.stuck},
-            {"in_time", report.in_time},
-            {"elapsed_ms", job.elapsed_ms}};
+            {"in_time", drawing.in_time()},
+            {"elapsed_ms", ms_since(job.start)}};
 }
 
-std::expected<void, std::string> write_files(const DrawCommand& command, const DrawJob& job) {
+std::expected<void, std::string> write_files(const DrawCommand& command, const DrawJob& job,
+                                             const LineDrawing& drawing) {
     std::expected<void, FileError> written;
     if (command.output) {
-        const auto bytes = format_of(command)->encode(job.drawing, job.plan.style);
+        const auto bytes = format_of(command)->encode(drawing, job.plan.style);
         if (!bytes) {
             return std::unexpected("cannot write '" + *command.output + "': " + bytes.error());
         }
         written = write_text(*command.output, *bytes);
     }
     if (written && command.stats)
-        written = write_text(*command.stats, stats_of(job).dump(2) + "\n");
+        written = write_text(*command.stats, stats_of(job, drawing).dump(2) + "\n");
     if (!written) return std::unexpected(written.error().message);
     return {};
 }
 
-int finish(const DrawCommand& command, const DrawJob& job) {
-    if (job.error) return report(*job.error);
-    if (!job.note.empty()) std::cerr << "zeroset: --fit: " << job.note << '\n';
-    const std::string warning = warning_of(job);
+int finish(const DrawCommand& command, const DrawJob& job, const LineDrawing& drawing) {
+    const std::string warning = warning_of(job, drawing);
     if (!warning.empty()) std::cerr << "zeroset: " << warning << '\n';
-    const auto written = write_files(command, job);
+    const auto written = write_files(command, job, drawing);
     return written ? exit_ok : report_run_time(written.error());
+}
+
+/// What is drawn already by a thread that is still running.
+LineDrawing stuck_drawing(DrawJob& job) {
+    const DrawingChoice& choice = job.plan.choice;
+    LineDrawing drawing{.size = choice.page,
+                        .cut = choice.kinds,
+                        .contour_width_pt = job.document.coloring.lines.width};
+    const std::scoped_lock lock(job.mutex);
+    drawing.paths = job.so_far;
+    return drawing;
 }
 
 }  // namespace
@@ -163,12 +172,13 @@ int run_draw(const DrawCommand& command) {
     if (const auto message = first_unwritable({command.output, command.stats}))
         return report_run_time(*message);
     const auto last = until_after(start, job->budget_s) + patience;
-    if (finish_until(last, job->progress, [job] { work_on(*job); })) return finish(command, *job);
-    job->cancel = true;
-    const int code =
-        report_run_time("the budget of " + short_number(job->budget_s) + " s is spent on " +
-                        name_of(job->progress.stage()) + "; --budget SECONDS gives more");
-    end_process(code);
+    if (!finish_until(last, job->progress, [job] { work_on(*job); })) {
+        job->cancel = true;
+        end_process(finish(command, *job, stuck_drawing(*job)));
+    }
+    if (job->error) return report(*job->error);
+    if (!job->note.empty()) std::cerr << "zeroset: --fit: " << job->note << '\n';
+    return finish(command, *job, job->drawing);
 }
 
 }  // namespace zeroset

@@ -80,7 +80,7 @@ void describe(const DocumentMeshes& meshes, ui::ExportPreview& shown) {
 }
 
 void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportPreview& shown) {
-    for (const LineGroup& group : line_groups(style)) {
+    for (const LineGroup& group : line_groups(drawing, style)) {
         for (const DrawnPath& path : drawing.paths) {
             if (path.kind != group.kind || path.hidden != group.hidden) continue;
             shown.lines.push_back({.points = points_of(path, drawing.size),
@@ -91,6 +91,8 @@ void describe(const LineDrawing& drawing, const DrawingStyle& style, ui::ExportP
     std::size_t pieces = 0;
     for (const DrawnPath& path : drawing.paths)
         pieces += path.pieces.size();
+    const std::string lacks = drawing.lacks(style.tolerance_pt);
+    if (!lacks.empty()) shown.warnings.push_back(lacks);
     shown.facts.push_back(counted(drawing.paths.size(), "curve") + " of " +
                           counted(pieces, "B\xC3\xA9zier piece"));
 }

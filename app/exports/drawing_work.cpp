@@ -5,6 +5,7 @@
 #include "pipeline/drawing_scene.hpp"
 #include "pipeline/plans/export_formats.hpp"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@ namespace {
 
 /// Seconds after which no more lines are looked for.
 constexpr double budget_s = 30.0;
+constexpr double least_width_pt = 0.01;
 constexpr double points_per_mm = 72.0 / 25.4;
 
 ExportOutcome write(const LineDrawing& drawing, const ui::DrawingExport& wish,
@@ -38,7 +40,13 @@ DrawingStyle style_of(const ui::DrawingExport& wish) {
     const HiddenLines hidden = wish.hidden == Hidden::Remove ? HiddenLines::Remove
                                : wish.hidden == Hidden::Dash ? HiddenLines::Dash
                                                              : HiddenLines::Show;
-    return {.hidden = hidden, .width_pt = wish.width_pt, .tolerance_pt = wish.tolerance_pt};
+    DrawingStyle style{
+        .hidden = hidden, .width_pt = wish.width_pt, .tolerance_pt = wish.tolerance_pt};
+    for (std::size_t i = 0; i < wish.widths_pt.size(); ++i) {
+        if (wish.widths_pt.at(i) > 0.0)
+            style.widths_pt.at(i) = std::max(wish.widths_pt.at(i), least_width_pt);
+    }
+    return style;
 }
 
 std::expected<std::shared_ptr<const LineDrawing>, std::string> make_drawing(

@@ -15,11 +15,11 @@ ValueRange range_of(const Json& json) {
 
 Json json_of(const LineChoice& lines) {
     Json json{{"contours", name_of(lines.contours)},
-              {"width_px", lines.width_px},
               {"labels", lines.labels},
               {"intersections", lines.intersections}};
     if (!lines.expression.empty()) json["expression"] = lines.expression;
     if (lines.step) json["step"] = *lines.step;
+    if (lines.width) json["width"] = *lines.width;
     return json;
 }
 
@@ -38,8 +38,13 @@ LineChoice lines_of(const Json& json, std::vector<std::string>& unknown) {
         lines.step = number_of(*step, fields.at("step"));
         if (!(*lines.step > 0.0)) throw Damage{fields.at("step") + " is not above 0"};
     }
-    if (const Json* width = fields.find("width_px"))
-        lines.width_px = number_in(*width, fields.at("width_px"), least_line_px, most_line_px);
+    if (const Json* width = fields.find("width"))
+        lines.width = number_in(*width, fields.at("width"), least_line, most_line);
+    // Earlier versions wrote a width for pictures alone, chosen or not.
+    if (const Json* width = fields.find("width_px"); width != nullptr && !lines.width) {
+        const double pixels = number_in(*width, fields.at("width_px"), least_line, most_line);
+        if (static_cast<float>(pixels) != SurfaceLines().width_px) lines.width = pixels;
+    }
     if (const Json* labels = fields.find("labels"))
         lines.labels = flag_of(*labels, fields.at("labels"));
     if (const Json* intersections = fields.find("intersections"))

@@ -1,6 +1,7 @@
 #include "engine/draw/curve_cells.hpp"
 
 #include "engine/base/parallel.hpp"
+#include "engine/draw/curve_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void in_chunks(std::size_t items, const std::function<void(std::size_t, std::siz
 class CellSearch {
 public:
     CellSearch(const CurveSystem& system, const CurveDomain& domain, const SearchLimits& limits)
-        : system_(system), domain_(domain), limits_(limits) {}
+        : system_(system), domain_(domain), limits_(limits), singular_(singular_index()) {}
 
     CurveCells run() {
         cells_ = {{.place = {}, .box = domain_.box}};
@@ -57,13 +58,31 @@ public:
 private:
     void judge();
     void divide();
+    [[nodiscard]] CurveIndex singular_index() const;
+    [[nodiscard]] bool is_singular(const CurveCell& cell, double diameter_pt) const {
+        return diameter_pt <= limits_.singular_pt && !limits_.singular.empty() &&
+               singular_.has_near(cell.place);
+    }
 
     const CurveSystem& system_;
     const CurveDomain& domain_;
     const SearchLimits& limits_;
+    CurveIndex singular_;
     std::vector<CurveCell> cells_;
     CurveCells result_;
 };
+
+CurveIndex CellSearch::singular_index() const {
+    const double cells = domain_.page.diameter(domain_.box) / limits_.singular_pt;
+    const double level = std::isfinite(cells) ? std::ceil(std::log2(std::max(cells, 1.0))) : 12.0;
+    CurveIndex index(domain_, 0, static_cast<int>(std::min(level, 12.0)));
+    for (std::size_t i = 0; i < limits_.singular.size(); ++i) {
+        index.add(*limits_.singular[i], i, [&](const glm::dvec3& place) {
+            return 0.5 * limits_.singular_pt / domain_.page.scale(place);
+        });
+    }
+    return index;
+}
 
 /// Keeps the cells that are open still, takes the regular ones.
 void CellSearch::judge() {
@@ -84,9 +103,15 @@ void CellSearch::judge() {
 
 void CellSearch::divide() {
     const bool is_full = cells_.size() > limits_.most_cells || limits_.time.over();
+    result_.in_time = result_.in_time && !limits_.time.over();
     std::vector<CurveCell> parts;
     for (const CurveCell& cell : cells_) {
-        const bool is_small = domain_.page.diameter(cell.box) <= limits_.smallest_pt;
+        const double diameter = domain_.page.diameter(cell.box);
+        if (is_singular(cell, diameter)) {
+            ++result_.singular;
+            continue;
+        }
+        const bool is_small = diameter <= limits_.smallest_pt;
         if (is_full || is_small || cell.place.level >= deepest_level) {
             result_.open.push_back(cell);
             continue;

@@ -2,6 +2,7 @@
 
 #include "engine/draw/curve_system.hpp"
 #include "engine/draw/page.hpp"
+#include "engine/draw/space_curve.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/trace/time_limit.hpp"
 
@@ -53,6 +54,10 @@ struct SearchLimits {
     double smallest_pt = 0.05;        ///< cells that are smaller on the page are not divided
     std::size_t most_cells = 60'000;  ///< cells on one level
     TimeLimit time = {};
+    /// Curves on which the equations are known to vanish without telling a direction: cells on them
+    /// are divided to `singular_pt` only.
+    std::vector<const SpaceCurve*> singular = {};
+    double singular_pt = 0.4;
 
     /// The same with half of the time that is left.
     [[nodiscard]] SearchLimits with_half_time() const;
@@ -62,7 +67,9 @@ struct SearchLimits {
 struct CurveCells {
     std::vector<CurveCell> regular;  ///< of different levels
     std::vector<CurveCell> open;     ///< not regular, not divided further
+    std::size_t singular = 0;        ///< number of those on SearchLimits::singular
     std::size_t seen = 0;            ///< cells looked at
+    bool in_time = true;             ///< the time sufficed to divide them
 };
 
 /// Those of the cells in which enclosures of the functions leave a point of the curve possible, in

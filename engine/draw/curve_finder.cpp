@@ -21,7 +21,7 @@ namespace {
 /// Steps are at most this part of a cell's least side.
 constexpr double step_part = 0.4;
 /// How often a regular cell is divided that no curve passes.
-constexpr int most_divisions = 10;
+constexpr int most_divisions = 12;
 /// Open cells from which curves are tried to be found.
 constexpr std::size_t most_tries = 4'000;
 
@@ -75,7 +75,8 @@ public:
           limits_(limits),
           cells_(find_cells(system, domain, limits.with_half_time())),
           levels_(levels_of(cells_)),
-          index_(domain, levels_.first, levels_.last) {
+          index_(domain, levels_.first, levels_.last),
+          last_level_(levels_.first) {
         for (std::size_t i = 0; i < cells_.regular.size(); ++i)
             regular_.emplace(key_of(cells_.regular[i].place), i);
     }
@@ -83,8 +84,8 @@ public:
     FoundCurves run();
 
 private:
-    [[nodiscard]] std::optional<double> cell_step(const glm::dvec3& place) const;
-    [[nodiscard]] double longest_step(const glm::dvec3& place) const;
+    [[nodiscard]] std::optional<double> cell_step(const glm::dvec3& place);
+    [[nodiscard]] double longest_step(const glm::dvec3& place);
     void settle(const CurveCell& cell, const Passage& passage, int divisions);
     void divide(const CurveCell& cell, const Passage& passage, int divisions);
     void leave_open(const Box& box);
@@ -95,11 +96,11 @@ private:
     [[nodiscard]] bool reaches(const Passage& passage, const PlaceOnCurve& at, double sign,
                                double wanted) const;
     [[nodiscard]] glm::dvec3 point_at(const PlaceOnCurve& at) const;
-    [[nodiscard]] bool is_followed(const glm::dvec3& point) const;
-    [[nodiscard]] bool is_known(const SpaceCurve& curve) const;
+    [[nodiscard]] bool is_followed(const glm::dvec3& point);
+    [[nodiscard]] bool is_known(const SpaceCurve& curve);
     [[nodiscard]] bool is_singular(const glm::dvec3& point, const Box& cell) const;
     [[nodiscard]] bool is_passed(const CurveCell& cell, const Passage& passage,
-                                 const Offsets& wanted) const;
+                                 const Offsets& wanted);
 
     const CurveSystem& system_;
     const CurveDomain& domain_;
@@ -109,13 +110,19 @@ private:
     std::unordered_map<std::uint64_t, std::size_t> regular_;
     CurveIndex index_;
     FoundCurves found_;
+    int last_level_;                  ///< where cell_step looks first
+    std::vector<PlaceOnCurve> near_;  ///< room for answers of the index
 };
 
 /// How far a step may go from a place in a regular cell.
-std::optional<double> CurveFinder::cell_step(const glm::dvec3& place) const {
-    for (int level = levels_.first; level <= levels_.last; ++level) {
+std::optional<double> CurveFinder::cell_step(const glm::dvec3& place) {
+    // The next place is mostly in a cell of the last one's level.
+    const int levels = levels_.last - levels_.first + 1;
+    for (int i = 0; i < levels; ++i) {
+        const int level = levels_.first + (last_level_ - levels_.first + i) % levels;
         const auto cell = regular_.find(key_of(place_of(domain_, level, place)));
         if (cell == regular_.end()) continue;
+        last_level_ = level;
         const Box& box = cells_.regular[cell->second].box;
         double least = box.size();
         for (int axis = 0; axis < 3; ++axis) {
@@ -126,7 +133,7 @@ std::optional<double> CurveFinder::cell_step(const glm::dvec3& place) const {
     return std::nullopt;
 }
 
-double CurveFinder::longest_step(const glm::dvec3& place) const {
+double CurveFinder::longest_step(const glm::dvec3& place) {
     return cell_step(place).value_or(1.0 / domain_.page.scale(place));
 }
 
@@ -192,10 +199,10 @@ bool CurveFinder::reaches(const Passage& passage, const PlaceOnCurve& at, double
     return there && passage.holds(*there);
 }
 
-bool CurveFinder::is_passed(const CurveCell& cell, const Passage& passage,
-                            const Offsets& wanted) const {
+bool CurveFinder::is_passed(const CurveCell& cell, const Passage& passage, const Offsets& wanted) {
     std::optional<PlaceOnCurve> last;
-    for (const PlaceOnCurve& at : index_.near(cell.place)) {
+    index_.near(cell.place, near_);
+    for (const PlaceOnCurve& at : near_) {
         if (!passage.holds(point_at(at))) continue;
         const bool goes_on =
             last && last->curve == at.curve && at.point - last->point <= std::size_t{1};
@@ -228,7 +235,7 @@ void CurveFinder::divide(const CurveCell& cell, const Passage& passage, int divi
     for (const CellPlace& place : parts_of(domain_, cell.place))
         parts.push_back({.place = place, .box = box_of(domain_, place)});
     parts = sifted(system_, domain_, limits_.time, std::move(parts));
-    const std::vector<JudgedCell> judged = judge_cells(system_, parts);
+    const std::vector<JudgedCell> judged = judge_cells(system_, parts, limits_.time);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (judged[i].state != CellState::Empty) settle(parts[i], passage, divisions + 1);
     }
@@ -241,7 +248,7 @@ void CurveFinder::leave_open(const Box& box) {
 
 /// Whether a point of the curve is on one that was followed: between two points of that, where
 /// Newton's method from the cubic between them finds it again.
-bool CurveFinder::is_followed(const glm::dvec3& point) const {
+bool CurveFinder::is_followed(const glm::dvec3& point) {
     constexpr double aside = 0.05;    // in ways from a point of a curve to the next
     constexpr double reach_pt = 4.0;  // a bound of those
     int level = levels_.last;
@@ -260,7 +267,8 @@ bool CurveFinder::is_followed(const glm::dvec3& point) const {
         return again && glm::distance(*again, point) <= 1e-4 * length;
     };
     std::optional<PlaceOnCurve> last;
-    for (const PlaceOnCurve& at : index_.near(place_of(domain_, level, point))) {
+    index_.near(place_of(domain_, level, point), near_);
+    for (const PlaceOnCurve& at : near_) {
         const bool is_again = last && last->curve == at.curve && last->point == at.point;
         last = at;
         const SpaceCurve& curve = found_.curves[at.curve];
@@ -271,7 +279,7 @@ bool CurveFinder::is_followed(const glm::dvec3& point) const {
 }
 
 /// Whether a curve is a followed one but for its ends.
-bool CurveFinder::is_known(const SpaceCurve& curve) const {
+bool CurveFinder::is_known(const SpaceCurve& curve) {
     const std::size_t count = curve.points.size();
     return std::ranges::all_of(std::array{count / 4, count / 2, count - 1 - count / 4},
                                [&](std::size_t i) { return is_followed(curve.points[i].place); });
@@ -306,8 +314,9 @@ FoundCurves CurveFinder::run() {
         if (i % stride == 0 && !limits_.time.over()) try_open_cell(cells_.open[i]);
     }
     found_.report.cells = cells_.seen;
+    found_.report.singular = cells_.singular;
     found_.report.regular = cells_.regular.size();
-    found_.report.in_time = !limits_.time.over();
+    found_.report.in_time = cells_.in_time && !limits_.time.over();
     return std::move(found_);
 }
 
@@ -317,6 +326,7 @@ FindingReport& FindingReport::operator+=(const FindingReport& other) {
     cells += other.cells;
     regular += other.regular;
     open += other.open;
+    singular += other.singular;
     open_pt = std::max(open_pt, other.open_pt);
     stuck += other.stuck;
     in_time = in_time && other.in_time;

@@ -28,14 +28,31 @@ void CurveIndex::add(const SpaceCurve& curve, std::size_t number,
 }
 
 void CurveIndex::add(const PlaceOnCurve& at, const glm::dvec3& point) {
-    for (int level = first_level_; level <= last_level_; ++level)
-        points_[key_of(place_of(domain_, level, point))].push_back(at);
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+        const int level = first_level_ + static_cast<int>(i);
+        add(at, key_of(place_of(domain_, level, point)), levels_[i]);
+    }
 }
 
-std::vector<PlaceOnCurve> CurveIndex::near(const CellPlace& place) const {
+void CurveIndex::add(const PlaceOnCurve& at, std::uint64_t key, Level& level) {
+    const bool is_same_way = level.last.curve == at.curve && level.last.point == at.point;
+    if (is_same_way && level.last_key == key) return;
+    level.last = at;
+    level.last_key = key;
+    const auto entry = static_cast<std::uint32_t>(entries_.size());
+    entries_.push_back({.at = at, .next = none});
+    const auto [cell, is_new] = level.cells.try_emplace(key, Chain{entry, entry});
+    if (is_new) return;
+    entries_[cell->second.last].next = entry;
+    cell->second.last = entry;
+}
+
+template <class Visit>
+bool CurveIndex::visit_near(const CellPlace& place, Visit visit) const {
     constexpr int neighbours = 27;
-    std::vector<PlaceOnCurve> found;
-    const int level = std::clamp(place.level, first_level_, last_level_);
+    const int last_level = first_level_ + static_cast<int>(levels_.size()) - 1;
+    const int level = std::clamp(place.level, first_level_, last_level);
+    const auto& in_level = levels_[static_cast<std::size_t>(level - first_level_)].cells;
     const int shift = place.level - level;
     const int cells = 1 << level;
     for (int i = 0; i < neighbours; ++i) {
@@ -50,11 +67,25 @@ std::vector<PlaceOnCurve> CurveIndex::near(const CellPlace& place) const {
             }
         }
         if (!exists) continue;
-        const auto points = points_.find(key_of(next));
-        if (points != points_.end())
-            found.insert(found.end(), points->second.begin(), points->second.end());
+        const auto cell = in_level.find(key_of(next));
+        if (cell == in_level.end()) continue;
+        for (std::uint32_t k = cell->second.first; k != none; k = entries_[k].next) {
+            if (visit(entries_[k].at)) return true;
+        }
     }
-    return found;
+    return false;
+}
+
+void CurveIndex::near(const CellPlace& place, std::vector<PlaceOnCurve>& found) const {
+    found.clear();
+    visit_near(place, [&](const PlaceOnCurve& at) {
+        found.push_back(at);
+        return false;
+    });
+}
+
+bool CurveIndex::has_near(const CellPlace& place) const {
+    return visit_near(place, [](const PlaceOnCurve&) { return true; });
 }
 
 }  // namespace zeroset

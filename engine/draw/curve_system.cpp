@@ -240,6 +240,18 @@ std::vector<bool> CurveSystem::empty_cells(std::span<const Box> boxes) const {
     return empty;
 }
 
+std::vector<bool> CurveSystem::are_continuous(std::span<const Box> boxes) const {
+    std::vector<bool> continuous(boxes.size(), true);
+    std::vector<Bounds> bounds(boxes.size());
+    for (const auto& f : equations_.zero) {
+        if (!f->may_jump()) continue;
+        f->enclose(boxes, bounds);
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            continuous[i] = continuous[i] && bounds[i].continuous;
+    }
+    return continuous;
+}
+
 void CurveSystem::judge(std::span<const Box> boxes, std::span<const Box> around,
                         std::span<JudgedCell> out) const {
     const std::vector<bool> empty = empty_cells(boxes);
@@ -280,10 +292,11 @@ void CurveSystem::judge_slopes(std::span<const Box> boxes, std::span<const Box> 
                 (0.5 * bounds[i].hi - 0.5 * bounds[i].lo) * (1.0 + rounding_slack);
         }
     }
+    const std::vector<bool> continuous = are_continuous(around);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         all[i].rows = equations_.zero.size();
         out[i] = {};
-        if (!all[i].is_bounded()) continue;
+        if (!continuous[i] || !all[i].is_bounded()) continue;
         out[i] = is_isolated(all[i])
                      ? JudgedCell{.state = CellState::Empty}
                      : judge_reduced(reduced(all[i]), 0.5 * (boxes[i].hi - boxes[i].lo));

@@ -71,6 +71,8 @@ public:
 private:
     /// Which boxes of one size surely hold no point, by linear enclosures.
     [[nodiscard]] std::vector<bool> empty_cells(std::span<const Box> boxes) const;
+    /// In which boxes none of the functions jumps.
+    [[nodiscard]] std::vector<bool> are_continuous(std::span<const Box> boxes) const;
     /// Judges boxes by enclosures of the derivatives.
     void judge_slopes(std::span<const Box> boxes, std::span<const Box> around,
                       std::span<JudgedCell> out) const;

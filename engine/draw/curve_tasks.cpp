@@ -1,5 +1,6 @@
 #include "engine/draw/curve_tasks.hpp"
 
+#include "engine/draw/seams.hpp"
 #include "engine/draw/shown_points.hpp"
 #include "engine/draw/smooth_pieces.hpp"
 #include "engine/expr/copy.hpp"
@@ -62,11 +63,36 @@ glm::dvec3 axis_vector(int axis) {
     return vector;
 }
 
+/// The values that a number has about a surface in the box.
+Bounds values_about(const SpaceFunction& number, const SpaceFunction& surface, const Box& box) {
+    constexpr int parts = 16;
+    std::vector<Box> cells;
+    const glm::dvec3 size = (box.hi - box.lo) / static_cast<double>(parts);
+    for (int i = 0; i < parts * parts * parts; ++i) {
+        const glm::dvec3 at(i % parts, i / parts % parts, i / (parts * parts));
+        cells.push_back({.lo = box.lo + at * size, .hi = box.lo + (at + 1.0) * size});
+    }
+    std::vector<Bounds> of_number(cells.size());
+    std::vector<Bounds> of_surface(cells.size());
+    number.enclose(cells, of_number);
+    surface.enclose(cells, of_surface);
+    Bounds all{.lo = 0.0, .hi = -1.0};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Bounds& here = of_number[i];
+        if (of_surface[i].excludes_zero || !std::isfinite(here.lo) || !std::isfinite(here.hi))
+            continue;
+        all = all.lo > all.hi
+                  ? here
+                  : Bounds{.lo = std::min(all.lo, here.lo), .hi = std::max(all.hi, here.hi)};
+    }
+    return all;
+}
+
 /// Makes the tasks of one surface after the other.
 class TaskMaker {
 public:
-    TaskMaker(const DrawnScene& input, const DrawOptions& options)
-        : input_(input), options_(options), view_(input.camera) {
+    TaskMaker(const DrawnScene& input, const DrawOptions& options, const TimeLimit& limit)
+        : input_(input), options_(options), limit_(limit), view_(input.camera) {
         for (std::size_t i = 0; i < input.surfaces.size(); ++i) {
             const auto whole = unrestricted(input.surfaces[i]);
             Surface& surface = surfaces_.emplace_back();
@@ -78,21 +104,14 @@ public:
         }
     }
 
-    std::vector<CurveTask> run() {
-        for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-            if (options_.wants(CurveKind::Crease)) add_edges(i);
-            if (options_.wants(CurveKind::Boundary)) add_ends(i);
-            for (const Piece& piece : surfaces_[i].pieces)
-                add_curves(piece);
-        }
-        return std::move(tasks_);
-    }
+    CurveTasks run();
 
 private:
     using Function = std::shared_ptr<const SpaceFunction>;
 
     [[nodiscard]] Function function(const Expr& f) const {
-        return std::make_shared<const SpaceFunction>(f, input_.scene.uniforms, input_.scene.clip);
+        return std::make_shared<const SpaceFunction>(f, input_.scene.uniforms, input_.scene.clip,
+                                                     input_.make_kernel);
     }
     /// The function in the form in which it is enclosed most tightly.
     [[nodiscard]] Function tight(const Expr& f) const {
@@ -112,21 +131,17 @@ private:
         bool is_restricted = false;
     };
 
-    void add_curves(const Piece& piece) {
-        if (options_.wants(CurveKind::Silhouette)) add_silhouette(piece);
-        if (options_.wants(CurveKind::Crease)) add_double_curves(piece);
-        if (options_.wants(CurveKind::Boundary)) add_boundaries(piece);
-        if (options_.wants(CurveKind::Intersection)) add_intersections(piece);
-        if (options_.wants(CurveKind::Contour)) add_contours(piece);
-    }
+    /// Calls `add_lines` for each piece of a surface while there is time.
+    void for_pieces(const Surface& surface, CurveKind kind,
+                    void (TaskMaker::*add_lines)(const Piece&));
     /// A task in the clip box and the region.
     CurveTask& add_task(CurveKind kind, std::size_t surface, CurveEquations equations) {
-        tasks_.push_back({.kind = kind,
-                          .surface = surface,
-                          .equations = std::move(equations),
-                          .box = input_.scene.clip,
-                          .region = input_.scene.region});
-        return tasks_.back();
+        tasks_.list.push_back({.kind = kind,
+                               .surface = surface,
+                               .equations = std::move(equations),
+                               .box = input_.scene.clip,
+                               .region = input_.scene.region});
+        return tasks_.list.back();
     }
     CurveTask& add(CurveKind kind, const Piece& piece, CurveEquations equations);
     void require_piece(CurveTask& task, const Piece& piece);
@@ -140,13 +155,40 @@ private:
     void add_edge(std::size_t i, CurveEquations equations, const Expr& border);
     void add_edges(std::size_t i);
     void add_ends(std::size_t i);
+    void add_seams(std::size_t i);
 
     const DrawnScene& input_;
     const DrawOptions& options_;
+    const TimeLimit& limit_;
     ViewFrame view_;
     std::vector<Surface> surfaces_;
-    std::vector<CurveTask> tasks_;
+    CurveTasks tasks_;
 };
+
+void TaskMaker::for_pieces(const Surface& surface, CurveKind kind,
+                           void (TaskMaker::*add_lines)(const Piece&)) {
+    if (!options_.wants(kind)) return;
+    for (const Piece& piece : surface.pieces) {
+        if (limit_.over()) return;
+        (this->*add_lines)(piece);
+    }
+}
+
+CurveTasks TaskMaker::run() {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const Surface& surface = surfaces_[i];
+        for_pieces(surface, CurveKind::Silhouette, &TaskMaker::add_silhouette);
+        if (options_.wants(CurveKind::Crease) && !limit_.over()) add_edges(i);
+        if (options_.wants(CurveKind::Boundary) && !limit_.over()) add_ends(i);
+        if (!limit_.over()) add_seams(i);
+        for_pieces(surface, CurveKind::Boundary, &TaskMaker::add_boundaries);
+        for_pieces(surface, CurveKind::Intersection, &TaskMaker::add_intersections);
+        for_pieces(surface, CurveKind::Crease, &TaskMaker::add_double_curves);
+        for_pieces(surface, CurveKind::Contour, &TaskMaker::add_contours);
+    }
+    tasks_.in_time = !limit_.over();
+    return std::move(tasks_);
+}
 
 /// Keeps of a task's curves what is on the surface, of which the piece is a part.
 void TaskMaker::require_piece(CurveTask& task, const Piece& piece) {
@@ -154,8 +196,9 @@ void TaskMaker::require_piece(CurveTask& task, const Piece& piece) {
     const Surface& surface = surfaces_[piece.surface];
     const bool is_whole = surface.pieces.size() == 1;
     if (is_whole && !surface.is_restricted) return;
-    ShownAt shown = is_whole ? where_defined(scene, piece.surface)
-                             : where_piece_counts(scene, piece.surface, piece.f);
+    ShownAt shown = is_whole
+                        ? where_defined(scene, piece.surface)
+                        : where_piece_counts(scene, piece.surface, piece.f, input_.make_kernel);
     if (!is_whole) task.equations.also.push_back(surface.zero);
     if (!task.is_shown) {
         task.is_shown = std::move(shown);
@@ -182,14 +225,16 @@ void TaskMaker::add_double_curves(const Piece& piece) {
     CurveEquations equations{.zero = {}, .also = {piece.zero}};
     for (const Expr& slope : gradient_of(piece.f))
         equations.zero.push_back(tight(slope));
-    add(CurveKind::Crease, piece, std::move(equations));
+    CurveTask& task = add_task(CurveKind::Crease, piece.surface, std::move(equations));
+    task.is_shown = where_branches_meet(input_.scene, piece.f, input_.make_kernel);
+    require_piece(task, piece);
 }
 
 void TaskMaker::add_edge(std::size_t i, CurveEquations equations, const Expr& border) {
     const Expr& whole = surfaces_[i].whole;
     equations.also = {surfaces_[i].zero};
     CurveTask& task = add_task(CurveKind::Crease, i, std::move(equations));
-    task.is_shown = where_edge(input_.scene, i, whole, border);
+    task.is_shown = where_edge(input_.scene, i, whole, border, input_.make_kernel);
 }
 
 /// Edges, where two pieces meet; or where the sides of an abs, min or max are equal.
@@ -213,7 +258,28 @@ void TaskMaker::add_ends(std::size_t i) {
         for (const Piece& piece : surfaces_[i].pieces) {
             CurveTask& task =
                 add_task(CurveKind::Boundary, i, {.zero = {piece.zero, function(border)}});
-            task.is_shown = where_end(input_.scene, i, border);
+            task.is_shown = where_end(input_.scene, i, border, input_.make_kernel);
+        }
+    }
+}
+
+/// Where the surface's function jumps, or has an edge between branches.
+void TaskMaker::add_seams(std::size_t i) {
+    const Surface& surface = surfaces_[i];
+    const auto values = [&](const Expr& number) {
+        return values_about(*function(number), *surface.zero, input_.scene.clip);
+    };
+    const Seams seams = seams_of(surface.whole, values);
+    tasks_.all_seams = tasks_.all_seams && seams.complete;
+    for (const Seam& seam : seams.list) {
+        const Function border = function(seam.border);
+        for (const Expr& beside : seam.beside) {
+            const CurveEquations equations{.zero = {function(beside), border},
+                                           .also = {surface.zero}};
+            if (options_.wants(CurveKind::Crease)) add_edge(i, equations, seam.border);
+            if (!options_.wants(CurveKind::Boundary)) continue;
+            CurveTask& task = add_task(CurveKind::Boundary, i, equations);
+            task.is_shown = where_jump(input_.scene, i, seam.border, input_.make_kernel);
         }
     }
 }
@@ -254,31 +320,6 @@ void TaskMaker::add_intersections(const Piece& piece) {
     }
 }
 
-/// The values that a number has about a surface in the box.
-Bounds values_about(const SpaceFunction& number, const SpaceFunction& surface, const Box& box) {
-    constexpr int parts = 16;
-    std::vector<Box> cells;
-    const glm::dvec3 size = (box.hi - box.lo) / static_cast<double>(parts);
-    for (int i = 0; i < parts * parts * parts; ++i) {
-        const glm::dvec3 at(i % parts, i / parts % parts, i / (parts * parts));
-        cells.push_back({.lo = box.lo + at * size, .hi = box.lo + (at + 1.0) * size});
-    }
-    std::vector<Bounds> of_number(cells.size());
-    std::vector<Bounds> of_surface(cells.size());
-    number.enclose(cells, of_number);
-    surface.enclose(cells, of_surface);
-    Bounds all{.lo = 0.0, .hi = -1.0};
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const Bounds& here = of_number[i];
-        if (of_surface[i].excludes_zero || !std::isfinite(here.lo) || !std::isfinite(here.hi))
-            continue;
-        all = all.lo > all.hi
-                  ? here
-                  : Bounds{.lo = std::min(all.lo, here.lo), .hi = std::max(all.hi, here.hi)};
-    }
-    return all;
-}
-
 void TaskMaker::add_level(const Piece& piece, const ContourNumber& number, double level) {
     if (number.axis) {
         add_in_plane(CurveKind::Contour, piece, *number.axis, level);
@@ -286,7 +327,7 @@ void TaskMaker::add_level(const Piece& piece, const ContourNumber& number, doubl
         add(CurveKind::Contour, piece,
             {.zero = {piece.zero, function(difference(number.formula, constant(level)))}});
     }
-    tasks_.back().level = level;
+    tasks_.list.back().level = level;
 }
 
 void TaskMaker::add_contours(const Piece& piece) {
@@ -312,8 +353,9 @@ void TaskMaker::add_contours(const Piece& piece) {
 
 }  // namespace
 
-std::vector<CurveTask> curve_tasks(const DrawnScene& input, const DrawOptions& options) {
-    return TaskMaker(input, options).run();
+CurveTasks curve_tasks(const DrawnScene& input, const DrawOptions& options,
+                       const TimeLimit& limit) {
+    return TaskMaker(input, options, limit).run();
 }
 
 }  // namespace zeroset

@@ -23,7 +23,13 @@ struct CurveTask {
     std::function<bool(const CurvePoint&)> is_shown = {};
 };
 
-/// The curves that a drawing wants.
-std::vector<CurveTask> curve_tasks(const DrawnScene& input, const DrawOptions& options);
+struct CurveTasks {
+    std::vector<CurveTask> list;  ///< what matters most first
+    bool in_time = true;
+    bool all_seams = true;  ///< false: some jumps are left out, as there were too many
+};
+
+/// The curves that a drawing wants, as far as the time suffices to make their equations.
+CurveTasks curve_tasks(const DrawnScene& input, const DrawOptions& options, const TimeLimit& limit);
 
 }  // namespace zeroset

@@ -1,12 +1,14 @@
 #pragma once
 
 #include "engine/draw/drawing.hpp"
+#include "engine/draw/space_function.hpp"
 #include "engine/expr/expr.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/trace/time_limit.hpp"
 #include "engine/view/camera.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,8 +24,9 @@ struct ContourNumber {
 struct DrawOptions {
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< by CurveKind
     std::vector<ContourNumber> contours = {};
-    double contour_step = 1.0;   ///< above 0
-    bool hidden = true;          ///< hidden parts are kept, marked as such
+    double contour_step = 1.0;                    ///< above 0
+    std::optional<double> contour_width_pt = {};  ///< none: as the style has it
+    bool hidden = true;                           ///< hidden parts are kept, marked as such
     double tolerance_pt = 0.05;  ///< how far drawn curves may be from the true ones
 
     [[nodiscard]] bool wants(CurveKind kind) const {
@@ -37,10 +40,15 @@ struct DrawnScene {
     std::vector<Expr> surfaces;
     Camera camera;
     PageSize page;
+    KernelMaker make_kernel;
 };
 
-/// Draws the scene's curves. Any thread; works on all cores.
+/// Takes a path once it is drawn; called from several threads at once.
+using OnPath = std::function<void(const DrawnPath&)>;
+
+/// Draws the scene's curves. Any thread; works on all cores. When the time is over, the drawing has
+/// what is known by then.
 LineDrawing draw_scene(const DrawnScene& input, const DrawOptions& options,
-                       const TimeLimit& limit = {});
+                       const TimeLimit& limit = {}, const OnPath& on_path = {});
 
 }  // namespace zeroset

@@ -1,7 +1,10 @@
 #include "engine/draw/drawing.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace zeroset {
 namespace {
@@ -22,6 +25,21 @@ std::optional<CurveKind> curve_kind_named(std::string_view name) {
     const auto* const found = std::ranges::find(all_names, name);
     if (found == all_names.end()) return std::nullopt;
     return all_kinds.at(static_cast<std::size_t>(found - all_names.begin()));
+}
+
+std::string LineDrawing::lacks(double tolerance_pt) const {
+    if (!in_time()) {
+        std::string names;
+        for (const CurveKind kind : curve_kinds()) {
+            if (cut.at(static_cast<std::size_t>(kind)))
+                names += (names.empty() ? "" : ", ") + std::string(name_of(kind)) + "s";
+        }
+        return "some " + names + " may be missing";
+    }
+    if (!all_seams) return "lines may be missing where f jumps: there are too many such places";
+    if (!(report.open_pt > tolerance_pt)) return "";
+    return "lines may be missing in " + std::to_string(report.open) + " places of up to " +
+           short_number(report.open_pt) + " pt, where equations of lines could not be told apart";
 }
 
 }  // namespace zeroset

@@ -5,11 +5,13 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +48,14 @@ struct LineDrawing {
     PageSize size;
     std::vector<DrawnPath> paths = {};
     FindingReport report = {};
+    std::array<bool, 5> cut{};  ///< by CurveKind: the time did not suffice for all of them
+    bool all_seams = true;      ///< false: some jumps are left out, as there were too many
+    std::optional<double> contour_width_pt = {};  ///< if one was asked for with the contour lines
+
+    /// "some silhouettes may be missing": one line on what it may lack where lines are to be within
+    /// `tolerance_pt`; empty if nothing.
+    [[nodiscard]] std::string lacks(double tolerance_pt) const;
+    [[nodiscard]] bool in_time() const { return std::ranges::find(cut, true) == cut.end(); }
 };
 
 }  // namespace zeroset

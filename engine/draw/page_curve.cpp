@@ -42,11 +42,12 @@ bool are_near(const Page& page, const CurvePoint& a, const CurvePoint& b) {
 
 class Refiner {
 public:
-    Refiner(const CurveSystem& system, const Page& page) : system_(system), page_(page) {}
+    Refiner(const CurveSystem& system, const Page& page, const TimeLimit& limit)
+        : system_(system), page_(page), limit_(limit) {}
 
     /// Adds the points after `a` up to `b`.
     void add(const CurvePoint& a, const CurvePoint& b, int depth, std::vector<CurvePoint>& out) {
-        if (depth < deepest && !are_near(page_, a, b)) {
+        if (depth < deepest && !are_near(page_, a, b) && !limit_.over()) {
             if (const auto middle = middle_of(system_, a, b)) {
                 add(a, *middle, depth + 1, out);
                 add(*middle, b, depth + 1, out);
@@ -59,6 +60,7 @@ public:
 private:
     const CurveSystem& system_;
     const Page& page_;
+    const TimeLimit& limit_;
 };
 
 /// The last point before the state of `a` changes on the way to `b`.
@@ -78,9 +80,10 @@ CurvePoint change_between(const CurveSystem& system, const Page& page, CurvePoin
 
 }  // namespace
 
-SpaceCurve refined(const CurveSystem& system, const SpaceCurve& curve, const Page& page) {
+SpaceCurve refined(const CurveSystem& system, const SpaceCurve& curve, const Page& page,
+                   const TimeLimit& limit) {
     SpaceCurve result{.points = {curve.points.front()}, .closed = curve.closed};
-    Refiner refiner(system, page);
+    Refiner refiner(system, page, limit);
     for (std::size_t i = 1; i < curve.points.size(); ++i)
         refiner.add(curve.points[i - 1], curve.points[i], 0, result.points);
     if (curve.closed) {

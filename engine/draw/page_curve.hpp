@@ -3,6 +3,7 @@
 #include "engine/draw/curve_system.hpp"
 #include "engine/draw/page.hpp"
 #include "engine/draw/space_curve.hpp"
+#include "engine/trace/time_limit.hpp"
 
 #include <functional>
 #include <vector>
@@ -10,8 +11,9 @@
 namespace zeroset {
 
 /// The curve with as many more points that those next to each other are near on the page, and its
-/// direction there turns little between them.
-SpaceCurve refined(const CurveSystem& system, const SpaceCurve& curve, const Page& page);
+/// direction there turns little between them; fewer if the time is over.
+SpaceCurve refined(const CurveSystem& system, const SpaceCurve& curve, const Page& page,
+                   const TimeLimit& limit);
 
 /// A part of a curve in one state; with the others of its curve it makes up the whole, each begins
 /// where the one before ends.

@@ -58,20 +58,6 @@ Expr border_of(const Expr& f, NodeId kink) {
     return builder.finish(border, names_of(f));
 }
 
-/// The nodes that are conditions of restrictions, and what these are made of.
-std::vector<bool> conditions_in(const Expr& f) {
-    std::vector<bool> is_condition(f.nodes().size(), false);
-    for (NodeId id = f.root() + 1; id-- > 0;) {
-        const Node& node = f.node(id);
-        if (node.op == Op::Where) is_condition[node.b] = true;
-        const bool combines = node.op == Op::And || node.op == Op::Or || node.op == Op::Not;
-        if (!is_condition[id] || !combines) continue;
-        is_condition[node.a] = true;
-        if (arity(node.op) > 1) is_condition[node.b] = true;
-    }
-    return is_condition;
-}
-
 }  // namespace
 
 std::vector<Expr> smooth_pieces(const Expr& f) {
@@ -105,8 +91,21 @@ std::vector<Kink> kinks_of(const Expr& f) {
     return kinks;
 }
 
+std::vector<bool> restrictions_in(const Expr& f) {
+    std::vector<bool> is_condition(f.nodes().size(), false);
+    for (NodeId id = f.root() + 1; id-- > 0;) {
+        const Node& node = f.node(id);
+        if (node.op == Op::Where) is_condition[node.b] = true;
+        const bool combines = node.op == Op::And || node.op == Op::Or || node.op == Op::Not;
+        if (!is_condition[id] || !combines) continue;
+        is_condition[node.a] = true;
+        if (arity(node.op) > 1) is_condition[node.b] = true;
+    }
+    return is_condition;
+}
+
 std::vector<Expr> restriction_borders(const Expr& f) {
-    const std::vector<bool> is_condition = conditions_in(f);
+    const std::vector<bool> is_condition = restrictions_in(f);
     std::vector<Expr> borders;
     for (NodeId id = 0; id <= f.root(); ++id) {
         const Node& node = f.node(id);

@@ -20,6 +20,8 @@ struct Kink {
 /// One for each abs, min and max of the graph.
 std::vector<Kink> kinks_of(const Expr& f);
 
+/// For each node whether it is a condition of a restriction, or what one is made of.
+std::vector<bool> restrictions_in(const Expr& f);
 /// Where a restriction of the function begins to hold: the differences of the sides of each
 /// comparison in the restrictions of the graph.
 std::vector<Expr> restriction_borders(const Expr& f);

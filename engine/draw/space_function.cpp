@@ -1,6 +1,5 @@
 #include "engine/draw/space_function.hpp"
 
-#include "engine/interpret/interpret.hpp"
 #include "engine/kernel/form_cells.hpp"
 #include "engine/kernel/range_boxes.hpp"
 #include "engine/real/rounding.hpp"
@@ -46,8 +45,10 @@ void enclose_some(const Kernel& kernel, const Uniforms& uniforms, std::span<cons
     }
     batch.pad(boxes.size());
     call_range(kernel, batch.batch(padded(boxes.size()), uniforms.boxes<double>()));
-    for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
         out[i] = bounds_of(batch.f_neg_lo[i], batch.f_hi[i]);
+        out[i].continuous = batch.continuous[i] != 0;
+    }
 }
 
 void enclose_all(const Kernel& kernel, const Uniforms& uniforms, std::span<const Box> boxes,
@@ -139,12 +140,13 @@ SampleRegion sample_region_of(const Box& box) {
     return region;
 }
 
-SpaceFunction::SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box)
-    : kernel_(interpret(f)), uniforms_(&uniforms) {
+SpaceFunction::SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box,
+                             const KernelMaker& make_kernel)
+    : kernel_(make_kernel(f)), uniforms_(&uniforms) {
     const SampleRegion region = sample_region_of(box);
     const std::array<Expr, 3> slopes = gradient_of(f);
     for (std::size_t i = 0; i < 3; ++i)
-        slopes_.at(i) = interpret(tightened(slopes.at(i), region));
+        slopes_.at(i) = make_kernel(tightened(slopes.at(i), region));
 }
 
 ValueAndGradient SpaceFunction::at(const glm::dvec3& point) const {

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <functional>
 #include <span>
 
 namespace zeroset {
@@ -16,6 +17,7 @@ namespace zeroset {
 struct Bounds {
     double lo, hi;               ///< infinite where nothing is known
     bool excludes_zero = false;  ///< the function is surely nowhere 0, or nowhere defined
+    bool continuous = false;     ///< it surely is, and defined, in all of the box
 };
 
 /// A function over a box: within `error` of value + dot(gradient, p - centre), or of another
@@ -32,14 +34,20 @@ struct ValueAndGradient {
     glm::dvec3 gradient;
 };
 
+/// Makes the code of a formula, of which values, ranges and forms in double are called.
+using KernelMaker = std::function<Kernel(const Expr&)>;
+
 /// A function of space with its derivatives: values at points, and enclosures over boxes, in
 /// double. Any thread, in whatever rounding.
 class SpaceFunction {
 public:
     /// `uniforms` lives longer. The derivatives are written so that they are enclosed tightly in
     /// `box`, which takes some milliseconds for a polynomial.
-    SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box);
+    SpaceFunction(const Expr& f, const Uniforms& uniforms, const Box& box,
+                  const KernelMaker& make_kernel);
 
+    /// Whether it has jumps, of which its derivatives tell nothing.
+    [[nodiscard]] bool may_jump() const { return kernel_.switches > 0; }
     [[nodiscard]] ValueAndGradient at(const glm::dvec3& point) const;
     void enclose(std::span<const Box> boxes, std::span<Bounds> out) const;
     /// Encloses the function by linear ones over boxes of one size, none of them flat.

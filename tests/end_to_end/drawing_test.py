@@ -123,6 +123,44 @@ class FileTest(DrawingTest):
         root, _ = self.svg("@torus", "--width", "2.5")
         self.assertEqual([group.get("stroke-width") for group in root], ["2.5"])
 
+    def test_widths_of_kinds_of_lines(self):
+        def widths(*options):
+            root, _ = self.svg("x^2 + y^2 = 1", "--box", "1.5", *options)
+            return {group.get("id").split("-")[1]: float(group.get("stroke-width"))
+                    for group in root}
+        contours = ("--contours", "height; step 0.5")
+        self.assertEqual(widths(*contours), {"silhouette": 1, "boundary": 0.8, "contour": 0.4})
+        self.assertEqual(widths("--contours", "height; step 0.5; width 0.7")["contour"], 0.7)
+        self.assertEqual(widths("--contours", "height; step 0.5; width 0.7", "--width",
+                                "2; contours 0.3; boundary 0.5"),
+                         {"silhouette": 2, "boundary": 0.5, "contour": 0.3})
+
+    def test_jumps_end_surfaces(self):
+        view = ("--box", "-1.5,1.5,-1,1,-1,1", "--projection", "orthographic", "--eye", "0,0,9",
+                "--up", "0,1,0", "--lines", "boundary")
+        for text, places in (("z = if(x < 0.5, 0.2, -0.2)", {0.5}),
+                             ("z = 0.3 floor(x + 1/2)", {-0.5, 0.5}),
+                             ("z = 0.2 sign(x)", {0.0}),
+                             ("z = mod(x, 1) / 2", {-1.0, 0.0, 1.0})):
+            with self.subTest(text):
+                _, paths = self.svg(text, *view)
+                spans = [[x for piece in path.pieces for x, _ in piece] for path in paths]
+                across = {x[0] for x in spans if max(x) - min(x) < 0.01}
+                scale = (max(across) - min(across)) / 3.0
+                found = {round((x - min(across)) / scale - 1.5, 2) for x in across}
+                self.assertEqual(found, {-1.5, 1.5} | places)
+
+    def test_what_is_known_is_written_when_the_time_is_over(self):
+        for budget in ("0.001", "0.3"):
+            result = run("draw", "@barth_sextic", "-o", "a.svg", "--budget", budget,
+                         cwd=self.folder)
+            self.assertEqual(result.code, 0, str(result))
+            self.assertRegex(result.err, rf"^zeroset: the budget of {budget} s is spent on .*: some "
+                                         r"silhouettes.* may be missing; --budget SECONDS gives "
+                                         r"more\n$")
+            self.assertTrue(ET.parse(self.folder / "a.svg").getroot().tag.endswith("svg"))
+            self.assertEqual([path.name for path in self.folder.iterdir()], ["a.svg"])
+
     def test_stats(self):
         stats = json.loads(self.run_ok("draw", "x^2 + y^2 + z^2 = 1", "--stats", "-").out)
         self.assertEqual(stats["lines"]["silhouette"]["paths"], 1)
@@ -163,6 +201,9 @@ class ErrorTest(DrawingTest):
                 ((*output, "--lines", "shadow"), "silhouette,crease"),
                 ((*output, "--hidden", "dotted"), "remove, dash or show"),
                 ((*output, "--width", "0"), "from 0.01 to 100"),
+                ((*output, "--width", "1; contour 0"), "from 0.01 to 100"),
+                ((*output, "--width", "1; shadow 1"), "1; contour 0.3; crease 0.5"),
+                ((*output, "--width", "1; contour"), "1; contour 0.3; crease 0.5"),
                 ((*output, "--tolerance", "nan"), "finite"),
                 ((*output, "--tolerance", "100"), "from 0.0001 to 10"),
                 ((*output, "--budget", "0"), "from 0.001"),

@@ -6,7 +6,9 @@
 #include <imgui/imgui.h>
 
 #include <array>
+#include <cfloat>
 #include <cstddef>
+#include <string>
 
 namespace zeroset::ui {
 namespace {
@@ -18,14 +20,23 @@ constexpr std::array<const char*, 3> hidden_names{"left out", "dashed", "as the 
 struct KindText {
     const char* name;
     const char* about;
+    const char* usual_width;  ///< shown where none is chosen
 };
 /// In the order of CurveKind.
 constexpr std::array<KindText, 5> kinds{{
-    {.name = "silhouettes", .about = "Where rays from the eye touch the surface."},
-    {.name = "creases", .about = "Where the surface has an edge, or meets itself."},
-    {.name = "boundaries", .about = "Where the box or a section ends the surface."},
-    {.name = "intersections", .about = "Where two surfaces meet."},
-    {.name = "contours", .about = "The contour lines of the section Look."},
+    {.name = "silhouettes",
+     .about = "Where rays from the eye touch the surface.",
+     .usual_width = nullptr},
+    {.name = "creases",
+     .about = "Where the surface has an edge, or meets itself.",
+     .usual_width = "0.8 of that"},
+    {.name = "boundaries",
+     .about = "Where the box, a section or a jump ends the surface.",
+     .usual_width = "0.8 of that"},
+    {.name = "intersections", .about = "Where two surfaces meet.", .usual_width = "0.8 of that"},
+    {.name = "contours",
+     .about = "The contour lines that are chosen in the section Look.",
+     .usual_width = "0.4 of that"},
 }};
 
 void draw_page_size(glm::dvec2& size_mm) {
@@ -38,6 +49,20 @@ void draw_page_size(glm::dvec2& size_mm) {
     ImGui::SameLine(0.0F, em(0.4F));
     ImGui::SetNextItemWidth(0.5F * room);
     draw_number_field("##page height", size_mm.y, 4.0, 3500.0);
+}
+
+/// Draws the row of one kind of line, with its width.
+void draw_kind(DrawingExport& wish, std::size_t kind) {
+    ImGui::Checkbox(kinds.at(kind).name, &wish.kinds.at(kind));
+    draw_tooltip(kinds.at(kind).about);
+    ImGui::SameLine(em(11.0F));
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    const std::string id = std::string("##width of ") + kinds.at(kind).name;
+    const bool is_silhouette = kind == 0;
+    draw_number_field(id.c_str(), is_silhouette ? wish.width_pt : wish.widths_pt.at(kind),
+                      is_silhouette ? 0.01 : 0.0, 100.0, kinds.at(kind).usual_width);
+    draw_tooltip(is_silhouette ? "Width in points."
+                               : "Width in points; 0: by that of silhouettes.");
 }
 
 void draw_hidden(DrawingExport& wish) {
@@ -56,16 +81,13 @@ void draw_hidden(DrawingExport& wish) {
 void draw_drawing_part(UiState& state) {
     DrawingExport& wish = state.pages.exports.wish.drawing;
     draw_page_size(wish.size_mm);
-    draw_export_label("width, pt", "Of silhouettes; the other lines are thinner.");
-    draw_number_field("##line width", wish.width_pt, 0.01, 100.0);
     draw_export_label("tolerance, pt", "How far lines may be from the true ones on the page.");
     draw_number_field("##tolerance", wish.tolerance_pt, 1e-4, 10.0);
     draw_hidden(wish);
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        if (i % 3 != 0) ImGui::SameLine(em(9.0F) * static_cast<float>(i % 3) + em(0.6F));
-        ImGui::Checkbox(kinds.at(i).name, &wish.kinds.at(i));
-        draw_tooltip(kinds.at(i).about);
-    }
+    draw_export_label("lines", "Which are drawn, and how wide they are, in points.");
+    ImGui::NewLine();
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        draw_kind(wish, i);
 }
 
 }  // namespace zeroset::ui

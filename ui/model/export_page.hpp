@@ -69,7 +69,9 @@ struct DrawingExport {
     glm::dvec2 size_mm{120.0, 90.0};
     std::array<bool, 5> kinds{true, true, true, true, true};  ///< in the order of CurveKind
     Hidden hidden = Hidden::Remove;
-    double width_pt = 1.0;
+    double width_pt = 1.0;  ///< of silhouettes
+    std::array<double, 5>
+        widths_pt{};  ///< of the others, in the order of CurveKind; 0: a part of it
     double tolerance_pt = 0.05;
 
     bool operator==(const DrawingExport&) const = default;

@@ -23,6 +23,38 @@ OrInputError<double> read_between(const std::string& option, const std::string& 
     return number;
 }
 
+/// The kind of line that is named, in the plural, too.
+std::optional<CurveKind> read_kind(std::string_view name) {
+    const auto kind = curve_kind_named(name);
+    if (kind || !name.ends_with('s')) return kind;
+    return curve_kind_named(name.substr(0, name.size() - 1));
+}
+
+/// Reads "1; contour 0.3": the width of silhouettes, then those of kinds of lines.
+std::optional<InputError> read_widths(const std::string& text, DrawingStyle& style) {
+    const std::vector<std::string_view> parts = split(text, ';');
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const std::string_view part = trimmed(parts[i]);
+        const std::size_t space = part.find_first_of(" =");
+        const bool is_named = i > 0 || space != std::string_view::npos;
+        const auto kind = is_named ? read_kind(part.substr(0, space)) : std::nullopt;
+        if (is_named && (!kind || space == std::string_view::npos)) {
+            return InputError{.reason = "--width " + text +
+                                        ": type a number of points, for example 1, or with widths "
+                                        "of kinds of lines: \"1; contour 0.3; crease 0.5\""};
+        }
+        const std::string_view number = kind ? trimmed(part.substr(space + 1)) : part;
+        const auto width = read_between("--width", std::string(number), 0.01, 100.0);
+        if (!width) return width.error();
+        if (kind) {
+            style.widths_pt.at(static_cast<std::size_t>(*kind)) = *width;
+        } else {
+            style.width_pt = *width;
+        }
+    }
+    return std::nullopt;
+}
+
 OrInputError<std::array<bool, 5>> read_kinds(const std::string& text) {
     std::array<bool, 5> kinds{};
     for (const std::string_view part : split(text, ',')) {
@@ -31,8 +63,7 @@ OrInputError<std::array<bool, 5>> read_kinds(const std::string& text) {
             kinds.fill(true);
             continue;
         }
-        auto kind = curve_kind_named(name);
-        if (!kind && name.ends_with('s')) kind = curve_kind_named(name.substr(0, name.size() - 1));
+        const auto kind = read_kind(name);
         if (!kind) {
             return wrong_input("--lines " + text + ": there are no such lines as " +
                                quoted(name, name.size()) +
@@ -93,9 +124,7 @@ OrInputError<DrawingPlan> read_drawing(const DrawingText& text) {
     }
     plan.choice.hidden = plan.style.hidden != HiddenLines::Remove;
     if (text.width) {
-        const auto width = read_between("--width", *text.width, 0.01, 100.0);
-        if (!width) return std::unexpected(width.error());
-        plan.style.width_pt = *width;
+        if (auto error = read_widths(*text.width, plan.style)) return std::unexpected(*error);
     }
     if (text.tolerance) {
         const auto tolerance = read_between("--tolerance", *text.tolerance, 1e-4, 10.0);

@@ -67,12 +67,13 @@ std::optional<InputError> read_contours(const std::string& text, LineChoice& lin
             lines.labels = true;
         } else if (step && *step > 0.0) {
             lines.step = step;
-        } else if (width && *width >= least_line_px && *width <= most_line_px) {
-            lines.width_px = *width;
+        } else if (width && *width >= least_line && *width <= most_line) {
+            lines.width = width;
         } else {
             return InputError{.reason = "--contours " + text +
                                         ": after a ; type step S, above 0, " +
-                                        "width PIXELS, 0.25 to 20, or labels"};
+                                        "width W, 0.25 to 20 (pixels, points in drawings), or "
+                                        "labels"};
         }
     }
     return std::nullopt;

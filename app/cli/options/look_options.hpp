@@ -22,7 +22,7 @@ std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
                                     std::vector<Marker>& markers);
 
 /// Reads the value of --contours into `lines`: none, height, xyz or an expression; then, each after
-/// a ";", "step S" and "width PIXELS".
+/// a ";", "step S" and "width W".
 std::optional<InputError> read_contours(const std::string& text, LineChoice& lines);
 
 /// Turns an error in the expression of the contours into "--contours: " with reason and place.

@@ -6,8 +6,8 @@
 namespace zeroset {
 namespace {
 
-/// Widths of lines in widths of silhouettes.
-double width_of(CurveKind kind) {
+/// Widths of lines in widths of silhouettes, unless others are asked for.
+double usual_share(CurveKind kind) {
     switch (kind) {
         case CurveKind::Silhouette: return 1.0;
         case CurveKind::Crease:
@@ -16,6 +16,12 @@ double width_of(CurveKind kind) {
         case CurveKind::Contour: return 0.4;
     }
     return 1.0;
+}
+
+double width_of(CurveKind kind, const LineDrawing& drawing, const DrawingStyle& style) {
+    if (const auto width = style.widths_pt.at(static_cast<std::size_t>(kind))) return *width;
+    if (kind == CurveKind::Contour && drawing.contour_width_pt) return *drawing.contour_width_pt;
+    return usual_share(kind) * style.width_pt;
 }
 
 }  // namespace
@@ -27,7 +33,7 @@ std::optional<HiddenLines> hidden_lines_named(std::string_view name) {
     return std::nullopt;
 }
 
-std::vector<LineGroup> line_groups(const DrawingStyle& style) {
+std::vector<LineGroup> line_groups(const LineDrawing& drawing, const DrawingStyle& style) {
     constexpr double hidden_width = 0.6;
     constexpr double dash = 3.0;
     constexpr double gap = 2.5;
@@ -41,7 +47,7 @@ std::vector<LineGroup> line_groups(const DrawingStyle& style) {
               CurveKind::Silhouette}) {
             groups.push_back({.kind = kind,
                               .hidden = hidden,
-                              .width_pt = share * width_of(kind) * style.width_pt,
+                              .width_pt = share * width_of(kind, drawing, style),
                               .dash_pt = dash * dashes,
                               .gap_pt = gap * dashes});
         }

@@ -17,12 +17,37 @@ struct FreeDocument {
 };
 using Document = std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, FreeDocument>;
 
-/// Draws in a unit that is smaller than a point, as libharu's dashes are whole numbers up to 100.
+/// The unit in which a page with dashes is drawn, in points. libharu's dashes are whole numbers up
+/// to 100, so it is a small part of the longest; and its numbers have five digits after the point,
+/// so it is 1, 2 or 5 x 10^n.
+double unit_for(const std::vector<LineGroup>& groups) {
+    constexpr double most = 100.0;
+    double longest = 0.0;
+    for (const LineGroup& group : groups)
+        longest = std::max({longest, group.dash_pt, group.gap_pt});
+    if (longest == 0.0) return 1.0;
+    const double power = std::pow(10.0, std::floor(std::log10(longest / most)));
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        if (digit * power * most >= longest) return digit * power;
+    }
+    return 10.0 * power;
+}
+
+/// Calls HPDF_Page_SetDash, whose numbers are integers up to libharu 2.3 and floats since.
+template <class Length, class Phase>
+void set_dashes(HPDF_STATUS (*set)(HPDF_Page, const Length*, HPDF_UINT, Phase), HPDF_Page page,
+                double dash, double gap) {
+    const std::array<Length, 2> lengths{static_cast<Length>(std::round(dash)),
+                                        static_cast<Length>(std::round(gap))};
+    const bool is_dashed = dash > 0.0;
+    set(page, is_dashed ? lengths.data() : nullptr, is_dashed ? 2 : 0, 0);
+}
+
 class PdfPage {
 public:
-    PdfPage(HPDF_Page page, const LineDrawing& drawing, const DrawingStyle& style)
-        : page_(page), drawing_(drawing), units_(most / (dash_share * style.width_pt)) {
-        const auto scale = static_cast<HPDF_REAL>(1.0 / units_);
+    PdfPage(HPDF_Page page, const LineDrawing& drawing, double unit_pt)
+        : page_(page), drawing_(drawing), units_(1.0 / unit_pt) {
+        const auto scale = static_cast<HPDF_REAL>(unit_pt);
         const auto height = static_cast<HPDF_REAL>(drawing.size.height);
         HPDF_Page_SetWidth(page_, static_cast<HPDF_REAL>(drawing.size.width));
         HPDF_Page_SetHeight(page_, height);
@@ -33,14 +58,8 @@ public:
     void draw(const LineGroup& group);
 
 private:
-    static constexpr double most = 96.0;
-    static constexpr double dash_share = 3.0;  ///< the longest dash, in widths
-
     [[nodiscard]] HPDF_REAL unit(double points) const {
         return static_cast<HPDF_REAL>(units_ * points);
-    }
-    [[nodiscard]] HPDF_UINT16 whole_unit(double points) const {
-        return static_cast<HPDF_UINT16>(std::lround(units_ * points));
     }
     void draw(const DrawnPath& path);
 
@@ -60,9 +79,7 @@ void PdfPage::draw(const DrawnPath& path) {
 
 void PdfPage::draw(const LineGroup& group) {
     HPDF_Page_SetLineWidth(page_, unit(group.width_pt));
-    const std::array<HPDF_UINT16, 2> dashes{whole_unit(group.dash_pt), whole_unit(group.gap_pt)};
-    const bool is_dashed = group.dash_pt > 0.0;
-    HPDF_Page_SetDash(page_, is_dashed ? dashes.data() : nullptr, is_dashed ? 2 : 0, 0);
+    set_dashes(HPDF_Page_SetDash, page_, units_ * group.dash_pt, units_ * group.gap_pt);
     for (const DrawnPath& path : drawing_.paths) {
         if (path.kind == group.kind && path.hidden == group.hidden) draw(path);
     }
@@ -91,8 +108,9 @@ std::expected<std::string, std::string> pdf_of(const LineDrawing& drawing,
     const Document document(HPDF_New(nullptr, nullptr));
     if (!document) return std::unexpected("there is no memory for a PDF");
     HPDF_SetCompressionMode(document.get(), HPDF_COMP_ALL);
-    PdfPage page(HPDF_AddPage(document.get()), drawing, style);
-    for (const LineGroup& group : line_groups(style))
+    const std::vector<LineGroup> groups = line_groups(drawing, style);
+    PdfPage page(HPDF_AddPage(document.get()), drawing, unit_for(groups));
+    for (const LineGroup& group : groups)
         page.draw(group);
     std::string bytes = bytes_of(document.get());
     const HPDF_STATUS error = HPDF_GetError(document.get());

@@ -13,7 +13,7 @@ public:
 
     std::string run() {
         begin();
-        for (const LineGroup& group : line_groups(style_))
+        for (const LineGroup& group : line_groups(drawing_, style_))
             write_group(group);
         return std::move(text_) + "</svg>\n";
     }
@@ -23,6 +23,9 @@ private:
     void write_group(const LineGroup& group);
     void write_path(const DrawnPath& path);
     [[nodiscard]] std::string number(double value) const { return file_number(value, decimals_); }
+    [[nodiscard]] static std::string width(double value) {
+        return file_number(value, width_decimals);
+    }
     void write_point(const glm::dvec2& at) { text_ += number(at.x) + " " + number(at.y); }
 
     const LineDrawing& drawing_;
@@ -32,12 +35,12 @@ private:
 };
 
 void SvgWriter::begin() {
-    const std::string width = number(drawing_.size.width);
-    const std::string height = number(drawing_.size.height);
+    const std::string across = width(drawing_.size.width);
+    const std::string down = width(drawing_.size.height);
     text_ =
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"" +
-        width + "pt\" height=\"" + height + "pt\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+        across + "pt\" height=\"" + down + "pt\" viewBox=\"0 0 " + across + " " + down + "\">\n";
 }
 
 void SvgWriter::write_group(const LineGroup& group) {
@@ -46,9 +49,9 @@ void SvgWriter::write_group(const LineGroup& group) {
              std::string(name_of(group.kind)) +
              "\" fill=\"none\" stroke=\"#000000\" stroke-linecap=\"round\" "
              "stroke-linejoin=\"round\" stroke-width=\"" +
-             number(group.width_pt) + "\"";
+             width(group.width_pt) + "\"";
     if (group.dash_pt > 0.0) {
-        text_ += " stroke-dasharray=\"" + number(group.dash_pt) + " " + number(group.gap_pt) + "\"";
+        text_ += " stroke-dasharray=\"" + width(group.dash_pt) + " " + width(group.gap_pt) + "\"";
     }
     text_ += ">\n";
     const std::size_t empty = text_.size();

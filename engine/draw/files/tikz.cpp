@@ -17,7 +17,7 @@ public:
             "\\begin{tikzpicture}[x=1bp,y=-1bp,line cap=round,line join=round]\n"
             "\\clip (0,0) rectangle " +
             place({drawing_.size.width, drawing_.size.height}) + ";\n";
-        for (const LineGroup& group : line_groups(style_))
+        for (const LineGroup& group : line_groups(drawing_, style_))
             write_group(group);
         return std::move(text_) + "\\end{tikzpicture}\n";
     }
@@ -26,6 +26,9 @@ private:
     void write_group(const LineGroup& group);
     void write_path(const DrawnPath& path);
     [[nodiscard]] std::string number(double value) const { return file_number(value, decimals_); }
+    [[nodiscard]] static std::string width(double value) {
+        return file_number(value, width_decimals);
+    }
     [[nodiscard]] std::string place(const glm::dvec2& at) const {
         return "(" + number(at.x) + "," + number(at.y) + ")";
     }
@@ -40,10 +43,10 @@ void TikzWriter::write_group(const LineGroup& group) {
     const std::size_t before = text_.size();
     text_ += std::string(group.hidden ? "% hidden " : "% visible ") +
              std::string(name_of(group.kind)) +
-             "\n\\begin{scope}[line width=" + number(group.width_pt) + "bp";
+             "\n\\begin{scope}[line width=" + width(group.width_pt) + "bp";
     if (group.dash_pt > 0.0) {
         text_ +=
-            ",dash pattern=on " + number(group.dash_pt) + "bp off " + number(group.gap_pt) + "bp";
+            ",dash pattern=on " + width(group.dash_pt) + "bp off " + width(group.gap_pt) + "bp";
     }
     text_ += "]\n";
     const std::size_t empty = text_.size();

@@ -56,7 +56,7 @@ Document rich_document() {
     document.coloring.lines = {.contours = Contours::Expression,
                                .expression = "x y",
                                .step = 0.125,
-                               .width_px = 2.5,
+                               .width = 2.5,
                                .intersections = true};
     return document;
 }

@@ -2,6 +2,7 @@
 
 #include "engine/draw/curve_system.hpp"
 #include "engine/draw/symmetric.hpp"
+#include "engine/interpret/interpret.hpp"
 #include "engine/language/parse.hpp"
 #include "tests/support/random_numbers.hpp"
 
@@ -40,8 +41,8 @@ private:
                                        const Uniforms& uniforms, const Box& box) {
         CurveEquations equations;
         for (const std::string& text : texts)
-            equations.zero.push_back(
-                std::make_shared<const SpaceFunction>(parse(text).value(), uniforms, box));
+            equations.zero.push_back(std::make_shared<const SpaceFunction>(
+                parse(text).value(), uniforms, box, [](const Expr& f) { return interpret(f); }));
         return equations;
     }
 };

@@ -218,6 +218,25 @@ TEST(DrawScene, ACubeHasTwelveEdges) {
     EXPECT_EQ(hidden, 3);
 }
 
+TEST(DrawScene, LinesWithoutASurfaceAreLeftOut) {
+    // Steiner's Roman surface: its equation holds on all of the axes, but sheets meet on them only
+    // up to 1/2 from the origin.
+    const TextScene of({"x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z"}, Box::cube(1));
+    const Camera camera = camera_from({2.5, -3, 2}, {0, 0, 0});
+    const LineDrawing drawing = of.draw(camera, only(CurveKind::Crease));
+    const Page page(camera, drawing.size);
+    double length = 0.0;
+    for (const DrawnPath& path : drawing.paths)
+        length += length_of(path);
+    double wanted = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 end(0.0);
+        end[axis] = 0.5;
+        wanted += glm::distance(page.place(end), page.place(-end));
+    }
+    EXPECT_NEAR(length, wanted, 1.0);
+}
+
 TEST(DrawScene, APlaneEndsAtTheBox) {
     const TextScene of({"z = 0.25 x"}, Box::cube(1));
     const Camera camera = camera_from({3, -5, 4}, {0, 0, 0});
@@ -313,12 +332,9 @@ TEST(DrawScene, IsolatedSingularPointsAreNoCreases) {
 
 TEST(DrawScene, ABudgetEndsTheSearch) {
     const TextScene of({"sin(20 x y z) sin(30 x) sin(40 y) = 0.01"}, Box::cube(2));
-    const DrawnScene input{.scene = of.scene,
-                           .surfaces = of.surfaces,
-                           .camera = default_camera(Box::cube(2)),
-                           .page = {}};
-    const LineDrawing drawing = draw_scene(input, {}, {.until = TimeLimit::Clock::now()});
-    EXPECT_FALSE(drawing.report.in_time);
+    const LineDrawing drawing =
+        draw_scene(of.input(default_camera(Box::cube(2))), {}, {.until = TimeLimit::Clock::now()});
+    EXPECT_FALSE(drawing.in_time());
 }
 
 }  // namespace

@@ -29,10 +29,16 @@ struct TextScene {
             scene.surfaces.push_back(interpret(surfaces.back()));
         }
     }
+    [[nodiscard]] DrawnScene input(const Camera& camera, const PageSize& page = {}) const {
+        return {.scene = scene,
+                .surfaces = surfaces,
+                .camera = camera,
+                .page = page,
+                .make_kernel = [](const Expr& f) { return interpret(f); }};
+    }
     [[nodiscard]] LineDrawing draw(const Camera& camera, const DrawOptions& options,
                                    const PageSize& page = {}) const {
-        return draw_scene({.scene = scene, .surfaces = surfaces, .camera = camera, .page = page},
-                          options);
+        return draw_scene(input(camera, page), options);
     }
 };
 

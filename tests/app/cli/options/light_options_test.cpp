@@ -74,7 +74,7 @@ TEST(OpacityOptions, AreOfAllSurfacesOrOfOne) {
 TEST(ContourOptions, AreANameOrAnExpressionWithStepAndWidth) {
     LineChoice lines;
     ASSERT_FALSE(read_contours("height; step 0.5; width 3", lines));
-    EXPECT_EQ(lines, (LineChoice{.contours = Contours::Height, .step = 0.5, .width_px = 3.0}));
+    EXPECT_EQ(lines, (LineChoice{.contours = Contours::Height, .step = 0.5, .width = 3.0}));
     ASSERT_FALSE(read_contours("height; labels; step 2", lines));
     EXPECT_TRUE(lines.labels);
     ASSERT_FALSE(read_contours("xyz", lines));

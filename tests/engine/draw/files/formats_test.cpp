@@ -79,6 +79,33 @@ TEST(Pdf, IsOfOnePageAndTheSameEachTime) {
     }
 }
 
+TEST(Widths, AreThoseAskedForOrParts) {
+    LineDrawing drawing = two_lines();
+    DrawingStyle style{.hidden = HiddenLines::Dash, .width_pt = 2.0};
+    const auto width_of = [&](CurveKind kind, bool hidden) {
+        for (const LineGroup& group : line_groups(drawing, style)) {
+            if (group.kind == kind && group.hidden == hidden) return group.width_pt;
+        }
+        return 0.0;
+    };
+    EXPECT_EQ(width_of(CurveKind::Silhouette, false), 2.0);
+    EXPECT_EQ(width_of(CurveKind::Contour, false), 0.8);
+    drawing.contour_width_pt = 0.7;
+    EXPECT_EQ(width_of(CurveKind::Contour, false), 0.7);
+    EXPECT_DOUBLE_EQ(width_of(CurveKind::Contour, true), 0.42);
+    style.widths_pt[static_cast<std::size_t>(CurveKind::Contour)] = 0.25;
+    EXPECT_EQ(width_of(CurveKind::Contour, false), 0.25);
+    EXPECT_EQ(width_of(CurveKind::Crease, false), 1.6);
+}
+
+TEST(Widths, AreWrittenToTheDigitWhateverTheTolerance) {
+    const DrawingStyle style{.width_pt = 0.0125, .tolerance_pt = 10.0};
+    for (const char* const name : {"a.svg", "a.tex"}) {
+        const std::string text = find_drawing_format(name)->encode(two_lines(), style).value();
+        EXPECT_NE(text.find("0.0125"), std::string::npos) << text;
+    }
+}
+
 TEST(FileNumber, IsShort) {
     EXPECT_EQ(file_number(1.0, 4), "1");
     EXPECT_EQ(file_number(-0.00001, 4), "0");
