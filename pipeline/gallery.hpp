@@ -36,8 +36,8 @@ const std::vector<GalleryItem>& gallery();
 ReadDocument read_document(const GalleryItem& item);
 
 /// Returns the item as a document that takes the place of `last`: with the settings that a person
-/// made there for all surfaces. A light of one's own stays; the usual one and those that the gallery
-/// brings give way to the item's.
+/// made there for all surfaces. A light of one's own stays; the usual one and those that the
+/// gallery brings give way to the item's.
 Document taken_over(const GalleryItem& item, const Document& last);
 
 /// Returns the item called `name` (without "@"), or an error that names the nearest one.

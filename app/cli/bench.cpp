@@ -116,9 +116,8 @@ OrInputError<BenchCell> measure(const BenchItem& item, const BenchPlan& plan,
     document.light = plan.light;
     const auto prepared = prepare(document, *item.read.rows, Preparation::Compiled);
     if (!prepared) return std::unexpected(prepared.error());
-    PictureRequest request =
-        picture_request(prepared->formula, prepared->colors, document, settings,
-                        {plan.size.width, plan.size.height});
+    PictureRequest request = picture_request(prepared->formula, prepared->colors, document,
+                                             settings, {plan.size.width, plan.size.height});
     add_needed_code(request);
     const Scene scene = scene_of(request);
     Framebuffer frame(plan.size.width, plan.size.height);

@@ -82,8 +82,8 @@ struct BenchCommand {
     std::optional<std::string> suite, tracers, threads, d_stop, size, repeat, budget, json;
     bool shadows = false, antialias = false;  ///< antialias: the same as an `aa`
     std::optional<std::string> aa;            ///< as read_antialias reads it
-    LightText light;             ///< the look and the mirrors; no other
-    bool first_picture = false;  ///< times edits instead of frames
+    LightText light;                          ///< the look and the mirrors; no other
+    bool first_picture = false;               ///< times edits instead of frames
 };
 int run_bench(const BenchCommand& command);
 

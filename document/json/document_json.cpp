@@ -308,8 +308,7 @@ std::expected<ParsedDocument, std::string> document_from(std::string_view text) 
 bool looks_like_document(std::string_view text) {
     if (is_share_text(text)) return true;
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] == '{' &&
-           text.contains("\"zeroset\"");
+    return begin != std::string_view::npos && text[begin] == '{' && text.contains("\"zeroset\"");
 }
 
 }  // namespace zeroset

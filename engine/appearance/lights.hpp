@@ -17,8 +17,8 @@ struct SeenLight {
     bool casts_shadows;
 };
 
-/// The lights of a scene in a view: its own, or those of its look: a key light, which casts shadows,
-/// and, but for Phong's, a fill light, which casts none.
+/// The lights of a scene in a view: its own, or those of its look: a key light, which casts
+/// shadows, and, but for Phong's, a fill light, which casts none.
 std::vector<SeenLight> lights_of(const Lighting& lighting, const ViewFrame& view);
 
 }  // namespace zeroset

@@ -7,8 +7,8 @@
 namespace zeroset {
 namespace {
 
-constexpr auto look_names =
-    enum_names<Look>("standard", "phong", "matte", "porcelain", "metal", "glass", "clay", "technical");
+constexpr auto look_names = enum_names<Look>("standard", "phong", "matte", "porcelain", "metal",
+                                             "glass", "clay", "technical");
 constexpr auto tone_names = enum_names<Tone>("plain", "filmic");
 
 }  // namespace
