@@ -94,7 +94,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    work_[first].drafts.add(at, front);
+    work_[first].drafts.seek(at, front);
     return {.step = Step::Close, .surface = first};
 }
 

@@ -110,11 +110,21 @@ void SquareField::add_rest(std::size_t square, std::size_t surface, const Square
     const CoverSquare at = squares_[square];
     const auto count = static_cast<double>(std::ranges::count(misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several = count > 0.0 && (at.level == 0 || !(rest.share > 0.0));
+    const bool several =
+        count > 0.0 && (!(rest.share > 0.0) || (at.level == 0 && !is_one_sheet(square)));
     if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         if (misses[i]) add_part(square, at.ray(square_rays[i], share / count));
     }
+}
+
+bool SquareField::is_one_sheet(std::size_t square) {
+    const std::span<const Front> of = fronts(square);
+    const auto in = [of](Front::State state) {
+        return std::ranges::count(of, state, &Front::state);
+    };
+    return in(Front::State::Rooted) <= 1 &&
+           in(Front::State::Rooted) + in(Front::State::Gone) == std::ssize(of);
 }
 
 bool SquareField::go_down() {

@@ -61,6 +61,8 @@ public:
     bool go_down();
 
 private:
+    /// Whether at most one smooth sheet is left of what a square shows.
+    [[nodiscard]] bool is_one_sheet(std::size_t square);
     [[nodiscard]] double longest_told(const Front& front) const;
     [[nodiscard]] double first_step(const MixedPixel& pixel, const CoverSquare& square,
                                     const Front& front) const;
