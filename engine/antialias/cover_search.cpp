@@ -17,7 +17,8 @@ class CoverSearch {
 public:
     CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays, Counters& counters);
 
-    void search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out);
+    void search(std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+                std::vector<CoverSample>& out);
 
 private:
     using State = Front::State;
@@ -60,6 +61,16 @@ CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& r
         work_.emplace_back(surfaces[i], i, field_, counters);
 }
 
+ToldRoots told_roots(const PixelCover& cover, std::size_t pixel) {
+    if (!cover.known) return {};
+    if (!cover.marked) return {.rest_from = ToldRoots::none};
+    return {.sheet_from = cover.from[pixel],
+            .sheet_to = cover.to[pixel],
+            .other_from = cover.other_from[pixel],
+            .other_to = cover.other_to[pixel],
+            .rest_from = cover.unknown_from(pixel)};
+}
+
 auto CoverSearch::choose(std::size_t square) -> Choice {
     const std::span<Front> fronts = field_.fronts(square);
     std::size_t first = fronts.size();
@@ -83,7 +94,7 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    work_[first].drafts.add(at, front);
+    work_[first].drafts.seek(at, front);
     return {.step = Step::Close, .surface = first};
 }
 
@@ -120,9 +131,14 @@ void CoverSearch::finish_level() {
     }
 }
 
-void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
-    for (const MixedPixel& pixel : pixels)
-        field_.begin(pixel);
+void CoverSearch::search(std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+                         std::vector<CoverSample>& out) {
+    std::vector<ToldRoots> told(work_.size());
+    for (const MixedPixel& pixel : pixels) {
+        for (std::size_t i = 0; i < hits.size(); ++i)
+            told[i] = told_roots(hits[i].cover, pixel.pixel);
+        field_.begin(pixel, told);
+    }
     do {
         finish_level();
     } while (!stopped() && field_.go_down());
@@ -134,13 +150,13 @@ void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSa
 }  // namespace
 
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
-                Counters& counters) {
+                std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+                std::vector<CoverSample>& out, Counters& counters) {
     if (pixels.empty()) return;
     Tile all = tile;
     all.limits = nullptr;
     const TileRays rays(surfaces.front(), all);
-    CoverSearch(surfaces, rays, counters).search(pixels, out);
+    CoverSearch(surfaces, rays, counters).search(hits, pixels, out);
 }
 
 }  // namespace zeroset

@@ -2,6 +2,7 @@
 
 #include "engine/antialias/cover_sample.hpp"
 #include "engine/trace/tile.hpp"
+#include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <span>
@@ -11,9 +12,10 @@ namespace zeroset {
 
 /// Finds what pixels show, part by part [Florez08, sec. 5.5.2], and adds samples to `out`. A part
 /// of a pixel that no sample stands for shows the background. Ends early when the frames' limit is
-/// over: then nothing is said of some pixels. In upward rounding.
+/// over: then nothing is said of some pixels. `hits`: of the surfaces, by tracers that may know
+/// whole pixels; empty: nothing is known. In upward rounding.
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
-                Counters& counters);
+                std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+                std::vector<CoverSample>& out, Counters& counters);
 
 }  // namespace zeroset

@@ -34,12 +34,9 @@ std::size_t EdgeSamples::deepest() const {
 }
 
 RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
-    const RayStretch& ray = stretches[i];
-    return {.col = ray.col,
-            .row = ray.row,
-            .from = ray.from,
-            .to = before_end[i] ? ray.to : ray.at,
-            .several = true};
+    RayRoot root = stretches[i].bracket();
+    if (before_end[i]) root.to = stretches[i].to;
+    return root;
 }
 
 SquareRayFlags EdgeSamples::misses() const {

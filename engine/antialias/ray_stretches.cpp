@@ -10,6 +10,12 @@
 namespace zeroset {
 namespace {
 
+/// How the point on a ray changes with s.
+glm::dvec3 ray_direction(const TileRays& rays, double col, double row) {
+    const ViewFrame& axes = rays.axes();
+    return axes.forward + rays.u(col) * axes.right + rays.v(row) * axes.up;
+}
+
 /// f on rays.
 class RayValues {
 public:
@@ -34,9 +40,7 @@ public:
     }
     /// How the point changes with s.
     [[nodiscard]] glm::dvec3 direction(std::size_t i) const {
-        const ViewFrame& axes = rays_.axes();
-        return axes.forward + rays_.u(points_[i].col) * axes.right +
-               rays_.v(points_[i].row) * axes.up;
+        return ray_direction(rays_, points_[i].col, points_[i].row);
     }
     /// How f changes from ray to ray at the same depth, a pixel to the right and downwards.
     [[nodiscard]] double by_col(std::size_t i) const {
@@ -132,8 +136,13 @@ struct LeastSearch {
         }
         (place.slope < 0.0 ? lo : hi) = place;
     }
+    /// Whether the least f is known to a millionth of f at the ends, or as well as 1e-4 pixels
+    /// beside it.
     [[nodiscard]] bool narrow() const {
-        return (hi.s - lo.s) * std::min(-lo.slope, hi.slope) <= 1e-7 * size;
+        if (stretch->only_whether && stretch->least < 0.0) return true;
+        const double by_pixel = std::max(std::abs(stretch->by_col), std::abs(stretch->by_row));
+        const double enough = std::max(1e-7 * size, 1e-4 * by_pixel);
+        return (hi.s - lo.s) * std::min(-lo.slope, hi.slope) <= enough;
     }
 };
 
@@ -199,45 +208,75 @@ std::vector<LeastSearch> begin_least(RayValues& values, std::span<RayStretch> st
     return open;
 }
 
+/// The places of a stretch at which f is asked for, to bracket a root.
+class RootSamples {
+public:
+    explicit RootSamples(const RayRoot& root) : root_(root) {}
+
+    [[nodiscard]] bool are_known() const { return !root_.several && root_.f_from * root_.f_to < 0; }
+    [[nodiscard]] std::size_t count() const { return root_.several ? 8 : 2; }
+    [[nodiscard]] double place(std::size_t i) const {
+        return root_.from + static_cast<double>(i) *
+                                ((root_.to - root_.from) / (static_cast<double>(count()) - 1));
+    }
+
+private:
+    const RayRoot& root_;
+};
+
 /// Brackets the roots, the first ones that samples show where there may be several; `falls`: the
 /// way that f goes there.
 std::vector<RootSearch> bracket_roots(RayValues& values, std::span<RayRoot> roots,
                                       std::vector<bool>& falls) {
-    constexpr int samples = 8;  // of a stretch that may hold several
-    const auto samples_of = [](const RayRoot& root) { return root.several ? samples : 2; };
-    const auto place = [&](const RayRoot& root, int i) {
-        return root.from + i * ((root.to - root.from) / (samples_of(root) - 1));
-    };
     values.clear();
     for (const RayRoot& root : roots) {
-        for (int i = 0; i < samples_of(root); ++i)
-            values.ask(root.col, root.row, place(root, i));
+        const RootSamples samples(root);
+        for (std::size_t i = 0; i < samples.count() && !samples.are_known(); ++i)
+            values.ask(root.col, root.row, samples.place(i));
     }
     values.evaluate();
     std::vector<RootSearch> open;
+    open.reserve(roots.size());
     std::size_t first = 0;
     for (RayRoot& root : roots) {
+        const RootSamples samples(root);
+        const bool known = samples.are_known();
+        const auto f = [&](std::size_t i) {
+            if (!known) return values.f(first + i);
+            return i == 0 ? root.f_from : root.f_to;
+        };
         root.s = root.to;
-        falls.push_back(values.f(first) > 0.0);
-        for (int i = 1; i < samples_of(root); ++i) {
-            const double f_lo = values.f(first + static_cast<std::size_t>(i) - 1);
-            const double f_hi = values.f(first + static_cast<std::size_t>(i));
+        falls.push_back(f(0) > 0.0);
+        for (std::size_t i = 1; i < samples.count(); ++i) {
+            const double f_lo = f(i - 1);
+            const double f_hi = f(i);
             if (!(f_lo * f_hi < 0.0)) continue;
             root.found = true;
             open.push_back({.root = &root,
-                            .lo = place(root, i - 1),
-                            .hi = place(root, i),
+                            .lo = samples.place(i - 1),
+                            .hi = samples.place(i),
                             .f_lo = f_lo,
                             .f_hi = f_hi,
                             .next = 0.0});
             break;
         }
-        first += static_cast<std::size_t>(samples_of(root));
+        first += known ? 0 : samples.count();
     }
     return open;
 }
 
-/// Narrows brackets until a step is shorter than `fine` pixels.
+/// Takes f's gradient at a place right before the root, or so near that it does not matter.
+void take_gradient(RayRoot& root, const RayValues& values, std::size_t i) {
+    root.gradient = values.gradient(i);
+    root.slope = values.slope(i);
+    root.by_col = -values.by_col(i) / root.slope;
+    root.by_row = -values.by_row(i) / root.slope;
+    const double size = glm::length(root.gradient) * glm::length(values.direction(i));
+    root.cosine = std::abs(root.slope) / size;
+}
+
+/// Narrows brackets until a step is shorter than `fine` pixels, and takes gradients at the last
+/// ones.
 void narrow_roots(const TraceFrame& frame, const TileRays& rays, RayValues& values,
                   std::vector<RootSearch>& open) {
     constexpr double fine = 1.0 / 1024;
@@ -252,13 +291,37 @@ void narrow_roots(const TraceFrame& frame, const TileRays& rays, RayValues& valu
             RootSearch& search = open[i];
             const double least = fine * rays.pixel() * (rays.distance() + search.next);
             const double tolerance = std::max(least, rays.tolerance());
-            search.root->s = search.next;
+            const double before = search.next;
             search.take(values.f(i), values.slope(i));
-            const bool is_near = std::abs(search.next - search.root->s) <= tolerance;
             search.root->s = search.next;
-            if (!is_near && search.hi - search.lo > tolerance) open[kept++] = search;
+            const bool is_near = std::abs(search.next - before) <= tolerance;
+            if (!is_near && search.hi - search.lo > tolerance && step + 1 < most_steps) {
+                open[kept++] = search;
+            } else {
+                take_gradient(*search.root, values, i);
+            }
         }
         open.resize(kept);
+    }
+}
+
+/// Takes gradients right before roots: where the last step took them f may have another branch, or
+/// hardly a slope.
+void take_gradients_before(RayValues& values, const TileRays& rays, std::span<RayRoot> roots,
+                           bool branches) {
+    constexpr double before = 1.0 / 64;  // in pixels
+    const auto is_asked = [branches](const RayRoot& root) { return branches || !root.found; };
+    values.clear();
+    for (const RayRoot& root : roots) {
+        if (!is_asked(root)) continue;
+        const double step = before * rays.pixel() * (rays.distance() + root.s);
+        values.ask(root.col, root.row,
+                   root.s - std::max(root.found ? 0.0 : step, 2.0 * rays.tolerance()));
+    }
+    values.evaluate();
+    std::size_t i = 0;
+    for (RayRoot& root : roots) {
+        if (is_asked(root)) take_gradient(root, values, i++);
     }
 }
 
@@ -294,25 +357,14 @@ void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot
     narrow_roots(frame, rays, values, open);
     // The branch that leads to the root is the one before it. Where f only comes to 0, its gradient
     // vanishes there.
-    constexpr double before = 1.0 / 64;  // in pixels
-    values.clear();
-    for (const RayRoot& root : roots) {
-        const double step = before * rays.pixel() * (rays.distance() + root.s);
-        values.ask(root.col, root.row,
-                   root.s - std::max(root.found ? 0.0 : step, 2.0 * rays.tolerance()));
-    }
-    values.evaluate();
+    take_gradients_before(values, rays, roots, frame.kernel.branches);
     for (std::size_t i = 0; i < roots.size(); ++i) {
         RayRoot& root = roots[i];
-        root.gradient = values.gradient(i);
-        root.by_col = -values.by_col(i) / values.slope(i);
-        root.by_row = -values.by_row(i) / values.slope(i);
-        const glm::dvec3 along = values.direction(i);
-        root.cosine = std::abs(values.slope(i)) / (glm::length(root.gradient) * glm::length(along));
-        if ((values.slope(i) < 0.0) == falls[i]) continue;
+        if ((root.slope < 0.0) == falls[i]) continue;
         // Turn it until it is upright on the ray, and a little more.
+        const glm::dvec3 along = ray_direction(rays, root.col, root.row);
         const double least = 1e-3 * glm::length(root.gradient) * glm::length(along);
-        const double change = (falls[i] ? -least : least) - values.slope(i);
+        const double change = (falls[i] ? -least : least) - root.slope;
         root.gradient += change / glm::dot(along, along) * along;
     }
 }

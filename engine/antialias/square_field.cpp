@@ -10,11 +10,10 @@ void SquareField::place(const CoverSquare& square, Front& front) const {
     const double radius = 0.5 * square.side * rays_.pixel();
     const DepthRange depths = rays_.depths(rays_.u(col_of(square, square_middle)),
                                            rays_.v(row_of(square, square_middle)), radius, radius);
-    front.at = std::max(front.at, depths.enter_lo);
     front.end = depths.exit_hi;
     front.inside_from = depths.enter_hi;
     front.inside_to = depths.exit_lo;
-    front.state = front.at < front.end ? Front::State::Going : Front::State::Gone;
+    front.go_to(std::max(front.at, depths.enter_lo));
 }
 
 RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front,
@@ -29,21 +28,41 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
     return stretch;
 }
 
-void SquareField::begin(const MixedPixel& pixel) {
+void SquareField::begin(const MixedPixel& pixel, std::span<const ToldRoots> told) {
     const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
-    Front front;
-    front.at = static_cast<double>(pixel.from);
-    place(square, front);
-    if (front.state == Front::State::Gone) return;
+    const std::size_t first = fronts_.size();
+    bool any = false;
+    for (const ToldRoots& of_surface : told) {
+        Front front;
+        front.told = of_surface;
+        front.at = static_cast<double>(pixel.from);
+        front.longest = longest_told(front);
+        place(square, front);
+        front.step = first_step(pixel, square, front);
+        any = any || front.state != Front::State::Gone;
+        fronts_.push_back(front);
+    }
+    if (any) {
+        squares_.push_back(square);
+    } else {
+        fronts_.resize(first);
+    }
+}
+
+double SquareField::longest_told(const Front& front) const {
+    const double from = static_cast<double>(front.told.other_from);
+    return from < Front::none ? width_of(most_told_widths, from) : 0.0;
+}
+
+double SquareField::first_step(const MixedPixel& pixel, const CoverSquare& square,
+                               const Front& front) const {
     // The first cell goes behind the hit of the pixel's own ray, if there is one.
     const double u = rays_.u(col_of(square, square_middle));
     const double v = rays_.v(row_of(square, square_middle));
+    const double fair = width_of(1.0, front.at);
     const double hit =
         static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
-    const double fair = width_of(1.0, front.at);
-    front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
-    squares_.push_back(square);
-    fronts_.insert(fronts_.end(), surfaces_, front);
+    return hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
 }
 
 void SquareField::divide(std::size_t square) {
@@ -62,7 +81,10 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     bool any = false;
     for (const Front& of_whole : fronts(square)) {
         Front front;
+        front.told = of_whole.told;
         front.at = of_whole.at;
+        // What is told of a pixel was too little for its edges.
+        if (part.is_ray()) front.longest = longest_told(front);
         place(part, front);
         if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
         const double length = of_whole.state == Front::State::Going
@@ -88,11 +110,21 @@ void SquareField::add_rest(std::size_t square, std::size_t surface, const Square
     const CoverSquare at = squares_[square];
     const auto count = static_cast<double>(std::ranges::count(misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several = count > 0.0 && (at.level == 0 || !(rest.share > 0.0));
+    const bool several =
+        count > 0.0 && (!(rest.share > 0.0) || (at.level == 0 && !is_one_sheet(square)));
     if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         if (misses[i]) add_part(square, at.ray(square_rays[i], share / count));
     }
+}
+
+bool SquareField::is_one_sheet(std::size_t square) {
+    const std::span<const Front> of = fronts(square);
+    const auto in = [of](Front::State state) {
+        return std::ranges::count(of, state, &Front::state);
+    };
+    return in(Front::State::Rooted) <= 1 &&
+           in(Front::State::Rooted) + in(Front::State::Gone) == std::ssize(of);
 }
 
 bool SquareField::go_down() {

@@ -47,7 +47,8 @@ public:
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
                                         const SquareRay& place) const;
 
-    void begin(const MixedPixel& pixel);
+    /// `told`: of each surface.
+    void begin(const MixedPixel& pixel, std::span<const ToldRoots> told);
     /// Goes on with the quarters of a square instead of it.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with rays beside it, some of `misses`; they stand for
@@ -60,6 +61,11 @@ public:
     bool go_down();
 
 private:
+    /// Whether at most one smooth sheet is left of what a square shows.
+    [[nodiscard]] bool is_one_sheet(std::size_t square);
+    [[nodiscard]] double longest_told(const Front& front) const;
+    [[nodiscard]] double first_step(const MixedPixel& pixel, const CoverSquare& square,
+                                    const Front& front) const;
     /// Begins a front, no nearer than `front.at`.
     void place(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.

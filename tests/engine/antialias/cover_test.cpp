@@ -49,7 +49,7 @@ std::vector<double> cover_of(const Scene& scene) {
     }
     std::vector<CoverSample> samples;
     Counters counters;
-    find_cover(frames, tile, pixels, samples, counters);
+    find_cover(frames, tile, {}, pixels, samples, counters);
     std::vector<double> cover(std::size_t{side} * side, 0.0);
     for (const CoverSample& sample : samples)
         cover[static_cast<std::size_t>(sample.pixel / tile_size * side +
