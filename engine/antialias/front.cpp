@@ -32,8 +32,9 @@ void Front::go_to(double depth) {
     const double sheet_to = sheet < none ? static_cast<double>(told.sheet_to) : -none;
     const bool both = std::max(other, sheet) <= (other < sheet ? other_to : sheet_to);
     to = both ? std::max(other_to, sheet_to) : other < sheet ? other_to : sheet_to;
-    if (to > std::min(rest, end)) return;
-    if (!both && sheet == static_cast<double>(told.sheet_from)) {
+    to = std::min(to, end);
+    if (to > rest) return;
+    if (!both && sheet < other && sheet == static_cast<double>(told.sheet_from)) {
         state = State::Rooted;
         turn = 0.0;
         monotone = true;

@@ -91,61 +91,6 @@ void RayValues::evaluate() {
         frame_.kernel.value(batch_.batch(i, std::min(at_once, batch_.size() - i), uniforms));
 }
 
-/// A place on a ray: f there, with the sign that it has at the stretch's near end, and df/ds.
-struct Place {
-    double s, f, slope;
-};
-
-/// Where the cubic through two places with these slopes is least; between them.
-double least_of_cubic(const Place& a, const Place& b) {
-    const double length = b.s - a.s;
-    const double chord = (b.f - a.f) / length;
-    const double p = a.slope + b.slope - 3.0 * chord;
-    const double root = std::sqrt(std::max(p * p - a.slope * b.slope, 0.0));
-    const double part = 1.0 - (b.slope + root - p) / (b.slope - a.slope + 2.0 * root);
-    const double within = part > 0.0 && part < 1.0 ? part : 0.5;
-    return a.s + std::clamp(within, 0.02, 0.98) * length;
-}
-
-/// Where the tangents at two places meet: where f is least if it has a kink between them, and is
-/// straight on both sides.
-double meeting_of_tangents(const Place& a, const Place& b) {
-    const double length = b.s - a.s;
-    const double part = (b.f - a.f - b.slope * length) / ((a.slope - b.slope) * length);
-    const double within = part > 0.0 && part < 1.0 ? part : 0.5;
-    return a.s + std::clamp(within, 0.02, 0.98) * length;
-}
-
-/// The search for the least f of one stretch.
-struct LeastSearch {
-    RayStretch* stretch;
-    double sign, size;  ///< of f at the ends: 1 or -1, and the larger
-    Place lo, hi;       ///< df/ds below 0, and above
-
-    [[nodiscard]] double next(int step) const {
-        return step % 3 == 1 ? meeting_of_tangents(lo, hi) : least_of_cubic(lo, hi);
-    }
-    void take(const RayValues& values, std::size_t i, double s) {
-        const Place place{.s = s, .f = sign * values.f(i), .slope = sign * values.slope(i)};
-        if (!(place.f > stretch->least)) {
-            stretch->least = place.f;
-            stretch->at = s;
-            stretch->by_col = sign * values.by_col(i);
-            stretch->by_row = sign * values.by_row(i);
-            stretch->inner = true;
-        }
-        (place.slope < 0.0 ? lo : hi) = place;
-    }
-    /// Whether the least f is known to a millionth of f at the ends, or as well as 1e-4 pixels
-    /// beside it.
-    [[nodiscard]] bool narrow() const {
-        if (stretch->only_whether && stretch->least < 0.0) return true;
-        const double by_pixel = std::max(std::abs(stretch->by_col), std::abs(stretch->by_row));
-        const double enough = std::max(1e-7 * size, 1e-4 * by_pixel);
-        return (hi.s - lo.s) * std::min(-lo.slope, hi.slope) <= enough;
-    }
-};
-
 /// The search for the root of one stretch.
 struct RootSearch {
     RayRoot* root;
@@ -172,41 +117,6 @@ struct RootSearch {
         next = fits ? newton : 0.5 * lo + 0.5 * hi;
     }
 };
-
-/// Takes f at the ends of stretches; returns those in which df/ds changes its sign.
-std::vector<LeastSearch> begin_least(RayValues& values, std::span<RayStretch> stretches) {
-    for (const RayStretch& stretch : stretches) {
-        values.ask(stretch.col, stretch.row, stretch.from);
-        values.ask(stretch.col, stretch.row, stretch.to);
-    }
-    values.evaluate();
-    std::vector<LeastSearch> open;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        RayStretch& stretch = stretches[i];
-        stretch.near = values.f(2 * i);
-        stretch.far = values.f(2 * i + 1);
-        const double sign = stretch.near >= 0.0 ? 1.0 : -1.0;
-        const auto place = [&](std::size_t k, double s) {
-            return Place{.s = s, .f = sign * values.f(k), .slope = sign * values.slope(k)};
-        };
-        const Place lo = place(2 * i, stretch.from);
-        const Place hi = place(2 * i + 1, stretch.to);
-        const std::size_t least = hi.f < lo.f ? 2 * i + 1 : 2 * i;
-        stretch.least = std::min(lo.f, hi.f);
-        stretch.at = hi.f < lo.f ? hi.s : lo.s;
-        stretch.by_col = sign * values.by_col(least);
-        stretch.by_row = sign * values.by_row(least);
-        stretch.inner = false;
-        if (lo.slope < 0.0 && hi.slope > 0.0) {
-            open.push_back({.stretch = &stretch,
-                            .sign = sign,
-                            .size = std::max(std::abs(lo.f), std::abs(hi.f)),
-                            .lo = lo,
-                            .hi = hi});
-        }
-    }
-    return open;
-}
 
 /// The places of a stretch at which f is asked for, to bracket a root.
 class RootSamples {
@@ -326,26 +236,6 @@ void take_gradients_before(RayValues& values, const TileRays& rays, std::span<Ra
 }
 
 }  // namespace
-
-void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
-                Counters& counters) {
-    constexpr int most_steps = 16;
-    RayValues values(frame, rays, counters);
-    std::vector<LeastSearch> open = begin_least(values, stretches);
-    for (int step = 0; step < most_steps && !open.empty() && !frame.stopped(); ++step) {
-        values.clear();
-        for (const LeastSearch& search : open)
-            values.ask(search.stretch->col, search.stretch->row, search.next(step));
-        values.evaluate();
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < open.size(); ++i) {
-            LeastSearch& search = open[i];
-            search.take(values, i, search.next(step));
-            if (!search.narrow()) open[kept++] = search;
-        }
-        open.resize(kept);
-    }
-}
 
 void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot> roots,
                 Counters& counters) {

@@ -56,10 +56,11 @@ double SquareField::longest_told(const Front& front) const {
 
 double SquareField::first_step(const MixedPixel& pixel, const CoverSquare& square,
                                const Front& front) const {
+    const double fair = width_of(1.0, front.at);
+    if (front.state != Front::State::Going) return first_widths * fair;
     // The first cell goes behind the hit of the pixel's own ray, if there is one.
     const double u = rays_.u(col_of(square, square_middle));
     const double v = rays_.v(row_of(square, square_middle));
-    const double fair = width_of(1.0, front.at);
     const double hit =
         static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
     return hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
