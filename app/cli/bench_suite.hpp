@@ -17,7 +17,7 @@ struct BenchItem {
 /// The gallery's surfaces from papers, all seen from the default direction.
 std::vector<BenchItem> gallery_suite();
 
-/// The whole gallery, in the views that the window shows.
+/// The whole gallery, in the views that the window shows, all in the standard look.
 std::vector<BenchItem> whole_gallery();
 
 /// Reads the surfaces of a JSON file: {"camera": {direction, distance, fov}, "surfaces": [{name, f,
