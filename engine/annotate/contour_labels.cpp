@@ -184,7 +184,7 @@ void LabelPlacer::add_crossing(const std::vector<double>& values, std::size_t nu
 
 std::string LabelPlacer::words_of(const Candidate& candidate) const {
     const double step = picture_.lines.step;
-    const std::string number = tick_text(candidate.multiple * step, step);
+    std::string number = tick_text(candidate.multiple * step, step);
     if (picture_.lines.contours.size() < 2) return number;
     const glm::dvec3 along = glm::abs(picture_.lines.contours[candidate.number].along);
     const char* const name = along.x > 0.5 ? "x " : along.y > 0.5 ? "y " : "z ";
