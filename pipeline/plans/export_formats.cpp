@@ -123,7 +123,7 @@ std::string export_endings(ExportKind kind, bool ExportFormat::* has) {
 }
 
 std::string other_name(ExportKind kind, const std::filesystem::path& path) {
-    const std::string text = "type a name that ends in " + export_endings(kind);
+    std::string text = "type a name that ends in " + export_endings(kind);
     const auto formats = export_formats();
     const auto other = std::ranges::find_if(formats, [&](const ExportFormat& format) {
         return !format.numbered && export_format_of(format.kind, path) == &format;

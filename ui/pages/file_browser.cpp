@@ -35,7 +35,8 @@ std::vector<Entry> entries_of(const std::string& folder, const std::string& endi
         const std::string name = at->path().filename().string();
         const bool is_folder = at->is_directory(ignored);
         if (name.starts_with('.')) continue;
-        if (is_folder || name.ends_with(ending)) entries.push_back({name, is_folder});
+        if (is_folder || name.ends_with(ending))
+            entries.push_back({.name = name, .is_folder = is_folder});
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
         return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
