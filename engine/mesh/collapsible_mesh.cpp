@@ -1,6 +1,7 @@
 #include "engine/mesh/collapsible_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -35,15 +36,23 @@ void CollapsibleMesh::ring(std::uint32_t v, std::vector<std::uint32_t>& vertices
 }
 
 bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into) const {
-    static thread_local std::vector<std::uint32_t> a;
-    static thread_local std::vector<std::uint32_t> b;
-    ring(from, a);
-    ring(into, b);
-    std::vector<std::uint32_t> both;
-    for (const std::uint32_t v : a) {
-        if (std::ranges::find(b, v) != b.end()) both.push_back(v);
+    std::vector<std::uint32_t> own;
+    ring(from, own);
+    return may_collapse(from, into, own);
+}
+
+bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into,
+                                   std::span<const std::uint32_t> ring_of_from) const {
+    static thread_local std::vector<std::uint32_t> ring_of_into;
+    ring(into, ring_of_into);
+    std::array<std::uint32_t, 2> both{};
+    std::size_t count = 0;
+    for (const std::uint32_t v : ring_of_from) {
+        if (std::ranges::find(ring_of_into, v) == ring_of_into.end()) continue;
+        if (count == both.size()) return false;
+        both.at(count++) = v;
     }
-    if (both.size() != 2) return false;
+    if (count != both.size()) return false;
     // The ends of the two triangles must not be joined by a triangle of each vertex: a tetrahedron.
     const auto joined = [&](std::uint32_t v) {
         return std::ranges::any_of(stars_[v], [&](std::uint32_t t) {

@@ -28,6 +28,9 @@ public:
     /// Whether the mesh stays closed and of the same topology if `from` goes into `into`, its
     /// neighbour: the link condition [Dey99].
     [[nodiscard]] bool may_collapse(std::uint32_t from, std::uint32_t into) const;
+    /// The same where the ring of `from` is known.
+    [[nodiscard]] bool may_collapse(std::uint32_t from, std::uint32_t into,
+                                    std::span<const std::uint32_t> ring_of_from) const;
     /// The triangles that are then in place of those about `from`, and what they were.
     struct Change {
         Triangle before, after;

@@ -78,8 +78,10 @@ FieldValue PartValues::at(const MeshSolid& solid, std::size_t i) {
 void take_cuts(const MeshSolid& solid, const glm::dvec3& point, FieldValue& value) {
     for (std::size_t c = 0; c < solid.cuts.size(); ++c) {
         const SolidCut& cut = solid.cuts[c];
-        const FieldValue own =
-            value_of(cut.value(point), cut.gradient(point), solid.parts.size() + c);
+        const double f = cut.value(point);
+        // A plane's slope is 1, so that its value is its level.
+        if (!cut.is_ball && !(f > value.level)) continue;
+        const FieldValue own = value_of(f, cut.gradient(point), solid.parts.size() + c);
         if (own.level > value.level) value = own;
     }
 }

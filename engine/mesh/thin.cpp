@@ -67,7 +67,8 @@ private:
     [[nodiscard]] double shape(const Triangle& t) const {
         return shape_of(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2]));
     }
-    std::vector<Move> find_moves();
+    void find_moves();
+    [[nodiscard]] std::vector<Move> found_moves() const;
     [[nodiscard]] std::vector<Move> independent(std::vector<Move> moves) const;
     void add_samples(const Triangle& triangle, std::vector<glm::dvec3>& points) const;
     std::size_t apply(const std::vector<Move>& moves);
@@ -77,8 +78,11 @@ private:
     const MeshSolid& solid_;
     ThinOptions options_;
     std::vector<Quadric> quadrics_;
-    std::vector<float> detail_;          ///< the longest edge that was at a vertex
-    std::vector<std::uint8_t> settled_;  ///< of vertices that cannot go as long as nothing changes
+    std::vector<float> detail_;  ///< the longest edge that was at a vertex
+    std::vector<Move> moves_;    ///< the best of each vertex, if there is one
+    /// Of vertices that cannot go as long as nothing changes at them, and of those whose best move
+    /// is to be found anew.
+    std::vector<std::uint8_t> settled_, changed_;
 };
 
 Thinner::Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& options)
@@ -87,7 +91,9 @@ Thinner::Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& o
       options_(options),
       quadrics_(mesh_.size()),
       detail_(mesh_.size(), std::numeric_limits<float>::max()),
-      settled_(mesh_.size()) {
+      moves_(mesh_.size()),
+      settled_(mesh_.size()),
+      changed_(mesh_.size(), 1) {
     for (std::uint32_t v = 0; v < mesh_.size(); ++v) {
         double longest = 0.0;
         for (const std::uint32_t t : mesh_.star(v)) {
@@ -171,7 +177,8 @@ Move Thinner::best_move(std::uint32_t from) const {
         moves.push_back({.from = from, .into = into, .cost = cost_of(from, into)});
     std::ranges::sort(moves, {}, &Move::cost);
     for (const Move& move : moves) {
-        if (!keeps_features(from, move.into) || !mesh_.may_collapse(from, move.into)) continue;
+        if (!keeps_features(from, move.into) || !mesh_.may_collapse(from, move.into, ring))
+            continue;
         mesh_.changes(from, move.into, changes);
         const bool turned = !std::ranges::all_of(
             changes, [&](const Change& change) { return keeps_normals(change); });
@@ -180,20 +187,25 @@ Move Thinner::best_move(std::uint32_t from) const {
     return {};
 }
 
-std::vector<Move> Thinner::find_moves() {
-    std::vector<Move> moves(mesh_.size());
+void Thinner::find_moves() {
     parallel_upward(mesh_.size(), 1024, options_.work, [&](std::size_t first, std::size_t last) {
         if (options_.work.limit.over()) return;
         for (std::size_t i = first; i < last; ++i) {
             const auto v = static_cast<std::uint32_t>(i);
-            if (settled_[i] == 0 && !mesh_.star(v).empty()) moves[i] = best_move(v);
+            if (changed_[i] == 0) continue;
+            changed_[i] = 0;
+            moves_[i] = mesh_.star(v).empty() ? Move() : best_move(v);
+            if (moves_[i].cost == infinity) settled_[i] = 1;
         }
     });
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        if (moves[i].cost == infinity) settled_[i] = 1;
+}
+
+std::vector<Move> Thinner::found_moves() const {
+    std::vector<Move> found;
+    for (const Move& move : moves_) {
+        if (move.cost != infinity) found.push_back(move);
     }
-    std::erase_if(moves, [](const Move& move) { return move.cost == infinity; });
-    return moves;
+    return found;
 }
 
 /// The cheapest moves whose triangles no other of them changes.
@@ -239,12 +251,20 @@ void Thinner::add_samples(const Triangle& triangle, std::vector<glm::dvec3>& poi
 
 void Thinner::make(const Move& move) {
     static thread_local std::vector<std::uint32_t> ring;
+    static thread_local std::vector<std::uint32_t> beyond;
     mesh_.ring(move.from, ring);
-    for (const std::uint32_t v : ring)
+    for (const std::uint32_t v : ring) {
         settled_[v] = 0;
+        changed_[v] = 1;
+        // Whether these may go into v depends on what is about v.
+        mesh_.ring(v, beyond);
+        for (const std::uint32_t other : beyond)
+            changed_[other] |= static_cast<std::uint8_t>(settled_[other] == 0);
+    }
     quadrics_[move.into].add(quadrics_[move.from]);
     detail_[move.into] = std::min(detail_[move.into], detail_[move.from]);
     mesh_.collapse(move.from, move.into);
+    moves_[move.from] = {};
 }
 
 /// Makes the moves whose new triangles keep the tolerance; returns how many these are.
@@ -271,6 +291,7 @@ std::size_t Thinner::apply(const std::vector<Move>& moves) {
             ++made;
         } else {
             settled_[moves[i].from] = 1;
+            moves_[moves[i].from] = {};
         }
     }
     return made;
@@ -280,7 +301,8 @@ TriangleMesh Thinner::run() {
     constexpr int most_passes = 200;
     constexpr std::size_t few = 2'000;  // a part in so many of the vertices is not worth a pass
     for (int pass = 0; pass < most_passes && !options_.work.limit.over(); ++pass) {
-        std::vector<Move> moves = find_moves();
+        find_moves();
+        std::vector<Move> moves = found_moves();
         if (moves.empty()) break;
         const std::size_t made = apply(independent(std::move(moves)));
         if (options_.most_triangles > 0 && mesh_.triangles() <= options_.most_triangles) break;
