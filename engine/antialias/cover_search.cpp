@@ -6,6 +6,7 @@
 #include "engine/antialias/square_edges.hpp"
 #include "engine/antialias/square_field.hpp"
 
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -17,7 +18,7 @@ class CoverSearch {
 public:
     CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays, Counters& counters);
 
-    void search(std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+    void search(std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
                 std::vector<CoverSample>& out);
 
 private:
@@ -52,6 +53,8 @@ private:
     SquareField field_;
     std::vector<std::size_t> open_;  ///< squares
     std::deque<Work> work_;          ///< of each surface
+    /// Pixels all of which show what their own rays hit.
+    std::bitset<std::size_t{tile_size} * tile_size> whole_;
 };
 
 CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays,
@@ -94,7 +97,11 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    work_[first].drafts.seek(at, front);
+    if (field_.shows_hit(square, front)) {
+        whole_.set(at.pixel);
+    } else {
+        work_[first].drafts.seek(at, front);
+    }
     return {.step = Step::Close, .surface = first};
 }
 
@@ -131,7 +138,7 @@ void CoverSearch::finish_level() {
     }
 }
 
-void CoverSearch::search(std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+void CoverSearch::search(std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
                          std::vector<CoverSample>& out) {
     std::vector<ToldRoots> told(work_.size());
     for (const MixedPixel& pixel : pixels) {
@@ -143,6 +150,7 @@ void CoverSearch::search(std::span<const TileHits> hits, std::span<const MixedPi
         finish_level();
     } while (!stopped() && field_.go_down());
     if (stopped()) return;
+    std::erase_if(pixels, [this](const MixedPixel& pixel) { return whole_[pixel.pixel]; });
     for (const Work& work : work_)
         work.drafts.write(work.frame, field_.rays(), out, counters_);
 }
@@ -150,7 +158,7 @@ void CoverSearch::search(std::span<const TileHits> hits, std::span<const MixedPi
 }  // namespace
 
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const TileHits> hits, std::span<const MixedPixel> pixels,
+                std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
                 std::vector<CoverSample>& out, Counters& counters) {
     if (pixels.empty()) return;
     Tile all = tile;

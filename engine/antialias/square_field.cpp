@@ -30,6 +30,7 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
 
 void SquareField::begin(const MixedPixel& pixel, std::span<const ToldRoots> told) {
     const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
+    const double hit = hit_of(pixel);
     const std::size_t first = fronts_.size();
     bool any = false;
     for (const ToldRoots& of_surface : told) {
@@ -38,12 +39,13 @@ void SquareField::begin(const MixedPixel& pixel, std::span<const ToldRoots> told
         front.at = static_cast<double>(pixel.from);
         front.longest = longest_told(front);
         place(square, front);
-        front.step = first_step(pixel, square, front);
+        front.step = first_step(hit, front);
         any = any || front.state != Front::State::Gone;
         fronts_.push_back(front);
     }
     if (any) {
         squares_.push_back(square);
+        hits_.push_back(hit);
     } else {
         fronts_.resize(first);
     }
@@ -54,16 +56,25 @@ double SquareField::longest_told(const Front& front) const {
     return from < Front::none ? width_of(most_told_widths, from) : 0.0;
 }
 
-double SquareField::first_step(const MixedPixel& pixel, const CoverSquare& square,
-                               const Front& front) const {
+double SquareField::hit_of(const MixedPixel& pixel) const {
+    if (std::isinf(pixel.hit)) return Front::none;
+    const double u = rays_.u(pixel.pixel % tile_size);
+    const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
+    return static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+}
+
+double SquareField::first_step(double hit, const Front& front) const {
     const double fair = width_of(1.0, front.at);
-    if (front.state != Front::State::Going) return first_widths * fair;
     // The first cell goes behind the hit of the pixel's own ray, if there is one.
-    const double u = rays_.u(col_of(square, square_middle));
-    const double v = rays_.v(row_of(square, square_middle));
-    const double hit =
-        static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
     return hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+}
+
+bool SquareField::shows_hit(std::size_t square, const Front& front) const {
+    constexpr double spare = 1.0 / 4;  // in pixels, for what float makes of distances
+    const CoverSquare& at = squares_[square];
+    if (at.level > 0 || at.is_ray()) return false;
+    const double near = width_of(spare, front.at);
+    return hits_[square] > front.at - near && hits_[square] < front.to + near;
 }
 
 void SquareField::divide(std::size_t square) {

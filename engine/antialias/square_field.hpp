@@ -49,6 +49,9 @@ public:
 
     /// `told`: of each surface.
     void begin(const MixedPixel& pixel, std::span<const ToldRoots> told);
+    /// Whether the hit of the pixel's own ray is the root on that ray of a front that covers all of
+    /// a pixel.
+    [[nodiscard]] bool shows_hit(std::size_t square, const Front& front) const;
     /// Goes on with the quarters of a square instead of it.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with rays beside it, some of `misses`; they stand for
@@ -64,8 +67,10 @@ private:
     /// Whether at most one smooth sheet is left of what a square shows.
     [[nodiscard]] bool is_one_sheet(std::size_t square);
     [[nodiscard]] double longest_told(const Front& front) const;
-    [[nodiscard]] double first_step(const MixedPixel& pixel, const CoverSquare& square,
-                                    const Front& front) const;
+    /// The depth of the hit of a pixel's own ray.
+    [[nodiscard]] double hit_of(const MixedPixel& pixel) const;
+    /// `hit`: that depth.
+    [[nodiscard]] double first_step(double hit, const Front& front) const;
     /// Begins a front, no nearer than `front.at`.
     void place(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.
@@ -75,6 +80,7 @@ private:
     std::size_t surfaces_;
     std::vector<CoverSquare> squares_, next_squares_, ray_squares_;
     std::vector<Front> fronts_, next_fronts_, ray_fronts_;
+    std::vector<double> hits_;  ///< depths of the hits of whole pixels' own rays
 };
 
 }  // namespace zeroset

@@ -61,9 +61,6 @@ void find_pixels(Told told, const TraceFrame& frame, const Tile& tile, TileHits&
                 cover[static_cast<std::size_t>(row * side + col)] = 1.0;
         }
     }
-    for (const MixedPixel& mixed : pixels)
-        cover[static_cast<std::size_t>(mixed.pixel / tile_size * side + mixed.pixel % tile_size)] =
-            0.0;
 }
 
 /// The part of each pixel that the scene covers.
@@ -82,6 +79,9 @@ std::vector<double> cover_of(const Scene& scene, Told told = Told::Nothing) {
     Counters counters;
     find_cover(frames, tile, std::span(&hits, told == Told::ByTracer ? 1 : 0), pixels, samples,
                counters);
+    for (const MixedPixel& mixed : pixels)
+        cover[static_cast<std::size_t>(mixed.pixel / tile_size * side + mixed.pixel % tile_size)] =
+            0.0;
     for (const CoverSample& sample : samples)
         cover[static_cast<std::size_t>(sample.pixel / tile_size * side +
                                        sample.pixel % tile_size)] +=
