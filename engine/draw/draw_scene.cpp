@@ -7,6 +7,7 @@
 #include "engine/draw/page_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iterator>
@@ -216,6 +217,7 @@ private:
     [[nodiscard]] std::vector<const SpaceCurve*> double_lines(std::size_t surface) const;
     void draw(LineDrawing& drawing);
     void report(LineDrawing& drawing) const;
+    [[nodiscard]] std::array<bool, 5> possible_kinds() const;
 
     const DrawnScene& input_;
     const DrawOptions& options_;
@@ -293,8 +295,17 @@ void SceneDrawer::report(LineDrawing& drawing) const {
         drawing.cut.at(kind) = drawing.cut.at(kind) || !found_[i].report.in_time;
         drawing.report += found_[i].report;
     }
-    if (!tasks_.in_time) drawing.cut = options_.kinds;
+    if (!tasks_.in_time) drawing.cut = possible_kinds();
     drawing.all_seams = tasks_.all_seams;
+}
+
+/// The kinds of lines that the scene may have.
+std::array<bool, 5> SceneDrawer::possible_kinds() const {
+    std::array<bool, 5> kinds = options_.kinds;
+    const auto drop = [&](CurveKind kind) { kinds.at(static_cast<std::size_t>(kind)) = false; };
+    if (options_.contours.empty()) drop(CurveKind::Contour);
+    if (input_.surfaces.size() < 2) drop(CurveKind::Intersection);
+    return kinds;
 }
 
 LineDrawing SceneDrawer::run() {
