@@ -16,6 +16,7 @@
 #include "ui/panels/parameter_row.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/screen.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/widgets/typing_popup.hpp"
 #include "ui/window/texture.hpp"
 #include "ui/window/window.hpp"
