@@ -99,7 +99,8 @@ Scene scene_of(const PictureRequest& request) {
     scene.background = request.light.background.value_or(Background());
     for (const ShownSurface& surface : request.surfaces) {
         scene.surfaces.push_back(formula.kernels[surface.index]);
-        scene.solids.push_back({surface.solid, formula.unrestricted[surface.index]});
+        scene.solids.push_back(
+            {.side = surface.solid, .unrestricted = formula.unrestricted[surface.index]});
         scene.lighting.opacity.push_back(surface.opacity);
         scene.colors.push_back(surface.color ? surface_colors(*surface.color)
                                              : colors_of(surface.index));
