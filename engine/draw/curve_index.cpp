@@ -41,7 +41,7 @@ void CurveIndex::add(const PlaceOnCurve& at, std::uint64_t key, Level& level) {
     level.last_key = key;
     const auto entry = static_cast<std::uint32_t>(entries_.size());
     entries_.push_back({.at = at, .next = none});
-    const auto [cell, is_new] = level.cells.try_emplace(key, Chain{entry, entry});
+    const auto [cell, is_new] = level.cells.try_emplace(key, Chain{.first = entry, .last = entry});
     if (is_new) return;
     entries_[cell->second.last].next = entry;
     cell->second.last = entry;
