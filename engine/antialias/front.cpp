@@ -18,12 +18,13 @@ void Front::go_to(double depth) {
     at = depth;
     open_from = none;
     until = none;
-    const auto next = [&](float from, float last) {
-        return static_cast<double>(last) > at ? std::max(at, static_cast<double>(from)) : none;
+    const auto next = [depth](float from, float last) {
+        return static_cast<double>(last) > depth ? std::max(depth, static_cast<double>(from))
+                                                 : none;
     };
     const double other = next(told.other_from, told.other_to);
     const double sheet = next(told.sheet_from, told.sheet_to);
-    const double rest = std::max(at, static_cast<double>(told.rest_from));
+    const double rest = std::max(depth, static_cast<double>(told.rest_from));
     at = std::min({other, sheet, rest});
     state = at < end ? State::Going : State::Gone;
     if (!(at < std::min(rest, end))) return;
@@ -39,6 +40,11 @@ void Front::go_to(double depth) {
         turn = 0.0;
         monotone = true;
     } else if (to - at <= longest) {
+        // Where a ray has no root f may be nearest to 0 beside the stretch.
+        const double behind = both ? none : std::max(other, sheet);
+        const double spare = to - at;
+        at = std::max(depth, at - spare);
+        to = std::min({to + spare, behind, rest, end});
         state = State::Edged;
         continuous = true;
     } else {

@@ -215,24 +215,24 @@ void narrow_roots(const TraceFrame& frame, const TileRays& rays, RayValues& valu
     }
 }
 
-/// Takes gradients right before roots: where the last step took them f may have another branch, or
-/// hardly a slope.
+/// Takes gradients right before roots, where the last step took them on another branch of f, or
+/// where f does not go the way that it goes at the root.
 void take_gradients_before(RayValues& values, const TileRays& rays, std::span<RayRoot> roots,
-                           bool branches) {
+                           const std::vector<bool>& falls, bool branches) {
     constexpr double before = 1.0 / 64;  // in pixels
-    const auto is_asked = [branches](const RayRoot& root) { return branches || !root.found; };
+    std::vector<RayRoot*> asked;
     values.clear();
-    for (const RayRoot& root : roots) {
-        if (!is_asked(root)) continue;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+        RayRoot& root = roots[i];
+        if (!branches && root.found && (root.slope < 0.0) == falls[i]) continue;
         const double step = before * rays.pixel() * (rays.distance() + root.s);
         values.ask(root.col, root.row,
                    root.s - std::max(root.found ? 0.0 : step, 2.0 * rays.tolerance()));
+        asked.push_back(&root);
     }
     values.evaluate();
-    std::size_t i = 0;
-    for (RayRoot& root : roots) {
-        if (is_asked(root)) take_gradient(root, values, i++);
-    }
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        take_gradient(*asked[i], values, i);
 }
 
 }  // namespace
@@ -247,7 +247,7 @@ void find_roots(const TraceFrame& frame, const TileRays& rays, std::span<RayRoot
     narrow_roots(frame, rays, values, open);
     // The branch that leads to the root is the one before it. Where f only comes to 0, its gradient
     // vanishes there.
-    take_gradients_before(values, rays, roots, frame.kernel.branches);
+    take_gradients_before(values, rays, roots, falls, frame.kernel.branches);
     for (std::size_t i = 0; i < roots.size(); ++i) {
         RayRoot& root = roots[i];
         if ((root.slope < 0.0) == falls[i]) continue;
