@@ -24,10 +24,16 @@ public:
           edges_(1024) {
         for (const std::uint32_t vertex : vertices)
             wanted_[vertex] = true;
+        // Along an edge some stars are proved by chance: what is divided beside what is not would
+        // fit neither.
+        constexpr int rings = 3;
+        for (int i = 0; i < rings; ++i)
+            want_neighbours();
     }
     void split();
 
 private:
+    void want_neighbours();
     void find_edges();
     void find_changes();
     void split_tetrahedron(const Tetrahedron& tetrahedron);
@@ -52,6 +58,18 @@ private:
     std::vector<std::uint32_t> vertices_;  ///< on them
     std::vector<Tetrahedron> result_;
 };
+
+void KinkSplitter::want_neighbours() {
+    std::vector<bool> more = wanted_;
+    for (const Tetrahedron& tetrahedron : lattice_.tetrahedra) {
+        const auto& v = tetrahedron.vertices;
+        if (!std::ranges::any_of(v, [&](std::uint32_t vertex) { return wanted_[vertex]; }))
+            continue;
+        for (const std::uint32_t vertex : v)
+            more[vertex] = true;
+    }
+    wanted_ = std::move(more);
+}
 
 /// Whether the ends of an edge near the surface are of two parts.
 bool KinkSplitter::changes(std::uint32_t a, std::uint32_t b) const {

@@ -8,8 +8,8 @@
 
 namespace zeroset {
 
-/// Divides tetrahedra at these vertices along which part of the solid its function is: an edge
-/// whose ends are of two parts gets a vertex where they change, a tetrahedron with such edges
+/// Divides tetrahedra at and near these vertices along which part of the solid its function is: an
+/// edge whose ends are of two parts gets a vertex where they change, a tetrahedron with such edges
 /// becomes a fan about the middle of these vertices. Then the levels are as straight between
 /// vertices as the parts themselves, and sharp edges of the solid are edges of the lattice's
 /// surface. For edges that are too sharp for the lattice as it is. In upward rounding.
