@@ -45,6 +45,8 @@ private:
 
     [[nodiscard]] Choice choose(std::size_t square);
     void sort_work();
+    /// Decides all squares that are at edges: the more at once, the fuller are the vectors.
+    void decide_edges();
     /// Goes on with the open squares until each is closed or divided.
     void finish_level();
     [[nodiscard]] bool stopped() const { return work_.front().frame.stopped(); }
@@ -106,10 +108,8 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
 }
 
 void CoverSearch::sort_work() {
-    for (Work& work : work_) {
+    for (Work& work : work_)
         work.at_cells.clear();
-        work.at_edges.clear();
-    }
     for (const std::size_t square : open_) {
         const Choice choice = choose(square);
         switch (choice.step) {
@@ -133,8 +133,15 @@ void CoverSearch::finish_level() {
             Work& work = work_[i];
             advance_fronts(work.frame, i, field_, work.at_cells, counters_);
             open_.insert(open_.end(), work.at_cells.begin(), work.at_cells.end());
-            work.edges.decide(work.at_edges, open_);
         }
+        if (open_.empty()) decide_edges();
+    }
+}
+
+void CoverSearch::decide_edges() {
+    for (Work& work : work_) {
+        work.edges.decide(work.at_edges, open_);
+        work.at_edges.clear();
     }
 }
 
