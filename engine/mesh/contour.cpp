@@ -1,5 +1,7 @@
 #include "engine/mesh/contour.hpp"
 
+#include "engine/mesh/mesh_facts.hpp"
+
 #include <array>
 #include <utility>
 
@@ -15,6 +17,8 @@ public:
         : lattice_(lattice), edges_(lattice.tetrahedra.size() / 4) {}
 
     void march();
+    /// The triangles between vertices without places.
+    TriangleMesh finish_without_roots();
     Contour finish(const MeshSolid& solid, const MeshWork& work);
 
 private:
@@ -93,6 +97,11 @@ void Marcher::mark_crease(std::uint64_t key, MeshVertex& vertex) {
     contour_.creases.push_back({.vertex = edges_.find(key), .parts = a.kink});
 }
 
+TriangleMesh Marcher::finish_without_roots() {
+    contour_.mesh.vertices.resize(edges_.keys().size());
+    return std::move(contour_.mesh);
+}
+
 Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
     std::vector<RootBracket> brackets;
     brackets.reserve(edges_.keys().size());
@@ -109,6 +118,13 @@ Contour Marcher::finish(const MeshSolid& solid, const MeshWork& work) {
 }
 
 }  // namespace
+
+std::size_t contour_complexity(const Lattice& lattice) {
+    Marcher marcher(lattice);
+    marcher.march();
+    const MeshFacts facts = facts_of(marcher.finish_without_roots());
+    return facts.components + static_cast<std::size_t>(facts.genus());
+}
 
 Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work) {
     Marcher marcher(lattice);

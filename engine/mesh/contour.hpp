@@ -4,6 +4,7 @@
 #include "engine/mesh/mesh_work.hpp"
 #include "engine/mesh/triangle_mesh.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Contour {
 
 /// In upward rounding.
 Contour make_contour(const Lattice& lattice, const MeshSolid& solid, const MeshWork& work);
+
+/// How many components and handles the contour has, all together.
+std::size_t contour_complexity(const Lattice& lattice);
 
 /// Roots of the solid's function between points inside and outside, by Newton's method within
 /// brackets; where it jumps, the place of the jump. Those that are left when the time is over are

@@ -135,7 +135,11 @@ void MeshMaker::prove() {
         prove_locally(std::move(cells));
     }
     if (proof_.failed.empty() || proving_.limit.over()) return;
-    split_at_kinks(solid_, proof_.failed, lattice_, proving_);
+    Lattice divided = lattice_;
+    split_at_kinks(solid_, proof_.failed, divided, proving_);
+    // The solid has neither pieces nor handles at its edges: what one lattice has more is false.
+    if (contour_complexity(divided) > contour_complexity(lattice_)) return;
+    lattice_ = std::move(divided);
     proof_ = prove_stars(tree_, lattice_, proving_);
 }
 
