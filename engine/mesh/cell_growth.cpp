@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -126,16 +127,22 @@ void CellGrowth::grow(std::vector<std::uint32_t> fresh) {
     }
 }
 
-/// Leaves that are more than twice as large as a new neighbour that the surface may go through.
+/// Leaves that are more than twice as large as a neighbour that the surface may go through. Asks
+/// new cells, and those that had such a neighbour when they were asked last.
 std::vector<std::uint32_t> CellGrowth::too_large() {
+    std::vector<std::uint32_t> asked = std::exchange(unbalanced_, {});
+    for (; balanced_ < tree_.size(); ++balanced_)
+        asked.push_back(static_cast<std::uint32_t>(balanced_));
     std::vector<std::uint32_t> found;
-    for (; balanced_ < tree_.size(); ++balanced_) {
-        const MeshCell& cell = tree_[balanced_];
+    for (const std::uint32_t id : asked) {
+        const MeshCell& cell = tree_[id];
         if (!cell.is_leaf() || !cell.is_active()) continue;
+        const std::size_t before = found.size();
         for (int face = 0; face < 6; ++face) {
             const std::uint32_t other = tree_.neighbour(cell, face / 2, face % 2 == 0 ? -1 : 1);
             if (other < tree_.size() && tree_[other].level + 1 < cell.level) found.push_back(other);
         }
+        if (found.size() > before) unbalanced_.push_back(id);
     }
     std::ranges::sort(found);
     found.erase(std::ranges::unique(found).begin(), found.end());

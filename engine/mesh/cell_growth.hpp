@@ -54,7 +54,8 @@ private:
     const MeshSolid& solid_;
     GrowthLimits limits_;
     bool cut_ = false, dense_ = false;
-    std::size_t balanced_ = 0;  ///< cells before this one have no neighbours that are too large
+    std::size_t balanced_ = 0;  ///< cells before this one were asked for neighbours too large
+    std::vector<std::uint32_t> unbalanced_;  ///< those of them that had one
 };
 
 }  // namespace zeroset

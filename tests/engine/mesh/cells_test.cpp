@@ -102,7 +102,7 @@ TEST(CellGrowth, EndsWithTheRoomForCellsAndTheTime) {
     for (const bool by_time : {false, true}) {
         CellTree tree(ball.box, 12);
         GrowthLimits limits{.tolerance = 1e-4, .most_cells = by_time ? 1'000'000U : 2'000U};
-        if (by_time) limits.work.limit.until = TimeLimit::Clock::now();
+        if (by_time) limits.work.limit.until = TimeLimit::Clock::time_point();
         CellGrowth growth(tree, ball, limits);
         growth.begin();
         EXPECT_TRUE(growth.is_cut());

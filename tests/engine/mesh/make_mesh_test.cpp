@@ -18,7 +18,7 @@ TEST(MakeMesh, IsClosedAndSaysSoWhereThereIsNoTimeAtAll) {
     for (const char* text : {"x^2 + y^2 + z^2 - 1", "x^2 + y^2 - z^2", "max(x, y, z) - 0.5"}) {
         const MadeMesh made =
             make_mesh(solid_of({text}, Box::cube(2)),
-                      {.tolerance = 1e-4, .limit = {.until = TimeLimit::Clock::now()}});
+                      {.tolerance = 1e-4, .limit = {.until = TimeLimit::Clock::time_point()}});
         EXPECT_EQ(defect_of(made.mesh), "") << text;
         EXPECT_FALSE(made.mesh.triangles.empty()) << text;
         EXPECT_LT(made.mesh.triangles.size(), 20'000U) << text;
@@ -37,6 +37,32 @@ TEST(MakeMesh, IsClosedAndSmallWhereNothingCanBeProved) {
     EXPECT_TRUE(made.report.dense);
     EXPECT_FALSE(made.report.isotopic);
     EXPECT_LT(made.report.thinned_from, 100'000U);
+}
+
+TEST(MakeMesh, SaysWhereTheTipOfAConeIs) {
+    const Box box{.lo = {-2, -2, -1}, .hi = {2, 2, 1}};
+    const MadeMesh made = make_mesh(solid_of({"x^2 + y^2 - z^2"}, box), {.tolerance = 0.03});
+    EXPECT_EQ(defect_of(made.mesh), "");
+    ASSERT_EQ(made.report.places.size(), 1U);
+    EXPECT_LT(glm::length(made.report.places[0].cell), 0.1);
+    EXPECT_LT(made.report.places[0].reach, 0.1);
+    EXPECT_FALSE(made.report.cut || made.report.dense);
+}
+
+/// Wedges of 11 to 48 degrees, whose tips are thinner than cells.
+TEST(MakeMesh, HasNoFalseHandlesAtSharpEdges) {
+    for (const char* slope : {"0.1", "0.2", "0.3", "0.45"}) {
+        const std::string steep = std::string(slope) + "*x";
+        const MadeMesh made =
+            make_mesh(solid_of({"y - " + steep, "-y - " + steep, "x - 1", "z - 0.8", "-z - 0.8"},
+                               Box::cube(2)),
+                      {.tolerance = 0.02});
+        EXPECT_EQ(defect_of(made.mesh), "") << slope;
+        const MeshFacts facts = facts_of(made.mesh);
+        EXPECT_EQ(facts.components, 1U) << slope;
+        EXPECT_EQ(facts.genus(), 0) << slope;
+        EXPECT_NEAR(facts.volume, 1.6 * std::stod(slope), 1e-3) << slope;
+    }
 }
 
 TEST(MakeMesh, IsNothingWhereItIsCancelled) {

@@ -50,7 +50,7 @@ TriangleMesh torus(double ring, double tube, std::uint32_t rows, std::uint32_t c
         const double u = 2 * pi * i / rows;
         const double v = 2 * pi * k / columns;
         const double r = ring + tube * std::cos(v);
-        return glm::dvec3(-r * std::sin(u), r * std::cos(u), tube * std::sin(v));
+        return glm::dvec3(r * std::sin(u), r * std::cos(u), tube * std::sin(v));
     };
     const auto number = [&](std::uint32_t i, std::uint32_t k) {
         return i % rows * columns + k % columns;
@@ -149,8 +149,9 @@ TEST(TriangleTree, FindsTheNearestWayOut) {
         }
         const auto hit = tree.way_out(from, direction, no_own);
         EXPECT_EQ(hit.has_value(), nearest < 1e300);
-        if (hit) EXPECT_NEAR(hit->distance, nearest, 1e-9);
-        met += hit ? 1 : 0;
+        if (!hit) continue;
+        EXPECT_NEAR(hit->distance, nearest, 1e-9);
+        ++met;
     }
     EXPECT_GT(met, 100U);
 }
@@ -285,7 +286,8 @@ TEST(Thinning, LeavesABoxItsCorners) {
     EXPECT_LE(half.triangles.size(), 200U);
     EXPECT_GT(half.triangles.size(), 150U);
     TriangleMesh same = cube;
-    thin(same, solid, {.tolerance = 1e-6, .work = {.limit = {.until = TimeLimit::Clock::now()}}});
+    thin(same, solid,
+         {.tolerance = 1e-6, .work = {.limit = {.until = TimeLimit::Clock::time_point()}}});
     EXPECT_EQ(same.triangles.size(), cube.triangles.size());
 }
 
