@@ -18,7 +18,7 @@ EXPORTS = [(command, ending) for command, endings in (
     (FILM, ("mp4", "webm", "mov", "mkv", "gif", "apng", "#.png")),
     (MESH, ("stl", "3mf", "ply", "obj", "glb")),
     (DRAWING, ("svg", "pdf", "tex"))) for ending in endings]
-LARGEST_FILE = 600  # bytes; smaller than what any of them writes
+LARGEST_FILE = 200  # bytes; smaller than what any of them writes
 BEFORE = b"what was there before"
 
 
