@@ -47,6 +47,31 @@ TEST_P(LightSection, SetsMirrorsToneAndBackground) {
     EXPECT_FALSE(light().background);
 }
 
+TEST_P(LightSection, OffersLooksByPictures) {
+    click_at(in_line(0, 0.75F));
+    draw();
+    const auto size_px = state_.wishes.look_pictures_px;
+    ASSERT_TRUE(size_px);
+    EXPECT_NEAR(static_cast<double>(size_px->x) / size_px->y, 4.0 / 3.0, 0.05);
+    Texture texture;
+    texture.upload(RgbaImage{1, 1, {0xFF0000FFU}});
+    for (const zeroset::Look look : looks())
+        state_.shown.look_pictures[look] = texture.name();
+    const Framebuffer frame = draw();
+    const ImGuiWindow& list = panel("##Combo_00");
+    EXPECT_GT(count(frame, 0xFF0000FFU, list.Rect()),
+              static_cast<int>(looks().size()) * size_px->x * size_px->y / 2)
+        << "each has its picture";
+    const float first = list.Pos.y + ImGui::GetStyle().WindowPadding.y;
+    const float line = static_cast<float>(size_px->y) / ImGui::GetIO().DisplayFramebufferScale.y +
+                       ImGui::GetStyle().ItemSpacing.y;
+    click_at({list.Pos.x + 0.7F * list.Size.x, first + 2.5F * line});
+    EXPECT_EQ(light().look, looks()[2]);
+    state_.wishes.look_pictures_px.reset();
+    draw();
+    EXPECT_FALSE(state_.wishes.look_pictures_px) << "the list is closed";
+}
+
 TEST_P(LightSection, AddsUpToFourLightsAndRemovesThem) {
     for (std::size_t i = 0; i < max_lights; ++i) {
         SCOPED_TRACE("adding to " + std::to_string(light().lights.size()));
