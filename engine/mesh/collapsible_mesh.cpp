@@ -43,14 +43,26 @@ bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into) const
 
 bool CollapsibleMesh::may_collapse(std::uint32_t from, std::uint32_t into,
                                    std::span<const std::uint32_t> ring_of_from) const {
-    static thread_local std::vector<std::uint32_t> ring_of_into;
-    ring(into, ring_of_into);
+    // A vertex beside both is in two triangles about `into`; the two triangles between them have
+    // two.
+    int common = 0;
+    for (const std::uint32_t t : stars_[into]) {
+        for (const std::uint32_t v : mesh_.triangles[t]) {
+            if (v == into || v == from) continue;
+            if (std::ranges::find(ring_of_from, v) != ring_of_from.end()) ++common;
+        }
+    }
+    if (common != 4) return false;
     std::array<std::uint32_t, 2> both{};
     std::size_t count = 0;
-    for (const std::uint32_t v : ring_of_from) {
-        if (std::ranges::find(ring_of_into, v) == ring_of_into.end()) continue;
+    for (const std::uint32_t t : stars_[from]) {
+        const Triangle& triangle = mesh_.triangles[t];
+        if (!has(triangle, into)) continue;
         if (count == both.size()) return false;
-        both.at(count++) = v;
+        for (const std::uint32_t v : triangle) {
+            if (v != from && v != into) both.at(count) = v;
+        }
+        ++count;
     }
     if (count != both.size()) return false;
     // The ends of the two triangles must not be joined by a triangle of each vertex: a tetrahedron.

@@ -78,11 +78,9 @@ private:
     const MeshSolid& solid_;
     ThinOptions options_;
     std::vector<Quadric> quadrics_;
-    std::vector<float> detail_;  ///< the longest edge that was at a vertex
-    std::vector<Move> moves_;    ///< the best of each vertex, if there is one
-    /// Of vertices that cannot go as long as nothing changes at them, and of those whose best move
-    /// is to be found anew.
-    std::vector<std::uint8_t> settled_, changed_;
+    std::vector<float> detail_;          ///< the longest edge that was at a vertex
+    std::vector<Move> moves_;            ///< the best of each vertex, if there is one
+    std::vector<std::uint8_t> changed_;  ///< whether it is to be found anew
 };
 
 Thinner::Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& options)
@@ -92,7 +90,6 @@ Thinner::Thinner(TriangleMesh mesh, const MeshSolid& solid, const ThinOptions& o
       quadrics_(mesh_.size()),
       detail_(mesh_.size(), std::numeric_limits<float>::max()),
       moves_(mesh_.size()),
-      settled_(mesh_.size()),
       changed_(mesh_.size(), 1) {
     for (std::uint32_t v = 0; v < mesh_.size(); ++v) {
         double longest = 0.0;
@@ -195,7 +192,6 @@ void Thinner::find_moves() {
             if (changed_[i] == 0) continue;
             changed_[i] = 0;
             moves_[i] = mesh_.star(v).empty() ? Move() : best_move(v);
-            if (moves_[i].cost == infinity) settled_[i] = 1;
         }
     });
 }
@@ -254,12 +250,12 @@ void Thinner::make(const Move& move) {
     static thread_local std::vector<std::uint32_t> beyond;
     mesh_.ring(move.from, ring);
     for (const std::uint32_t v : ring) {
-        settled_[v] = 0;
         changed_[v] = 1;
         // Whether these may go into v depends on what is about v.
         mesh_.ring(v, beyond);
-        for (const std::uint32_t other : beyond)
-            changed_[other] |= static_cast<std::uint8_t>(settled_[other] == 0);
+        for (const std::uint32_t other : beyond) {
+            if (moves_[other].cost != infinity && moves_[other].into == v) changed_[other] = 1;
+        }
     }
     quadrics_[move.into].add(quadrics_[move.from]);
     detail_[move.into] = std::min(detail_[move.into], detail_[move.from]);
@@ -290,7 +286,6 @@ std::size_t Thinner::apply(const std::vector<Move>& moves) {
             make(moves[i]);
             ++made;
         } else {
-            settled_[moves[i].from] = 1;
             moves_[moves[i].from] = {};
         }
     }
