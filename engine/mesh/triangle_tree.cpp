@@ -100,7 +100,7 @@ void TriangleTree::meet(std::uint32_t triangle, const glm::dvec3& from, const gl
     if (!(u >= -rounding && v >= -rounding && u + v <= 1.0 + rounding)) return;
     const double distance = -glm::dot(ac, other) / volume;
     if (!(distance >= 0) || (nearest && distance >= nearest->distance)) return;
-    nearest = {.distance = distance, .triangle = triangle};
+    nearest = {.distance = std::abs(distance), .triangle = triangle};
 }
 
 std::optional<TriangleTree::Hit> TriangleTree::way_out(const glm::dvec3& from,
