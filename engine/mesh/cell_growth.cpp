@@ -35,6 +35,10 @@ double turn_of(std::span<const FieldValue> values, std::uint32_t part) {
 void CellGrowth::evaluate(std::span<const std::uint32_t> cells) {
     parallel_upward(cells.size(), cells_at_once, limits_.work,
                     [&](std::size_t first, std::size_t last) {
+                        // Cells that are not asked in time count as not proved; the first levels
+                        // are asked, or the border would not be known to be outside.
+                        const bool needed = tree_[cells[first]].level <= least_level;
+                        if (!needed && limits_.work.limit.over()) return;
                         std::vector<Box> boxes;
                         for (std::size_t i = first; i < last; ++i)
                             boxes.push_back(tree_.box(tree_[cells[i]]));
