@@ -136,19 +136,24 @@ class FileTest(DrawingTest):
                          {"silhouette": 2, "boundary": 0.5, "contour": 0.3})
 
     def test_jumps_end_surfaces(self):
-        view = ("--box", "-1.5,1.5,-1,1,-1,1", "--projection", "orthographic", "--eye", "0,0,9",
-                "--up", "0,1,0", "--lines", "boundary")
-        for text, places in (("z = if(x < 0.5, 0.2, -0.2)", {0.5}),
-                             ("z = 0.3 floor(x + 1/2)", {-0.5, 0.5}),
-                             ("z = 0.2 sign(x)", {0.0}),
-                             ("z = mod(x, 1) / 2", {-1.0, 0.0, 1.0})):
+        # Places are x and z of lines along y, that the view from a little aside tells apart.
+        tilt = math.atan2(0.4, 9)
+        view = ("--box", "-1.5,1.5,-1,1,-1,1", "--projection", "orthographic", "--eye", "0.4,0,9",
+                "--up", "0,1,0", "--lines", "boundary", "--hidden", "show")
+        for text, places in (
+                ("z = if(x < 0.5, 0.2, -0.2)", ((-1.5, 0.2), (0.5, 0.2), (0.5, -0.2), (1.5, -0.2))),
+                ("z = 0.2 sign(x)", ((-1.5, -0.2), (0, -0.2), (0, 0.2), (1.5, 0.2))),
+                ("z = 0.3 floor(x + 0.4)", ((-1.5, -0.6), (-1.4, -0.6), (-1.4, -0.3), (-0.4, -0.3),
+                                            (-0.4, 0), (0.6, 0), (0.6, 0.3), (1.5, 0.3)))):
             with self.subTest(text):
                 _, paths = self.svg(text, *view)
                 spans = [[x for piece in path.pieces for x, _ in piece] for path in paths]
-                across = {x[0] for x in spans if max(x) - min(x) < 0.01}
-                scale = (max(across) - min(across)) / 3.0
-                found = {round((x - min(across)) / scale - 1.5, 2) for x in across}
-                self.assertEqual(found, {-1.5, 1.5} | places)
+                found = sorted({round(x[0], 1) for x in spans if max(x) - min(x) < 0.01})
+                wanted = sorted(x * math.cos(tilt) - z * math.sin(tilt) for x, z in places)
+                self.assertEqual(len(found), len(wanted), found)
+                scale = (found[-1] - found[0]) / (wanted[-1] - wanted[0])
+                for at, place in zip(found, wanted):
+                    self.assertAlmostEqual(at, found[0] + scale * (place - wanted[0]), delta=0.15)
 
     def test_what_is_known_is_written_when_the_time_is_over(self):
         for budget in ("0.001", "0.3"):
