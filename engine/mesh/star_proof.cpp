@@ -73,7 +73,8 @@ public:
     Prover(const CellTree& tree, const Lattice& lattice)
         : tree_(tree), lattice_(lattice), stars_(lattice) {}
     [[nodiscard]] Rise rise(std::size_t vertex) const;
-    void add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const;
+    /// Lowers what is proved of the cells about a vertex to what is proved of its star.
+    void mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cells) const;
 
 private:
     const CellTree& tree_;
@@ -110,11 +111,10 @@ Rise Prover::rise(std::size_t vertex) const {
     return common_rise(gradients) ? Rise::Both : function;
 }
 
-void Prover::add_cells(std::size_t vertex, std::vector<std::uint32_t>& cells) const {
+void Prover::mark_cells(std::size_t vertex, Rise rise, std::vector<Rise>& of_cells) const {
     for (const std::uint32_t id : stars_.of(vertex)) {
-        for (const std::uint32_t cell : lattice_.tetrahedra[id].cells) {
-            if (tree_[cell].is_active()) cells.push_back(cell);
-        }
+        for (const std::uint32_t cell : lattice_.tetrahedra[id].cells)
+            of_cells[cell] = std::min(of_cells[cell], rise);
     }
 }
 
@@ -142,16 +142,16 @@ StarProof prove_some(const CellTree& tree, const Lattice& lattice,
             rises[i] = prover.rise(vertices[i]);
     });
     StarProof proof{.stars = vertices.size(), .failed = {}, .unknown = {}, .rough = {}};
+    std::vector<Rise> of_cells(tree.size(), Rise::Both);
     for (std::size_t i = 0; i < rises.size(); ++i) {
         if (rises[i] == Rise::Both) continue;
         proof.failed.push_back(vertices[i]);
-        prover.add_cells(vertices[i], rises[i] == Rise::None ? proof.unknown : proof.rough);
+        prover.mark_cells(vertices[i], rises[i], of_cells);
     }
-    keep_each_once(proof.unknown);
-    keep_each_once(proof.rough);
-    std::erase_if(proof.rough, [&](std::uint32_t cell) {
-        return std::ranges::binary_search(proof.unknown, cell);
-    });
+    for (std::uint32_t cell = 0; cell < tree.size(); ++cell) {
+        if (of_cells[cell] == Rise::Both || !tree[cell].is_active()) continue;
+        (of_cells[cell] == Rise::None ? proof.unknown : proof.rough).push_back(cell);
+    }
     return proof;
 }
 
