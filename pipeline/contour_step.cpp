@@ -24,6 +24,7 @@ glm::dvec3 grid_point(const Box& box, std::size_t i) {
 std::vector<double> values_of(const PointFunction& function, const Uniforms& uniforms,
                               const std::vector<glm::dvec3>& points) {
     if (points.empty()) return {};
+    const UpwardRounding upward;
     PointBatch<double> batch(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         batch.set(i, points[i].x, points[i].y, points[i].z);
@@ -61,7 +62,6 @@ double even_step(double length) {
 }
 
 double contour_step(const Scene& scene, const PointFunction& number) {
-    const UpwardRounding upward;
     std::vector<glm::dvec3> grid;
     grid.reserve(side * side * side);
     for (std::size_t i = 0; i < side * side * side; ++i)

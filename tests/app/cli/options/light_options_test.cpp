@@ -41,7 +41,7 @@ TEST(LightOptions, SetWhatTheyName) {
 TEST(LightOptions, ThatAreWrongSayWhatToType) {
     const std::vector<std::pair<LightText, std::string>> wrong{
         {{.look = "gold"},
-         "--look gold: type standard, matte, porcelain, metal, glass, clay or technical"},
+         "--look gold: type standard, phong, matte, porcelain, metal, glass, clay or technical"},
         {{.reflections = "6"}, "--reflections"},
         {{.reflections = "many"}, "--reflections"},
         {{.absorption = "-1"}, "--absorption -1: type a number from 0 to 1e6"},
