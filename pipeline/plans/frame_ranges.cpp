@@ -9,7 +9,6 @@
 #include <bit>
 #include <chrono>
 #include <cstddef>
-#include <cstdlib>
 
 namespace zeroset {
 namespace {
@@ -25,7 +24,6 @@ constexpr double cost_of_cell = 1.0;
 
 /// Cells of the grid are about as large as a block of pixels.
 int levels_for(int height) {
-    if (const char* e = std::getenv("LEVELS")) return std::atoi(e);
     const int blocks = static_cast<int>(std::bit_width(static_cast<unsigned>(height))) - 4;
     return std::clamp(blocks, 4, most_open_levels - 1);
 }
