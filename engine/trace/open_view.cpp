@@ -1,7 +1,5 @@
 #include "engine/trace/open_view.hpp"
 
-#include "engine/trace/tile.hpp"
-
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -27,6 +25,10 @@ Ends over(const Ends& across, const Ends& z) {
             .hi = across.hi / (across.hi < 0 ? z.hi : z.lo)};
 }
 
+std::size_t tiles_across(int pixels) {
+    return static_cast<std::size_t>((pixels + tile_size - 1) / tile_size);
+}
+
 /// The half of a box's width along an axis of the view.
 double half_along(const glm::dvec3& axis, const glm::dvec3& half) {
     return glm::dot(glm::abs(axis), half);
@@ -50,49 +52,25 @@ void OpenView::begin_slabs(const TraceFrame& frame, const Box& box, double spare
 }
 
 void OpenView::mark(const Seen& seen) {
-    Level& level = levels_.front();
-    const auto block = [](double place, std::size_t count) {
+    const auto tile = [](double place, std::size_t count) {
         return static_cast<std::size_t>(
-            std::clamp(place / block_pixels, 0.0, static_cast<double>(count) - 1.0));
+            std::clamp(place / tile_size, 0.0, static_cast<double>(count) - 1.0));
     };
-    const double width = static_cast<double>(level.cols) * block_pixels;
-    const double height = static_cast<double>(level.rows) * block_pixels;
-    if (seen.last_col < 0 || seen.last_row < 0 || seen.first_col > width || seen.first_row > height)
-        return;
-    const std::size_t first_col = block(seen.first_col, level.cols);
-    const std::size_t last_col = block(seen.last_col, level.cols);
-    const std::size_t last_row = block(seen.last_row, level.rows);
+    if (seen.last_col < 0 || seen.last_row < 0) return;
+    const std::size_t first_col = tile(seen.first_col, cols_);
+    const std::size_t last_col = tile(seen.last_col, cols_);
+    const std::size_t last_row = tile(seen.last_row, rows_);
     const std::uint64_t slabs = slabs_between(seen.from, seen.to);
-    for (std::size_t row = block(seen.first_row, level.rows); row <= last_row; ++row) {
+    for (std::size_t row = tile(seen.first_row, rows_); row <= last_row; ++row) {
         for (std::size_t col = first_col; col <= last_col; ++col)
-            level.slabs[row * level.cols + col] |= slabs;
+            slabs_[row * cols_ + col] |= slabs;
     }
 }
 
-void OpenView::join_levels() {
-    for (std::size_t i = 1; i < level_count; ++i) {
-        const Level& fine = levels_[i - 1];
-        for (std::size_t row = 0; row < fine.rows; ++row) {
-            for (std::size_t col = 0; col < fine.cols; ++col)
-                levels_[i].slabs[row / 2 * levels_[i].cols + col / 2] |=
-                    fine.slabs[row * fine.cols + col];
-        }
-    }
-}
-
-OpenView::OpenView(const TraceFrame& frame, const OpenSpace& space) {
-    for (std::size_t i = 0; i < level_count; ++i) {
-        Level& level = levels_[i];
-        level.shift = first_shift + static_cast<int>(i);
-        const auto squares = [&](int pixels) {
-            // Whole tiles: squares at the edges may stick out of the image.
-            const int tiles = (pixels + tile_size - 1) / tile_size;
-            return static_cast<std::size_t>(tiles) * (tile_size >> level.shift);
-        };
-        level.cols = squares(frame.image.width);
-        level.rows = squares(frame.image.height);
-        level.slabs.assign(level.cols * level.rows, 0);
-    }
+OpenView::OpenView(const TraceFrame& frame, const OpenSpace& space)
+    : cols_(tiles_across(frame.image.width)),
+      rows_(tiles_across(frame.image.height)),
+      slabs_(cols_ * rows_) {
     const Box& box = space.box;
     const glm::dvec3 size = box.hi - box.lo;
     const glm::dvec3 half = 0.5 / space.side * size;
@@ -138,7 +116,6 @@ OpenView::OpenView(const TraceFrame& frame, const OpenSpace& space) {
         }
         mark(seen);
     }
-    join_levels();
 }
 
 }  // namespace zeroset

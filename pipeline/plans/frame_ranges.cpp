@@ -9,7 +9,6 @@
 #include <bit>
 #include <chrono>
 #include <cstddef>
-#include <cstdlib>
 
 namespace zeroset {
 namespace {
@@ -23,11 +22,10 @@ constexpr double least_gain = 0.01;
 constexpr double cost_of_range = 0.5;
 constexpr double cost_of_cell = 1.0;
 
-/// Cells of the grid are about as large as a block of pixels.
+/// Cells of the grid are smaller than tiles of pixels.
 int levels_for(int height) {
-    if (const char* e = std::getenv("LEVELS")) return std::atoi(e);
-    const int blocks = static_cast<int>(std::bit_width(static_cast<unsigned>(height))) - 4;
-    return std::clamp(blocks, 4, most_open_levels - 1);
+    const int levels = static_cast<int>(std::bit_width(static_cast<unsigned>(height))) - 5;
+    return std::clamp(levels, 4, most_open_levels - 1);
 }
 
 }  // namespace

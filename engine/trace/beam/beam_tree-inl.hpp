@@ -75,8 +75,7 @@ public:
           asked_(memory.asked),
           hidden_(memory.hidden),
           ranges_(frame, rays, memory.ranges, counters),
-          distance_(static_cast<Real>(rays.distance())),
-          open_(tile.places == nullptr ? frame.open : nullptr) {
+          distance_(static_cast<Real>(rays.distance())) {
         start();
     }
 
@@ -132,7 +131,7 @@ private:
     /// The first cells of one tile: `kernel` between depths, in so many slabs.
     struct First {
         const Kernel* kernel;
-        int col, row, pixels;
+        int col, row;
         double from, to;
         int slabs;
     };
@@ -158,13 +157,6 @@ private:
     void reject_by_ranges(const CellRun& run, int pixels);
     HWY_INLINE void push_child(const Child& child, int pixels, std::size_t parent);
     void hide(CellTile tile, int pixels, Real to);
-    /// Pushes a cell whose tile has this side, unless the surface is known not to be in it.
-    HWY_INLINE void push(Cells<Real>& cells, CellTile tile, int pixels, Real from, Real to) {
-        const bool known = open_ != nullptr &&
-                           !open_->may_hold(tile_.col + tile.col(), tile_.row + tile.row(), pixels,
-                                            static_cast<double>(from), static_cast<double>(to));
-        if (!known) cells.push(tile, from, to);
-    }
 
     [[nodiscard]] DepthRange depths_of(int col, int row, int pixels) const {
         const double half = TileRays::middle_of(pixels);
@@ -189,9 +181,8 @@ private:
     std::vector<std::size_t>& asked_;  ///< cells in ranges_
     std::array<Real, least_tiles * least_tiles>& hidden_;
     RangeList<Real> ranges_;
-    Real distance_;         ///< from the eye to the plane s = 0
-    const OpenView* open_;  ///< nullptr: the surface may be anywhere
-    DepthRange depths_{};   ///< of the rays; they leave where nothing is wanted any more
+    Real distance_;        ///< from the eye to the plane s = 0
+    DepthRange depths_{};  ///< of the rays; they leave where nothing is wanted any more
     double s_most_ = 0;
     Real margin_ = 0;
 };
@@ -205,8 +196,10 @@ void CellTree<Real>::start() {
     depths_ = depths_of(0, 0, tile_size);
     s_most_ = std::max(std::abs(depths_.enter_lo), std::abs(depths_.exit_hi)) * (1.0 + 0x1p-10);
     depths_.exit_hi = std::min(depths_.exit_hi, rays_.limit());
-    if (open_ != nullptr &&
-        !open_->may_hold(tile_.col, tile_.row, tile_size, depths_.enter_lo, depths_.exit_hi))
+    // A tile is left out as a whole or not at all: what is found in it must not depend on what was
+    // known of parts of it.
+    if (frame_.open != nullptr && tile_.places == nullptr &&
+        !frame_.open->may_hold(tile_.col, tile_.row, depths_.enter_lo, depths_.exit_hi))
         depths_.exit_hi = -std::numeric_limits<double>::infinity();
     const auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
     const double finest = std::max(rays_.tolerance(), 8 * s_most_ * unit);
@@ -287,22 +280,21 @@ HWY_INLINE void CellTree<Real>::push_child(const Child& child, int pixels, std::
     const Real parent_length = cells_->to[parent] - cells_->from[parent];
     const Real width = child.width_by_depth * (distance_ + from);
     constexpr auto much = static_cast<Real>(0.6);
-    if (!(length > width && length > much * parent_length))
-        return push(*next_, tile, pixels, from, to);
+    if (!(length > width && length > much * parent_length)) return next_->push(tile, from, to);
     // Cut the others in four parts, or halves.
     Real begin = from;
     if (pixels >= leaf_pixels && length > 3 * width) {
         constexpr Real part = Real{1} / most_parts;
         for (int i = 1; i < most_parts; ++i) {
             const Real end = from + length * (part * static_cast<Real>(i));
-            push(*next_, tile, pixels, begin, end);
+            next_->push(tile, begin, end);
             begin = end;
         }
     } else {
         begin = from + Real{0.5} * length;
-        push(*next_, tile, pixels, from, begin);
+        next_->push(tile, from, begin);
     }
-    push(*next_, tile, pixels, begin, to);
+    next_->push(tile, begin, to);
 }
 
 }  // namespace zeroset::HWY_NAMESPACE

@@ -25,7 +25,6 @@ void CellTree<Real>::begin(int pixels) {
     push_first({.kernel = &frame_.kernel,
                 .col = 0,
                 .row = 0,
-                .pixels = tile_size,
                 .from = depths_.enter_lo,
                 .to = depths_.exit_hi,
                 .slabs = first_slabs},
@@ -44,7 +43,7 @@ void CellTree<Real>::push_first(const First& first, const DepthRange& depths) {
         const Real to = i == first.slabs ? far : near + (far - near) * part;
         const bool inside = static_cast<double>(from) >= depths.enter_hi &&
                             static_cast<double>(to) <= depths.exit_lo;
-        push(*cells_, CellTile::at(first.col, first.row, inside), first.pixels, from, to);
+        cells_->push(CellTile::at(first.col, first.row, inside), from, to);
         from = to;
     }
 }
@@ -87,7 +86,6 @@ void CellTree<Real>::push_part(const UnionMember& part, int pixels) {
             push_first({.kernel = part.kernel,
                         .col = col,
                         .row = row,
-                        .pixels = pixels,
                         .from = begin,
                         .to = end,
                         .slabs = slabs},
