@@ -51,6 +51,16 @@ struct Placed {
     glm::dvec2 half;
 };
 
+/// The power of ten, at most 1, of which a step is a whole multiple, to some digits.
+double last_digit_of(double step) {
+    double digit = std::min(1.0, std::pow(10.0, std::floor(std::log10(step) + 1e-9)));
+    for (int more = 0; more < 6; ++more, digit /= 10.0) {
+        const double count = step / digit;
+        if (std::abs(count - std::round(count)) < 1e-6 * count) break;
+    }
+    return digit;
+}
+
 class LabelPlacer {
 public:
     LabelPlacer(const ContouredPicture& picture, const CardStyle& style)
@@ -184,7 +194,7 @@ void LabelPlacer::add_crossing(const std::vector<double>& values, std::size_t nu
 
 std::string LabelPlacer::words_of(const Candidate& candidate) const {
     const double step = picture_.lines.step;
-    std::string number = tick_text(candidate.multiple * step, step);
+    std::string number = tick_text(candidate.multiple * step, last_digit_of(step));
     if (picture_.lines.contours.size() < 2) return number;
     const glm::dvec3 along = glm::abs(picture_.lines.contours[candidate.number].along);
     const char* const name = along.x > 0.5 ? "x " : along.y > 0.5 ? "y " : "z ";

@@ -20,7 +20,7 @@ constexpr float ink = 0.04F;  ///< the part of the light that a line leaves
 constexpr double closest_widths = 1.5;
 constexpr double fair_widths = 3.5;
 /// Normals whose angle has a smaller cosine belong to two sides of a crease.
-constexpr double crease_cosine = 0.92;
+constexpr double crease_cosine = 0.82;
 /// Where a surface is seen more from aside a pixel is too long on it to tell creases from bends.
 constexpr double least_crease_facing = 0.15;
 

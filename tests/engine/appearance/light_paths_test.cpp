@@ -260,7 +260,7 @@ TEST(Looks, StayAsTheyWereSeenToBeRight) {
     const Camera camera = default_camera(scene.clip);
     const std::vector<std::pair<Look, std::array<Tint, 2>>> known{
         {Look::Standard, {{{86.6, 131.5, 186.0, 62.0}, {51.7, 111.7, 126.4, 49.9}}}},
-        {Look::Phong, {{{1.0, 1.0, 1.0, 1.0}, {1.0, 1.0, 1.0, 1.0}}}},
+        {Look::Phong, {{{84.0, 125.5, 175.3, 66.4}, {45.3, 94.3, 104.2, 53.7}}}},
         {Look::Matte, {{{68.9, 123.7, 186.7, 53.5}, {42.8, 112.3, 128.4, 55.1}}}},
         {Look::Porcelain, {{{141.6, 162.7, 194.4, 68.5}, {112.7, 137.8, 147.3, 51.2}}}},
         {Look::Metal, {{{113.8, 129.6, 154.1, 93.2}, {89.1, 111.9, 122.4, 74.4}}}},

@@ -130,10 +130,11 @@ TEST(Lines, OfTheTechnicalLookAreAsWideAtCreasesAsAskedForAndSmooth) {
                         light_of_channel(frame.color[frame.index(col, row)] >> 8U & 0xFFU));
                 };
                 const double x = (col + 0.5 - 0.5 * side) * 2.0 / side;
-                const int ridge = static_cast<int>(0.5 * side - slope * x * 0.5 * side);
+                const double place = 0.5 * side - slope * x * 0.5 * side;
+                const int ridge = static_cast<int>(place);
                 double covered = 0.0;
                 for (int row = ridge - 6; row <= ridge + 6; ++row) {
-                    const double bare = light_at(row < ridge ? ridge - 10 : ridge + 10);
+                    const double bare = light_at(row + 0.5 < place ? ridge - 10 : ridge + 10);
                     covered += 1.0 - light_at(row) / bare;
                 }
                 least = std::min(least, covered);
