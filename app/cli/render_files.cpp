@@ -103,10 +103,10 @@ std::expected<void, FileError> RenderFiles::begin(const RenderedPicture& picture
 
 std::expected<void, FileError> RenderFiles::add(const RenderedPicture& picture,
                                                 const PictureBand& band) {
-    if (command_.stats) count(band.frame);
     const auto start = std::chrono::steady_clock::now();
     auto written = write(picture, band);
     writing_ms_ += ms_since(start);
+    if (command_.stats) count(band.frame);
     return written;
 }
 
