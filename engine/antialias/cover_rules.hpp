@@ -28,9 +28,6 @@ inline constexpr double most_error_of_edge = 1.0 / 8;
 /// width from which on it would be known.
 inline constexpr double thread_width = 1.0 / 8;
 inline constexpr double thinnest_thread = 1.0 / 80;
-/// The longest stretch that a tracer tells of and that is searched for an edge at once, in widths
-/// of the pixel.
-inline constexpr double most_told_widths = 0.0;
 /// The first cell of a pixel whose own ray hits nothing, in its widths.
 inline constexpr double first_widths = 8.0;
 /// Less of a square is not worth a search.

@@ -6,10 +6,12 @@
 #include "engine/antialias/square_edges.hpp"
 #include "engine/antialias/square_field.hpp"
 
+#include <algorithm>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <limits>
 
 namespace zeroset {
 namespace {
@@ -66,14 +68,12 @@ CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& r
         work_.emplace_back(surfaces[i], i, field_, counters);
 }
 
-ToldRoots told_roots(const PixelCover& cover, std::size_t pixel) {
-    if (!cover.known) return {};
-    if (!cover.marked) return {.rest_from = ToldRoots::none};
-    return {.sheet_from = cover.from[pixel],
-            .sheet_to = cover.to[pixel],
-            .other_from = cover.other_from[pixel],
-            .other_to = cover.other_to[pixel],
-            .rest_from = cover.unknown_from(pixel)};
+/// The depth before which a surface surely has no root on any ray of a pixel.
+float first_root(const PixelCover& cover, std::size_t pixel) {
+    constexpr float none = std::numeric_limits<float>::infinity();
+    if (!cover.known) return -none;
+    if (!cover.marked) return none;
+    return std::min({cover.from[pixel], cover.other_from[pixel], cover.unknown_from(pixel)});
 }
 
 auto CoverSearch::choose(std::size_t square) -> Choice {
@@ -147,11 +147,11 @@ void CoverSearch::decide_edges() {
 
 void CoverSearch::search(std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
                          std::vector<CoverSample>& out) {
-    std::vector<ToldRoots> told(work_.size());
+    std::vector<float> first_roots(work_.size(), -std::numeric_limits<float>::infinity());
     for (const MixedPixel& pixel : pixels) {
         for (std::size_t i = 0; i < hits.size(); ++i)
-            told[i] = told_roots(hits[i].cover, pixel.pixel);
-        field_.begin(pixel, told);
+            first_roots[i] = first_root(hits[i].cover, pixel.pixel);
+        field_.begin(pixel, first_roots);
     }
     do {
         finish_level();

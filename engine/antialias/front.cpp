@@ -14,47 +14,15 @@ constexpr double most_fair_lengths = 8.0;
 
 }  // namespace
 
-void Front::go_to(double depth) {
-    at = depth;
+void Front::pass() {
+    at = to;
     open_from = none;
-    until = none;
-    const auto next = [depth](float from, float last) {
-        return static_cast<double>(last) > depth ? std::max(depth, static_cast<double>(from))
-                                                 : none;
-    };
-    const double other = next(told.other_from, told.other_to);
-    const double sheet = next(told.sheet_from, told.sheet_to);
-    const double rest = std::max(depth, static_cast<double>(told.rest_from));
-    at = std::min({other, sheet, rest});
     state = at < end ? State::Going : State::Gone;
-    if (!(at < std::min(rest, end))) return;
-    // Stretches that overlap are one.
-    const double other_to = other < none ? static_cast<double>(told.other_to) : -none;
-    const double sheet_to = sheet < none ? static_cast<double>(told.sheet_to) : -none;
-    const bool both = std::max(other, sheet) <= (other < sheet ? other_to : sheet_to);
-    to = both ? std::max(other_to, sheet_to) : other < sheet ? other_to : sheet_to;
-    to = std::min(to, end);
-    if (to > rest) return;
-    if (!both && sheet < other && sheet == static_cast<double>(told.sheet_from)) {
-        state = State::Rooted;
-        turn = 0.0;
-        monotone = true;
-    } else if (to - at <= longest) {
-        // Where a ray has no root f may be nearest to 0 beside the stretch.
-        const double behind = both ? none : std::max(other, sheet);
-        const double spare = to - at;
-        at = std::max(depth, at - spare);
-        to = std::min({to + spare, behind, rest, end});
-        state = State::Edged;
-        continuous = true;
-    } else {
-        until = to;
-    }
 }
 
-void Front::end_stretch(double last) {
+void Front::end_stretch(double until) {
     state = State::Edged;
-    to = last;
+    to = until;
     at = open_from;
 }
 
@@ -67,7 +35,7 @@ void Front::leave_open(const CellVerdict& cell) {
     continuous = continuous && cell.continuous;
     stretched = false;
     at = cell.to;
-    if (++open_cells >= most_open_cells || at >= end || at >= until) end_stretch(at);
+    if (++open_cells >= most_open_cells || at >= end) end_stretch(at);
 }
 
 void Front::take_root(const CellVerdict& cell, const FrontRules& rules) {
@@ -96,9 +64,11 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     const double length = cell.to - cell.from;
     if (cell.rejected) {
         if (is_open()) return end_stretch(at);
+        at = cell.to;
         step = std::clamp(cell.growth, 1.0, most_growth) * length;
         stretched = false;
-        return go_to(cell.to);
+        if (at >= end) state = State::Gone;
+        return;
     }
     const bool begins = cell.root_from > cell.from;
     const bool ends = cell.root_to < cell.to;
@@ -114,8 +84,7 @@ void Front::advance(const CellVerdict& cell, const FrontRules& rules) {
     }
     // Make a cell longer that all rays seem to leave with a root.
     const double width = cell.root_to - cell.root_from;
-    const bool grows = begins && !ends && cell.precise && !stretched &&
-                       cell.to < std::min(end, until) &&
+    const bool grows = begins && !ends && cell.precise && !stretched && cell.to < end &&
                        width < most_fair_lengths * rules.fair_length;
     if (!grows) return leave_open(cell);
     step = cell.root_to - at + 0.25 * width + rules.margin;

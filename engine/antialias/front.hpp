@@ -26,15 +26,6 @@ struct FrontRules {
     double margin;       ///< by which cells are longer than their slabs, at both ends
 };
 
-/// What a tracer knows of the roots on all rays of a pixel (PixelCover): depths.
-struct ToldRoots {
-    static constexpr float none = std::numeric_limits<float>::infinity();
-
-    float sheet_from = none, sheet_to = none;
-    float other_from = none, other_to = -none;
-    float rest_from = -none;  ///< nothing is known from here on
-};
-
 /// How far the search for the first root of one surface on all rays of a square has come.
 /// Depths are along the view axis, as TileRays has them.
 struct Front {
@@ -52,11 +43,8 @@ struct Front {
     std::uint8_t open_cells = 0;
     double at = 0.0;
     double to = 0.0;
-    double end = 0.0;      ///< the rays leave the clip region
-    double step = 0.0;     ///< of the next cell
-    double until = none;   ///< of a stretch in which there may be roots, as is told
-    double longest = 0.0;  ///< told stretches that are no longer are taken as edges
-    ToldRoots told;
+    double end = 0.0;   ///< the rays leave the clip region
+    double step = 0.0;  ///< of the next cell
     /// Where a stretch of cells began that are neither free nor hold the first root of every ray.
     double open_from = none;
     /// Within the clip region all rays are between these.
@@ -66,28 +54,23 @@ struct Front {
 
     [[nodiscard]] bool is_open() const { return open_from < none; }
     /// Whether all rays are within the clip region between two depths.
-    [[nodiscard]] bool is_inside(double from, double last) const {
-        return from >= inside_from && last <= inside_to;
+    [[nodiscard]] bool is_inside(double from, double until) const {
+        return from >= inside_from && until <= inside_to;
     }
     /// Before this there is no root.
     [[nodiscard]] double free_to() const {
         return state == State::Going && is_open() ? open_from : at;
     }
     /// Where the next cell ends.
-    [[nodiscard]] double next() const {
-        const double last = until < end ? until : end;
-        return at + step < last ? at + step : last;
-    }
-    /// Begins, or goes on, no nearer than a depth, where by what is told a root may be next.
-    void go_to(double depth);
+    [[nodiscard]] double next() const { return at + step < end ? at + step : end; }
     /// Takes what is known of the next cell.
     void advance(const CellVerdict& cell, const FrontRules& rules);
     /// Goes on behind `to`.
-    void pass() { go_to(to); }
+    void pass();
 
 private:
     void leave_open(const CellVerdict& cell);
-    void end_stretch(double last);
+    void end_stretch(double until);
     void take_root(const CellVerdict& cell, const FrontRules& rules);
 };
 

@@ -13,7 +13,8 @@ void SquareField::place(const CoverSquare& square, Front& front) const {
     front.end = depths.exit_hi;
     front.inside_from = depths.enter_hi;
     front.inside_to = depths.exit_lo;
-    front.go_to(std::max(front.at, depths.enter_lo));
+    front.at = std::max(front.at, depths.enter_lo);
+    front.state = front.at < front.end ? Front::State::Going : Front::State::Gone;
 }
 
 RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front,
@@ -28,16 +29,14 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
     return stretch;
 }
 
-void SquareField::begin(const MixedPixel& pixel, std::span<const ToldRoots> told) {
+void SquareField::begin(const MixedPixel& pixel, std::span<const float> first_roots) {
     const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
     const double hit = hit_of(pixel);
     const std::size_t first = fronts_.size();
     bool any = false;
-    for (const ToldRoots& of_surface : told) {
+    for (const float from : first_roots) {
         Front front;
-        front.told = of_surface;
-        front.at = static_cast<double>(pixel.from);
-        front.longest = longest_told(front);
+        front.at = static_cast<double>(std::max(pixel.from, from));
         place(square, front);
         front.step = first_step(hit, front);
         any = any || front.state != Front::State::Gone;
@@ -49,11 +48,6 @@ void SquareField::begin(const MixedPixel& pixel, std::span<const ToldRoots> told
     } else {
         fronts_.resize(first);
     }
-}
-
-double SquareField::longest_told(const Front& front) const {
-    const double from = static_cast<double>(front.told.other_from);
-    return from < Front::none ? width_of(most_told_widths, from) : 0.0;
 }
 
 double SquareField::hit_of(const MixedPixel& pixel) const {
@@ -93,10 +87,7 @@ void SquareField::add_part(std::size_t square, const CoverSquare& part) {
     bool any = false;
     for (const Front& of_whole : fronts(square)) {
         Front front;
-        front.told = of_whole.told;
         front.at = of_whole.at;
-        // What is told of a pixel was too little for its edges.
-        if (part.is_ray()) front.longest = longest_told(front);
         place(part, front);
         if (of_whole.state == Front::State::Gone) front.state = Front::State::Gone;
         const double length = of_whole.state == Front::State::Going

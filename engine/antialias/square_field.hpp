@@ -47,8 +47,8 @@ public:
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
                                         const SquareRay& place) const;
 
-    /// `told`: of each surface.
-    void begin(const MixedPixel& pixel, std::span<const ToldRoots> told);
+    /// `first_roots`: the depth before which each surface surely has no root on the pixel's rays.
+    void begin(const MixedPixel& pixel, std::span<const float> first_roots);
     /// Whether the hit of the pixel's own ray is the root on that ray of a front that covers all of
     /// a pixel.
     [[nodiscard]] bool shows_hit(std::size_t square, const Front& front) const;
@@ -66,7 +66,6 @@ public:
 private:
     /// Whether at most one smooth sheet is left of what a square shows.
     [[nodiscard]] bool is_one_sheet(std::size_t square);
-    [[nodiscard]] double longest_told(const Front& front) const;
     /// The depth of the hit of a pixel's own ray.
     [[nodiscard]] double hit_of(const MixedPixel& pixel) const;
     /// `hit`: that depth.
