@@ -15,8 +15,8 @@ double volume(const std::array<glm::dvec3, 4>& v) {
 
 class KinkSplitter {
 public:
-    KinkSplitter(const MeshSolid& solid, std::span<const std::uint32_t> vertices, Lattice& lattice,
-                 const MeshWork& work)
+    KinkSplitter(const MeshSolid& solid, std::span<const std::uint32_t> vertices, int rings,
+                 Lattice& lattice, const MeshWork& work)
         : solid_(solid),
           lattice_(lattice),
           work_(work),
@@ -24,9 +24,6 @@ public:
           edges_(1024) {
         for (const std::uint32_t vertex : vertices)
             wanted_[vertex] = true;
-        // Along an edge some stars are proved by chance: what is divided beside what is not would
-        // fit neither.
-        constexpr int rings = 3;
         for (int i = 0; i < rings; ++i)
             want_neighbours();
     }
@@ -241,9 +238,9 @@ void KinkSplitter::split() {
 
 }  // namespace
 
-void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices,
+void split_at_kinks(const MeshSolid& solid, std::span<const std::uint32_t> vertices, int rings,
                     Lattice& lattice, const MeshWork& work) {
-    KinkSplitter(solid, vertices, lattice, work).split();
+    KinkSplitter(solid, vertices, rings, lattice, work).split();
 }
 
 }  // namespace zeroset

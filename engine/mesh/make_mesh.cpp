@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace zeroset {
 namespace {
@@ -135,11 +137,19 @@ void MeshMaker::prove() {
         prove_locally(std::move(cells));
     }
     if (proof_.failed.empty() || proving_.limit.over()) return;
-    Lattice divided = lattice_;
-    split_at_kinks(solid_, proof_.failed, divided, proving_);
     // The solid has neither pieces nor handles at its edges: what one lattice has more is false.
-    if (contour_complexity(divided) > contour_complexity(lattice_)) return;
-    lattice_ = std::move(divided);
+    std::size_t least = contour_complexity(lattice_);
+    std::optional<Lattice> best;
+    for (const int rings : {0, 3}) {
+        Lattice divided = lattice_;
+        split_at_kinks(solid_, proof_.failed, rings, divided, proving_);
+        const std::size_t complexity = contour_complexity(divided);
+        if (complexity > least || (best && complexity == least)) continue;
+        least = complexity;
+        best = std::move(divided);
+    }
+    if (!best) return;
+    lattice_ = std::move(*best);
     proof_ = prove_stars(tree_, lattice_, proving_);
 }
 
