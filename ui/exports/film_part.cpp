@@ -147,13 +147,13 @@ void draw_time(FilmExport& film) {
         ImGui::SameLine(0.0F, em(0.4F));
     };
     draw_export_label("time", "How long it plays, in seconds or frames, and how fast.");
-    ImGui::SetNextItemWidth(em(4.0F));
+    ImGui::SetNextItemWidth(em(3.0F));
     draw_number_field("##seconds", film.seconds, 0.01, longest_s);
-    text("s =");
-    ImGui::SetNextItemWidth(em(4.0F));
+    text("s,");
+    ImGui::SetNextItemWidth(em(3.2F));
     int frames = film.frames();
     if (draw_integer_field("##frames", frames, 1, most_frames)) film.take_frames(frames);
-    text("frames at");
+    text("frames,");
     ImGui::SetNextItemWidth(-em(2.6F));
     draw_integer_field("##rate", film.plan.rate.frames, 1, 240);
     ImGui::SameLine(0.0F, em(0.4F));

@@ -73,6 +73,13 @@ protected:
     }
 };
 
+TEST(FilmExport, TakesANumberOfFrames) {
+    FilmExport film;
+    film.take_frames(45);
+    EXPECT_EQ(film.frames(), 45);
+    EXPECT_DOUBLE_EQ(film.seconds, 1.5);
+}
+
 TEST_P(ExportPages, OpenAndCloseByTheirKeys) {
     draw();
     EXPECT_FALSE(is_shown());
@@ -105,16 +112,6 @@ TEST_P(ExportPages, TakeTypedSizes) {
     EXPECT_EQ(page().wish.picture.size_px.x, 3840);
     EXPECT_EQ(page().wish.picture.size_px.y, 1080);
     EXPECT_FALSE(state_.wishes.command) << "Enter in a field is not Save";
-}
-
-TEST_P(ExportPages, TakeATypedNumberOfFrames) {
-    open("Save a film...");
-    click_at(line(5, 0.48F));
-    OffscreenWindow::type("45");
-    draw_frame();
-    press(GLFW_KEY_ENTER);
-    EXPECT_EQ(page().wish.film.frames(), 45);
-    EXPECT_DOUBLE_EQ(page().wish.film.seconds, 1.5);
 }
 
 TEST_P(ExportPages, KeepTheSidesEvenWhereFilmsWantThat) {
