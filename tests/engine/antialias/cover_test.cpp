@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -104,13 +103,14 @@ double area_in(int col, int row, const auto& shape) {
 }
 
 void expect_cover(const Scene& scene, const auto& shape, const std::string& what,
-                  std::initializer_list<Told> tolds = {Told::Nothing, Told::ByTracer}) {
-    for (const Told told : tolds) {
+                  double most_error_told = most_error) {
+    for (const Told told : {Told::Nothing, Told::ByTracer}) {
         const std::vector<double> cover = cover_of(scene, told);
         for (int row = 0; row < side; ++row) {
             for (int col = 0; col < side; ++col) {
                 const double found = cover[static_cast<std::size_t>(row * side + col)];
-                ASSERT_NEAR(found, area_in(col, row, shape), most_error)
+                ASSERT_NEAR(found, area_in(col, row, shape),
+                            told == Told::Nothing ? most_error : most_error_told)
                     << what << " at " << col << ", " << row
                     << (told == Told::ByTracer ? ", told" : "");
             }
@@ -178,10 +178,10 @@ TEST_F(Cover, OfAHalfPlaneThatIsCutOffAslant) {
                 const double end = (offset - (normal.x + 0.1 * normal.z) * x) / normal.y;
                 return normal.y > 0.0 ? std::pair(-2.0, end) : std::pair(end, 2.0);
             };
-            // Begun right before the surface, as a tracer tells, the search sees too little of it
-            // before the cut to hold the bound.
+            // Begun right before the surface, as a tracer tells, the search sees less of it before
+            // the cut: to 1/128.
             expect_cover(scene, part, "z " + std::to_string(z) + ", angle " + std::to_string(angle),
-                         {Told::Nothing});
+                         2.0 * most_error);
         }
     }
 }

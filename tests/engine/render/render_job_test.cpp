@@ -164,7 +164,7 @@ TEST(RenderJob, DrawsOnlyQuickPicturesWhileSomethingMoves) {
 }
 
 TEST(RenderJob, ShowsAFullPictureWhileItGrows) {
-    RenderPace pace;
+    RenderPace pace = whole_pictures();
     pace.growth_shown_after = std::chrono::milliseconds(0);
     Watched watched(pace);
     RenderRequest request = request_for("x^2 + y^2 + z^2 = 4", 256, 192);
