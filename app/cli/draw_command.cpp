@@ -92,7 +92,7 @@ void work_on(DrawJob& job) {
 
 /// One line on what the drawing may lack; empty if it lacks nothing.
 std::string warning_of(const DrawJob& job, const LineDrawing& drawing) {
-    const std::string lacks = drawing.lacks(job.plan.choice.tolerance_pt);
+    std::string lacks = drawing.lacks(job.plan.choice.tolerance_pt);
     if (drawing.in_time()) return lacks;
     return "the budget of " + short_number(job.budget_s) + " s is spent on " +
            name_of(job.progress.stage()) + ": " + lacks + "; --budget SECONDS gives more";
