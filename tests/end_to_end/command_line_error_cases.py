@@ -93,7 +93,7 @@ WRONG_COMMANDS = [
     (["render", "x", "-o", ""], [".png"]),
     (["render", "x", "--stats", "-", "--alpha"], ["--alpha", "-o"]),
     (["render", "x", "-o", "a.jpg", "--alpha"], ["JPEG", ".webp"]),
-    (["render", "x", "-o", "a.jpg", "--bits", "16"], ["JPEG", "TIFF"]),
+    (["render", "x", "-o", "a.jpg", "--bits", "16"], ["JPEG", ".png or .tif"]),
     (["render", "x", "-o", "a.jpg", "--quality", "0"], ["--quality"]),
     (["render", "x", "-o", "a.jpg", "--dpi", "300"], ["--dpi", ".png"]),
     (["render", "x", "-o", "a.webp", "--size", "20000x10"], ["WebP", "16383", ".png"]),

@@ -92,6 +92,13 @@ std::string other_ending(const Can& can) {
     return endings.empty() ? "" : "; type a name that ends in " + one_of(endings);
 }
 
+/// "8 or 16": the bits a channel that a format can have.
+std::string bits_of(const PictureFormat& format) {
+    const auto [least, most] = std::ranges::minmax(format.bits);
+    return least == most ? std::to_string(most)
+                         : std::to_string(least) + " or " + std::to_string(most);
+}
+
 std::string size_text(const ImageSize& size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
@@ -138,9 +145,10 @@ std::optional<std::string> refusal(const PictureFormat& format, const PictureOpt
         return "a " + name + " cannot be transparent" +
                other_ending([](const PictureFormat& other) { return other.alpha; });
     if (!has_bits(format, options.bits)) {
+        const std::string other =
+            other_ending([&](const PictureFormat& row) { return has_bits(row, options.bits); });
         return "a " + name + " cannot have " + std::to_string(options.bits) + " bits a channel" +
-               other_ending(
-                   [&](const PictureFormat& other) { return has_bits(other, options.bits); });
+               (other.empty() ? "; type " + bits_of(format) : other);
     }
     return size_refusal(format, options);
 }
