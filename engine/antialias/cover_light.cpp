@@ -21,11 +21,6 @@ constexpr std::size_t slot_of(std::size_t k) {
     return row * tile_size + col;
 }
 
-/// The side of so many squares of 8 x 8 side by side that samples need, `each` at a time.
-constexpr int blocks_of(std::size_t count, std::size_t each) {
-    return static_cast<int>(8 * ((count + each - 1) / each));
-}
-
 }  // namespace
 
 void CoverLight::put(const CoverSample& sample, std::size_t slot) {
@@ -65,14 +60,14 @@ std::span<const CoverColor> CoverLight::light(const FrameLight& frame_light,
     hits_.resize(std::max(hits_.size(), surfaces.size()));
     light_.assign(samples.size(), CoverColor{});
     const RayPlaces places{.col = cols_.data(), .row = rows_.data()};
-    Tile of_samples = tile;
-    of_samples.limits = nullptr;
-    of_samples.places = &places;
+    const Tile of_samples{.col = tile.col,
+                          .row = tile.row,
+                          .cols = tile_size,
+                          .rows = tile_size,
+                          .limits = nullptr,
+                          .places = &places};
     for (std::size_t first = 0; first < samples.size() && !limit.over(); first += slots) {
         const std::size_t count = std::min(slots, samples.size() - first);
-        // No more of a tile than they fill.
-        of_samples.cols = std::min(tile_size, blocks_of(count, 64));
-        of_samples.rows = blocks_of(count, std::size_t{8} * tile_size);
         for (TileHits& hits : hits_)
             hits.clear();
         for (std::size_t k = 0; k < count; ++k)

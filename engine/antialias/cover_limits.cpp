@@ -18,7 +18,7 @@ void narrow_limits(const TraceFrame& surface, const Tile& tile, const TileHits& 
         for (int col = 0; col < tile.cols; ++col) {
             const auto at = static_cast<std::size_t>(row * tile_size + col);
             const float to = cover.to[at];
-            if (!(to < std::numeric_limits<float>::infinity()) || !(to < cover.before_others(at)))
+            if (!(to < std::numeric_limits<float>::infinity()) || !(to < cover.other_from[at]))
                 continue;
             const double distance =
                 rays.distance_at(static_cast<double>(to), rays.u(col), rays.v(row));

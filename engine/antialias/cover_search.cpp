@@ -6,12 +6,9 @@
 #include "engine/antialias/square_edges.hpp"
 #include "engine/antialias/square_field.hpp"
 
-#include <algorithm>
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
 
 namespace zeroset {
 namespace {
@@ -20,8 +17,7 @@ class CoverSearch {
 public:
     CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays, Counters& counters);
 
-    void search(std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
-                std::vector<CoverSample>& out);
+    void search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out);
 
 private:
     using State = Front::State;
@@ -47,8 +43,6 @@ private:
 
     [[nodiscard]] Choice choose(std::size_t square);
     void sort_work();
-    /// Decides all squares that are at edges: the more at once, the fuller are the vectors.
-    void decide_edges();
     /// Goes on with the open squares until each is closed or divided.
     void finish_level();
     [[nodiscard]] bool stopped() const { return work_.front().frame.stopped(); }
@@ -57,8 +51,6 @@ private:
     SquareField field_;
     std::vector<std::size_t> open_;  ///< squares
     std::deque<Work> work_;          ///< of each surface
-    /// Pixels all of which show what their own rays hit.
-    std::bitset<std::size_t{tile_size} * tile_size> whole_;
 };
 
 CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& rays,
@@ -66,14 +58,6 @@ CoverSearch::CoverSearch(std::span<const TraceFrame> surfaces, const TileRays& r
     : counters_(counters), field_(rays, surfaces.size()) {
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         work_.emplace_back(surfaces[i], i, field_, counters);
-}
-
-/// The depth before which a surface surely has no root on any ray of a pixel.
-float first_root(const PixelCover& cover, std::size_t pixel) {
-    constexpr float none = std::numeric_limits<float>::infinity();
-    if (!cover.known) return -none;
-    if (!cover.marked) return none;
-    return std::min({cover.from[pixel], cover.other_from[pixel], cover.unknown_from(pixel)});
 }
 
 auto CoverSearch::choose(std::size_t square) -> Choice {
@@ -99,17 +83,15 @@ auto CoverSearch::choose(std::size_t square) -> Choice {
     const bool uneven = front.turn > most_turn_of(work_[first].frame);
     if (uneven && !at.is_ray() && at.level < last_color_level)
         return {.step = Step::Crease, .surface = first};
-    if (field_.shows_hit(square, front)) {
-        whole_.set(at.pixel);
-    } else {
-        work_[first].drafts.seek(at, front);
-    }
+    work_[first].drafts.add(at, front);
     return {.step = Step::Close, .surface = first};
 }
 
 void CoverSearch::sort_work() {
-    for (Work& work : work_)
+    for (Work& work : work_) {
         work.at_cells.clear();
+        work.at_edges.clear();
+    }
     for (const std::size_t square : open_) {
         const Choice choice = choose(square);
         switch (choice.step) {
@@ -133,31 +115,18 @@ void CoverSearch::finish_level() {
             Work& work = work_[i];
             advance_fronts(work.frame, i, field_, work.at_cells, counters_);
             open_.insert(open_.end(), work.at_cells.begin(), work.at_cells.end());
+            work.edges.decide(work.at_edges, open_);
         }
-        if (open_.empty()) decide_edges();
     }
 }
 
-void CoverSearch::decide_edges() {
-    for (Work& work : work_) {
-        work.edges.decide(work.at_edges, open_);
-        work.at_edges.clear();
-    }
-}
-
-void CoverSearch::search(std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
-                         std::vector<CoverSample>& out) {
-    std::vector<float> first_roots(work_.size(), -std::numeric_limits<float>::infinity());
-    for (const MixedPixel& pixel : pixels) {
-        for (std::size_t i = 0; i < hits.size(); ++i)
-            first_roots[i] = first_root(hits[i].cover, pixel.pixel);
-        field_.begin(pixel, first_roots);
-    }
+void CoverSearch::search(std::span<const MixedPixel> pixels, std::vector<CoverSample>& out) {
+    for (const MixedPixel& pixel : pixels)
+        field_.begin(pixel);
     do {
         finish_level();
     } while (!stopped() && field_.go_down());
     if (stopped()) return;
-    std::erase_if(pixels, [this](const MixedPixel& pixel) { return whole_[pixel.pixel]; });
     for (const Work& work : work_)
         work.drafts.write(work.frame, field_.rays(), out, counters_);
 }
@@ -165,13 +134,13 @@ void CoverSearch::search(std::span<const TileHits> hits, std::vector<MixedPixel>
 }  // namespace
 
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
-                std::vector<CoverSample>& out, Counters& counters) {
+                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
+                Counters& counters) {
     if (pixels.empty()) return;
     Tile all = tile;
     all.limits = nullptr;
     const TileRays rays(surfaces.front(), all);
-    CoverSearch(surfaces, rays, counters).search(hits, pixels, out);
+    CoverSearch(surfaces, rays, counters).search(pixels, out);
 }
 
 }  // namespace zeroset

@@ -2,7 +2,6 @@
 
 #include "engine/antialias/cover_sample.hpp"
 #include "engine/trace/tile.hpp"
-#include "engine/trace/tile_hits.hpp"
 #include "engine/trace/trace_frame.hpp"
 
 #include <span>
@@ -11,12 +10,10 @@
 namespace zeroset {
 
 /// Finds what pixels show, part by part [Florez08, sec. 5.5.2], and adds samples to `out`. A part
-/// of a pixel that no sample stands for shows the background. Takes away the pixels all of which
-/// show the sheet that their own rays hit. Ends early when the frames' limit is over: then nothing
-/// is said of some pixels. `hits`: of the surfaces, by tracers that may know whole pixels; empty:
-/// nothing is known. In upward rounding.
+/// of a pixel that no sample stands for shows the background. Ends early when the frames' limit is
+/// over: then nothing is said of some pixels. In upward rounding.
 void find_cover(std::span<const TraceFrame> surfaces, const Tile& tile,
-                std::span<const TileHits> hits, std::vector<MixedPixel>& pixels,
-                std::vector<CoverSample>& out, Counters& counters);
+                std::span<const MixedPixel> pixels, std::vector<CoverSample>& out,
+                Counters& counters);
 
 }  // namespace zeroset

@@ -34,9 +34,12 @@ std::size_t EdgeSamples::deepest() const {
 }
 
 RayRoot EdgeSamples::bracket(const SquareStretches& stretches, std::size_t i) const {
-    RayRoot root = stretches[i].bracket();
-    if (before_end[i]) root.to = stretches[i].to;
-    return root;
+    const RayStretch& ray = stretches[i];
+    return {.col = ray.col,
+            .row = ray.row,
+            .from = ray.from,
+            .to = before_end[i] ? ray.to : ray.at,
+            .several = true};
 }
 
 SquareRayFlags EdgeSamples::misses() const {

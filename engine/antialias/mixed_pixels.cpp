@@ -25,7 +25,7 @@ std::optional<MixedPixel> mixed_pixel(std::span<const TileHits> hits, std::size_
         if (!cover.known) other = -none;
         if (!cover.known || !cover.marked) continue;
         const bool nearer = cover.to[at] < to;
-        other = std::min({other, cover.before_others(at), nearer ? from : cover.from[at]});
+        other = std::min({other, cover.other_from[at], nearer ? from : cover.from[at]});
         if (nearer) from = cover.from[at];
         if (nearer) to = cover.to[at];
     }

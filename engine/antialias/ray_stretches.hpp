@@ -11,28 +11,10 @@
 
 namespace zeroset {
 
-/// A stretch of a ray that holds a root, and the root.
-struct RayRoot {
-    double col, row;
-    double from, to;
-    bool several = false;  ///< it may hold several roots: the first is wanted that samples show
-    double f_from = 0.0, f_to = 0.0;  ///< f at the ends; 0: not known
-
-    bool found = false;  ///< out: f goes through 0
-    double s = 0.0;      ///< out: to a thousandth of a pixel; the far end if f has one sign at both
-    /// out: right before the root. Seen along the ray f goes the way that it goes at the root, even
-    /// where it hardly does.
-    glm::dvec3 gradient = glm::dvec3(0.0);
-    double slope = 0.0;                 ///< out: df/ds, as it is there
-    double by_col = 0.0, by_row = 0.0;  ///< out: how s changes from ray to ray of the sheet
-    double cosine = 0.0;                ///< out: of the angle between ray and normal
-};
-
 /// A stretch of a ray of a tile, and how near to 0 f comes in it, as far as samples tell.
 struct RayStretch {
-    double col, row;            ///< of the ray, as TileRays counts pixels
-    double from, to;            ///< depths; the stretch is empty where from > to
-    bool only_whether = false;  ///< no more is asked than whether there is a root
+    double col, row;  ///< of the ray, as TileRays counts pixels
+    double from, to;  ///< depths; the stretch is empty where from > to
 
     double near = 0.0;  ///< out: f at `from`
     double far = 0.0;   ///< out: f at `to`
@@ -45,18 +27,6 @@ struct RayStretch {
     /// Whether f goes through 0 between `from` and `at`.
     [[nodiscard]] bool has_root() const { return !is_empty() && least <= 0.0; }
     [[nodiscard]] bool is_empty() const { return !(from <= to); }
-    /// The part before `at`, for the first root in it.
-    [[nodiscard]] RayRoot bracket() const {
-        return {.col = col, .row = row, .from = from, .to = at, .several = true};
-    }
-    /// The root in that part, if f surely rises or falls there only once.
-    [[nodiscard]] RayRoot root() const {
-        RayRoot only = bracket();
-        only.several = false;
-        only.f_from = near;
-        only.f_to = near >= 0.0 ? least : -least;
-        return only;
-    }
 };
 
 /// A stretch of each of a square's rays.
@@ -65,6 +35,21 @@ using SquareStretches = std::array<RayStretch, square_ray_count>;
 /// Fills in what is `out`. In double; in upward rounding, as all here.
 void find_least(const TraceFrame& frame, const TileRays& rays, std::span<RayStretch> stretches,
                 Counters& counters);
+
+/// A stretch of a ray that holds a root, and the root.
+struct RayRoot {
+    double col, row;
+    double from, to;
+    bool several = false;  ///< it may hold several roots: the first is wanted that samples show
+
+    bool found = false;  ///< out: f goes through 0
+    double s = 0.0;      ///< out: to a thousandth of a pixel; the far end if f has one sign at both
+    /// out: right before the root. Seen along the ray f goes the way that it goes at the root, even
+    /// where it hardly does.
+    glm::dvec3 gradient = glm::dvec3(0.0);
+    double by_col = 0.0, by_row = 0.0;  ///< out: how s changes from ray to ray of the sheet
+    double cosine = 0.0;                ///< out: of the angle between ray and normal
+};
 
 /// A root of each of a square's rays.
 using SquareRoots = std::array<RayRoot, square_ray_count>;

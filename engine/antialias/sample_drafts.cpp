@@ -18,26 +18,20 @@ void SampleDrafts::add(const CoverSquare& square, double share, const RayRoot& r
                        .is_known = true});
 }
 
-void SampleDrafts::seek(const CoverSquare& square, double share, const RayRoot& bracket,
-                        Certificate certificate) {
-    add(square, share, bracket);
+void SampleDrafts::add(const CoverSquare& square, const SquareRay& place, double share, double from,
+                       double to, Certificate certificate) {
+    add(square, share,
+        {.col = SquareField::col_of(square, place),
+         .row = SquareField::row_of(square, place),
+         .from = from,
+         .to = to,
+         .several = true});
     drafts_.back().sample.certificate = certificate;
     drafts_.back().is_known = false;
 }
 
-void SampleDrafts::seek(const CoverSquare& square, const SquareRay& place, double share,
-                        double from, double to, Certificate certificate) {
-    seek(square, share,
-         {.col = SquareField::col_of(square, place),
-          .row = SquareField::row_of(square, place),
-          .from = from,
-          .to = to,
-          .several = true},
-         certificate);
-}
-
-void SampleDrafts::seek(const CoverSquare& square, const Front& front) {
-    seek(square, square_middle, 1.0, front.at, front.to, Certificate::Certified);
+void SampleDrafts::add(const CoverSquare& square, const Front& front) {
+    add(square, square_middle, 1.0, front.at, front.to, Certificate::Certified);
     drafts_.back().root.several = !front.monotone;
 }
 

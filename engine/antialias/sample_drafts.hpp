@@ -14,15 +14,12 @@ class SampleDrafts {
 public:
     explicit SampleDrafts(std::uint8_t surface) : surface_(surface) {}
 
-    /// A sample that stands for a share of a square; its root, or where f comes nearest to 0, lies
-    /// in a bracket.
-    void seek(const CoverSquare& square, double share, const RayRoot& bracket,
-              Certificate certificate);
-    /// The same on the ray of a place, between depths.
-    void seek(const CoverSquare& square, const SquareRay& place, double share, double from,
-              double to, Certificate certificate);
+    /// A sample that stands for a share of a square; its root lies between depths on the ray of a
+    /// place.
+    void add(const CoverSquare& square, const SquareRay& place, double share, double from,
+             double to, Certificate certificate);
     /// A sample for all of a square, which has roots between the ends of the front.
-    void seek(const CoverSquare& square, const Front& front);
+    void add(const CoverSquare& square, const Front& front);
     /// A sample whose root is known.
     void add(const CoverSquare& square, double share, const RayRoot& root);
     /// Finds the roots and adds the samples to `out`.

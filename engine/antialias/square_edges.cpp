@@ -30,8 +30,8 @@ std::optional<LinearOnSquare> line_at_walls(const EdgeSamples& samples,
 
 bool SquareEdges::take_ray(std::size_t square, const RayStretch& stretch) {
     if (!field_.fronts(square)[surface_].continuous || !stretch.has_root()) return pass(square);
-    const RayRoot root = frame_.kernel.branches ? stretch.bracket() : stretch.root();
-    drafts_.seek(field_.square(square), 1.0, root, Certificate::Certified);
+    drafts_.add(field_.square(square), square_middle, 1.0, stretch.from, stretch.at,
+                Certificate::Certified);
     return false;
 }
 
@@ -76,14 +76,9 @@ bool SquareEdges::take_line(std::size_t square, const SquareStretches& stretches
     }
     const std::size_t deepest = samples.deepest();
     const RayRoot root = samples.bracket(stretches, deepest);
-    if (!(samples.height[deepest] <= 0.0)) {
-        drafts_.seek(at, {.x = part.x, .y = part.y}, part.share, root.from, root.to,
-                     Certificate::Certified);
-    } else {
-        const bool one = !frame_.kernel.branches && !samples.before_end[deepest];
-        drafts_.seek(at, part.share, one ? stretches[deepest].root() : root,
-                     Certificate::Certified);
-    }
+    const bool is_hit = samples.height[deepest] <= 0.0;
+    drafts_.add(at, is_hit ? square_rays[deepest] : SquareRay{.x = part.x, .y = part.y}, part.share,
+                root.from, root.to, Certificate::Certified);
     field_.add_rest(square, surface_, samples.misses(), 1.0 - part.share, part_below_zero(-fit));
     return false;
 }
@@ -96,8 +91,8 @@ bool SquareEdges::take_thread(std::size_t square, const SquareStretches& stretch
     const double share = thread.share(is_proved ? thread.half_width : thread_width / at.side);
     const RayStretch& ray = stretches[samples.deepest()];
     if (share > 0.0)
-        drafts_.seek(at, thread.middle(), share, ray.from, ray.at,
-                     is_proved ? Certificate::Certified : Certificate::Undecided);
+        drafts_.add(at, thread.middle(), share, ray.from, ray.at,
+                    is_proved ? Certificate::Certified : Certificate::Undecided);
     // Behind the thread, and beside it, is what all rays meet.
     SquareRayFlags beside{};
     beside.fill(true);
@@ -128,8 +123,8 @@ bool SquareEdges::take_rough(std::size_t square, const SquareStretches& stretche
     const std::size_t deepest = samples.deepest();
     const RayRoot root = samples.bracket(stretches, deepest);
     const double rooted = sheet ? 1.0 : static_cast<double>(roots) / square_ray_count;
-    drafts_.seek(at, thread ? thread_width / at.side : rooted, root,
-                 roots == 0 ? Certificate::Undecided : Certificate::Certified);
+    drafts_.add(at, square_rays[deepest], thread ? thread_width / at.side : rooted, root.from,
+                root.to, roots == 0 ? Certificate::Undecided : Certificate::Certified);
     field_.add_rest(square, surface_, samples.misses(), 1.0 - rooted, unknown_part);
     return false;
 }
@@ -141,10 +136,8 @@ void SquareEdges::decide(std::span<const std::size_t> squares, std::vector<std::
     stretches.reserve(squares.size() * count);
     for (const std::size_t i : squares) {
         const Front& front = field_.fronts(i)[surface_];
-        for (const SquareRay& ray : std::span(square_rays).first(count)) {
+        for (const SquareRay& ray : std::span(square_rays).first(count))
             stretches.push_back(field_.stretch_of(field_.square(i), front, ray));
-            stretches.back().only_whether = are_rays;
-        }
     }
     find_least(frame_, field_.rays(), stretches, counters_);
     for (std::size_t k = 0; k < squares.size(); ++k) {

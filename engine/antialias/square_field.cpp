@@ -10,10 +10,10 @@ void SquareField::place(const CoverSquare& square, Front& front) const {
     const double radius = 0.5 * square.side * rays_.pixel();
     const DepthRange depths = rays_.depths(rays_.u(col_of(square, square_middle)),
                                            rays_.v(row_of(square, square_middle)), radius, radius);
+    front.at = std::max(front.at, depths.enter_lo);
     front.end = depths.exit_hi;
     front.inside_from = depths.enter_hi;
     front.inside_to = depths.exit_lo;
-    front.at = std::max(front.at, depths.enter_lo);
     front.state = front.at < front.end ? Front::State::Going : Front::State::Gone;
 }
 
@@ -29,46 +29,21 @@ RayStretch SquareField::stretch_of(const CoverSquare& square, const Front& front
     return stretch;
 }
 
-void SquareField::begin(const MixedPixel& pixel, std::span<const float> first_roots) {
+void SquareField::begin(const MixedPixel& pixel) {
     const CoverSquare square{.pixel = pixel.pixel, .least_level = pixel.least_level};
-    const double hit = hit_of(pixel);
-    const std::size_t first = fronts_.size();
-    bool any = false;
-    for (const float from : first_roots) {
-        Front front;
-        front.at = static_cast<double>(std::max(pixel.from, from));
-        place(square, front);
-        front.step = first_step(hit, front);
-        any = any || front.state != Front::State::Gone;
-        fronts_.push_back(front);
-    }
-    if (any) {
-        squares_.push_back(square);
-        hits_.push_back(hit);
-    } else {
-        fronts_.resize(first);
-    }
-}
-
-double SquareField::hit_of(const MixedPixel& pixel) const {
-    if (std::isinf(pixel.hit)) return Front::none;
-    const double u = rays_.u(pixel.pixel % tile_size);
-    const double v = rays_.v(static_cast<double>(pixel.pixel / tile_size));
-    return static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
-}
-
-double SquareField::first_step(double hit, const Front& front) const {
-    const double fair = width_of(1.0, front.at);
+    Front front;
+    front.at = static_cast<double>(pixel.from);
+    place(square, front);
+    if (front.state == Front::State::Gone) return;
     // The first cell goes behind the hit of the pixel's own ray, if there is one.
-    return hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
-}
-
-bool SquareField::shows_hit(std::size_t square, const Front& front) const {
-    constexpr double spare = 1.0 / 4;  // in pixels, for what float makes of distances
-    const CoverSquare& at = squares_[square];
-    if (at.level > 0 || at.is_ray()) return false;
-    const double near = width_of(spare, front.at);
-    return hits_[square] > front.at - near && hits_[square] < front.to + near;
+    const double u = rays_.u(col_of(square, square_middle));
+    const double v = rays_.v(row_of(square, square_middle));
+    const double hit =
+        static_cast<double>(pixel.hit) / std::hypot(1.0, u, v) - rays_.look_distance();
+    const double fair = width_of(1.0, front.at);
+    front.step = hit < front.end ? std::max(2.0 * (hit - front.at), fair) : first_widths * fair;
+    squares_.push_back(square);
+    fronts_.insert(fronts_.end(), surfaces_, front);
 }
 
 void SquareField::divide(std::size_t square) {
@@ -113,21 +88,11 @@ void SquareField::add_rest(std::size_t square, std::size_t surface, const Square
     const CoverSquare at = squares_[square];
     const auto count = static_cast<double>(std::ranges::count(misses, true));
     // In a large square, and where the rest is not known, several rays stand for it.
-    const bool several =
-        count > 0.0 && (!(rest.share > 0.0) || (at.level == 0 && !is_one_sheet(square)));
+    const bool several = count > 0.0 && (at.level == 0 || !(rest.share > 0.0));
     if (!several) return add_part(square, at.ray({.x = rest.x, .y = rest.y}, share));
     for (std::size_t i = 0; i < square_ray_count; ++i) {
         if (misses[i]) add_part(square, at.ray(square_rays[i], share / count));
     }
-}
-
-bool SquareField::is_one_sheet(std::size_t square) {
-    const std::span<const Front> of = fronts(square);
-    const auto in = [of](Front::State state) {
-        return std::ranges::count(of, state, &Front::state);
-    };
-    return in(Front::State::Rooted) <= 1 &&
-           in(Front::State::Rooted) + in(Front::State::Gone) == std::ssize(of);
 }
 
 bool SquareField::go_down() {

@@ -47,11 +47,7 @@ public:
     [[nodiscard]] RayStretch stretch_of(const CoverSquare& square, const Front& front,
                                         const SquareRay& place) const;
 
-    /// `first_roots`: the depth before which each surface surely has no root on the pixel's rays.
-    void begin(const MixedPixel& pixel, std::span<const float> first_roots);
-    /// Whether the hit of the pixel's own ray is the root on that ray of a front that covers all of
-    /// a pixel.
-    [[nodiscard]] bool shows_hit(std::size_t square, const Front& front) const;
+    void begin(const MixedPixel& pixel);
     /// Goes on with the quarters of a square instead of it.
     void divide(std::size_t square);
     /// Goes on behind an edge of a surface with rays beside it, some of `misses`; they stand for
@@ -64,12 +60,6 @@ public:
     bool go_down();
 
 private:
-    /// Whether at most one smooth sheet is left of what a square shows.
-    [[nodiscard]] bool is_one_sheet(std::size_t square);
-    /// The depth of the hit of a pixel's own ray.
-    [[nodiscard]] double hit_of(const MixedPixel& pixel) const;
-    /// `hit`: that depth.
-    [[nodiscard]] double first_step(double hit, const Front& front) const;
     /// Begins a front, no nearer than `front.at`.
     void place(const CoverSquare& square, Front& front) const;
     /// Goes on with a part of a square, or with a ray that stands for one.
@@ -79,7 +69,6 @@ private:
     std::size_t surfaces_;
     std::vector<CoverSquare> squares_, next_squares_, ray_squares_;
     std::vector<Front> fronts_, next_fronts_, ray_fronts_;
-    std::vector<double> hits_;  ///< depths of the hits of whole pixels' own rays
 };
 
 }  // namespace zeroset

@@ -37,11 +37,9 @@ void SquareWalls::narrow() {
         stretches.clear();
         for (const Task& task : tasks_) {
             const Front& front = field_.fronts(task.square)[surface_];
-            for (std::size_t way = 0; way < 2; ++way) {
+            for (std::size_t way = 0; way < 2; ++way)
                 stretches.push_back(
                     field_.stretch_of(field_.square(task.square), front, task.ways.middle(way)));
-                stretches.back().only_whether = true;
-            }
         }
         find_least(frame_, field_.rays(), stretches, counters_);
         for (std::size_t k = 0; k < stretches.size(); ++k) {
@@ -61,7 +59,8 @@ void SquareWalls::show(const Task& task, const LinearOnSquare& line) {
     }
     const double share = part_below_zero(line).share;
     const RayStretch& ray = task.stretches[hit];
-    drafts_.seek(field_.square(task.square), share, ray.bracket(), Certificate::Certified);
+    drafts_.add(field_.square(task.square), square_rays[hit], share, ray.from, ray.at,
+                Certificate::Certified);
     field_.add_rest(task.square, surface_, misses, 1.0 - share, part_below_zero(-line));
 }
 

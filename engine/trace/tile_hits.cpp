@@ -16,10 +16,8 @@ constexpr std::size_t pixels = static_cast<std::size_t>(tile_size) * tile_size;
 
 void PixelCover::clear() {
     if (marked || from.empty()) {
-        for (std::vector<float>* const column : {&from, &to, &other_from, &rest_from})
+        for (std::vector<float>* const column : {&from, &to, &other_from})
             column->assign(pixels, none);
-        other_to.assign(pixels, -none);
-        looked_to.assign(pixels / (block * block), none);
     }
     known = true;
     marked = false;
@@ -30,7 +28,7 @@ std::uint64_t PixelCover::mixed_in_row(int row) const {
     const auto first = static_cast<std::size_t>(row) * tile_size;
     std::array<std::uint8_t, tile_size> is_mixed;
     for (std::size_t col = 0; col < tile_size; ++col) {
-        const float other = before_others(first + col);
+        const float other = other_from[first + col];
         // Bitwise, so that it is done for many pixels at once.
         const bool some = std::min(from[first + col], other) < none;
         const bool covered = to[first + col] < other;

@@ -5,7 +5,6 @@
 
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,30 +27,11 @@ struct PixelCover {
     /// Where one smooth sheet covers the pixel: on every ray f goes through 0 once between these.
     /// +inf: none is known.
     std::vector<float> from, to;
-    /// The nearest stretch in which rays may meet something else; f is continuous there. +inf and
-    /// -inf: there is none.
-    std::vector<float> other_from, other_to;
-    /// From here on rays may meet something about which no more is known; +inf: they do not.
-    std::vector<float> rest_from;
-    /// Behind this, of each square of `block` x `block` pixels, in rows, nobody has looked.
-    static constexpr int block = 4;
-    std::vector<float> looked_to;
+    /// Before this no ray meets anything but that sheet; +inf: nor behind it, as far as it is seen.
+    std::vector<float> other_from;
 
     /// Nothing is marked.
     void clear();
-    /// Before this the rays of a pixel meet nothing but the sheet; +inf: nor behind it, as far as
-    /// it is seen.
-    [[nodiscard]] float before_others(std::size_t pixel) const {
-        return std::min(other_from[pixel], rest_from[pixel]);
-    }
-    /// What of a pixel nobody has looked at begins here.
-    [[nodiscard]] float unknown_from(std::size_t pixel) const {
-        constexpr std::size_t side = tile_size;
-        constexpr std::size_t of_block = block;
-        const std::size_t at =
-            pixel / side / of_block * (side / of_block) + pixel % side / of_block;
-        return std::min(rest_from[pixel], looked_to[at]);
-    }
     /// A bit for each pixel of a row, the first one lowest: whether it may show more than one
     /// smooth sheet, or less.
     [[nodiscard]] std::uint64_t mixed_in_row(int row) const;

@@ -53,8 +53,6 @@ public:
 private:
     static constexpr auto unit = static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-    /// Tells how far blocks of pixels were searched.
-    void end_blocks();
     /// Judges the cells of one size and makes their children.
     void descend(int pixels);
     /// Leaves cells of this size undecided, from one on.
@@ -148,23 +146,9 @@ void BeamTile<Real>::trace() {
     descend(2 * least_pixels);
     look_closer();
     march_rays();
-    if (nearest_.cover.wanted()) end_blocks();
     nearest_.end();
     write_hits();
     nearest_.cover.end();
-}
-
-template <class Real>
-void BeamTile<Real>::end_blocks() {
-    static_assert(PixelCover::block == least_pixels);
-    std::size_t block = 0;
-    for (int row = 0; row < tile_size; row += least_pixels) {
-        for (int col = 0; col < tile_size; col += least_pixels) {
-            const Real found = decltype(waiting_)::farthest(nearest_, col, row);
-            const Real hidden = tree_.hidden_from(CellTile::at(col, row, true), least_pixels);
-            nearest_.cover.end_block(block++, std::min(found, hidden));
-        }
-    }
 }
 
 template <class Real>

@@ -73,7 +73,6 @@ void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& for
     const Real per_kt = std::abs(kt) > 0 ? cells.places.s_radius[linear.cell] / kt : 0;
     const Real from = cells.from[linear.cell];
     const Real to = cells.to[linear.cell];
-    const bool continuous = cells.forms.continuous[linear.cell] != 0;
     // Rays are half a pixel from the centres at most.
     const Real radius = linear.radius + static_cast<Real>(0.5) * std::abs(per_kt) *
                                             (std::abs(form.ku) + std::abs(form.kv));
@@ -85,12 +84,7 @@ void BeamTile<Real>::leave_pixels(const LinearCell& linear, const PixelForm& for
             if (lo > to || middle + radius < from) continue;
             const auto pixel =
                 static_cast<std::size_t>((tile.row() + row) * tile_size + tile.col() + col);
-            const Real hi = middle + radius < to ? middle + radius : to;
-            if (continuous) {
-                nearest_.cover.open(pixel, lo, hi);
-            } else {
-                nearest_.cover.leave(pixel, static_cast<double>(lo));
-            }
+            nearest_.cover.leave(pixel, static_cast<double>(lo));
         }
     }
 }

@@ -60,6 +60,15 @@ public:
         std::erase_if(waiting_, [](const Waiting& cells) { return cells.next == cells.end; });
     }
 
+private:
+    static constexpr std::size_t cells_a_wave = 16;  ///< at least
+
+    struct Waiting {
+        std::uint16_t tile;  ///< its first pixel
+        const Kernel* kernel;
+        std::size_t next, end;  ///< in cells_
+    };
+
     /// The farthest root found of a quarter's pixels; +inf: not all have one.
     static Real farthest(const NearestRoots<Real>& nearest, int col, int row) {
         constexpr int half = pixels / 2;
@@ -73,15 +82,6 @@ public:
         }
         return hn::GetLane(hn::MaxOfLanes(tag, result));
     }
-
-private:
-    static constexpr std::size_t cells_a_wave = 16;  ///< at least
-
-    struct Waiting {
-        std::uint16_t tile;  ///< its first pixel
-        const Kernel* kernel;
-        std::size_t next, end;  ///< in cells_
-    };
 
     std::vector<Waiting> waiting_;
     std::vector<std::size_t> first_;  ///< in waiting_, of each tile

@@ -1,7 +1,5 @@
 #include "engine/antialias/cover_search.hpp"
-#include "engine/antialias/mixed_pixels.hpp"
 #include "engine/real/rounding.hpp"
-#include "engine/render/tracers.hpp"
 #include "engine/trace/tile_grid.hpp"
 #include "tests/support/rays.hpp"
 
@@ -13,7 +11,6 @@
 #include <limits>
 #include <numbers>
 #include <random>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,52 +33,24 @@ Camera from_above() {
             .projection = Projection::Orthographic};
 }
 
-/// What the search is told of pixels.
-enum class Told { Nothing, ByTracer };
-
-/// Adds the pixels to search; to `cover` those of which a tracer has proved that they are covered.
-void find_pixels(Told told, const TraceFrame& frame, const Tile& tile, TileHits& hits,
-                 std::vector<MixedPixel>& pixels, std::vector<double>& cover) {
-    for (int row = 0; row < side && told == Told::Nothing; ++row) {
+/// The part of each pixel that the scene covers.
+std::vector<double> cover_of(const Scene& scene) {
+    const ViewFrame view(from_above());
+    const UpwardRounding upward;
+    const std::vector<TraceFrame> frames{
+        trace_frame(scene, scene.surfaces.front(), view, {.width = side, .height = side}, {})};
+    const Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
+    std::vector<MixedPixel> pixels;
+    for (int row = 0; row < side; ++row) {
         for (int col = 0; col < side; ++col)
             pixels.push_back({.pixel = static_cast<std::uint16_t>(row * tile_size + col),
                               .from = -std::numeric_limits<float>::infinity(),
                               .hit = std::numeric_limits<float>::infinity()});
     }
-    if (told == Told::Nothing) return;
-    Counters counters;
-    hits.clear();
-    tracers().front().trace_tile(frame, tile, hits, counters);
-    ASSERT_TRUE(hits.cover.known);
-    find_mixed(tile, std::span(&hits, 1), pixels);
-    for (int row = 0; row < side; ++row) {
-        for (int col = 0; col < side; ++col) {
-            const auto at = static_cast<std::size_t>(row * tile_size + col);
-            if (std::isfinite(hits.depth[at]))
-                cover[static_cast<std::size_t>(row * side + col)] = 1.0;
-        }
-    }
-}
-
-/// The part of each pixel that the scene covers.
-std::vector<double> cover_of(const Scene& scene, Told told = Told::Nothing) {
-    const ViewFrame view(from_above());
-    const UpwardRounding upward;
-    std::vector<TraceFrame> frames{
-        trace_frame(scene, scene.surfaces.front(), view, {.width = side, .height = side}, {})};
-    frames.front().whole_pixels = true;
-    const Tile tile{.col = 0, .row = 0, .cols = side, .rows = side};
-    std::vector<MixedPixel> pixels;
-    std::vector<double> cover(std::size_t{side} * side, 0.0);
-    TileHits hits;
-    find_pixels(told, frames.front(), tile, hits, pixels, cover);
     std::vector<CoverSample> samples;
     Counters counters;
-    find_cover(frames, tile, std::span(&hits, told == Told::ByTracer ? 1 : 0), pixels, samples,
-               counters);
-    for (const MixedPixel& mixed : pixels)
-        cover[static_cast<std::size_t>(mixed.pixel / tile_size * side + mixed.pixel % tile_size)] =
-            0.0;
+    find_cover(frames, tile, pixels, samples, counters);
+    std::vector<double> cover(std::size_t{side} * side, 0.0);
     for (const CoverSample& sample : samples)
         cover[static_cast<std::size_t>(sample.pixel / tile_size * side +
                                        sample.pixel % tile_size)] +=
@@ -102,18 +71,13 @@ double area_in(int col, int row, const auto& shape) {
     return sum / slices / pixel;
 }
 
-void expect_cover(const Scene& scene, const auto& shape, const std::string& what,
-                  double most_error_told = most_error) {
-    for (const Told told : {Told::Nothing, Told::ByTracer}) {
-        const std::vector<double> cover = cover_of(scene, told);
-        for (int row = 0; row < side; ++row) {
-            for (int col = 0; col < side; ++col) {
-                const double found = cover[static_cast<std::size_t>(row * side + col)];
-                ASSERT_NEAR(found, area_in(col, row, shape),
-                            told == Told::Nothing ? most_error : most_error_told)
-                    << what << " at " << col << ", " << row
-                    << (told == Told::ByTracer ? ", told" : "");
-            }
+void expect_cover(const Scene& scene, const auto& shape, const std::string& what) {
+    const std::vector<double> cover = cover_of(scene);
+    for (int row = 0; row < side; ++row) {
+        for (int col = 0; col < side; ++col) {
+            const double found = cover[static_cast<std::size_t>(row * side + col)];
+            ASSERT_NEAR(found, area_in(col, row, shape), most_error)
+                << what << " at " << col << ", " << row;
         }
     }
 }
@@ -178,10 +142,8 @@ TEST_F(Cover, OfAHalfPlaneThatIsCutOffAslant) {
                 const double end = (offset - (normal.x + 0.1 * normal.z) * x) / normal.y;
                 return normal.y > 0.0 ? std::pair(-2.0, end) : std::pair(end, 2.0);
             };
-            // Begun right before the surface, as a tracer tells, the search sees less of it before
-            // the cut: to 1/128.
-            expect_cover(scene, part, "z " + std::to_string(z) + ", angle " + std::to_string(angle),
-                         2.0 * most_error);
+            expect_cover(scene, part,
+                         "z " + std::to_string(z) + ", angle " + std::to_string(angle));
         }
     }
 }
@@ -219,21 +181,17 @@ TEST_F(Cover, OfAThreadWithoutWidthIsUnbroken) {
         const std::string text = "(" + text_of(std::cos(angle)) + "x + " +
                                  text_of(std::sin(angle)) + "y - " + text_of(offset) +
                                  ")^2 + z^2 = 0";
-        const Scene scene = scene_of(text, Box::cube(1.5));
+        const std::vector<double> cover = cover_of(scene_of(text, Box::cube(1.5)));
         constexpr double half = 0.01 * pixel;
         const auto line = [&](double x) {
             return std::pair((offset - half - x * std::cos(angle)) / std::sin(angle),
                              (offset + half - x * std::cos(angle)) / std::sin(angle));
         };
-        for (const Told told : {Told::Nothing, Told::ByTracer}) {
-            const std::vector<double> cover = cover_of(scene, told);
-            for (int row = 0; row < side; ++row) {
-                for (int col = 0; col < side; ++col) {
-                    const double length = area_in(col, row, line) / 0.02;  // in pixels
-                    const double found = cover[static_cast<std::size_t>(row * side + col)];
-                    ASSERT_NEAR(found, 0.125 * length, 0.02)
-                        << text << " at " << col << ", " << row;
-                }
+        for (int row = 0; row < side; ++row) {
+            for (int col = 0; col < side; ++col) {
+                const double length = area_in(col, row, line) / 0.02;  // in pixels
+                const double found = cover[static_cast<std::size_t>(row * side + col)];
+                ASSERT_NEAR(found, 0.125 * length, 0.02) << text << " at " << col << ", " << row;
             }
         }
     }
@@ -241,10 +199,8 @@ TEST_F(Cover, OfAThreadWithoutWidthIsUnbroken) {
 
 TEST_F(Cover, OfWhatIsNotThereIsNothing) {
     for (const char* const text : {"x^2 + y^2 + z^2 = -1", "z = 5", "1 + exp(x)"}) {
-        for (const Told told : {Told::Nothing, Told::ByTracer}) {
-            for (const double part : cover_of(scene_of(text, Box::cube(1.5)), told))
-                ASSERT_EQ(part, 0.0) << text;
-        }
+        for (const double part : cover_of(scene_of(text, Box::cube(1.5))))
+            ASSERT_EQ(part, 0.0) << text;
     }
 }
 
