@@ -191,8 +191,11 @@ public:
 
     /// Begins to hand on a frame, which must stay as it is until the next wait().
     void begin(const NumberedFrame& drawn) {
-        number_ = drawn.number;
-        taking_ = std::async(std::launch::async, [this, &drawn] { return take_(drawn.shown()); });
+        taking_ = std::async(std::launch::async, [this, &drawn] {
+            auto taken = take_(drawn.shown());
+            if (taken && watch_.on_frame) watch_.on_frame(drawn.number);
+            return taken;
+        });
     }
     /// Waits for the frame that was begun last, if there is one; says why it was not taken.
     std::optional<std::string> wait(FilmWork& work) {
@@ -201,14 +204,12 @@ public:
         const auto taken = taking_.get();
         work.waiting_ms += ms_since(start);
         if (!taken) return taken.error().message;
-        if (watch_.on_frame) watch_.on_frame(number_);
         return std::nullopt;
     }
 
 private:
     const TakeFrame& take_;
     const FilmWatch& watch_;
-    int number_ = 0;
     std::future<std::expected<void, FileError>> taking_;
 };
 

@@ -42,7 +42,8 @@ struct FilmWatch {
     const std::atomic<bool>* cancel = nullptr;
     /// Whether a frame is there already and need not be drawn.
     std::function<bool(int number, const Document& document)> has_frame = {};
-    /// Called after each frame that was taken or is there.
+    /// Called after each frame that was taken or is there, from the thread that took it or the one
+    /// that draws.
     std::function<void(int number)> on_frame = {};
 };
 
