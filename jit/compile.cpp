@@ -192,13 +192,16 @@ std::vector<Piece> pieces_of(const Vectors& vectors, const CompileOptions& optio
     const bool hasty = options.hasty;
     std::vector<Piece> pieces{
         {.vector = vectors.in_float, .kind = KernelKind::Form, .hasty = hasty}};
-    if (!options.quick) pieces.push_back({vectors.in_float, KernelKind::RayForm, hasty});
-    pieces.push_back({vectors.in_float, KernelKind::Newton, hasty});
-    pieces.push_back({vectors.in_double, KernelKind::RayValue, hasty});
+    if (!options.quick)
+        pieces.push_back({.vector = vectors.in_float, .kind = KernelKind::RayForm, .hasty = hasty});
+    pieces.push_back({.vector = vectors.in_float, .kind = KernelKind::Newton, .hasty = hasty});
+    pieces.push_back({.vector = vectors.in_double, .kind = KernelKind::RayValue, .hasty = hasty});
     if (options.with_double) {
-        pieces.push_back({vectors.in_double, KernelKind::Form, hasty});
-        pieces.push_back({vectors.in_double, KernelKind::Newton, hasty});
-        if (!options.quick) pieces.push_back({vectors.in_double, KernelKind::RayForm, hasty});
+        pieces.push_back({.vector = vectors.in_double, .kind = KernelKind::Form, .hasty = hasty});
+        pieces.push_back({.vector = vectors.in_double, .kind = KernelKind::Newton, .hasty = hasty});
+        if (!options.quick)
+            pieces.push_back(
+                {.vector = vectors.in_double, .kind = KernelKind::RayForm, .hasty = hasty});
     }
     return pieces;
 }

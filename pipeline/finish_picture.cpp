@@ -42,7 +42,7 @@ Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const Frame
     std::vector<MarkedPoint> points;
     points.reserve(subject.document.markers.size());
     for (const Marker& marker : subject.document.markers)
-        points.push_back({marker.at, std::to_string(marker.number)});
+        points.push_back({.at = marker.at, .words = std::to_string(marker.number)});
     return marker_shapes(
         points, {.frame = shown, .camera = subject.camera, .size = canvas_of(size)}, style);
 }

@@ -76,8 +76,10 @@ void DocumentMesher::add(std::size_t index, SurfaceSolid surface, std::size_t le
         result_.unproved += made.report.unproved + made.report.rough + made.report.proved;
         return;
     }
-    result_.surfaces.push_back(
-        {.number = surface.number, .text = surface.text, .report = std::move(made.report)});
+    result_.surfaces.push_back({.number = surface.number,
+                                .text = surface.text,
+                                .report = std::move(made.report),
+                                .facts = {}});
     measure(made.mesh, result_.surfaces.back());
     MeshObject object{.name = std::move(surface.text), .mesh = std::move(made.mesh)};
     color_object(scene_, index, request_.camera.eye, object);

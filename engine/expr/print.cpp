@@ -76,7 +76,7 @@ private:
         const int precedence = pieces_of(id, pieces);
         if (precedence < least) {
             pieces.insert(pieces.begin(), Piece{.text = "("});
-            pieces.push_back({")"});
+            pieces.push_back({.text = ")"});
         }
         for (Piece& piece : std::views::reverse(pieces))
             pending_.push_back(std::move(piece));
@@ -93,11 +93,11 @@ private:
             // Text of many operands names few numbers, again and again.
             const auto [known, is_new] = constants_.try_emplace(id);
             if (is_new) known->second = constant(node);
-            pieces.push_back({known->second});
+            pieces.push_back({.text = known->second});
             return pieces.back().text.starts_with('-') ? Sign : Atom;
         }
         if (node.op == Op::Variable) {
-            pieces.push_back({spelled(variable_name(node.number, parameters_))});
+            pieces.push_back({.text = spelled(variable_name(node.number, parameters_))});
             return Atom;
         }
         const OpInfo& info = op_info(node.op);
@@ -158,10 +158,10 @@ private:
         legs.push_back(inner->a);
         legs.push_back(inner->b);
         for (auto leg = legs.rbegin(); leg != legs.rend(); ++leg) {
-            pieces.push_back({leg == legs.rbegin() ? "sqrt(" : "^2 + "});
+            pieces.push_back({.text = leg == legs.rbegin() ? "sqrt(" : "^2 + "});
             pieces.push_back(operand(*leg, Atom));
         }
-        pieces.push_back({"^2)"});
+        pieces.push_back({.text = "^2)"});
         return Atom;
     }
 
@@ -211,10 +211,10 @@ private:
         pieces = {{.text = std::string(info.spelling) + "("}, operand(node.a, Or)};
         for (const NodeId further : {node.b, node.c}) {
             if (static_cast<int>(pieces.size()) >= 2 * info.arity) break;
-            pieces.push_back({", "});
+            pieces.push_back({.text = ", "});
             pieces.push_back(operand(further, Or));
         }
-        pieces.push_back({")"});
+        pieces.push_back({.text = ")"});
         return Atom;
     }
 

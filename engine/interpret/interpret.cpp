@@ -142,8 +142,8 @@ Kernel interpret(const Expr& expr, std::vector<Facts> facts, Parts parts) {
 }
 
 PointFunction interpret_points(const Expr& expr) {
-    return {interpreter_code().points,
-            std::make_shared<const Tape>(
+    return {.call = interpreter_code().points,
+            .code = std::make_shared<const Tape>(
                 std::make_shared<const TapeGraph>(expr, facts_of(expr), Parts{}))};
 }
 

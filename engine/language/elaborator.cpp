@@ -288,7 +288,7 @@ bool Elaborator::add_surface(std::size_t statement, NodeId root) {
              "there are more than " + std::to_string(ProgramLimits::surfaces) + " surfaces");
         return false;
     }
-    surfaces_.push_back({statement, root});
+    surfaces_.push_back({.statement = statement, .root = root});
     return true;
 }
 

@@ -74,8 +74,9 @@ Elaborator::Built Elaborator::library_call(const Syntax& syntax, const Binding* 
     std::vector<Binding> names;
     names.reserve(arguments->size());
     for (std::size_t i = 0; i < arguments->size(); ++i) {
-        names.push_back(
-            {function.arguments[i], {(*arguments)[i], false}, i == 0 ? nullptr : &names[i - 1]});
+        names.push_back({.name = function.arguments[i],
+                         .value = {.id = (*arguments)[i], .condition = false},
+                         .outer = i == 0 ? nullptr : &names[i - 1]});
     }
     const auto outer = library_offset_;
     library_offset_ = outer.value_or(syntax.offset);
@@ -99,7 +100,7 @@ Elaborator::Built Elaborator::kept_value(const Syntax& syntax, const Binding* sc
         return done(builder_.constant(1.0), syntax.offset);
     }
     const auto kept = kept_.find(*index);
-    if (kept != kept_.end()) return Value{kept->second, false};
+    if (kept != kept_.end()) return Value{.id = kept->second, .condition = false};
     return fail(syntax.offset, "csd reads what no psh before it keeps",
                 "type psh(i, a) for the same i before it");
 }
@@ -142,8 +143,9 @@ Elaborator::Built Elaborator::repeated(const Syntax& syntax, const Binding* scop
         return fail(syntax.offset, name + " has no terms", "let m be at most n");
     NodeId total = builder_.constant(kind == Composed::Sum ? 0.0 : 1.0);
     for (double i = *bounds[0]; i <= *bounds[1]; ++i) {
-        const Binding binding{
-            .name = index.text, .value = {builder_.constant(i), false}, .outer = scope};
+        const Binding binding{.name = index.text,
+                              .value = {.id = builder_.constant(i), .condition = false},
+                              .outer = scope};
         if (!done(binding.value.id, index.offset)) return std::nullopt;
         const Number term = number(syntax.operands[0], &binding);
         if (!term) return std::nullopt;
@@ -191,14 +193,16 @@ std::size_t Elaborator::CallHash::operator()(const Call& call) const {
 
 Elaborator::Built Elaborator::function_value(Definition& definition,
                                              const std::vector<NodeId>& arguments) {
-    const auto [entry, is_new] = calls_.try_emplace(Call{&definition, arguments}, Value{0, false});
+    const auto [entry, is_new] =
+        calls_.try_emplace(Call{&definition, arguments}, Value{.id = 0, .condition = false});
     Value& known = entry->second;
     if (!is_new) return known;
     std::vector<Binding> scope;
     scope.reserve(arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        scope.push_back(
-            {definition.arguments[i], {arguments[i], false}, i == 0 ? nullptr : &scope[i - 1]});
+        scope.push_back({.name = definition.arguments[i],
+                         .value = {.id = arguments[i], .condition = false},
+                         .outer = i == 0 ? nullptr : &scope[i - 1]});
     }
     definition.in_progress = true;
     const std::size_t outer = std::exchange(statement_, definition.statement);

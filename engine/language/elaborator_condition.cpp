@@ -56,7 +56,7 @@ Elaborator::Built Elaborator::compare(const Syntax& syntax, const Binding* scope
         left = right;
     }
     if (!left) return std::nullopt;
-    return Value{*all, true};
+    return Value{.id = *all, .condition = true};
 }
 
 Elaborator::Number Elaborator::compared(char mark, const Value& left, const Value& right,
@@ -114,7 +114,7 @@ Elaborator::Built Elaborator::connected(const Syntax& syntax, Op op, const Bindi
         if (!done(*all, syntax.offset)) return std::nullopt;
     }
     if (!all) return std::nullopt;
-    return Value{*all, true};
+    return Value{.id = *all, .condition = true};
 }
 
 Elaborator::Built Elaborator::cases(const Syntax& syntax, const Binding* scope) {
@@ -134,7 +134,7 @@ Elaborator::Built Elaborator::cases(const Syntax& syntax, const Binding* scope) 
         if (!done(*value, syntax.offset)) return std::nullopt;
     }
     if (!value) return std::nullopt;
-    return Value{*value, false};
+    return Value{.id = *value, .condition = false};
 }
 
 }  // namespace zeroset

@@ -130,7 +130,8 @@ void DefinitionTable::collect_uses(SyntaxId id, Bound& bound) {
         const auto count = bound.find(syntax.text);
         return count != bound.end() && count->second > 0;
     };
-    if (calls || (syntax.kind == SyntaxKind::Name && !is_bound())) uses_.push_back({id, calls});
+    if (calls || (syntax.kind == SyntaxKind::Name && !is_bound()))
+        uses_.push_back({.at = id, .calls = calls});
     if (syntax.kind == SyntaxKind::Let) {
         collect_uses(syntax.operands[0], bound);
         ++bound[syntax.text];

@@ -54,7 +54,7 @@ Elaborator::Built Elaborator::done(NodeId id, std::size_t offset, bool condition
             return fail(offset, "this is not a number: " + why_undefined(node));
         }
     }
-    return Value{id, condition};
+    return Value{.id = id, .condition = condition};
 }
 
 Elaborator::Built Elaborator::build(SyntaxId id, const Binding* scope) {
@@ -163,7 +163,7 @@ Elaborator::Built Elaborator::built_in(std::string_view name) {
         return make_divide(builder_, make_add(builder_, builder_.constant(1.0), root5),
                            builder_.constant(2.0));
     };
-    return Value{value(), false};
+    return Value{.id = value(), .condition = false};
 }
 
 Elaborator::Built Elaborator::parameter(const std::string& name, std::size_t offset) {
@@ -219,7 +219,7 @@ bool Elaborator::settle(Definition& definition) {
             Definition* const needed = table_.meant(use, stack.back().of->statement);
             if (needed == nullptr || needed->settled) continue;
             needed->settled = true;
-            stack.push_back({needed, 0});
+            stack.push_back({.of = needed, .next = 0});
             continue;
         }
         Definition& known = *stack.back().of;
@@ -252,7 +252,7 @@ Elaborator::Built Elaborator::sum(const Syntax& syntax, const Binding* scope) {
         if (!done(*total, tree_[syntax.operands[i]].offset)) return std::nullopt;
     }
     if (!total) return std::nullopt;
-    return Value{*total, false};
+    return Value{.id = *total, .condition = false};
 }
 
 Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope) {
@@ -276,7 +276,7 @@ Elaborator::Built Elaborator::product(const Syntax& syntax, const Binding* scope
         if (!done(*total, offset)) return std::nullopt;
     }
     if (!total) return std::nullopt;
-    return Value{*total, false};
+    return Value{.id = *total, .condition = false};
 }
 
 /// Whether a divisor is a name whose value is 0; sets the error if so.

@@ -114,7 +114,9 @@ Parts parts_of(const Expr& expr, std::span<const Facts> facts, std::size_t most_
         parts.shapes.push_back(maker.make());
         for (const Skeleton& part : group) {
             parts.of_node[part.root] = static_cast<std::uint32_t>(parts.parts.size());
-            parts.parts.push_back({part.root, parts.shapes.size() - 1, maker.uniforms_of(part)});
+            parts.parts.push_back({.root = part.root,
+                                   .shape = parts.shapes.size() - 1,
+                                   .uniforms = maker.uniforms_of(part)});
         }
     }
     return parts;

@@ -9,7 +9,8 @@ ShapeMemory::Known& ShapeMemory::note(const Skeleton& skeleton) {
     std::string key = skeleton.key();
     const auto found = std::ranges::find(known_, key, &Known::key);
     if (found == known_.end()) {
-        known_.push_front({std::move(key), skeleton, VaryingPlaces(skeleton)});
+        known_.push_front(
+            {.key = std::move(key), .first = skeleton, .varying = VaryingPlaces(skeleton)});
     } else {
         known_.splice(known_.begin(), known_, found);
         known_.front().varying.add(known_.front().first, skeleton);
@@ -27,7 +28,7 @@ std::vector<std::optional<ShapedGraph>> ShapeMemory::shape(std::span<const Expr>
     for (const Expr& graph : graphs) {
         Skeleton skeleton = skeleton_of(graph);
         const Known& known = note(skeleton);
-        noted.push_back({std::move(skeleton), &known});
+        noted.push_back({.skeleton = std::move(skeleton), .known = &known});
     }
     std::vector<std::optional<ShapedGraph>> shapes;
     for (const auto& [skeleton, known] : noted) {

@@ -37,7 +37,7 @@ std::vector<NodeId> in_order(const TapeGraph& graph, NodeId root) {
             continue;
         }
         const NodeId operand = operands_of(graph.expr.node(visit.id))[visit.next++];
-        if (!seen[operand]) stack.push_back({operand, 0});
+        if (!seen[operand]) stack.push_back({.id = operand, .next = 0});
         seen[operand] = true;
     }
     return order;

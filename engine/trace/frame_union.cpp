@@ -159,8 +159,9 @@ FrameUnion::FrameUnion(const TraceFrame& frame, const UnionParts& union_parts) :
         const Box box = box_of(reach.box);
         const bool enclosed = reach.within && tells_of_faces &&
                               (frame.view.parallel() || outside(frame.view.eye, box, spare));
-        members_.push_back(
-            {seen(frame, union_parts.kernels()[i], box, spare), reach.continuous, enclosed});
+        members_.push_back({.in_view = seen(frame, union_parts.kernels()[i], box, spare),
+                            .continuous = reach.continuous,
+                            .enclosed = enclosed});
     }
     std::ranges::stable_sort(members_, {},
                              [](const Member& member) { return member.in_view.from; });

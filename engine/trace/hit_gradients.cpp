@@ -36,8 +36,8 @@ public:
 
     std::vector<Sample> at(std::span<const glm::dvec3> points) {
         set(points);
-        std::vector<Sample> samples(points.size(),
-                                    {std::numeric_limits<double>::infinity(), glm::dvec3(0.0)});
+        std::vector<Sample> samples(points.size(), {.f = std::numeric_limits<double>::infinity(),
+                                                    .gradient = glm::dvec3(0.0)});
         if (frame_.union_members.empty()) take(frame_.kernel, samples);
         for (const UnionMember& part : frame_.union_members)
             take(*part.kernel, samples);
@@ -189,7 +189,10 @@ void GradientSearch::take_jumps() {
     std::vector<JumpPlace> places;
     places.reserve(jumps_.size());
     for (const Seeker& seeker : jumps_)
-        places.push_back({seeker.start, seeker.direction, seeker.pixel_size, seeker.trend});
+        places.push_back({.position = seeker.start,
+                          .direction = seeker.direction,
+                          .pixel_size = seeker.pixel_size,
+                          .trend = seeker.trend});
     const auto values = [&](const std::vector<glm::dvec3>& points) {
         std::vector<double> result;
         for (const Sample& sample : ask(points))

@@ -89,11 +89,11 @@ OpenView::OpenView(const TraceFrame& frame, const OpenSpace& space)
         const glm::dvec3 at(cell % side, cell / side % side, cell / side / side);
         const glm::dvec3 centre = box.lo + (2.0 * at + 1.0) * half - view.eye;
         const double along = glm::dot(centre, view.forward);
-        const Ends z{along - along_half, along + along_half};
+        const Ends z{.lo = along - along_half, .hi = along + along_half};
         const double x = glm::dot(centre, view.right);
         const double y = glm::dot(centre, view.up);
-        Ends across{x - right_half, x + right_half};
-        Ends upwards{y - up_half, y + up_half};
+        Ends across{.lo = x - right_half, .hi = x + right_half};
+        Ends upwards{.lo = y - up_half, .hi = y + up_half};
         Seen seen{.first_col = 0,
                   .last_col = unbounded,
                   .first_row = 0,

@@ -70,7 +70,7 @@ void TileHits::push(Pixel at, const std::array<double, 3>& where, float distance
     any = true;
     depth[at.index()] = distance;
     certificate[at.index()] = known;
-    points.push_back({at.index(), where});
+    points.push_back({.pixel = at.index(), .position = where});
 }
 
 void TileHits::mark_unsettled(Pixel at, float distance) {

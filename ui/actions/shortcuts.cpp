@@ -22,7 +22,7 @@ const std::vector<Binding>& bindings() {
         std::vector<Binding> found;
         for (const Action& action : actions()) {
             for (const Chord& chord : chords_of(action.keys))
-                found.push_back({&action, chord});
+                found.push_back({.action = &action, .chord = chord});
         }
         return found;
     }();

@@ -34,12 +34,18 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .run = action.run});
     }
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
-        lines.push_back({state.shown.gallery[i].title, state.shown.gallery[i].group, true, false,
-                         [i](UiState& changed) { changed.wishes.gallery_item = i; }});
+        lines.push_back({.text = state.shown.gallery[i].title,
+                         .hint = state.shown.gallery[i].group,
+                         .enabled = true,
+                         .is_on = false,
+                         .run = [i](UiState& changed) { changed.wishes.gallery_item = i; }});
     }
     for (const std::string& path : state.shown.document.recent) {
-        lines.push_back({std::filesystem::path(path).filename().string(), "recent file", true,
-                         false, [path](UiState& changed) { changed.wishes.open_path = path; }});
+        lines.push_back({.text = std::filesystem::path(path).filename().string(),
+                         .hint = "recent file",
+                         .enabled = true,
+                         .is_on = false,
+                         .run = [path](UiState& changed) { changed.wishes.open_path = path; }});
     }
     return lines;
 }

@@ -60,9 +60,11 @@ const std::vector<HelpSection>& keys_help() {
         for (const Action& action : actions()) {
             if (*action.keys == '\0') continue;
             auto section = std::ranges::find(all, action.section, &HelpSection::title);
-            if (section == all.end()) section = all.insert(all.end(), {action.section, {}});
+            if (section == all.end())
+                section = all.insert(all.end(), {.title = action.section, .entries = {}});
             const bool named = *action.about == '\0';
-            section->entries.push_back({action.keys, named ? action.name : action.about});
+            section->entries.push_back(
+                {.typed = action.keys, .meaning = named ? action.name : action.about});
         }
         return all;
     }();

@@ -30,10 +30,10 @@ std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture&
     std::vector<MarkedPoint> points;
     for (const Marker& marker : edited.document.markers) {
         const bool selected = marker.number == edited.selected_marker;
-        points.push_back(
-            {marker.at,
-             selected ? full_text(marker, view, *picture.frame) : std::to_string(marker.number),
-             selected});
+        points.push_back({.at = marker.at,
+                          .words = selected ? full_text(marker, view, *picture.frame)
+                                            : std::to_string(marker.number),
+                          .selected = selected});
     }
     return points;
 }

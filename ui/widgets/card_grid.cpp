@@ -33,7 +33,7 @@ std::vector<Card> cards_of(const std::vector<GalleryEntry>& gallery, const std::
         int found = 0;
         for (std::size_t i = 0; i < gallery.size(); ++i) {
             if (gallery[i].group != group || !is_found(gallery[i], search)) continue;
-            cards.push_back({i, row + found / columns, found % columns});
+            cards.push_back({.item = i, .row = row + found / columns, .col = found % columns});
             ++found;
         }
         row += (found + columns - 1) / columns;

@@ -106,7 +106,7 @@ void MarkReader::read_token(std::size_t at) {
     const bool parts = is_symbol(token, {"|"}) || is_connective(token);
     if (parts) end_operand_behind_comma();
     if (is_symbol(token, {"|"})) {
-        frame().bars.push_back({at, frame().comparisons + frame().equals});
+        frame().bars.push_back({.at = at, .comparisons = frame().comparisons + frame().equals});
     } else if (is_symbol(token, {"?"})) {
         end_part();
         ++frame().choices;

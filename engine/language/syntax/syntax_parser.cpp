@@ -245,8 +245,12 @@ bool SyntaxParser::next_is_one_of(std::initializer_list<std::string_view> symbol
 
 SyntaxId SyntaxParser::add(SyntaxKind kind, std::size_t offset, std::vector<SyntaxId> operands,
                            std::string_view marks, std::string_view text) {
-    tree_.nodes.push_back(
-        {kind, offset, std::string(text), std::move(operands), std::string(marks), nullptr});
+    tree_.nodes.push_back({.kind = kind,
+                           .offset = offset,
+                           .text = std::string(text),
+                           .operands = std::move(operands),
+                           .marks = std::string(marks),
+                           .function = nullptr});
     return static_cast<SyntaxId>(tree_.nodes.size() - 1);
 }
 

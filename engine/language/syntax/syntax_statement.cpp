@@ -266,7 +266,7 @@ bool SyntaxParser::local_value(std::vector<LocalValue>& locals) {
         take();
         const Parsed value = choice();
         if (!value) return false;
-        locals.push_back({full_name(name), name.offset, *value});
+        locals.push_back({.name = full_name(name), .offset = name.offset, .value = *value});
         if (next().kind == TokenKind::Break) return true;
     } while (is_certain && declares_more() && take().kind == TokenKind::Symbol);
     fail(next(), "';' is missing behind a value in a function's braces", "type NAME = value;");

@@ -12,7 +12,7 @@ constexpr std::size_t most_notes_of_reading = 8;  // in one reading, without rep
 }  // namespace
 
 void Notes::add(std::size_t offset, std::string text) {
-    if (notes_.size() < most_notes) notes_.push_back({offset, std::move(text)});
+    if (notes_.size() < most_notes) notes_.push_back({.offset = offset, .text = std::move(text)});
 }
 
 void Notes::hand_over(std::vector<Reading>& readings) {

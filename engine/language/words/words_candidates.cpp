@@ -173,7 +173,7 @@ std::vector<std::string> indices_in(Tokens statement) {
                 i > 0 && statement[i - 1].kind == TokenKind::Name
                     ? find_function(in_small_letters(statement[i - 1].text))
                     : nullptr;
-            open.push_back({function != nullptr && function->repeats(), 0});
+            open.push_back({.repeats = function != nullptr && function->repeats(), .commas = 0});
         } else if (open.empty()) {
             continue;
         } else if (is_closer(token)) {

@@ -55,7 +55,7 @@ Expr with_collected_terms(const Expr& expr, const SampleRegion& region) {
     std::vector<Way> ways;
     for (Expr& form : ways_to_write(expr)) {
         const double time = time_of_cell(form);
-        if (time <= most) ways.push_back({std::move(form), time});
+        if (time <= most) ways.push_back({.form = std::move(form), .time = time});
     }
     if (ways.empty()) return expr;
     std::ranges::sort(ways, {}, &Way::time);

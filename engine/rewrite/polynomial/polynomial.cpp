@@ -111,7 +111,8 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     terms.reserve(a.terms().size() * b.terms().size());
     for (const Term& left : a.terms()) {
         for (const Term& right : b.terms()) {
-            terms.push_back({left.monomial + right.monomial, left.coefficient * right.coefficient});
+            terms.push_back({.monomial = left.monomial + right.monomial,
+                             .coefficient = left.coefficient * right.coefficient});
         }
     }
     return Polynomial::of(std::move(terms));

@@ -47,9 +47,9 @@ void collect_summands(const AnalysedExpr& graph, NodeId id, const Interval<doubl
     } else if (node.op == Op::Multiply && constant(node.b)) {
         collect_summands(graph, node.a, factor * *constant(node.b), sum);
     } else if (node.op == Op::IntPower && node.number > 0) {
-        sum.summands.push_back({factor, node.a, node.number});
+        sum.summands.push_back({.factor = factor, .base = node.a, .exponent = node.number});
     } else {
-        sum.summands.push_back({factor, id, 1});
+        sum.summands.push_back({.factor = factor, .base = id, .exponent = 1});
     }
 }
 

@@ -119,7 +119,8 @@ private:
         for (std::size_t i = 0; i < roots_.size(); ++i) {
             const double cost = time_of_cell(joint_, roots_[i], facts);
             const auto [boxes, width] = works[i];
-            ratings.push_back({boxes, cost * (1.0 + boxes + width_weight * width)});
+            ratings.push_back(
+                {.boxes = boxes, .time = cost * (1.0 + boxes + width_weight * width)});
         }
         return ratings;
     }

@@ -149,7 +149,7 @@ void RootFinder<Real>::finish(std::size_t i, double lo, double hi, double s, boo
         open_.back().from = lo;
         open_.back().to = hi;
     } else if (!proved) {
-        doubts_.push_back({bracket.pixel, lo, hi, bracket.kernel});
+        doubts_.push_back({.pixel = bracket.pixel, .from = lo, .to = hi, .kernel = bracket.kernel});
     } else {
         if (!narrow) counters_.coarse_width = std::max(counters_.coarse_width, hi - lo);
         add(i, s, narrow ? Certificate::Certified : Certificate::Coarse);
@@ -247,7 +247,10 @@ void RootFinder<Real>::solve() {
     // Doubt those that it was stopped at.
     for (std::size_t i = 0; i < size_; ++i) {
         const RootBracket& bracket = brackets_[i];
-        doubts_.push_back({bracket.pixel, bracket.from, bracket.to, bracket.kernel});
+        doubts_.push_back({.pixel = bracket.pixel,
+                           .from = bracket.from,
+                           .to = bracket.to,
+                           .kernel = bracket.kernel});
     }
     size_ = 0;
 }
