@@ -15,8 +15,18 @@ namespace {
 /// The share of a first picture that may be left out.
 constexpr double most_left_out = 0.25;
 
-/// The side of a trial for each of a first picture.
+/// The side of a trial for each of a first picture; of long formulas, too.
 constexpr double trial_side = 0.25;
+constexpr double trial_side_of_long = 0.125;
+/// Above these steps of the interpreter a formula is long.
+constexpr std::size_t long_steps = 90;
+
+/// The pixels of a trial are so large that finer cells along rays do not show.
+constexpr double trial_d_stop = 12.0;
+
+bool are_interpreted(const std::vector<Kernel>& surfaces) {
+    return std::ranges::any_of(surfaces, &Kernel::interpreted);
+}
 
 }  // namespace
 
@@ -88,7 +98,7 @@ RenderJob::Work RenderJob::begin(RenderRequest request) {
     work.finds_range = has_range(coloring.by) && !coloring.range;
     if (!have_same_code(drawing_.surfaces, surfaces)) {
         work.is_new = !work.request.again;
-        governor_.forget(std::ranges::any_of(surfaces, &Kernel::interpreted));
+        governor_.forget(are_interpreted(surfaces));
         shadowed_.forget();
     }
     drawing_.surfaces = surfaces;
@@ -121,7 +131,7 @@ std::shared_ptr<const Framebuffer> RenderJob::draw_firsts(Work& work) {
     const std::size_t pixels = work.request.pixels();
     std::shared_ptr<const Framebuffer> last;
     double scale = governor_.choose(pixels);
-    if (work.is_new && governor_.is_slow() && !draw_trial(work, scale)) return nullptr;
+    if (work.is_new && !governor_.is_known() && !draw_trial(work, scale)) return nullptr;
     auto within = pace_.first_within;
     constexpr int most_tries = 3;
     for (int tries = 1; tries <= most_tries; ++tries) {
@@ -163,9 +173,17 @@ bool RenderJob::draw_trial(const Work& work, double scale) {
         const double expected = governor_.expected_ms(static_cast<std::size_t>(pixels));
         return expected > pace_.trial_shown_from_ms;
     };
-    const First trial = draw_first(work, trial_side * scale, pace_.first_within, is_long);
+    const std::vector<Kernel>& surfaces = work.request.scene.surfaces;
+    std::size_t steps = 0;
+    for (const Kernel& surface : surfaces)
+        steps += surface.steps;
+    const double side = steps > long_steps ? trial_side_of_long : trial_side;
+    Work coarse = work;
+    StopCriterion& stop = coarse.request.settings.stop;
+    if (stop.rule == StopRule::DStop) stop.value = std::min(stop.value, trial_d_stop);
+    const First trial = draw_first(coarse, side * scale, pace_.first_within, is_long);
     // Few pixels tell little of what many cost.
-    governor_.forget(true);
+    governor_.forget(are_interpreted(surfaces));
     return trial.frame != nullptr && rests(work);
 }
 

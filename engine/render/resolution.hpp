@@ -22,8 +22,8 @@ public:
         slow_ = slow;
     }
 
-    /// Whether nothing is known of a formula that may be slow.
-    [[nodiscard]] bool is_slow() const { return slow_ && !known_; }
+    /// Whether a picture of the formula has been measured.
+    [[nodiscard]] bool is_known() const { return known_; }
     /// The time that a picture of so many pixels is expected to take; 0 where nothing is known.
     [[nodiscard]] double expected_ms(std::size_t pixels) const;
 

@@ -150,6 +150,19 @@ TEST(RenderJob, ShowsATrialOfWhatWillTakeLong) {
     }
 }
 
+TEST(RenderJob, ShowsASmallerTrialOfALongFormula) {
+    RenderPace pace = whole_pictures();
+    pace.trial_shown_from_ms = 0.0;
+    std::string text = "x^2 + y^2 + z^2";
+    for (int i = 1; i <= 40; ++i)
+        text += " + sin(" + std::to_string(i) + "*x)";
+    Watched watched(pace);
+    const auto number = watched.job.submit(request_for(text + " = 4", 128, 64));
+    const auto first = watched.pictures_to(number).front();
+    EXPECT_EQ(first.frame->width, 2);
+    EXPECT_EQ(first.frame->height, 1);
+}
+
 TEST(RenderJob, DrawsOnlyQuickPicturesWhileSomethingMoves) {
     Watched watched(restless());
     const RenderRequest request = request_for("x^2 + y^2 + z^2 = 1", 160, 160);
