@@ -9,6 +9,7 @@ from xml.etree import ElementTree
 from zeroset_program import ProgramTest, run
 
 SPHERE = "x^2 + y^2 + z^2 = 1"
+PLENTY = ["--budget", "600"]  # of seconds, however busy the machine is
 CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 MATERIAL = "{http://schemas.microsoft.com/3dmanufacturing/material/2015/02}"
 
@@ -88,7 +89,7 @@ def read_glb(path):
 class MeshTest(ProgramTest):
     def mesh(self, name, *arguments, equation=SPHERE):
         path = self.folder / name
-        self.run_ok("mesh", equation, "-o", path, "--tolerance", "0.02", *arguments)
+        self.run_ok("mesh", equation, "-o", path, "--tolerance", "0.02", *PLENTY, *arguments)
         return path
 
     def check(self, points, triangles, size, wanted_volume):
@@ -153,7 +154,7 @@ class MeshTest(ProgramTest):
 
     def test_stats(self):
         path = self.folder / "a.stl"
-        result = self.run_ok("mesh", "@tangle", "-o", path, "--tolerance", "0.05", "--stats", "-")
+        result = self.run_ok("mesh", "@tangle", "-o", path, "--tolerance", "0.05", "--stats", "-", *PLENTY)
         stats = json.loads(result.out)
         surface = stats["surfaces"][0]
         self.assertEqual((surface["euler"], surface["genus"], surface["components"]), (-8, 5, 1))
@@ -164,15 +165,16 @@ class MeshTest(ProgramTest):
     def test_smallest_wall_of_a_shell_is_told(self):
         shell = "(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - 0.81) = 0"
         out = self.folder / "a.stl"
-        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.002", "--stats", "-")
+        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.002", "--stats", "-",
+                             *PLENTY)
         surface = json.loads(result.out)["surfaces"][0]
         self.assertAlmostEqual(surface["smallest_wall"]["mm"], 5, delta=0.2)
         self.assertAlmostEqual(surface["smallest_wall"]["thickness"], 0.1, delta=0.004)
         distance = sum(c * c for c in surface["smallest_wall"]["at"]) ** 0.5
         self.assertAlmostEqual(distance, 0.95, delta=0.01)
-        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.01")
+        result = self.run_ok("mesh", shell, "-o", out, "--tolerance", "0.01", *PLENTY)
         self.assertRegex(result.out, r"smallest wall 4\.\d+ mm near ")
-        result = self.run_ok("mesh", "z = x*y", "-o", out, "--open", "--tolerance", "0.05")
+        result = self.run_ok("mesh", "z = x*y", "-o", out, "--open", "--tolerance", "0.05", *PLENTY)
         self.assertNotIn("smallest wall", result.out)
 
     def test_a_budget_that_is_too_small_leaves_a_closed_mesh(self):
