@@ -8,6 +8,7 @@
 #include "ui/pages/dialogs.hpp"
 #include "ui/pages/gallery_page.hpp"
 #include "ui/pages/help_panel.hpp"
+#include "ui/pages/tour.hpp"
 #include "ui/panels/side_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/picture/axis_gizmo.hpp"
@@ -45,6 +46,7 @@ void draw_screen(UiState& state, const Texture& picture) {
         follow_shortcuts(state);
         follow_help_keys(pages.help, state.input);
         follow_export_keys(state);
+        follow_tour_keys(state);
     }
     follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
@@ -52,6 +54,7 @@ void draw_screen(UiState& state, const Texture& picture) {
     draw_side_panel(state);
     draw_status_panel(state.edited, state.shown);
     draw_help_panel(pages.help, state.shown.language_help, theme);
+    draw_tour(state);
     draw_export_page(state);
     draw_gallery_page(state);
     draw_command_palette(state);

@@ -61,6 +61,7 @@ int open_window(const std::string& equation, const ViewText& view, const TraceTe
                 const std::string& latency_log) {
     auto options = read_desktop_options(equation, view, trace, TextErrors::Refused);
     if (!options) return report(options.error());
+    options->tour = equation.empty();
     if (!latency_log.empty()) {
         const auto writable = check_writable(latency_log);
         if (!writable) return report_run_time(writable.error().message);

@@ -76,6 +76,8 @@ ui::UiState first_state(const DesktopOptions& options) {
                                        .source = item.source});
     const auto formats = export_formats();
     state.shown.export_formats.assign(formats.begin(), formats.end());
+    state.edited.tour_seen = options.tour_seen;
+    if (options.tour) ui::action_named("Tour of the window").run(state);
     for (const ui::Action* const action : options.actions)
         action->run(state);
     return state;
@@ -110,7 +112,8 @@ Preferences Desktop::preferences() const {
     return {.layout = state_.edited.layout,
             .theme = chosen,
             .last_theme = state_.edited.theme,
-            .window = window_.size()};
+            .window = window_.size(),
+            .tour_seen = state_.edited.tour_seen};
 }
 
 double Desktop::now_s() const {

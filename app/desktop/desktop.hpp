@@ -42,6 +42,8 @@ struct DesktopOptions {
     TraceSettings settings;  ///< all settings but those that the document has
     ui::Theme theme = ui::Theme::Dark;
     bool follows_desktop = false;  ///< the theme follows the desktop's
+    bool tour = false;             ///< begins with the tour of the window
+    bool tour_seen = true;         ///< the tour was ended in another window
     bool on_desktop = false;       ///< the window is on a desktop, which may have a portal
     ui::Layout layout;
     std::vector<const ui::Action*> actions;  ///< run before the first frame

@@ -75,6 +75,8 @@ Preferences load_preferences(const fs::path& folder) {
     window.height =
         static_cast<int>(number_in(file, "height", ui::min_height, largest_side, window.height));
     window.maximized = flag_in(file, "maximized", window.maximized);
+    // Who has a file knows the window.
+    result.tour_seen = flag_in(file, "tour_seen", !file.empty());
     return result;
 }
 
@@ -86,6 +88,7 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
         {"width", window.width},
         {"height", window.height},
         {"maximized", window.maximized},
+        {"tour_seen", preferences.tour_seen},
         {"panel_em", preferences.layout.panel_em}};
     for (const auto& [name, flag] : switches)
         file[name] = preferences.layout.*flag;

@@ -16,6 +16,7 @@ struct Preferences {
     std::optional<ui::Theme> theme;          ///< nothing: the desktop's theme
     ui::Theme last_theme = ui::Theme::Dark;  ///< used until the desktop has answered
     ui::WindowSize window;
+    bool tour_seen = false;  ///< the window's tour has been ended, or was not wanted
     bool operator==(const Preferences&) const = default;
 };
 

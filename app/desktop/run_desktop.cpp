@@ -34,6 +34,8 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
     taken_over.layout = before.layout;
     taken_over.theme = before.theme.value_or(before.last_theme);
     taken_over.follows_desktop = !before.theme;
+    taken_over.tour = options.tour && !before.tour_seen;
+    taken_over.tour_seen = before.tour_seen;
     Desktop desktop(**window, taken_over);
     PreferencesFile kept(folder, before);
     while (!desktop.closed()) {

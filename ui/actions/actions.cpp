@@ -428,6 +428,13 @@ constexpr auto table = std::to_array<Action>({
      .about = "formulas and keys; again closes it",
      .run = [](UiState& state) { flip(state.pages.help.open); },
      .is_on = [](const UiState& state) { return state.pages.help.open; }},
+    {.section = window,
+     .name = "Tour of the window",
+     .run =
+         [](UiState& state) {
+             state.edited.layout.folded = false;
+             state.pages.tour.step = 0;
+         }},
     {.section = window, .name = "Quit", .keys = "Ctrl+Q", .run = give<Command::Quit>},
 });
 

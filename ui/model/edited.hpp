@@ -38,6 +38,7 @@ struct Edited {
     Layout layout;
     Theme theme = Theme::Dark;
     bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one
+    bool tour_seen = true;        ///< the tour has been ended once, or was left out
 };
 
 }  // namespace zeroset::ui

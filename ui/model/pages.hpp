@@ -4,6 +4,7 @@
 #include "ui/model/export_page.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 namespace zeroset::ui {
@@ -35,8 +36,14 @@ struct HelpPage {
     std::string filter;  ///< words that are looked for
 };
 
+/// What a new user is shown, step by step, on the window itself.
+struct Tour {
+    std::optional<std::size_t> step;  ///< that is shown; nothing: no tour
+};
+
 /// The pages that open over everything.
 struct Pages {
+    Tour tour;
     GalleryPage gallery;
     CommandPalette commands;
     HelpPage help;

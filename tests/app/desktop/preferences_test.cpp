@@ -40,6 +40,7 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;
     preferences.window = {1000, 700, true};
+    preferences.tour_seen = true;
     save_preferences(folder_, preferences);
     EXPECT_EQ(load_preferences(folder_), preferences);
     preferences.theme.reset();
@@ -57,7 +58,16 @@ TEST_F(PreferencesTest, AreAsUsualWhereTheFileMakesNoSense) {
               "maximized": true, "unknown": {}})");
     Preferences expected;
     expected.window.maximized = true;
+    expected.tour_seen = true;
     EXPECT_EQ(load_preferences(folder_), expected);
+}
+
+TEST_F(PreferencesTest, HaveSeenTheTourWhereThereIsAFile) {
+    EXPECT_FALSE(load_preferences(folder_).tour_seen) << "a first start";
+    write(R"({"theme": "dark"})");
+    EXPECT_TRUE(load_preferences(folder_).tour_seen) << "of a version without a tour";
+    write(R"({"theme": "dark", "tour_seen": false})");
+    EXPECT_FALSE(load_preferences(folder_).tour_seen) << "it was left open";
 }
 
 TEST_F(PreferencesTest, AreWrittenAMomentAfterTheyChange) {
