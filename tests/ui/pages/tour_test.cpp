@@ -32,12 +32,14 @@ protected:
         const ImGuiWindow* tour = ImGui::FindWindowByName("##tour");
         return tour != nullptr && tour->WasActive;
     }
-    /// Clicks on the button at the card's lower right.
+    /// Clicks on the button at the card's lower right. In a small window the card may hide most of
+    /// the picture, so that this is not looked at.
     void click_on_last_button() {
         const ImRect card = panel("##tour").Rect();
         click_at(
             {card.Max.x - static_cast<float>(px(30)), card.Max.y - static_cast<float>(px(22))});
-        draw();
+        for (int i = 0; i <= frames_to_settle; ++i)
+            draw_frame();
     }
     [[nodiscard]] std::optional<std::size_t> step() const { return state_.pages.tour.step; }
 };
