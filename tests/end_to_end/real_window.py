@@ -228,4 +228,5 @@ class RealWindowTest(unittest.TestCase):
         """Quits by Ctrl+Q; D answers "Don't save" if there is a question."""
         self.display.xdotool("key", "ctrl+q", "d")
         self.assertEqual(self.started.wait(5.0), 0)
-        self.assertEqual(self.started.stdout.read(), b"")
+        with self.started.stdout as output:
+            self.assertEqual(output.read(), b"")

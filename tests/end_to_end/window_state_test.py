@@ -8,6 +8,7 @@ from zeroset_program import main
 
 SLIDER_DOWN = 146  # y of the first slider, below one statement and the button that adds one
 PLAY_ACROSS = 21   # x of the slider's play button
+NEXT = 687, 174    # the button of the tour's first card
 
 
 class WindowStateTest(RealWindowTest):
@@ -71,6 +72,18 @@ class WindowStateTest(RealWindowTest):
         self.display.xdotool("key", "Return")
         self.wait_for(lambda: self.title() == "cylinder - Zeroset", "the file's name in the title")
         self.changed(ball, "the cylinder")
+        self.quit_by_key()
+
+    def test_the_tour_is_shown_at_the_first_start(self):
+        first = self.start()
+        self.display.xdotool("mousemove", *NEXT, "click", 1)
+        self.point(0.72, 0.55)
+        second = self.changed(first, "the second card")
+        self.display.xdotool("key", "Escape")
+        plain = self.changed(second, "the end of the tour")
+        self.assertFalse(self.same(plain, first))
+        self.quit_by_key()
+        self.assertTrue(self.same(self.start(), plain), "no tour again")
         self.quit_by_key()
 
 
