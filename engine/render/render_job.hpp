@@ -36,8 +36,8 @@ struct RenderPace {
     /// A first picture ends when it takes longer, with what is not decided left out; it is drawn
     /// again with four times as long, some times.
     std::chrono::milliseconds first_within{150};
-    /// Pictures of formulas that nobody has seen yet begin with a trial of a sixteenth of the pixels,
-    /// or fewer; it is shown where the first picture is expected to take longer.
+    /// Pictures of formulas that nobody has seen yet begin with a trial of a sixteenth of the
+    /// pixels, or fewer; it is shown where the first picture is expected to take longer.
     double trial_shown_from_ms = 16.0;
     /// A tile of a full picture that takes longer waits for the others (RenderWatch::first_turn).
     std::chrono::milliseconds first_turn{500};
