@@ -6,12 +6,29 @@
 namespace zeroset {
 namespace {
 
+/// The text with what this program cannot write of a kind behind it.
+std::string with_missing(std::string text, ExportKind kind) {
+    const std::string missing = missing_endings(kind);
+    return missing.empty() ? text : text + " (" + missing + ")";
+}
+
+/// "1 to 100 for .jpg or .webp", where there are such formats.
+std::string quality_range(ExportKind kind) {
+    const std::string endings = export_endings(kind, &ExportFormat::quality);
+    return endings.empty() ? "1 to 100, of formats that this program does not have"
+                           : "1 to 100 for " + endings;
+}
+
+std::string about_film_file() {
+    const std::string endings = export_endings(ExportKind::Film);
+    return with_missing((endings.empty() ? "" : "a film (" + endings + "), or ") +
+                            "numbered pictures: frames/f####.png",
+                        ExportKind::Film);
+}
+
 void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about_turn) {
     add_equation(app, film.equation);
-    add_value(
-        app, "-o,--output", film.output,
-        "a film (" + export_endings(ExportKind::Film) + "), or numbered pictures: frames/f####.png")
-        ->required();
+    add_value(app, "-o,--output", film.output, about_film_file())->required();
     add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
     add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
     add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
@@ -34,8 +51,7 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
               "frames that share a search for empty space: auto (default; as many as measurement "
               "says), off, or a number");
     add_value(app, "--quality", film.quality,
-              "1 to 100 for " + export_endings(ExportKind::Film, &ExportFormat::quality) +
-                  " (default 90)");
+              quality_range(ExportKind::Film) + " (default 90)");
     add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
@@ -55,7 +71,9 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_equation(*render_app, render.equation);
     add_value(*render_app, "-o,--output", render.output,
-              "the picture: a file that ends in " + export_endings(ExportKind::Picture));
+              with_missing(
+                  "the picture: a file that ends in " + export_endings(ExportKind::Picture),
+                  ExportKind::Picture));
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,
@@ -63,8 +81,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
                   export_endings(ExportKind::Picture, &ExportFormat::deep));
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
     add_value(*render_app, "--quality", render.quality,
-              "1 to 100 for " + export_endings(ExportKind::Picture, &ExportFormat::quality) +
-                  " (default 92); 100 in .webp is without loss");
+              quality_range(ExportKind::Picture) + " (default 92); 100 in .webp is without loss");
     render_app->add_flag("--no-session", render.no_session,
                          "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);

@@ -212,12 +212,13 @@ std::optional<InputError> read_blur(const FilmCommand& command, FilmPlan& plan) 
     return std::nullopt;
 }
 
-OrInputError<int> read_quality(const FilmCommand& command, bool lossy) {
+OrInputError<int> read_quality(const FilmCommand& command, const FilmFormat& format) {
     constexpr int usual = 90;
     if (!command.quality) return usual;
-    if (!lossy)
-        return wrong_input("--quality " + *command.quality + ": it is for " +
-                           export_endings(ExportKind::Film, &ExportFormat::quality));
+    if (!format.lossy)
+        return wrong_input("--quality " + *command.quality + ": a film in " +
+                           std::string(format.name) + " has no choice of it" +
+                           export_use(ExportKind::Film, &ExportFormat::quality));
     return read_integer("--quality", *command.quality, 1, 100);
 }
 
@@ -309,8 +310,7 @@ OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size
                       .names = {},
                       .picture_options = {}};
     if (target.film == nullptr) {
-        return wrong_input(option + ": " + other_name(ExportKind::Film, command.output) +
-                           "; frame####.png makes numbered pictures");
+        return wrong_input(option + ": " + other_name(ExportKind::Film, command.output));
     }
     for (const auto& [name, given] :
          {std::pair{"--resume", command.resume}, std::pair{"--bits", command.bits.has_value()}}) {
@@ -318,15 +318,15 @@ OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size
             return wrong_input(std::string(name) +
                                ": only with numbered pictures, -o frame####.png");
     }
-    const auto quality = read_quality(command, target.film->lossy);
-    if (!quality) return std::unexpected(quality.error());
     target.settings = {.width = size.width,
                        .height = size.height,
                        .rate = plan.rate,
-                       .alpha = command.alpha,
-                       .quality = *quality};
+                       .alpha = command.alpha};
     if (const auto refused = refusal(*target.film, target.settings))
         return wrong_input(option + ": " + *refused);
+    const auto quality = read_quality(command, *target.film);
+    if (!quality) return std::unexpected(quality.error());
+    target.settings.quality = *quality;
     return target;
 }
 

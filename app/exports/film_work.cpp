@@ -29,8 +29,7 @@ std::expected<FilmTarget, std::string> target_of(const ui::FilmExport& wish, con
         return target;
     }
     if (target.film == nullptr)
-        return std::unexpected("the film was not saved: " + other_name(ExportKind::Film, path) +
-                               "; frame####.png makes numbered pictures");
+        return std::unexpected("the film was not saved: " + other_name(ExportKind::Film, path));
     target.settings = {.width = size.width,
                        .height = size.height,
                        .rate = plan.rate,

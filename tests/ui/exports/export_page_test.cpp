@@ -103,6 +103,23 @@ TEST_P(ExportPages, ChooseTheKindAndItsUsualFormat) {
     EXPECT_FALSE(page().open);
 }
 
+TEST_P(ExportPages, OfferNothingThatCannotBeWritten) {
+    const std::string reason = "this Zeroset was built without FFmpeg";
+    for (ExportFormat& format : state_.shown.export_formats)
+        format.missing = format.ending == ".mp4" || format.ending == ".jpg" ? reason : "";
+    page().endings[0] = ".jpg";
+    open("Save a film...");
+    EXPECT_EQ(page().endings[1], "####.png") << "numbered pictures need no FFmpeg";
+    click_at(line(1, 0.6F));  // opens the list of formats
+    draw();
+    const ImGuiWindow* const popup = child("##Combo_");
+    ASSERT_NE(popup, nullptr);
+    EXPECT_LT(popup->ContentSize.y, 1.9F * ImGui::GetTextLineHeightWithSpacing()) << "one line";
+    press(GLFW_KEY_ESCAPE);
+    open("Save the picture...");
+    EXPECT_EQ(page().endings[0], ".png") << "the choice of another program is given up";
+}
+
 TEST_P(ExportPages, TakeTypedSizes) {
     open("Save the picture...");
     click_at(line(1, 0.3F));
