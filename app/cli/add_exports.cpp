@@ -39,8 +39,10 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_repeated(app, "--sweep", film.sweeps,
                  "a parameter, or w, that changes: NAME=FROM..TO; may be repeated");
     add_repeated(app, "--through", film.waypoints,
-                 "where the camera goes through at constant speed: eye X,Y,Z, and each after a ;, "
-                 "look-at X,Y,Z, up X,Y,Z, fov DEGREES; twice or more");
+                 "where the camera goes through at constant speed: the name of a saved view, or "
+                 "what --camera takes; twice or more");
+    app.add_flag("--through-views", film.through_views,
+                 "the camera goes through all saved views of the document, in their order");
     add_value(app, "--end", film.end,
               "loop (the last frame leads to the first), bounce (there and back) or stop");
     add_value(app, "--ease", film.ease, "linear (default) or smooth: slowly at both ends");
@@ -50,8 +52,7 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "--frame-range", film.frame_range,
               "frames that share a search for empty space: auto (default; as many as measurement "
               "says), off, or a number");
-    add_value(app, "--quality", film.quality,
-              quality_range(ExportKind::Film) + " (default 90)");
+    add_value(app, "--quality", film.quality, quality_range(ExportKind::Film) + " (default 90)");
     add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
@@ -70,10 +71,10 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_equation(*render_app, render.equation);
-    add_value(*render_app, "-o,--output", render.output,
-              with_missing(
-                  "the picture: a file that ends in " + export_endings(ExportKind::Picture),
-                  ExportKind::Picture));
+    add_value(
+        *render_app, "-o,--output", render.output,
+        with_missing("the picture: a file that ends in " + export_endings(ExportKind::Picture),
+                     ExportKind::Picture));
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,

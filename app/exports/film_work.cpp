@@ -85,6 +85,11 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document) {
         }
         plan.turn = turn;
     }
+    if (wish.through_views) {
+        plan.path.clear();
+        for (const SavedView& view : document.views)
+            plan.path.push_back(view.camera);
+    }
     if (plan.path.size() < 2) plan.path.clear();
     return plan;
 }

@@ -119,9 +119,7 @@ const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::pat
     return found == formats.end() ? nullptr : &*found;
 }
 
-std::string export_endings(ExportKind kind) {
-    return one_of(endings_of(kind, can_be_written));
-}
+std::string export_endings(ExportKind kind) { return one_of(endings_of(kind, can_be_written)); }
 
 std::string export_endings(ExportKind kind, bool ExportFormat::* has) {
     return one_of(endings_of(

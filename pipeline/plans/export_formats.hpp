@@ -16,7 +16,8 @@ std::span<const ExportFormat> export_formats();
 /// The format of the path's ending, in any case; nullptr where this kind has none.
 const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::path& path);
 
-/// The endings of a kind's files that this program can write, as ".png, .jpg or .exr"; may be empty.
+/// The endings of a kind's files that this program can write, as ".png, .jpg or .exr"; may be
+/// empty.
 std::string export_endings(ExportKind kind);
 
 /// Those of the formats that have this member, as &ExportFormat::alpha.

@@ -30,8 +30,7 @@ TEST(WithoutFfmpeg, OnlyEndingsThatCanBeWrittenAreOffered) {
     EXPECT_EQ(export_endings(ExportKind::Film), "");
     EXPECT_EQ(export_endings(ExportKind::Picture, &ExportFormat::deep), ".png");
     EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::quality), "");
-    EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::density),
-              "; it is for .png or .exr");
+    EXPECT_EQ(export_use(ExportKind::Picture, &ExportFormat::density), "; it is for .png or .exr");
     EXPECT_EQ(missing_endings(ExportKind::Picture),
               "no .jpg, .webp or .tif: " + std::string(reason));
     EXPECT_EQ(missing_endings(ExportKind::Mesh), "");

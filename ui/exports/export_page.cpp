@@ -78,8 +78,7 @@ void draw_missing(const UiState& state) {
     std::string reason;
     for (const ExportFormat& format : state.shown.export_formats) {
         if (format.kind != state.pages.exports.wish.kind || format.missing.empty()) continue;
-        if (!format.numbered)
-            names += (names.empty() ? "" : ", ") + std::string(format.name);
+        if (!format.numbered) names += (names.empty() ? "" : ", ") + std::string(format.name);
         reason = format.missing;
     }
     if (names.empty()) return;

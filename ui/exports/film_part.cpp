@@ -119,10 +119,27 @@ void draw_sweeps(UiState& state) {
     ImGui::EndCombo();
 }
 
+/// Draws the choice of the saved views as the camera's way.
+void draw_saved_way(UiState& state) {
+    FilmExport& film = state.pages.exports.wish.film;
+    const std::size_t count = state.edited.document.views.size();
+    const bool can = count >= 2 || film.through_views;
+    draw_export_label("way", "The camera goes through views, smoothly and at an even speed.");
+    const std::string label = "Through the saved views (" + std::to_string(count) + ")###saved";
+    ImGui::BeginDisabled(!can);
+    ImGui::Checkbox(label.c_str(), &film.through_views);
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", count >= 2 ? "In the order of the section Camera."
+                                           : "Save two views first (V); they make a way.");
+}
+
 /// Draws the cameras that the film goes through.
 void draw_path(UiState& state) {
+    draw_saved_way(state);
+    if (state.pages.exports.wish.film.through_views) return;
     std::vector<Camera>& path = state.pages.exports.wish.film.plan.path;
-    draw_export_label("way", "The camera goes through these views, at an even speed.");
+    draw_export_label("", "");
     if (ImGui::Button("Add this view") && state.edited.document.camera)
         path.push_back(*state.edited.document.camera);
     draw_tooltip("Turn the picture, then add what it shows; two views make a way.");
@@ -163,6 +180,14 @@ void draw_time(FilmExport& film) {
 void draw_blur(FilmPlan& plan) {
     draw_export_label("blur", "Pictures that are mixed for each frame: motion blur.");
     draw_integer_slider("##blur", plan.blur, 1, 64, plan.blur == 1 ? "off" : nullptr);
+    if (plan.blur == 1) return;
+    draw_export_label("shutter",
+                      "The part of a frame's time over which they are spread: 50 % is usual, at "
+                      "100 % a motion leaves no gaps.");
+    int percent = static_cast<int>(std::lround(100.0 * plan.shutter));
+    const std::string shown = std::to_string(percent) + " %";
+    if (draw_integer_slider("##shutter", percent, 1, 100, shown.c_str()))
+        plan.shutter = 0.01 * percent;
 }
 
 }  // namespace

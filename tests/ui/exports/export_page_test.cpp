@@ -142,6 +142,41 @@ TEST_P(ExportPages, KeepTheSidesEvenWhereFilmsWantThat) {
     EXPECT_EQ(page().wish.film.size_px, glm::ivec2(641, 360));
 }
 
+TEST_P(ExportPages, TakeTheSavedViewsAsTheWay) {
+    open("Save a film...");
+    FilmExport& film = page().wish.film;
+    film.turns = false;
+    draw();
+    // Below the timeline and the format: turn, sweep, way.
+    click_at(line(4, 0.35F));
+    EXPECT_FALSE(film.through_views) << "there are no views";
+    for (int i = 0; i < 2; ++i)
+        add_view(state_.edited.document.views, *state_.edited.document.camera);
+    click_at(line(4, 0.35F));
+    EXPECT_TRUE(film.through_views);
+    click_at(line(4, 0.35F));
+    EXPECT_FALSE(film.through_views);
+}
+
+TEST_P(ExportPages, HaveAShutterWhereFramesAreMixed) {
+    open("Save a film...");
+    FilmExport& film = page().wish.film;
+    film.turns = false;
+    const auto height = [this] {
+        draw();
+        return child((std::string(window_name) + "/##part").c_str())->ContentSize.y;
+    };
+    const float without = height();
+    film.plan.blur = 8;
+    EXPECT_NEAR(height(), without + ImGui::GetFrameHeightWithSpacing(), 1.0F);
+    // turn, sweep, way, views of its own, time, end, size, blur
+    click_at(line(10, 0.5F));
+    draw();
+    EXPECT_NE(film.plan.shutter, 0.5);
+    EXPECT_GT(film.plan.shutter, 0.0);
+    EXPECT_LE(film.plan.shutter, 1.0);
+}
+
 TEST_P(ExportPages, SaveByEnter) {
     open("Save the picture...");
     state_.wishes.command.reset();
