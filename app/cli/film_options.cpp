@@ -1,5 +1,7 @@
 #include "app/cli/film_options.hpp"
 
+#include "document/camera_text.hpp"
+#include "document/views.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
 #include "pipeline/plans/export_formats.hpp"

@@ -28,13 +28,16 @@ RenderRequest view_picture(PictureRequest request, const Camera& camera, glm::iv
 
 ViewCards::ViewCards(ThumbnailJob::Priority priority, std::function<void()> wake)
     : job_(
-          [this](std::size_t number, glm::ivec2 size_px, const std::atomic<bool>& cancel) {
+          [this](std::size_t number, glm::ivec2 size_px,
+                 const std::atomic<bool>& cancel) -> std::optional<RgbaImage> {
               std::optional<PictureRequest> request;
               Camera camera;
               {
                   const std::scoped_lock lock(mutex_);
+                  // A request that has just begun knows no cameras of the one before.
+                  if (number >= cameras_.size()) return std::nullopt;
                   request = drawn_;
-                  camera = cameras_.at(number);
+                  camera = cameras_[number];
               }
               return thumbnail_of(view_picture(std::move(*request), camera, size_px), cancel);
           },

@@ -22,7 +22,7 @@ namespace {
 
 constexpr float narrowest_page_em = 25.0F;
 constexpr float widest_page_em = 33.0F;
-constexpr float highest_page_em = 53.0F;
+constexpr float highest_page_em = 56.0F;
 
 struct Tab {
     ExportKind kind;

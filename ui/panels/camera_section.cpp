@@ -168,7 +168,7 @@ bool draw_vector(const char* label, const char* about, glm::dvec3& vector) {
 /// Draws the angle, or of parallel rays the height that they show; true when one was typed.
 bool draw_opening(Camera& camera) {
     if (camera.projection == Projection::Perspective) {
-        draw_label("field of view", "Degrees from the picture's top to its bottom.");
+        draw_label("angle", "Field of view: degrees from the picture's top to its bottom.");
         double degrees = glm::degrees(camera.fov_rad);
         if (!draw_number_field("##fov", degrees, least_fov_deg, most_fov_deg)) return false;
         camera.fov_rad = glm::radians(degrees);

@@ -71,6 +71,15 @@ protected:
         const float row = ImGui::GetFrameHeightWithSpacing();
         return {part.Pos.x + along * part.Size.x, top + (static_cast<float>(number) + 0.4F) * row};
     }
+    /// A line near the end of the part, which is scrolled there.
+    glm::vec2 late_line(int number, float along) {
+        for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (window->WasActive && std::string(window->Name).contains("/##part_"))
+                ImGui::SetScrollY(window, window->ScrollMax.y);
+        }
+        draw();
+        return line(number, along);
+    }
 };
 
 TEST(FilmExport, TakesANumberOfFrames) {
@@ -148,13 +157,14 @@ TEST_P(ExportPages, TakeTheSavedViewsAsTheWay) {
     film.turns = false;
     draw();
     // Below the timeline and the format: turn, sweep, way.
-    click_at(line(4, 0.35F));
-    EXPECT_FALSE(film.through_views) << "there are no views";
+    click_at(late_line(4, 0.35F));
+    EXPECT_FALSE(film.through_views) << "there are no saved views, so that this one is added";
+    film.plan.path.clear();
     for (int i = 0; i < 2; ++i)
         add_view(state_.edited.document.views, *state_.edited.document.camera);
-    click_at(line(4, 0.35F));
+    click_at(late_line(4, 0.35F));
     EXPECT_TRUE(film.through_views);
-    click_at(line(4, 0.35F));
+    click_at(late_line(4, 0.35F));
     EXPECT_FALSE(film.through_views);
 }
 
@@ -169,8 +179,8 @@ TEST_P(ExportPages, HaveAShutterWhereFramesAreMixed) {
     const float without = height();
     film.plan.blur = 8;
     EXPECT_NEAR(height(), without + ImGui::GetFrameHeightWithSpacing(), 1.0F);
-    // turn, sweep, way, views of its own, time, end, size, blur
-    click_at(line(10, 0.5F));
+    // Below the format: turn, sweep, way, time, end, size, blur.
+    click_at(late_line(9, 0.5F));
     draw();
     EXPECT_NE(film.plan.shutter, 0.5);
     EXPECT_GT(film.plan.shutter, 0.0);
