@@ -127,9 +127,8 @@ std::expected<Camera, std::string> read_camera_text(std::string_view text, const
             return std::unexpected(*wrong);
     }
     if (!reading.has_eye) return std::unexpected("it says no eye X,Y,Z");
-    if (const char* const defect = camera_defect(reading.camera)) return std::unexpected(defect);
-    if (!reading.height) return reading.camera;
-    const Camera camera = with_shown_height(reading.camera, *reading.height);
+    const Camera camera =
+        reading.height ? with_shown_height(reading.camera, *reading.height) : reading.camera;
     if (const char* const defect = camera_defect(camera)) return std::unexpected(defect);
     return camera;
 }

@@ -19,6 +19,10 @@ std::string quality_range(ExportKind kind) {
                            : "1 to 100 for " + endings;
 }
 
+bool can_write(ExportKind kind, const char* name) {
+    return export_format_of(kind, name)->missing.empty();
+}
+
 std::string about_film_file() {
     const std::string endings = export_endings(ExportKind::Film);
     return with_missing((endings.empty() ? "" : "a film (" + endings + "), or ") +
@@ -31,7 +35,9 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "-o,--output", film.output, about_film_file())->required();
     add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
     add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
-    add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
+    add_value(app, "--fps", film.fps,
+              std::string("frames a second, N or N/D (default 30") +
+                  (can_write(ExportKind::Film, "a.gif") ? ", for .gif 25)" : ")"));
     add_value(app, "--frames", film.frames,
               "N frames in all, or only those from A to B: A..B, counted from 0");
     add_value(app, "--turn", film.turn, about_turn);
@@ -81,8 +87,10 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
               "of a colour channel: 8 (default) or 16 for " +
                   export_endings(ExportKind::Picture, &ExportFormat::deep));
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
-    add_value(*render_app, "--quality", render.quality,
-              quality_range(ExportKind::Picture) + " (default 92); 100 in .webp is without loss");
+    add_value(
+        *render_app, "--quality", render.quality,
+        quality_range(ExportKind::Picture) + " (default 92)" +
+            (can_write(ExportKind::Picture, "a.webp") ? "; 100 in .webp is without loss" : ""));
     render_app->add_flag("--no-session", render.no_session,
                          "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);

@@ -6,7 +6,8 @@
 
 namespace zeroset {
 
-/// A smooth way of a camera through others at constant speed. Between two of them the point looked
+/// A smooth way of a camera through others at constant speed: of what moves most, the eye with the
+/// point looked at, or what is seen by rolling or zooming. Between two of them the point looked
 /// at goes along a curve by Catmull and Rom, and so do the logarithm of the distance and the angles
 /// of the view about what is up, so that the camera goes around what it looks at. Where the cameras
 /// differ in what is up, their orientations are interpolated as quaternions [Shoemake87].

@@ -189,7 +189,7 @@ TEST_F(Thumbnails, OfViewsAreAsTheirCamerasSeeIt) {
                                                    read.document, thumbnail_settings(), {800, 600});
     const Camera away{{0, -50, 0}, {0, -60, 0}, {0, 0, 1}, 0.7};
     // Near enough to need code in double.
-    const Camera near{{3, 0, 1e-7}, {3, 1e-7, 0}, {0, 0, 1}, 0.7};
+    const Camera near{{3 + 1e-7, 0, 0}, {3, 0, 0}, {0, 0, 1}, 0.7};
     std::set<std::vector<std::uint32_t>> pictures;
     for (const Camera& camera : {request.camera, away, near}) {
         const auto image = thumbnail_of(view_picture(request, camera, {24, 18}), false);

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -19,7 +20,8 @@ const glm::dvec3 up{0, 0, 1};
 
 Camera looking_from(const glm::dvec3& eye) { return {eye, {0, 0, 0}, up, fov}; }
 
-/// The largest and the smallest way between neighbours of 400 places, and whether all see.
+/// Checks that all of 400 places see something, and that the picture moves equally far from each to
+/// the next: as the eye and the point looked at move or, if that is more, as it rolls.
 void expect_steady(const CameraPath& path, double tolerance) {
     constexpr int steps = 400;
     double least = 1e9;
@@ -28,7 +30,9 @@ void expect_steady(const CameraPath& path, double tolerance) {
         const Camera a = path.at(double(i) / steps);
         const Camera b = path.at(double(i + 1) / steps);
         ASSERT_EQ(camera_defect(a), nullptr) << i << ": " << camera_defect(a);
-        const double way = glm::distance(a.eye, b.eye) + glm::distance(a.look_at, b.look_at);
+        const double moves = glm::distance(a.eye, b.eye) + glm::distance(a.look_at, b.look_at);
+        const double rolls = std::abs(glm::dot(ViewFrame(a).right, ViewFrame(b).up));
+        const double way = std::max(moves, rolls * glm::distance(a.eye, a.look_at));
         least = std::min(least, way);
         most = std::max(most, way);
     }

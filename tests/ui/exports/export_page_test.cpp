@@ -71,11 +71,13 @@ protected:
         const float row = ImGui::GetFrameHeightWithSpacing();
         return {part.Pos.x + along * part.Size.x, top + (static_cast<float>(number) + 0.4F) * row};
     }
-    /// A line near the end of the part, which is scrolled there.
+    /// A line of the part, which is scrolled there.
     glm::vec2 late_line(int number, float along) {
         for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
-            if (window->WasActive && std::string(window->Name).contains("/##part_"))
-                ImGui::SetScrollY(window, window->ScrollMax.y);
+            if (!window->WasActive || !std::string(window->Name).contains("/##part_")) continue;
+            const float down =
+                line(number, along).y - window->Pos.y - 0.5F * window->Size.y + window->Scroll.y;
+            ImGui::SetScrollY(window, std::clamp(down, 0.0F, window->ScrollMax.y));
         }
         draw();
         return line(number, along);

@@ -45,6 +45,7 @@ protected:
     }
     /// The place of a field of the numbers: row 0 is the eye.
     glm::vec2 field(int row, float along) {
+        draw();  // only then the font is known
         const float button = ImGui::GetFrameHeightWithSpacing();
         const float down = button + list_height() + ImGui::GetStyle().ItemSpacing.y +
                            (static_cast<float>(row) + 0.4F) * button;
@@ -61,7 +62,7 @@ protected:
     }
     /// The place in the card of a view; across: 0 left, 1 right.
     glm::vec2 in_card(std::size_t index, float across) {
-        draw();
+        draw();  // only then the font is known
         show_section(ImGui::GetFrameHeightWithSpacing());
         const ImGuiWindow& list = child_of_section();
         const float height = std::ceil(em(3.6F));
@@ -74,7 +75,8 @@ TEST_P(CameraSection, SavesWhereOneLooksFromByAKey) {
     state_.edited.layout.camera_open = false;
     draw();
     press(GLFW_KEY_ESCAPE);
-    press(GLFW_KEY_V);
+    OffscreenWindow::type("v");
+    draw();
     ASSERT_EQ(views().size(), 1U);
     EXPECT_EQ(views()[0], (SavedView{"View 1", camera()}));
     EXPECT_TRUE(state_.edited.layout.camera_open) << "it is shown";
