@@ -1,6 +1,7 @@
 #pragma once
 
 #include "document/look.hpp"
+#include "document/views.hpp"
 #include "engine/scene/scene.hpp"
 #include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
@@ -60,6 +61,7 @@ struct Document {
     Region region;                 ///< the part of the clip box that is shown
     std::optional<Camera> camera;  ///< default_camera of the clip box when absent
     std::optional<Camera> home;    ///< where "reset view" goes, if not to the default
+    std::vector<SavedView> views;  ///< in the order in which they were saved
     StopCriterion stop{.value = 14.0};
     bool mark_undecided = false;
     bool shadows = false;

@@ -44,6 +44,13 @@ std::string changed_parameter(const Document& a, const Document& b) {
     return {};
 }
 
+/// "views" where some came or went, or the number of the first that differs; else empty.
+std::string changed_view(const Document& a, const Document& b) {
+    if (a.views.size() != b.views.size()) return "views";
+    const auto [from, to] = std::ranges::mismatch(a.views, b.views);
+    return from == a.views.end() ? "" : "view " + std::to_string(to - b.views.begin());
+}
+
 /// The part of the document that differs; changes of the same part may become one step.
 std::string changed_part(const Document& a, const Document& b) {
     if (const std::string rows = changed_rows(a, b); !rows.empty()) return rows;
@@ -51,6 +58,7 @@ std::string changed_part(const Document& a, const Document& b) {
     if (const std::string name = changed_parameter(a, b); !name.empty()) return name;
     if (a.w != b.w) return "w";
     if (a.camera != b.camera) return "camera";
+    if (const std::string view = changed_view(a, b); !view.empty()) return view;
     if (a.clip != b.clip) return "clip";
     if (a.region != b.region) return "region";
     if (a.stop != b.stop) return "stop";
@@ -66,7 +74,8 @@ std::string changed_part(const Document& a, const Document& b) {
 void History::follow(const Document& document, double time_s, unsigned gesture, bool held) {
     if (document == now_) return;
     const std::string part = changed_part(now_, document);
-    const bool goes_on = part == open_part_ && part != "rows" && gesture == open_gesture_ &&
+    const bool stands_alone = part == "rows" || part == "views";
+    const bool goes_on = part == open_part_ && !stands_alone && gesture == open_gesture_ &&
                          (held || time_s - changed_s_ <= rest_s);
     if (!goes_on) {
         if (undone_to_.size() == most_steps) undone_to_.erase(undone_to_.begin());

@@ -6,15 +6,38 @@
 namespace zeroset {
 namespace {
 
+/// The text with what this program cannot write of a kind behind it.
+std::string with_missing(std::string text, ExportKind kind) {
+    const std::string missing = missing_endings(kind);
+    return missing.empty() ? text : text + " (" + missing + ")";
+}
+
+/// "1 to 100 for .jpg or .webp", where there are such formats.
+std::string quality_range(ExportKind kind) {
+    const std::string endings = export_endings(kind, &ExportFormat::quality);
+    return endings.empty() ? "1 to 100, of formats that this program does not have"
+                           : "1 to 100 for " + endings;
+}
+
+bool can_write(ExportKind kind, const char* name) {
+    return export_format_of(kind, name)->missing.empty();
+}
+
+std::string about_film_file() {
+    const std::string endings = export_endings(ExportKind::Film);
+    return with_missing((endings.empty() ? "" : "a film (" + endings + "), or ") +
+                            "numbered pictures: frames/f####.png",
+                        ExportKind::Film);
+}
+
 void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about_turn) {
     add_equation(app, film.equation);
-    add_value(
-        app, "-o,--output", film.output,
-        "a film (" + export_endings(ExportKind::Film) + "), or numbered pictures: frames/f####.png")
-        ->required();
+    add_value(app, "-o,--output", film.output, about_film_file())->required();
     add_value(app, "--size", film.size, "WIDTHxHEIGHT in pixels (default 1280x720)");
     add_value(app, "--seconds", film.seconds, "how long it plays (default 6)");
-    add_value(app, "--fps", film.fps, "frames a second, N or N/D (default 30, for .gif 25)");
+    add_value(app, "--fps", film.fps,
+              std::string("frames a second, N or N/D (default 30") +
+                  (can_write(ExportKind::Film, "a.gif") ? ", for .gif 25)" : ")"));
     add_value(app, "--frames", film.frames,
               "N frames in all, or only those from A to B: A..B, counted from 0");
     add_value(app, "--turn", film.turn, about_turn);
@@ -22,8 +45,10 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_repeated(app, "--sweep", film.sweeps,
                  "a parameter, or w, that changes: NAME=FROM..TO; may be repeated");
     add_repeated(app, "--through", film.waypoints,
-                 "where the camera goes through at constant speed: eye X,Y,Z, and each after a ;, "
-                 "look-at X,Y,Z, up X,Y,Z, fov DEGREES; twice or more");
+                 "where the camera goes through at constant speed: the name of a saved view, or "
+                 "what --camera takes; twice or more");
+    app.add_flag("--through-views", film.through_views,
+                 "the camera goes through all saved views of the document, in their order");
     add_value(app, "--end", film.end,
               "loop (the last frame leads to the first), bounce (there and back) or stop");
     add_value(app, "--ease", film.ease, "linear (default) or smooth: slowly at both ends");
@@ -33,9 +58,7 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
     add_value(app, "--frame-range", film.frame_range,
               "frames that share a search for empty space: auto (default; as many as measurement "
               "says), off, or a number");
-    add_value(app, "--quality", film.quality,
-              "1 to 100 for " + export_endings(ExportKind::Film, &ExportFormat::quality) +
-                  " (default 90)");
+    add_value(app, "--quality", film.quality, quality_range(ExportKind::Film) + " (default 90)");
     add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
@@ -54,17 +77,20 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
 CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     CLI::App* const render_app = app.add_subcommand("render", "draw a picture into a file");
     add_equation(*render_app, render.equation);
-    add_value(*render_app, "-o,--output", render.output,
-              "the picture: a file that ends in " + export_endings(ExportKind::Picture));
+    add_value(
+        *render_app, "-o,--output", render.output,
+        with_missing("the picture: a file that ends in " + export_endings(ExportKind::Picture),
+                     ExportKind::Picture));
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,
               "of a colour channel: 8 (default) or 16 for " +
                   export_endings(ExportKind::Picture, &ExportFormat::deep));
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
-    add_value(*render_app, "--quality", render.quality,
-              "1 to 100 for " + export_endings(ExportKind::Picture, &ExportFormat::quality) +
-                  " (default 92); 100 in .webp is without loss");
+    add_value(
+        *render_app, "--quality", render.quality,
+        quality_range(ExportKind::Picture) + " (default 92)" +
+            (can_write(ExportKind::Picture, "a.webp") ? "; 100 in .webp is without loss" : ""));
     render_app->add_flag("--no-session", render.no_session,
                          "leave out the session, which .png and .exr hold besides the picture");
     add_view_options(*render_app, render.view);

@@ -86,6 +86,12 @@ void add_region_options(CLI::App& app, ViewText& view) {
 
 void add_view_options(CLI::App& app, ViewText& view) {
     add_region_options(app, view);
+    auto* const saved = add_value(app, "--view", view.saved_view,
+                                  "look from a saved view of the document: its name");
+    add_value(app, "--camera", view.camera,
+              "look from there: eye x,y,z, and each after a ;, look-at x,y,z, up x,y,z, and fov "
+              "DEGREES or, for parallel rays, height H; as the window copies it")
+        ->excludes(saved);
     add_value(app, "--eye", view.eye, "where the eye is: x,y,z");
     add_value(app, "--look-at", view.look_at, "the point looked at: x,y,z");
     add_value(app, "--up", view.up, "the direction that is up: x,y,z (default 0,0,1)");

@@ -37,7 +37,8 @@ struct FilmCommand {
     std::optional<std::string> frames, seconds, fps, turn, axis, end, ease, blur, shutter, quality,
         bits, budget, stats, frame_range;
     std::vector<std::string> sweeps;     ///< NAME=FROM..TO
-    std::vector<std::string> waypoints;  ///< as read_waypoint reads them
+    std::vector<std::string> waypoints;  ///< names of saved views, or as read_camera reads them
+    bool through_views = false;          ///< the way leads through all saved views
     bool turntable = false;              ///< a full turn, unless another is asked for
     bool alpha = false, resume = false, no_legend = false;
 };

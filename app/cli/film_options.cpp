@@ -1,5 +1,7 @@
 #include "app/cli/film_options.hpp"
 
+#include "document/camera_text.hpp"
+#include "document/views.hpp"
 #include "engine/base/enum_names.hpp"
 #include "engine/base/text.hpp"
 #include "pipeline/plans/export_formats.hpp"
@@ -132,53 +134,32 @@ OrInputError<Sweep> read_sweep(const std::string& text, const InputDocument& doc
     return sweep;
 }
 
-/// Reads "eye X,Y,Z; look-at X,Y,Z; up X,Y,Z; fov DEGREES" over the members of `camera`.
-OrInputError<Camera> read_waypoint(const std::string& text, Camera camera) {
-    const std::string option = "--through " + text;
-    bool has_eye = false;
-    for (const std::string_view part : split(text, ';')) {
-        if (const auto degrees = value_behind(part, "fov")) {
-            const auto number = read_number(option, *degrees);
-            if (!number) return std::unexpected(number.error());
-            if (!(*number >= 0.01 && *number <= 170))
-                return wrong_input(option + ": type an angle from 0.01 to 170 degrees");
-            camera.fov_rad = glm::radians(*number);
-            continue;
-        }
-        glm::dvec3* target = nullptr;
-        std::optional<std::string> value;
-        for (const auto& [word, member] :
-             {std::pair{"eye", &camera.eye}, {"look-at", &camera.look_at}, {"up", &camera.up}}) {
-            if (value) break;
-            value = value_behind(part, word);
-            target = member;
-        }
-        if (!value)
-            return wrong_input(option + ": type eye X,Y,Z, then look-at, up or fov after a ;");
-        const auto numbers = read_numbers(option, *value, 3);
-        if (!numbers) return std::unexpected(numbers.error());
-        *target = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-        has_eye = has_eye || target == &camera.eye;
+/// The cameras of the way: texts of cameras, names of saved views, or all saved views.
+OrInputError<std::vector<Camera>> read_path(const FilmCommand& command, const Document& document) {
+    std::vector<Camera> path;
+    if (command.through_views) {
+        if (!command.waypoints.empty())
+            return wrong_input("--through-views: not together with --through");
+        for (const SavedView& view : document.views)
+            path.push_back(view.camera);
+        if (path.size() < 2)
+            return wrong_input("--through-views: the document has " + std::to_string(path.size()) +
+                               " saved views, and a way has two ends at least");
+        return path;
     }
-    if (!has_eye) return wrong_input(option + ": it says no eye X,Y,Z");
-    if (const char* const defect = camera_defect(camera))
-        return wrong_input(option + ": " + defect);
-    return camera;
-}
-
-std::optional<InputError> read_waypoints(const FilmCommand& command, const Document& document,
-                                         FilmPlan& plan) {
-    if (command.waypoints.empty()) return std::nullopt;
-    if (command.waypoints.size() < 2)
-        return InputError{.reason = "--through " + command.waypoints.front() +
-                                    ": a way has two ends at least; give another --through"};
     const Camera camera = document.camera.value_or(default_camera(document.clip, 1.0, document.up));
     for (const std::string& text : command.waypoints) {
-        const auto read = read_waypoint(text, camera);
-        if (!read) return read.error();
-        plan.path.push_back(*read);
+        const bool is_name =
+            find_view(document.views, trimmed(text)) != nullptr || !looks_like_camera(text);
+        const auto read = is_name ? saved_camera("--through", text, document)
+                                  : read_camera("--through", text, camera);
+        if (!read) return std::unexpected(read.error());
+        path.push_back(*read);
     }
-    return std::nullopt;
+    if (path.size() == 1)
+        return wrong_input("--through " + command.waypoints.front() +
+                           ": a way has two ends at least; give another --through");
+    return path;
 }
 
 template <class Names, class Value>
@@ -212,12 +193,13 @@ std::optional<InputError> read_blur(const FilmCommand& command, FilmPlan& plan) 
     return std::nullopt;
 }
 
-OrInputError<int> read_quality(const FilmCommand& command, bool lossy) {
+OrInputError<int> read_quality(const FilmCommand& command, const FilmFormat& format) {
     constexpr int usual = 90;
     if (!command.quality) return usual;
-    if (!lossy)
-        return wrong_input("--quality " + *command.quality + ": it is for " +
-                           export_endings(ExportKind::Film, &ExportFormat::quality));
+    if (!format.lossy)
+        return wrong_input("--quality " + *command.quality + ": a film in " +
+                           std::string(format.name) + " has no choice of it" +
+                           export_use(ExportKind::Film, &ExportFormat::quality));
     return read_integer("--quality", *command.quality, 1, 100);
 }
 
@@ -261,11 +243,13 @@ OrInputError<FilmPlan> read_film_plan(const FilmCommand& command, const InputDoc
         if (!sweep) return std::unexpected(sweep.error());
         plan.sweeps.push_back(*sweep);
     }
-    if (const auto wrong = read_waypoints(command, document.document, plan))
-        return std::unexpected(*wrong);
+    auto path = read_path(command, document.document);
+    if (!path) return std::unexpected(path.error());
+    plan.path = std::move(*path);
     if (!plan.turn && plan.sweeps.empty() && plan.path.empty())
         return wrong_input(
-            "nothing changes: give --sweep NAME=FROM..TO, --turn DEGREES or --through");
+            "nothing changes: give --sweep NAME=FROM..TO, --turn DEGREES, --through or "
+            "--through-views");
     plan.end = plan.turn || !plan.path.empty() ? FilmEnd::Loop : FilmEnd::Bounce;
     if (const auto wrong = read_name("--end", command.end, end_names, plan.end))
         return std::unexpected(*wrong);
@@ -309,8 +293,7 @@ OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size
                       .names = {},
                       .picture_options = {}};
     if (target.film == nullptr) {
-        return wrong_input(option + ": " + other_name(ExportKind::Film, command.output) +
-                           "; frame####.png makes numbered pictures");
+        return wrong_input(option + ": " + other_name(ExportKind::Film, command.output));
     }
     for (const auto& [name, given] :
          {std::pair{"--resume", command.resume}, std::pair{"--bits", command.bits.has_value()}}) {
@@ -318,15 +301,13 @@ OrInputError<FilmTarget> read_film_target(const FilmCommand& command, const Size
             return wrong_input(std::string(name) +
                                ": only with numbered pictures, -o frame####.png");
     }
-    const auto quality = read_quality(command, target.film->lossy);
-    if (!quality) return std::unexpected(quality.error());
-    target.settings = {.width = size.width,
-                       .height = size.height,
-                       .rate = plan.rate,
-                       .alpha = command.alpha,
-                       .quality = *quality};
+    target.settings = {
+        .width = size.width, .height = size.height, .rate = plan.rate, .alpha = command.alpha};
     if (const auto refused = refusal(*target.film, target.settings))
         return wrong_input(option + ": " + *refused);
+    const auto quality = read_quality(command, *target.film);
+    if (!quality) return std::unexpected(quality.error());
+    target.settings.quality = *quality;
     return target;
 }
 

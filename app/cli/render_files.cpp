@@ -66,18 +66,18 @@ OrInputError<PictureOptions> read_picture_options(const RenderCommand& command, 
         return wrong_input(option + ": " + other_name(ExportKind::Picture, *command.output));
     options.bits = format->bits[0];
     if (const auto wrong = read_numbers_of(command, options)) return std::unexpected(*wrong);
+    if (const auto refused = refusal(*format, options))
+        return wrong_input(option + ": " + *refused);
     if (command.quality && !format->lossy) {
         return wrong_input("--quality " + *command.quality + ": a " + std::string(format->name) +
-                           " loses nothing; it is for " +
-                           export_endings(ExportKind::Picture, &ExportFormat::quality));
+                           " loses nothing" +
+                           export_use(ExportKind::Picture, &ExportFormat::quality));
     }
     if (command.dpi && !format->density) {
         return wrong_input("--dpi " + *command.dpi + ": a " + std::string(format->name) +
-                           " cannot tell it here; it is for " +
-                           export_endings(ExportKind::Picture, &ExportFormat::density));
+                           " cannot tell it here" +
+                           export_use(ExportKind::Picture, &ExportFormat::density));
     }
-    if (const auto refused = refusal(*format, options))
-        return wrong_input(option + ": " + *refused);
     return options;
 }
 

@@ -97,6 +97,8 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
       cards_(options.keeps_files, [this] { window_.wake(); }),
       look_cards_(options.keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
                   [this] { window_.wake(); }),
+      view_cards_(options.keeps_files ? ThumbnailJob::Priority::Low : ThumbnailJob::Priority::Usual,
+                  [this] { window_.wake(); }),
       feed_([this] { window_.wake(); },
             [this] {
                 if (latency_ != nullptr) latency_->picture_ready();
@@ -131,6 +133,7 @@ void Desktop::draw_frame() {
     take_frame();
     cards_.show(state_);
     look_cards_.show(state_);
+    view_cards_.show(state_);
     exports_.show(state_);
     follow_waiting();
     if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
@@ -140,6 +143,7 @@ void Desktop::draw_frame() {
     ui::draw_screen(state_, texture_);
     cards_.follow(state_);
     look_cards_.follow(state_, feed_.on_screen());
+    view_cards_.follow(state_, feed_.on_screen());
     // Jobs get the edits before the frame waits for the screen.
     follow_edits();
     follow_waiting();
@@ -163,7 +167,7 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           cards_.settled() && look_cards_.settled() && exports_.settled();
+           cards_.settled() && look_cards_.settled() && view_cards_.settled() && exports_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {

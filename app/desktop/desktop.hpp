@@ -11,6 +11,7 @@
 #include "app/exports/export_desk.hpp"
 #include "app/gallery/gallery_cards.hpp"
 #include "app/gallery/look_cards.hpp"
+#include "app/gallery/view_cards.hpp"
 #include "document/document.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_request.hpp"
@@ -130,6 +131,7 @@ private:
     // Their threads wake the window, so that they end first.
     GalleryCards cards_;
     LookCards look_cards_;
+    ViewCards view_cards_;
     PictureFeed feed_;
     ExportDesk exports_;
 };

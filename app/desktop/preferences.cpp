@@ -22,9 +22,10 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 9> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 10> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
+     {"camera_open", &ui::Layout::camera_open},
      {"look_open", &ui::Layout::look_open},
      {"light_open", &ui::Layout::light_open},
      {"markers_open", &ui::Layout::markers_open},

@@ -1,9 +1,11 @@
 #include "app/desktop/session.hpp"
 
 #include "app/platform/folders.hpp"
+#include "document/camera_text.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
+#include "ui/actions/view_moves.hpp"
 #include "ui/panels/statement_list.hpp"
 #include "ui/style/label.hpp"
 #include "ui/window/clipboard.hpp"
@@ -161,6 +163,8 @@ void Session::follow_command() {
         case ui::Command::Copy: return copy();
         case ui::Command::Share: return ui::set_clipboard(share_text(current()));
         case ui::Command::Paste: return paste();
+        case ui::Command::CopyCamera: return copy_camera();
+        case ui::Command::PasteCamera: return paste_camera(ui::clipboard());
         case ui::Command::Quit: return close();
     }
 }
@@ -175,8 +179,22 @@ void Session::copy() const {
     ui::set_clipboard(marker != nullptr ? coordinates_text(marker->at) : text_of(current()));
 }
 
+void Session::copy_camera() const {
+    if (current().camera) ui::set_clipboard(camera_text(*current().camera));
+}
+
+void Session::paste_camera(const std::string& text) {
+    if (!current().camera) return;
+    const auto camera = read_camera_text(text, *current().camera);
+    if (!camera)
+        return say("No camera pasted: " + camera.error() +
+                   ". A camera is a text such as eye 5,-8,4; look-at 0,0,0; up 0,0,1; fov 42.");
+    ui::move_view(state_, *camera);
+}
+
 void Session::paste() {
     const std::string text = ui::clipboard();
+    if (current().camera && read_camera_text(text, *current().camera)) return paste_camera(text);
     if (!looks_like_document(text)) {
         const bool empty = current().statements.back().text.empty();
         ui::insert_rows(state_, current().statements.size() - 1, text);

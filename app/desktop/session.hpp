@@ -81,6 +81,9 @@ private:
     /// Copies the selected marker's coordinates, or else the document.
     void copy() const;
     void paste();
+    void copy_camera() const;
+    /// Looks from where the text of a camera says, or says what is wrong with it.
+    void paste_camera(const std::string& text);
     void ask(Subject what, std::string text, std::vector<std::string> answers);
     void say(const std::string& text) { ask(Subject::Message, text, {"OK"}); }
     /// Says what the window failed to do: "cannot open 'a.json': it is too large", for example.

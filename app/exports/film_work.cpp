@@ -29,8 +29,7 @@ std::expected<FilmTarget, std::string> target_of(const ui::FilmExport& wish, con
         return target;
     }
     if (target.film == nullptr)
-        return std::unexpected("the film was not saved: " + other_name(ExportKind::Film, path) +
-                               "; frame####.png makes numbered pictures");
+        return std::unexpected("the film was not saved: " + other_name(ExportKind::Film, path));
     target.settings = {.width = size.width,
                        .height = size.height,
                        .rate = plan.rate,
@@ -85,6 +84,11 @@ FilmPlan plan_of(const ui::FilmExport& wish, const Document& document) {
             turn.axis[wish.axis - 1] = 1.0;
         }
         plan.turn = turn;
+    }
+    if (wish.through_views) {
+        plan.path.clear();
+        for (const SavedView& view : document.views)
+            plan.path.push_back(view.camera);
     }
     if (plan.path.size() < 2) plan.path.clear();
     return plan;

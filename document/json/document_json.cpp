@@ -1,6 +1,7 @@
 #include "document/json/document_json.hpp"
 
 #include "document/colors.hpp"
+#include "document/json/camera_json.hpp"
 #include "document/json/json_fields.hpp"
 #include "document/json/light_json.hpp"
 #include "document/json/look_json.hpp"
@@ -37,16 +38,6 @@ Json json_of(const Slider& slider) {
             {"step", slider.step},
             {"speed", slider.speed},
             {"repeat", name_of(slider.repeat)}};
-}
-
-Json json_of(const Camera& camera) {
-    Json json{{"eye", array_of(camera.eye)},
-              {"look_at", array_of(camera.look_at)},
-              {"up", array_of(camera.up)},
-              {"fov_rad", camera.fov_rad}};
-    if (camera.projection != Projection::Perspective)
-        json["projection"] = name_of(camera.projection);
-    return json;
 }
 
 constexpr auto stop_rules = enum_names<StopRule>("d_stop", "epsilon", "delta");
@@ -138,25 +129,6 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
     return slider;
 }
 
-Projection projection_of(const Json& json, const std::string& place) {
-    if (const auto projection = projection_named(string_of(json, place))) return *projection;
-    throw Damage{place + " is neither perspective nor orthographic"};
-}
-
-Camera camera_of(const Json& json, const std::string& place, std::vector<std::string>& unknown) {
-    Fields fields(json, place, unknown);
-    Camera camera;
-    camera.eye = vector_of(fields.get("eye"), fields.at("eye"));
-    camera.look_at = vector_of(fields.get("look_at"), fields.at("look_at"));
-    camera.up = vector_of(fields.get("up"), fields.at("up"));
-    camera.fov_rad = number_of(fields.get("fov_rad"), fields.at("fov_rad"));
-    if (const Json* projection = fields.find("projection")) {
-        camera.projection = projection_of(*projection, fields.at("projection"));
-    }
-    if (const char* defect = camera_defect(camera)) throw Damage{place + ": " + defect};
-    return camera;
-}
-
 Box box_of(const Json& json) {
     const auto n = numbers_of<6>(json, "box");
     const Box box{.lo = {n[0], n[2], n[4]}, .hi = {n[1], n[3], n[5]}};
@@ -223,6 +195,7 @@ ParsedDocument document_of(const Json& json) {
     if (const Json* camera = fields.find("camera"))
         document.camera = camera_of(*camera, "camera", unknown);
     if (const Json* home = fields.find("home")) document.home = camera_of(*home, "home", unknown);
+    if (const Json* views = fields.find("views")) document.views = views_of(*views, unknown);
     if (document.camera) document.up = document.camera->up;
     if (const Json* up = fields.find("up")) document.up = vector_of(*up, "up");
     if (glm::length(document.up) == 0) throw Damage{"up is zero"};
@@ -267,6 +240,7 @@ std::string text_of(const Document& document) {
     if (!document.region.is_whole()) json["region"] = json_of(document.region);
     if (document.camera) json["camera"] = json_of(*document.camera);
     if (document.home) json["home"] = json_of(*document.home);
+    if (!document.views.empty()) json["views"] = json_of(document.views);
     json["up"] = array_of(document.up);
     json["stop"] = json_of(document.stop);
     json["look"] = look_of(document);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace zeroset {
@@ -22,6 +23,7 @@ struct ExportFormat {
     bool density = false;       ///< tells printers the dots per inch
     bool numbered = false;      ///< a file for each frame of a film
     bool even = false;          ///< both sides are even numbers of pixels
+    std::string missing = {};   ///< why this program cannot write it; empty where it can
 };
 
 }  // namespace zeroset

@@ -111,4 +111,14 @@ Camera between(const Camera& from, const Camera& to, double part) {
     return camera_defect(camera) == nullptr ? camera : to;
 }
 
+double shown_height(const Camera& camera) {
+    return 2.0 * std::tan(0.5 * camera.fov_rad) * glm::distance(camera.eye, camera.look_at);
+}
+
+Camera with_shown_height(const Camera& camera, double height) {
+    Camera shows = camera;
+    shows.fov_rad = 2.0 * std::atan(0.5 * height / glm::distance(camera.eye, camera.look_at));
+    return shows;
+}
+
 }  // namespace zeroset

@@ -36,4 +36,9 @@ Camera centred(const Camera& camera, const glm::dvec3& point);
 /// straight, the directions turn evenly, the distance changes by equal factors. At 1 it is `to`.
 Camera between(const Camera& from, const Camera& to, double part);
 
+/// How much the camera shows from top to bottom at the point looked at, world units.
+double shown_height(const Camera& camera);
+/// `camera` with the angle by which it shows this much, above 0, there.
+Camera with_shown_height(const Camera& camera, double height);
+
 }  // namespace zeroset

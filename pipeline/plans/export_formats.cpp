@@ -2,6 +2,7 @@
 
 #include "engine/base/text.hpp"
 #include "engine/draw/files/formats.hpp"
+#include "engine/export/codecs/codec.hpp"
 #include "engine/export/films/film_formats.hpp"
 #include "engine/export/pictures/picture_formats.hpp"
 #include "engine/mesh/files/mesh_file.hpp"
@@ -22,7 +23,8 @@ ExportFormat row_of(const PictureFormat& format) {
             .deep = format.bits[1] != format.bits[0],
             .alpha = format.alpha,
             .quality = format.lossy,
-            .density = format.density};
+            .density = format.density,
+            .missing = format.encoder == nullptr ? "" : missing_encoder(format.encoder)};
 }
 
 ExportFormat row_of(const FilmFormat& format) {
@@ -32,7 +34,8 @@ ExportFormat row_of(const FilmFormat& format) {
             .about = format.about,
             .alpha = format.alpha,
             .quality = format.lossy,
-            .even = format.even};
+            .even = format.even,
+            .missing = missing_encoder(encoder_of(format.codec))};
 }
 
 /// Numbered pictures of a film's frames.
@@ -87,14 +90,16 @@ std::string_view command_of(ExportKind kind) {
 
 /// The endings of the files of a kind that are chosen.
 template <class Chosen>
-std::string endings_of(ExportKind kind, const Chosen& chosen) {
+std::vector<std::string_view> endings_of(ExportKind kind, const Chosen& chosen) {
     std::vector<std::string_view> endings;
     for (const ExportFormat& format : export_formats()) {
         if (format.kind == kind && !format.numbered && chosen(format))
             endings.push_back(format.ending);
     }
-    return one_of(endings);
+    return endings;
 }
+
+bool can_be_written(const ExportFormat& format) { return format.missing.empty(); }
 
 }  // namespace
 
@@ -114,19 +119,42 @@ const ExportFormat* export_format_of(ExportKind kind, const std::filesystem::pat
     return found == formats.end() ? nullptr : &*found;
 }
 
-std::string export_endings(ExportKind kind) {
-    return endings_of(kind, [](const ExportFormat&) { return true; });
-}
+std::string export_endings(ExportKind kind) { return one_of(endings_of(kind, can_be_written)); }
 
 std::string export_endings(ExportKind kind, bool ExportFormat::* has) {
-    return endings_of(kind, [has](const ExportFormat& format) { return format.*has; });
+    return one_of(endings_of(
+        kind, [has](const ExportFormat& format) { return format.*has && can_be_written(format); }));
+}
+
+std::string export_use(ExportKind kind, bool ExportFormat::* has) {
+    const std::string endings = export_endings(kind, has);
+    return endings.empty() ? "" : "; it is for " + endings;
+}
+
+std::string missing_endings(ExportKind kind) {
+    std::vector<std::string> reasons;
+    for (const ExportFormat& format : export_formats()) {
+        if (format.kind == kind && !format.numbered && !can_be_written(format) &&
+            std::ranges::find(reasons, format.missing) == reasons.end())
+            reasons.push_back(format.missing);
+    }
+    std::string text;
+    for (const std::string& reason : reasons) {
+        const auto endings = endings_of(
+            kind, [&reason](const ExportFormat& format) { return format.missing == reason; });
+        text += (text.empty() ? "no " : "; no ") + one_of(endings) + ": " + reason;
+    }
+    return text;
 }
 
 std::string other_name(ExportKind kind, const std::filesystem::path& path) {
-    std::string text = "type a name that ends in " + export_endings(kind);
+    std::string text = export_endings(kind);
+    text = text.empty() ? missing_endings(kind) : "type a name that ends in " + text;
+    if (kind == ExportKind::Film) text += "; frame####.png makes numbered pictures";
     const auto formats = export_formats();
     const auto other = std::ranges::find_if(formats, [&](const ExportFormat& format) {
-        return !format.numbered && export_format_of(format.kind, path) == &format;
+        return !format.numbered && can_be_written(format) &&
+               export_format_of(format.kind, path) == &format;
     });
     if (other == formats.end() || other->kind == kind) return text;
     return text + "; " + std::string(other->ending) + " is written by `zeroset " +

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
 #include <utility>
 
 namespace zeroset {
@@ -14,8 +12,6 @@ namespace {
 
 /// Steps of a turn at which the camera is set back far enough to see the whole box.
 constexpr int framing_steps = 72;
-/// Steps between two cameras of a path by which its length is measured.
-constexpr int path_steps = 256;
 
 glm::dvec3 turned(const glm::dvec3& vector, const Turn& turn, double progress) {
     const double angle = glm::radians(turn.degrees) * progress;
@@ -42,76 +38,6 @@ Camera framed_for_turn(const Camera& camera, const Turn& turn, const Box& box, d
     result.look_at = 0.5 * (box.lo + box.hi);
     result.eye = result.look_at + distance * glm::normalize(camera.eye - camera.look_at);
     return result;
-}
-
-/// A point of the curve by Catmull and Rom between b (t = 0) and c (t = 1).
-glm::dvec3 spline(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                  const glm::dvec3& d, double t) {
-    const glm::dvec3 leaves = 0.5 * (c - a);
-    const glm::dvec3 arrives = 0.5 * (d - b);
-    const double t2 = t * t;
-    const double t3 = t2 * t;
-    return (2 * t3 - 3 * t2 + 1) * b + (t3 - 2 * t2 + t) * leaves + (3 * t2 - 2 * t3) * c +
-           (t3 - t2) * arrives;
-}
-
-/// The camera at a parameter of a path: whole numbers are its cameras.
-Camera on_path(const std::vector<Camera>& path, bool closed, double at) {
-    const auto count = static_cast<std::ptrdiff_t>(path.size());
-    const auto last = closed ? count - 1 : count - 2;
-    const auto part =
-        std::clamp(static_cast<std::ptrdiff_t>(std::floor(at)), std::ptrdiff_t{0}, last);
-    const double t = at - static_cast<double>(part);
-    const auto camera = [&](std::ptrdiff_t i) -> const Camera& {
-        const std::ptrdiff_t index = part + i;
-        return path[static_cast<std::size_t>(
-            closed ? (index + count) % count : std::clamp(index, std::ptrdiff_t{0}, count - 1))];
-    };
-    Camera result = camera(t < 0.5 ? 0 : 1);
-    const auto point = [&](glm::dvec3 Camera::* member) {
-        return spline(camera(-1).*member, camera(0).*member, camera(1).*member, camera(2).*member,
-                      t);
-    };
-    result.eye = point(&Camera::eye);
-    result.look_at = point(&Camera::look_at);
-    result.up = point(&Camera::up);
-    result.fov_rad = std::lerp(camera(0).fov_rad, camera(1).fov_rad, t);
-    return result;
-}
-
-/// How far apart two cameras of a path are, for its speed.
-double distance(const Camera& a, const Camera& b) {
-    return glm::distance(a.eye, b.eye) + glm::distance(a.look_at, b.look_at);
-}
-
-double path_length(const FilmPlan& plan) {
-    const bool closed = plan.end == FilmEnd::Loop;
-    return static_cast<double>(closed ? plan.path.size() : plan.path.size() - 1);
-}
-
-/// The way at equal steps of the parameter.
-std::vector<double> way_along(const FilmPlan& plan) {
-    if (plan.path.size() < 2) return {};
-    const bool closed = plan.end == FilmEnd::Loop;
-    const int steps = path_steps * static_cast<int>(path_length(plan));
-    std::vector<double> way{0.0};
-    for (int step = 1; step <= steps; ++step) {
-        const double at = double(step) / path_steps;
-        const Camera before = on_path(plan.path, closed, at - 1.0 / path_steps);
-        way.push_back(way.back() + distance(before, on_path(plan.path, closed, at)));
-    }
-    return way;
-}
-
-/// The parameter of a path where this part of the whole way is behind.
-double parameter_at(const std::vector<double>& way, double part) {
-    const double wanted = part * way.back();
-    const auto above = std::ranges::upper_bound(way, wanted);
-    if (above == way.end()) return static_cast<double>(way.size() - 1) / path_steps;
-    const auto index = static_cast<std::size_t>(above - way.begin());
-    const double step = way[index] - way[index - 1];
-    const double beyond = step > 0 ? (wanted - way[index - 1]) / step : 0.0;
-    return (static_cast<double>(index - 1) + beyond) / path_steps;
 }
 
 double eased(double progress, Easing easing) {
@@ -153,17 +79,13 @@ FilmScript::FilmScript(FilmPlan plan, Document document, double aspect)
     : plan_(std::move(plan)),
       document_(std::move(document)),
       first_(document_.camera.value_or(default_camera(document_.clip, aspect, document_.up))),
-      way_(way_along(plan_)) {
+      path_(plan_.path, plan_.end == FilmEnd::Loop) {
     if (!document_.camera && plan_.turn)
         first_ = framed_for_turn(first_, *plan_.turn, document_.clip, aspect);
 }
 
 Camera FilmScript::camera_at(double progress) const {
-    Camera camera = first_;
-    if (!way_.empty()) {
-        const bool closed = plan_.end == FilmEnd::Loop;
-        camera = on_path(plan_.path, closed, parameter_at(way_, progress));
-    }
+    const Camera camera = path_.empty() ? first_ : path_.at(progress);
     return plan_.turn ? turned(camera, *plan_.turn, progress) : camera;
 }
 

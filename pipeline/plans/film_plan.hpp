@@ -3,6 +3,7 @@
 #include "document/document.hpp"
 #include "document/film_plan.hpp"
 #include "engine/view/camera.hpp"
+#include "pipeline/plans/camera_path.hpp"
 
 #include <vector>
 
@@ -29,9 +30,8 @@ private:
 
     FilmPlan plan_;
     Document document_;
-    Camera first_;  ///< that turns begin with
-    /// The way through `plan_.path` so far, at equal steps of its parameter.
-    std::vector<double> way_;
+    Camera first_;     ///< that turns begin with
+    CameraPath path_;  ///< through `plan_.path`
 };
 
 }  // namespace zeroset

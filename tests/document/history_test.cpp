@@ -132,6 +132,24 @@ TEST_F(Undo, BeginsAStepForAnotherPart) {
     EXPECT_EQ(text(), "");
 }
 
+TEST_F(Undo, KeepsSavedViewsApartButTheTypingOfANameTogether) {
+    const Camera camera{{0, -3, 0}, {0, 0, 0}, {0, 0, 1}, 1.0};
+    for (int i = 0; i < 2; ++i) {
+        add_view(document_.views, camera);
+        change();
+    }
+    for (const char* name : {"h", "ho", "hol"}) {
+        EXPECT_TRUE(rename_view(document_.views, 1, name));
+        change();
+    }
+    undo();
+    EXPECT_EQ(view_names(document_.views), "View 1, View 2");
+    undo();
+    EXPECT_EQ(view_names(document_.views), "View 1");
+    undo();
+    EXPECT_TRUE(document_.views.empty());
+}
+
 TEST_F(Undo, KeepsAddedAndRemovedRowsApartButADragOfARowTogether) {
     document_.statements.push_back({2, "b", true, {}});
     change();

@@ -105,6 +105,78 @@ class FilmTest(ProgramTest):
                           "--stats", "-")
         self.assertEqual(json.loads(other.out)["frame_ranges"]["frames"], 0)
 
+    def session_with_views(self):
+        """Writes a session with two opposite views and one from aside; returns its name."""
+        def view(name, eye, **more):
+            return {"name": name, "eye": eye, "look_at": [0, 0, 0], "up": [0, 0, 1],
+                    "fov_rad": 0.7, **more}
+        session = {"zeroset": 1, "statements": [{"text": TORUS}],
+                   "views": [view("front", [0, -9, 3]), view("the back", [0, 9, 3]),
+                             view("aside", [9, 0, 1], projection="orthographic")]}
+        (self.folder / "session.zeroset.json").write_text(json.dumps(session))
+        return "session.zeroset.json"
+
+    def test_a_saved_view_is_looked_from(self):
+        session = self.session_with_views()
+        shown = self.picture(session, "--view", "aside", "--size", "80x60")
+        self.run_ok("render", TORUS, "--size", "80x60", "--camera",
+                    "eye 9,0,1; look-at 0,0,0; fov 40.10704565915762", "--projection",
+                    "orthographic", "-o", "same.png")
+        self.assertEqual(shown.difference(read_png(self.folder / "same.png")), 0.0)
+        self.assertGreater(shown.difference(self.picture(session, "--view", "front", "--size",
+                                                         "80x60")), 0.05)
+        self.assertIn("eye", self.run_ok("render", "--help").out)
+        for arguments, words in (
+                (["--view", "Front"], ["--view Front", "there are: front, the back, aside"]),
+                (["--view", ""], ["--view"]),
+                (["--camera", "front"], ["--camera front", "eye X,Y,Z"]),
+                (["--camera", "eye 0,0,0"], ["--camera", "point looked at"]),
+                (["--camera", "eye 1,2,3", "--view", "front"], ["--view", "--camera"])):
+            with self.subTest(arguments=arguments):
+                done = run("render", session, "-o", "wrong.png", *arguments, cwd=self.folder)
+                self.assertEqual(done.code, 2, str(done))
+                for word in words:
+                    self.assertIn(word, done.err)
+                self.assertNotIn("wrong.png", self.files())
+        none = run("render", TORUS, "-o", "wrong.png", "--view", "front", cwd=self.folder)
+        self.assertEqual((none.code, none.err.count("\n")), (2, 1), str(none))
+        self.assertIn("no saved ones", none.err)
+
+    def test_a_film_goes_through_saved_views(self):
+        session = self.session_with_views()
+        size = ["--size", "48x48"]
+        film = ["animate", session, *size, "--frames", "5", "--end", "stop"]
+        self.run_ok(*film, "--through", "front", "--through", " the back ", "-o", "a#.png")
+        self.run_ok(*film, "--through", "eye 0,-9,3; look-at 0,0,0; fov 40.10704565915762",
+                    "--through", "the back", "-o", "b#.png")
+        self.run_ok(*film, "--through-views", "-o", "c#.png")
+        frames = {name: [read_png(self.folder / f"{name}{i}.png") for i in range(5)]
+                  for name in "abc"}
+        for number, view in ((0, "front"), (4, "the back")):
+            still = self.picture(session, *size, "--view", view)
+            self.assertLess(frames["a"][number].difference(still, 2), 0.01, view)
+        self.assertLess(frames["a"][2].difference(frames["b"][2], 2), 0.01)
+        # It goes around the torus, not through it: half of the way shows it from aside.
+        aside = self.picture(session, *size, "--camera", "eye 9,0,3; look-at 0,0,0; fov 40.107")
+        other = self.picture(session, *size, "--camera", "eye -9,0,3; look-at 0,0,0; fov 40.107")
+        self.assertLess(min(frames["a"][2].difference(aside, 40),
+                            frames["a"][2].difference(other, 40)), 0.05)
+        self.assertLess(frames["c"][4].difference(
+            self.picture(session, *size, "--view", "aside"), 2), 0.01)
+        for arguments, words in (
+                (["--through", "front", "--through", "rear"],
+                 ["--through rear", "there are: front, the back, aside"]),
+                (["--through", "front"], ["two ends"]),
+                (["--through", "front", "--through", "eye 1,2"], ["3 numbers"]),
+                (["--through", "front", "--through-views"], ["--through-views"])):
+            with self.subTest(arguments=arguments):
+                done = run(*film, *arguments, "-o", "d#.png", cwd=self.folder)
+                self.assertEqual((done.code, done.err.count("\n")), (2, 1), str(done))
+                for word in words:
+                    self.assertIn(word, done.err)
+        few = run("animate", TORUS, "--through-views", "-o", "d#.png", cwd=self.folder)
+        self.assertIn("0 saved views", few.err)
+
     def test_wrong_films(self):
         for arguments, words in (
                 (["-o", "film.avi"], ["film.avi", ".mp4", "####"]),

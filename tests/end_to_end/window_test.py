@@ -192,6 +192,34 @@ class WindowTest(RealWindowTest):
         self.wait_for(lambda: b"statements" in self.clipboard(), "the document copied")
         self.quit_by_key()
 
+    def test_saves_views_and_goes_back_to_them(self):
+        torus = self.start(TORUS)
+        self.display.xdotool("key", "Escape", "v")
+        turned = self.drag(1, 0.2, 0.1)
+        self.display.xdotool("key", "v")
+        self.rest(lambda image: self.same(image, turned), "the second view kept")
+        self.display.xdotool("key", "ctrl+k")
+        self.display.xdotool("type", "go to view 1")
+        self.display.xdotool("key", "Return")
+        self.rest(lambda image: self.same(image, torus), "the first view again")
+        # The session holds both, and a film goes through them.
+        self.display.xdotool("key", "ctrl+c")
+        self.wait_for(lambda: b"statements" in self.clipboard(), "the document copied")
+        views = json.loads(self.clipboard())["views"]
+        self.assertEqual([view["name"] for view in views], ["View 1", "View 2"])
+        # A camera goes from one window to another, and to the command line, as a line of text.
+        self.display.xdotool("key", "ctrl+k")
+        self.display.xdotool("type", "copy the camera")
+        self.display.xdotool("key", "Return")
+        self.wait_for(lambda: self.clipboard().startswith(b"eye "), "the camera copied")
+        camera = self.clipboard().decode()
+        done = run("render", TORUS, "--size", "40x30", "--camera", camera, "--stats", "-")
+        self.assertEqual(done.code, 0, str(done))
+        self.drag(1, -0.2, 0.0)
+        self.display.xdotool("key", "ctrl+v")
+        self.rest(lambda image: self.same(image, torus), "the camera pasted")
+        self.quit_by_key()
+
     def test_undo_brings_back_text_and_view(self):
         ball = self.start(BALL)
         self.type_equation(TORUS)

@@ -128,6 +128,56 @@ TEST(Jit, HasTheSameBitsBeforeAndAfterItsPatienceEnds) {
         EXPECT_EQ(batch.run(patient), expected) << i;
 }
 
+TEST(Jit, MakesDoubleWhenItIsCalledWithTheInterpretersBits) {
+    RandomNumbers random(22);
+    const KernelBatchOf<double> batch(random, 64);
+    for (const char* const text : {"x^3*y + 1.03125*sin(y*z) - x*z^2", "max(abs(x) - 0.7, y/z)",
+                                   "if(x < y, exp(z), sqrt(x^2 + z^2)) - w"}) {
+        const Expr expr = parsed(text);
+        const auto expected = batch.run(interpret(expr));
+        for (const std::size_t calls : {0, 3}) {
+            jit::forget_code();
+            const jit::CompileOptions options{.patient_nodes = calls * 64 * expr.nodes().size()};
+            const Kernel kernel = jit::compile_when_called(expr, options);
+            for (int i = 0; i < 8; ++i)
+                EXPECT_EQ(batch.run(kernel), expected) << text << ", " << i;
+            const Kernel again = jit::compile_when_called(expr, options);
+            EXPECT_EQ(again.in_double.range, kernel.in_double.range) << "equal graphs share code";
+            EXPECT_EQ(again.in_double.value, kernel.in_double.value);
+            EXPECT_EQ(again.in_double.form, kernel.in_double.form);
+        }
+    }
+}
+
+TEST(Jit, MakesOneCodeForManyThreadsThatCallIt) {
+    RandomNumbers random(23);
+    const KernelBatchOf<double> batch(random, 64);
+    const Expr expr = parsed("x^3*y + 1.015625*cos(y*z) - x*z^2");
+    const auto expected = batch.run(interpret(expr));
+    const Kernel kernel = jit::compile_when_called(expr, {.patient_nodes = 1});
+    std::vector<std::thread> threads;
+    std::array<bool, 4> same{};
+    for (bool& is_same : same) {
+        threads.emplace_back([&] {
+            is_same = true;
+            for (int i = 0; i < 8; ++i)
+                is_same = is_same && batch.run(kernel) == expected;
+        });
+    }
+    for (std::thread& thread : threads)
+        thread.join();
+    for (const bool is_same : same)
+        EXPECT_TRUE(is_same);
+}
+
+TEST(Jit, InterpretsWhatNoMachineCanCompileWhenItIsCalled) {
+    RandomNumbers random(24);
+    const KernelBatchOf<double> batch(random, 64);
+    const Expr expr = parsed("x^3*y + sin(y*z) - x*z^2");
+    const Kernel kernel = jit::compile_when_called(expr, {.lanes = 5});
+    EXPECT_EQ(batch.run(kernel), batch.run(interpret(expr)));
+}
+
 TEST(Jit, KeepsLaneCountsApart) {
     const Expr expr = parsed("x^2 + y^2 + z^2 - 1.5");
     const std::vector<int> lanes = machine_lanes();

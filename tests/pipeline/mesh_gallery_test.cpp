@@ -67,6 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
                     KnownSurface{"orthocircle", 1, 7},
                     // A ring cyclide, as c < mu < a.
                     KnownSurface{"dupin_cyclide", 1, 1}, KnownSurface{"double_torus", 1, 2},
+                    // Two rings above each other, melted into one, as |w| is above 0.4.
+                    KnownSurface{"tiger", 1, 1},
                     // f grows along all rays from the middle; its spikes are thinner than cells.
                     KnownSurface{.name = "distel", .components = 1, .genus = 0, .is_smooth = false},
                     // Three tunnels that meet: six mouths.

@@ -183,6 +183,10 @@ TEST_P(Goldens, OfMarkersAndThePointUnderThePointer) {
     pointed.facts.normal = {0.0, 0.6, 0.8};
     pointed.facts.certificate = Certificate::Certified;
     state_.shown.pointed = pointed;
+    for (int i = 0; i < 2; ++i)
+        draw_frame();
+    ImGuiWindow* const sections = section("markers")->ParentWindow;
+    ImGui::SetScrollY(sections, sections->ScrollMax.y);
     expect_golden("markers");
 }
 

@@ -129,6 +129,15 @@ void select_next_marker(UiState& state) {
 bool has_markers(const UiState& state) { return !state.edited.document.markers.empty(); }
 bool has_selected_marker(const UiState& state) { return state.edited.selected_marker != 0; }
 
+/// Keeps the camera as a view of the document, and shows that.
+void save_view(UiState& state) {
+    Document& edited = state.edited.document;
+    if (edited.camera) add_view(edited.views, *edited.camera);
+    state.edited.layout.camera_open = true;
+}
+
+bool has_camera(const UiState& state) { return state.edited.document.camera.has_value(); }
+
 /// Opens the export page for a kind of file, or closes it if it shows that.
 template <ExportKind kind>
 void open_exports(UiState& state) {
@@ -165,7 +174,7 @@ constexpr auto table = std::to_array<Action>({
      .keys = "5",
      .about = "orthographic or perspective view",
      .run = switch_projection,
-     .enabled = [](const UiState& state) { return state.edited.document.camera.has_value(); },
+     .enabled = has_camera,
      .is_on = [](const UiState& state) { return is_parallel(state.edited.document.camera); }},
     {.section = picture,
      .name = "Mark undecided pixels",
@@ -299,6 +308,22 @@ constexpr auto table = std::to_array<Action>({
      .about = "dragging turns as a ball (trackball), not about what is up",
      .run = [](UiState& state) { set_trackball(state, !state.edited.document.trackball); },
      .is_on = is_document<&Document::trackball>},
+    {.section = view,
+     .name = "Save view",
+     .keys = "V",
+     .about = "keep where one looks from under a name, in the section Camera",
+     .run = save_view,
+     .enabled = has_camera},
+    {.section = view,
+     .name = "Copy the camera",
+     .about = "as a line of text for another window or for --camera",
+     .run = give<Command::CopyCamera>,
+     .enabled = has_camera},
+    {.section = view,
+     .name = "Paste the camera",
+     .about = "look from where a copied line of text says",
+     .run = give<Command::PasteCamera>,
+     .enabled = has_camera},
     {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
     {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
     {.section = view, .name = "z is up", .run = [](UiState& state) { set_up(state, {0, 0, 1}); }},
@@ -382,6 +407,10 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: View",
      .run = toggle_layout<&Layout::view_open>,
      .is_on = is_layout<&Layout::view_open>},
+    {.section = window,
+     .name = "Section: Camera",
+     .run = toggle_layout<&Layout::camera_open>,
+     .is_on = is_layout<&Layout::camera_open>},
     {.section = window,
      .name = "Section: Clip",
      .run = toggle_layout<&Layout::clip_open>,

@@ -22,7 +22,7 @@ namespace {
 
 constexpr float narrowest_page_em = 25.0F;
 constexpr float widest_page_em = 33.0F;
-constexpr float highest_page_em = 53.0F;
+constexpr float highest_page_em = 56.0F;
 
 struct Tab {
     ExportKind kind;
@@ -35,15 +35,19 @@ constexpr std::array<Tab, 4> tabs{{
     {.kind = ExportKind::Drawing, .name = "Drawing"},
 }};
 
-/// The format that is chosen for the page's kind; the kind's first one before any is chosen.
+/// The format that is chosen for the page's kind; the kind's first one that can be written, where
+/// none is chosen or the chosen one cannot be.
 const ExportFormat& chosen_format(UiState& state) {
     ExportPage& page = state.pages.exports;
     std::string& ending = page.endings.at(static_cast<std::size_t>(page.wish.kind));
     const auto& formats = state.shown.export_formats;
-    const auto is_chosen = [&](const ExportFormat& format) {
-        return format.kind == page.wish.kind && (ending.empty() || ending == ending_of(format));
+    const auto can_be = [&](const ExportFormat& format) {
+        return format.kind == page.wish.kind && format.missing.empty();
     };
-    auto found = std::ranges::find_if(formats, is_chosen);
+    auto found = std::ranges::find_if(formats, [&](const ExportFormat& format) {
+        return can_be(format) && ending == ending_of(format);
+    });
+    if (found == formats.end()) found = std::ranges::find_if(formats, can_be);
     if (found == formats.end()) found = formats.begin();
     ending = ending_of(*found);
     return *found;
@@ -60,12 +64,27 @@ void draw_formats(UiState& state, const ExportFormat& chosen) {
     if (!ImGui::BeginCombo("##format", shown_name(chosen).c_str(), ImGuiComboFlags_HeightLarge))
         return;
     for (const ExportFormat& format : state.shown.export_formats) {
-        if (format.kind != page.wish.kind) continue;
+        if (format.kind != page.wish.kind || !format.missing.empty()) continue;
         if (ImGui::Selectable(shown_name(format).c_str(), &format == &chosen))
             page.endings.at(static_cast<std::size_t>(page.wish.kind)) = ending_of(format);
         draw_tooltip(std::string(format.about));
     }
     ImGui::EndCombo();
+}
+
+/// Says which formats of the page's kind this program cannot write, and why.
+void draw_missing(const UiState& state) {
+    std::string names;
+    std::string reason;
+    for (const ExportFormat& format : state.shown.export_formats) {
+        if (format.kind != state.pages.exports.wish.kind || format.missing.empty()) continue;
+        if (!format.numbered) names += (names.empty() ? "" : ", ") + std::string(format.name);
+        reason = format.missing;
+    }
+    if (names.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(state.edited.theme).quiet);
+    ImGui::TextWrapped("No %s: %s.", names.c_str(), reason.c_str());
+    ImGui::PopStyleColor();
 }
 
 void draw_part(UiState& state, const ExportFormat& format) {
@@ -128,6 +147,7 @@ void draw_content(UiState& state) {
     const ExportFormat& format = chosen_format(state);
     if (page.wish.kind == ExportKind::Film) draw_film_timeline(state);
     draw_formats(state, format);
+    draw_missing(state);
     draw_part(state, format);
     ImGui::EndChild();
     ImGui::Separator();

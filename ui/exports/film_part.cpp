@@ -119,10 +119,24 @@ void draw_sweeps(UiState& state) {
     ImGui::EndCombo();
 }
 
-/// Draws the cameras that the film goes through.
-void draw_path(UiState& state) {
+constexpr const char* about_way =
+    "The camera goes through views, smoothly and at an even speed. Saved views (V) make a way, "
+    "too.";
+
+/// Draws the choice of the saved views as the camera's way.
+void draw_saved_way(UiState& state) {
+    const std::size_t count = state.edited.document.views.size();
+    draw_export_label("way", about_way);
+    const std::string label = "Through the saved views (" + std::to_string(count) + ")###saved";
+    ImGui::Checkbox(label.c_str(), &state.pages.exports.wish.film.through_views);
+    draw_tooltip(count < 2 ? "Two views make a way: save another (V)."
+                           : "In the order of the section Camera.");
+}
+
+/// Draws the cameras of a way of the film's own.
+void draw_own_way(UiState& state, const char* label) {
     std::vector<Camera>& path = state.pages.exports.wish.film.plan.path;
-    draw_export_label("way", "The camera goes through these views, at an even speed.");
+    draw_export_label(label, about_way);
     if (ImGui::Button("Add this view") && state.edited.document.camera)
         path.push_back(*state.edited.document.camera);
     draw_tooltip("Turn the picture, then add what it shows; two views make a way.");
@@ -136,6 +150,16 @@ void draw_path(UiState& state) {
     if (path.empty()) return;
     ImGui::SameLine(0.0F, em(0.4F));
     if (ImGui::Button("Clear")) path.clear();
+}
+
+/// Draws the way of the camera: through the saved views where there are enough of them, or through
+/// views that are added here.
+void draw_way(UiState& state) {
+    const FilmExport& film = state.pages.exports.wish.film;
+    const bool saved = state.edited.document.views.size() >= 2 || film.through_views;
+    if (saved) draw_saved_way(state);
+    if (film.through_views) return;
+    if (!saved || !film.plan.path.empty()) draw_own_way(state, saved ? "" : "way");
 }
 
 /// Draws how long the film is: seconds, frames and frames a second, of which any two make the
@@ -163,6 +187,14 @@ void draw_time(FilmExport& film) {
 void draw_blur(FilmPlan& plan) {
     draw_export_label("blur", "Pictures that are mixed for each frame: motion blur.");
     draw_integer_slider("##blur", plan.blur, 1, 64, plan.blur == 1 ? "off" : nullptr);
+    if (plan.blur == 1) return;
+    draw_export_label("shutter",
+                      "The part of a frame's time over which they are spread: 50 % is usual, at "
+                      "100 % a motion leaves no gaps.");
+    int percent = static_cast<int>(std::lround(100.0 * plan.shutter));
+    const std::string shown = std::to_string(percent) + " %";
+    if (draw_integer_slider("##shutter", percent, 1, 100, shown.c_str()))
+        plan.shutter = 0.01 * percent;
 }
 
 }  // namespace
@@ -202,7 +234,7 @@ void draw_film_part(UiState& state, const ExportFormat& format) {
     FilmExport& film = state.pages.exports.wish.film;
     draw_turn(film);
     draw_sweeps(state);
-    draw_path(state);
+    draw_way(state);
     draw_time(film);
     draw_export_label("end", "What comes after the last frame, and how changes begin and end.");
     ImGui::SetNextItemWidth(em(6.0F));

@@ -14,6 +14,7 @@ struct Layout {
     float panel_em = 27.0F;  ///< width of the left panel, as far as the window has room
     bool folded = false;
     bool view_open = true;  ///< the section of the view's settings
+    bool camera_open = false;
     bool look_open = false;
     bool light_open = false;
     bool markers_open = false;

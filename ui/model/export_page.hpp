@@ -34,7 +34,8 @@ struct FilmExport {
     double seconds = 6.0;
     bool turns = true;  ///< a turn of `degrees` about `axis`
     double degrees = 360.0;
-    int axis = 0;  ///< 0: what is up; 1 to 3: x, y, z
+    int axis = 0;                ///< 0: what is up; 1 to 3: x, y, z
+    bool through_views = false;  ///< the way of `plan` leads through all saved views instead
     /// What else changes, with its rate, end and easing; frames and turn are made of the above.
     FilmPlan plan = {};
     bool alpha = false;

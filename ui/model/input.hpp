@@ -6,6 +6,7 @@
 #include <glm/ext/vector_int2.hpp>
 
 #include <optional>
+#include <string>
 
 namespace zeroset::ui {
 
@@ -27,6 +28,7 @@ struct Input {
     unsigned gesture = 0;                   ///< grows with each press of a button
     bool held = false;                      ///< a button is down
     int typing_row = 0;                     ///< the row whose field has the keyboard; 0: none
+    std::string camera_error;  ///< what is wrong with the numbers of a camera that were typed last
 };
 
 }  // namespace zeroset::ui

@@ -84,11 +84,18 @@ struct PointedFacts {
     double pixel_size = 0.0;  ///< how far apart neighbouring pixels are there, world units
 };
 
+/// A small picture of what a camera sees.
+struct ViewPicture {
+    Camera camera;
+    unsigned int texture = 0;  ///< OpenGL's name
+};
+
 /// Everything the owner tells; panels only read it.
 struct Shown {
     std::vector<GalleryEntry> gallery;
     std::map<std::size_t, unsigned int> thumbnails;  ///< OpenGL's names of the gallery's pictures
     std::map<Look, unsigned int> look_pictures;      ///< of what is drawn, in each look
+    std::vector<ViewPicture> view_pictures;          ///< of saved views
     std::vector<HelpSection> language_help;
     ReadingFacts reading;
     DocumentStatus document;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/view/camera.hpp"
 #include "engine/view/image_point.hpp"
 
 #include <glm/ext/vector_int2.hpp>
@@ -31,6 +32,8 @@ enum class Command : std::uint8_t {
     Copy,
     Share,  ///< copies the document as one line of text
     Paste,
+    CopyCamera,  ///< as one line of text
+    PasteCamera,
     Quit,
 };
 
@@ -45,6 +48,12 @@ struct PictureClick {
 /// The pictures that the gallery's page has room for.
 struct ThumbnailWish {
     std::vector<std::size_t> items;  ///< lines of the gallery whose pictures are in sight
+    glm::ivec2 size_px{0};
+};
+
+/// The pictures that the saved views in sight have room for.
+struct ViewPictureWish {
+    std::vector<Camera> cameras;
     glm::ivec2 size_px{0};
 };
 
@@ -65,6 +74,7 @@ struct Wishes {
     ThumbnailWish thumbnails;  ///< lasts while the page is open
     /// The size of pictures of each look, while those are to be chosen from.
     std::optional<glm::ivec2> look_pictures_px;
+    std::optional<ViewPictureWish> view_pictures;  ///< while saved views are in sight
 };
 
 }  // namespace zeroset::ui

@@ -1,6 +1,7 @@
 #include "ui/pages/command_palette.hpp"
 
 #include "ui/actions/actions.hpp"
+#include "ui/actions/view_moves.hpp"
 #include "ui/model/text_match.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
@@ -32,6 +33,14 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .enabled = is_enabled(action, state),
                          .is_on = on,
                          .run = action.run});
+    }
+    for (const SavedView& view : state.edited.document.views) {
+        lines.push_back(
+            {.text = "Go to view " + view.name,
+             .hint = "saved view",
+             .enabled = state.edited.document.camera.has_value(),
+             .is_on = state.edited.document.camera == view.camera,
+             .run = [camera = view.camera](UiState& changed) { move_view(changed, camera); }});
     }
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
         lines.push_back({.text = state.shown.gallery[i].title,

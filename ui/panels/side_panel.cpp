@@ -2,6 +2,7 @@
 
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/camera_section.hpp"
 #include "ui/panels/clip_section.hpp"
 #include "ui/panels/document_menu.hpp"
 #include "ui/panels/light_section.hpp"
@@ -117,12 +118,17 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
-constexpr std::array<FoldedSection, 6> sections{
+constexpr std::array<FoldedSection, 7> sections{
     {{.title = "View",
       .id = "##view",
       .open = &Layout::view_open,
       .draw = draw_view_section,
       .height = [](const UiState&) { return view_section_height(); }},
+     {.title = "Camera",
+      .id = "##camera",
+      .open = &Layout::camera_open,
+      .draw = draw_camera_section,
+      .height = camera_section_height},
      {.title = "Look",
       .id = "##look",
       .open = &Layout::look_open,

@@ -2,6 +2,7 @@
 
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/solid_options.hpp"
+#include "document/camera_text.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
@@ -71,11 +72,22 @@ OrInputError<Projection> read_projection(const std::string& text) {
     return wrong_input("--projection " + text + ": type perspective or orthographic");
 }
 
-/// Changes the document's camera by the view options for it.
-std::optional<InputError> take_camera(const ViewText& view, Document& document) {
+/// The camera that the options for parts of it change; nothing: the document's stays as it is.
+OrInputError<std::optional<Camera>> first_camera(const ViewText& view, const Document& document) {
+    const Camera camera = document.camera.value_or(default_camera(document.clip));
+    if (view.saved_view) return saved_camera("--view", *view.saved_view, document);
+    if (view.camera) return read_camera("--camera", *view.camera, camera);
     if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
         return std::nullopt;
-    Camera camera = document.camera.value_or(default_camera(document.clip));
+    return camera;
+}
+
+/// Changes the document's camera by the view options for it.
+std::optional<InputError> take_camera(const ViewText& view, Document& document) {
+    const auto first = first_camera(view, document);
+    if (!first) return first.error();
+    if (!*first) return std::nullopt;
+    Camera camera = **first;
     const auto take = [](const std::optional<std::string>& text, const char* option,
                          glm::dvec3& value) -> std::optional<InputError> {
         if (!text) return std::nullopt;
@@ -93,7 +105,7 @@ std::optional<InputError> take_camera(const ViewText& view, Document& document) 
     if (view.fov) {
         const auto degrees = read_number("--fov", *view.fov);
         if (!degrees) return degrees.error();
-        if (!(*degrees >= 0.01 && *degrees <= 170)) {
+        if (!(*degrees >= least_fov_deg && *degrees <= most_fov_deg)) {
             return InputError{.reason = "--fov " + *view.fov +
                                         ": type an angle from 0.01 to 170 degrees"};
         }
@@ -285,6 +297,22 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (auto error = take_parameters(view, *input)) return std::unexpected(*error);
     if (auto error = take_appearance(view, *input)) return std::unexpected(*error);
     return input;
+}
+
+OrInputError<Camera> read_camera(const std::string& option, const std::string& text,
+                                 const Camera& base) {
+    auto camera = read_camera_text(text, base);
+    if (!camera) return wrong_input(option + " " + text + ": " + camera.error());
+    return *camera;
+}
+
+OrInputError<Camera> saved_camera(const std::string& option, const std::string& name,
+                                  const Document& document) {
+    const std::string wanted(trimmed(name));
+    if (const SavedView* const view = find_view(document.views, wanted)) return view->camera;
+    return wrong_input(option + " " + wanted + ": there is no such view; " +
+                       (document.views.empty() ? "the document has no saved ones"
+                                               : "there are: " + view_names(document.views)));
 }
 
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {

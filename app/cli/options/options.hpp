@@ -23,6 +23,8 @@ namespace zeroset {
 /// The view options as typed; empty where an option was not given.
 struct ViewText {
     std::optional<std::string> box, eye, look_at, up, fov, projection, w, sphere;
+    std::optional<std::string> camera;      ///< as read_camera reads it
+    std::optional<std::string> saved_view;  ///< the name of one of the document's views
     std::vector<std::string> sections, solids, opacities;
     bool hollow = false;           ///< no section is capped
     std::vector<std::string> set;  ///< NAME=VALUE of parameters
@@ -56,6 +58,14 @@ struct Size {
 /// then applies the view options. Rows that cannot be read are no error here: the window shows
 /// them.
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view);
+
+/// Reads the text of camera_text; what it leaves out is as in `base`. `option` names it in errors.
+OrInputError<Camera> read_camera(const std::string& option, const std::string& text,
+                                 const Camera& base);
+
+/// The camera of the view with this name, or which views there are.
+OrInputError<Camera> saved_camera(const std::string& option, const std::string& name,
+                                  const Document& document);
 
 /// Reads the values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);

@@ -77,9 +77,10 @@ std::string even_size(const FilmSettings& settings) {
 std::string transparent_endings() {
     std::vector<std::string_view> endings;
     for (const FilmFormat& format : formats) {
-        if (format.alpha) endings.push_back(format.ending);
+        if (format.alpha && missing_encoder(encoder_of(format.codec)).empty())
+            endings.push_back(format.ending);
     }
-    return one_of(endings);
+    return endings.empty() ? "#.png, for numbered pictures" : one_of(endings);
 }
 
 }  // namespace

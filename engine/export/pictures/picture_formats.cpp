@@ -78,6 +78,11 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_exr_picture},
 }};
 
+/// Why the format cannot be written by this program, or empty.
+std::string missing_part(const PictureFormat& format) {
+    return format.encoder == nullptr ? "" : missing_encoder(format.encoder);
+}
+
 bool has_bits(const PictureFormat& format, int bits) {
     return std::ranges::find(format.bits, bits) != format.bits.end();
 }
@@ -87,7 +92,7 @@ template <class Can>
 std::string other_ending(const Can& can) {
     std::vector<std::string_view> endings;
     for (const PictureFormat& format : formats) {
-        if (can(format)) endings.push_back(format.endings[0]);
+        if (can(format) && missing_part(format).empty()) endings.push_back(format.endings[0]);
     }
     return endings.empty() ? "" : "; type a name that ends in " + one_of(endings);
 }
@@ -136,11 +141,8 @@ const PictureFormat* picture_format_of(const std::filesystem::path& path) {
 
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {
     const std::string name(format.name);
-    if (format.encoder != nullptr) {
-        const std::string missing = missing_encoder(format.encoder);
-        if (!missing.empty())
-            return "no " + name + ": " + missing + "; type a name that ends in .png";
-    }
+    if (const std::string missing = missing_part(format); !missing.empty())
+        return "no " + name + ": " + missing + "; type a name that ends in .png";
     if (options.alpha && !format.alpha)
         return "a " + name + " cannot be transparent" +
                other_ending([](const PictureFormat& other) { return other.alpha; });

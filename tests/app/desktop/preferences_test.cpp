@@ -34,6 +34,7 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
     preferences.layout = {.panel_em = 31.5F,
                           .folded = true,
                           .view_open = false,
+                          .camera_open = true,
                           .space_open = true,
                           .clip_open = true,
                           .edges_open = true};

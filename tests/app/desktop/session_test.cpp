@@ -168,6 +168,15 @@ TEST_F(Sessions, DoNotAskForTheCameraAlone) {
     EXPECT_TRUE(session_->closed());
 }
 
+TEST_F(Sessions, AskForSavedViews) {
+    start();
+    add_view(state_.edited.document.views, Camera{{0, -3, 0}, {0, 0, 0}, {0, 0, 1}, 1.0});
+    frame();
+    EXPECT_TRUE(state_.shown.document.unsaved);
+    give(ui::Command::Undo);
+    EXPECT_TRUE(state_.edited.document.views.empty());
+}
+
 TEST_F(Sessions, OpenAFile) {
     Document document = with_text("y = 3");
     document.w.value = 0.5;

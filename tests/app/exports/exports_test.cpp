@@ -161,5 +161,19 @@ TEST_F(Exports, FilmsTurnAboutTheAxis) {
     EXPECT_FALSE(plan_of(wish, ball_.document).turn);
 }
 
+TEST_F(Exports, FilmsGoThroughTheSavedViewsAsTheyAreNow) {
+    ui::FilmExport wish{.through_views = true};
+    wish.plan.path = {*ball_.document.camera, *ball_.document.camera, *ball_.document.camera};
+    Document document = ball_.document;
+    add_view(document.views, *document.camera);
+    EXPECT_TRUE(plan_of(wish, document).path.empty()) << "one view is no way";
+    Camera other = *document.camera;
+    other.eye = -other.eye;
+    add_view(document.views, other);
+    EXPECT_EQ(plan_of(wish, document).path, (std::vector<Camera>{*document.camera, other}));
+    wish.through_views = false;
+    EXPECT_EQ(plan_of(wish, document).path.size(), 3U);
+}
+
 }  // namespace
 }  // namespace zeroset

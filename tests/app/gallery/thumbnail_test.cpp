@@ -3,6 +3,7 @@
 #include "app/gallery/look_cards.hpp"
 #include "app/gallery/thumbnail_cache.hpp"
 #include "app/gallery/thumbnail_job.hpp"
+#include "app/gallery/view_cards.hpp"
 #include "pipeline/gallery.hpp"
 #include "tests/support/test_folder.hpp"
 
@@ -178,6 +179,29 @@ TEST_F(Thumbnails, OfLooksDifferFromEachOther) {
         pictures.insert(image->pixels);
     }
     EXPECT_EQ(pictures.size(), looks().size());
+}
+
+TEST_F(Thumbnails, OfViewsAreAsTheirCamerasSeeIt) {
+    const ReadDocument read = read_document(gallery()[item_named("torus")]);
+    const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
+    ASSERT_TRUE(prepared);
+    const PictureRequest request = picture_request(prepared->formula, prepared->colors,
+                                                   read.document, thumbnail_settings(), {800, 600});
+    const Camera away{{0, -50, 0}, {0, -60, 0}, {0, 0, 1}, 0.7};
+    // Near enough to need code in double.
+    const Camera near{{3 + 1e-7, 0, 0}, {3, 0, 0}, {0, 0, 1}, 0.7};
+    std::set<std::vector<std::uint32_t>> pictures;
+    for (const Camera& camera : {request.camera, away, near}) {
+        const auto image = thumbnail_of(view_picture(request, camera, {24, 18}), false);
+        ASSERT_TRUE(image);
+        EXPECT_EQ(image->width, 24);
+        pictures.insert(image->pixels);
+    }
+    EXPECT_EQ(pictures.size(), 3U);
+    const auto of_away = thumbnail_of(view_picture(request, away, {24, 18}), false);
+    EXPECT_EQ(std::ranges::count_if(of_away->pixels, [](auto pixel) { return pixel >> 24U != 0; }),
+              0)
+        << "nothing is seen";
 }
 
 TEST_F(Thumbnails, WaitWhileTheyAreHeld) {

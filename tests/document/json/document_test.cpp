@@ -58,7 +58,14 @@ Document rich_document() {
                                .step = 0.125,
                                .width = 2.5,
                                .intersections = true};
+    document.views = {{"front", *document.home}, {"from the \u03B1 \"hole\"", *document.camera}};
     return document;
+}
+
+/// A view of a document's file.
+std::string view_named(const std::string& name) {
+    return R"({"name": ")" + name +
+           R"(", "eye": [0, -3, 0], "look_at": [0, 0, 0], "up": [0, 0, 1], "fov_rad": 1})";
 }
 
 TEST(DocumentText, IsReadAsItWasWritten) {
@@ -157,6 +164,17 @@ TEST(DocumentText, SaysWhatIsDamaged) {
                   "projection": "fisheye"})"),
          "camera.projection is neither perspective nor orthographic"},
         {with("up", "[0, 0, 0]"), "up is zero"},
+        {with("views", "{}"), "views is no list"},
+        {with("views", "[3]"), "views[0] is no object"},
+        {with("views", "[" + view_named("a") + ", " + view_named("a") + "]"),
+         "there are two views called a"},
+        {with("views", "[" + view_named("") + "]"), "views[0].name: it is empty"},
+        {with("views", "[" + view_named("a\\nb") + "]"), "views[0].name: it is more than a line"},
+        {with("views", R"([{"eye": [0, 0, 1]}])"), "views[0].name is missing"},
+        {with("views", R"([{"name": "a", "look_at": [0, 0, 0]}])"), "views[0].eye is missing"},
+        {with("views", R"([{"name": "a", "eye": [0, 0, 0], "look_at": [0, 0, 0],
+                            "up": [0, 0, 1], "fov_rad": 1}])"),
+         "views[0]: the eye is at the point looked at; move one of them"},
         {with("stop", R"({"rule": "d_stop", "value": 23})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "d_stop", "value": 2.5})"), "stop.value is out of range"},
         {with("stop", R"({"rule": "luck", "value": 2})"),

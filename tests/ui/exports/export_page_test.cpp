@@ -71,6 +71,17 @@ protected:
         const float row = ImGui::GetFrameHeightWithSpacing();
         return {part.Pos.x + along * part.Size.x, top + (static_cast<float>(number) + 0.4F) * row};
     }
+    /// A line of the part, which is scrolled there.
+    glm::vec2 late_line(int number, float along) {
+        for (ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (!window->WasActive || !std::string(window->Name).contains("/##part_")) continue;
+            const float down =
+                line(number, along).y - window->Pos.y - 0.5F * window->Size.y + window->Scroll.y;
+            ImGui::SetScrollY(window, std::clamp(down, 0.0F, window->ScrollMax.y));
+        }
+        draw();
+        return line(number, along);
+    }
 };
 
 TEST(FilmExport, TakesANumberOfFrames) {
@@ -103,6 +114,23 @@ TEST_P(ExportPages, ChooseTheKindAndItsUsualFormat) {
     EXPECT_FALSE(page().open);
 }
 
+TEST_P(ExportPages, OfferNothingThatCannotBeWritten) {
+    const std::string reason = "this Zeroset was built without FFmpeg";
+    for (ExportFormat& format : state_.shown.export_formats)
+        format.missing = format.ending == ".mp4" || format.ending == ".jpg" ? reason : "";
+    page().endings[0] = ".jpg";
+    open("Save a film...");
+    EXPECT_EQ(page().endings[1], "####.png") << "numbered pictures need no FFmpeg";
+    click_at(line(1, 0.6F));  // opens the list of formats
+    draw();
+    const ImGuiWindow* const popup = child("##Combo_");
+    ASSERT_NE(popup, nullptr);
+    EXPECT_LT(popup->ContentSize.y, 1.9F * ImGui::GetTextLineHeightWithSpacing()) << "one line";
+    press(GLFW_KEY_ESCAPE);
+    open("Save the picture...");
+    EXPECT_EQ(page().endings[0], ".png") << "the choice of another program is given up";
+}
+
 TEST_P(ExportPages, TakeTypedSizes) {
     open("Save the picture...");
     click_at(line(1, 0.3F));
@@ -123,6 +151,42 @@ TEST_P(ExportPages, KeepTheSidesEvenWhereFilmsWantThat) {
     page().wish.film.size_px = {641, 360};
     draw();
     EXPECT_EQ(page().wish.film.size_px, glm::ivec2(641, 360));
+}
+
+TEST_P(ExportPages, TakeTheSavedViewsAsTheWay) {
+    open("Save a film...");
+    FilmExport& film = page().wish.film;
+    film.turns = false;
+    draw();
+    // Below the timeline and the format: turn, sweep, way.
+    click_at(late_line(4, 0.35F));
+    EXPECT_FALSE(film.through_views) << "there are no saved views, so that this one is added";
+    film.plan.path.clear();
+    for (int i = 0; i < 2; ++i)
+        add_view(state_.edited.document.views, *state_.edited.document.camera);
+    click_at(late_line(4, 0.35F));
+    EXPECT_TRUE(film.through_views);
+    click_at(late_line(4, 0.35F));
+    EXPECT_FALSE(film.through_views);
+}
+
+TEST_P(ExportPages, HaveAShutterWhereFramesAreMixed) {
+    open("Save a film...");
+    FilmExport& film = page().wish.film;
+    film.turns = false;
+    const auto height = [this] {
+        draw();
+        return child((std::string(window_name) + "/##part").c_str())->ContentSize.y;
+    };
+    const float without = height();
+    film.plan.blur = 8;
+    EXPECT_NEAR(height(), without + ImGui::GetFrameHeightWithSpacing(), 1.0F);
+    // Below the format: turn, sweep, way, time, end, size, blur.
+    click_at(late_line(9, 0.5F));
+    draw();
+    EXPECT_NE(film.plan.shutter, 0.5);
+    EXPECT_GT(film.plan.shutter, 0.0);
+    EXPECT_LE(film.plan.shutter, 1.0);
 }
 
 TEST_P(ExportPages, SaveByEnter) {

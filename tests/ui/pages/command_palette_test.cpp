@@ -66,6 +66,23 @@ TEST(PaletteLines, AreActionsSurfacesAndRecentFiles) {
     EXPECT_EQ(found[2], "unduloid.zeroset.json");
 }
 
+TEST(PaletteLines, GoToSavedViews) {
+    UiState state = some_state();
+    const Camera here{{0, -3, 0}, {0, 0, 0}, {0, 0, 1}, 1.0};
+    const Camera there{{3, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1.0};
+    state.edited.document.camera = here;
+    state.edited.document.views = {{"front", here}, {"the hole", there}};
+    EXPECT_TRUE(palette_lines(state, "go to view front").front().is_on);
+    const PaletteLine line = palette_lines(state, "hole").front();
+    EXPECT_EQ(line.text, "Go to view the hole");
+    EXPECT_EQ(line.hint, "saved view");
+    EXPECT_FALSE(line.is_on);
+    line.run(state);
+    ASSERT_TRUE(state.input.move);
+    EXPECT_EQ(state.input.move->to, there);
+    EXPECT_EQ(palette_lines(state, "save view").front().hint, "V");
+}
+
 TEST(PaletteLines, SayKeysGroupsAndWhatIsOn) {
     UiState state = some_state();
     state.shown.document.can_undo = false;

@@ -1,5 +1,7 @@
 #include "app/cli/options/options.hpp"
 
+#include "document/camera_text.hpp"
+#include "document/json/share_text.hpp"
 #include "engine/render/tracers.hpp"
 #include "pipeline/input_error.hpp"
 
@@ -213,6 +215,55 @@ TEST(ReadBudget, TakesSeconds) {
         ASSERT_FALSE(budget) << wrong;
         EXPECT_NE(budget.error().reason.find("--budget"), std::string::npos);
     }
+}
+
+/// A document with the saved views "front" and "the hole", as EQUATION.
+std::string session_with_views() {
+    Document document = empty_document();
+    document.statements[0].text = "x^2 + y^2 + z^2 = 1";
+    document.views = {{"front", {{0, -3, 0}, {0, 0, 0}, {0, 0, 1}, 1.0}},
+                      {"the hole", {{3, 0, 0}, {0, 0, 1}, {0, 0, 1}, 0.5}}};
+    return share_text(document);
+}
+
+TEST(SavedViewOption, LooksFromTheView) {
+    const auto read = read_document(session_with_views(),
+                                    texts_of<ViewText>({{&ViewText::saved_view, " the hole"}}));
+    ASSERT_TRUE(read) << read.error().reason;
+    EXPECT_EQ(read->document.camera, read->document.views[1].camera);
+    const auto changed = read_document(
+        session_with_views(),
+        texts_of<ViewText>({{&ViewText::saved_view, "front"}, {&ViewText::look_at, "0,0,0.5"}}));
+    ASSERT_TRUE(changed) << changed.error().reason;
+    EXPECT_EQ(changed->document.camera->eye, glm::dvec3(0, -3, 0));
+    EXPECT_EQ(changed->document.camera->look_at, glm::dvec3(0, 0, 0.5));
+}
+
+TEST(SavedViewOption, SaysWhichViewsThereAre) {
+    expect_refused(
+        read_document(session_with_views(), texts_of<ViewText>({{&ViewText::saved_view, "Front"}})),
+        "--view Front: there is no such view; there are: front, the hole");
+    expect_refused(document_of({{&ViewText::saved_view, "front"}}),
+                   "--view front: there is no such view; the document has no saved ones");
+}
+
+TEST(CameraOption, TakesTheTextOfACamera) {
+    const auto read =
+        document_of({{&ViewText::camera, "eye 0,-6,0; look-at 0,0,1; up 0,1,1; height 4"}});
+    ASSERT_TRUE(read) << read.error().reason;
+    EXPECT_EQ(read->document.camera->look_at, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(read->document.camera->projection, Projection::Orthographic);
+    const auto again =
+        document_of({{&ViewText::camera, camera_text(*read->document.camera).c_str()}});
+    ASSERT_TRUE(again) << again.error().reason;
+    EXPECT_EQ(again->document.camera->eye, read->document.camera->eye);
+}
+
+TEST(CameraOption, IsRefusedWithItsText) {
+    expect_refused(document_of({{&ViewText::camera, "eye 1,2"}}),
+                   "--camera eye 1,2: 3 numbers separated by commas are needed, not 2");
+    expect_refused(document_of({{&ViewText::camera, "front"}}), "--camera front: type eye X,Y,Z");
+    expect_refused(document_of({{&ViewText::camera, "eye 1,2,3; fov 0"}}), "0.01 to 170");
 }
 
 }  // namespace
