@@ -134,6 +134,17 @@ TEST_P(CommandPalettes, AreWalkedThroughByArrows) {
     EXPECT_TRUE(state_.edited.document.mark_undecided);
 }
 
+TEST_P(CommandPalettes, AreNoLargerThanWhatTheyHaveFound) {
+    press_with_ctrl(GLFW_KEY_K);
+    draw();
+    const float all = child("##command palette")->Size.y;
+    OffscreenWindow::type("zzzzzz");
+    draw();
+    const float none = child("##command palette")->Size.y;
+    EXPECT_LT(none, 0.5F * all);
+    EXPECT_GT(none, 2.0F * ImGui::GetFrameHeight()) << "it says that nothing is found";
+}
+
 TEST_P(CommandPalettes, OpenThePageTheyName) {
     run("gallery");
     draw();
