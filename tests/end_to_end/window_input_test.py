@@ -64,7 +64,33 @@ class InputTest(RealWindowTest):
         self.start(BALL)
         self.display.xdotool("key", "Escape", "mousedown", 1, "mouseup", 1)
         self.rest(lambda _: True, "rest")
-        self.assertEqual(len(self.document()["markers"]), 1)
+        self.set_clipboard("nothing")
+        self.display.xdotool("key", "ctrl+c")
+        self.wait_for(lambda: self.clipboard().count(",") == 2, "the marker's place copied")
+        self.display.xdotool("key", "ctrl+z")
+        self.rest(lambda _: True, "rest")
+        self.assertNotIn("markers", self.document())
+
+    def test_a_surface_out_of_view_is_told_and_found(self):
+        """F finds it; the notice over the picture is gone then."""
+        ball = self.start(BALL)
+        self.type_equation("(x-9)^2+y^2+z^2=1")
+        notice = self.changed(ball, "the notice")
+        self.display.xdotool("key", "Escape", "f")
+        found = self.rest(lambda image: not self.same(image, notice) and
+                          self.surface(image) > 0.1, "the surface found")
+        box = self.document()["box"]
+        self.assertTrue(7 < box[0] < 8 < 10 < box[1] < 11, box)
+        # What is typed near the origin now lies outside the box; the usual one is a click away.
+        self.type_equation(BALL)
+        self.changed(found, "the notice again")
+        width, height = self.SCREEN
+        middle = 0.5 * (self.PANEL + width)
+        self.display.xdotool("key", "Escape")
+        self.display.xdotool("mousemove", int(middle + 80), int(0.5 * (height - 27) + 16),
+                             "click", 1)
+        self.rest(lambda image: self.surface(image) > 0.02, "the ball in the usual box")
+        self.assertEqual(self.document()["box"], [-2, 2] * 3)
 
     def test_a_decimal_comma_is_read(self):
         """In the value of a slider, which is typed after a double click."""

@@ -180,7 +180,7 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
 void draw_box(const Pen& pen, const UiState& state) {
     if (state.edited.document.clip_box) return;
     const Clipping clipping = clipping_of(state.edited.document);
-    const std::uint32_t color = faded(palette(state.edited.theme).quiet, faint_part);
+    const std::uint32_t color = faded(palette(state.edited.theme).quiet, 0.5 * faint_part);
     // Two opposite faces of each axis have all edges; each edge lies on two faces.
     for (const std::size_t face : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
         pen.outline(outline_of({.part = HandlePart::BoxFace, .index = face}, clipping, pen.view),

@@ -20,7 +20,7 @@ namespace zeroset::ui {
 namespace {
 
 /// Least width of the picture that has room for a notice.
-constexpr float least_picture_em = 14.0F;
+constexpr float least_picture_em = 11.0F;
 constexpr float widest_em = 26.0F;
 
 constexpr std::array<Example, 3> all_examples{
@@ -75,11 +75,14 @@ void reset_box(UiState& state) {
 
 void draw_ways(UiState& state, float width) {
     ImGui::TextWrapped("Nothing of the surface is in view.");
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const ImVec2 half(0.5F * (width - gap), 0.0F);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x;
+    const float needed = ImGui::CalcTextSize("Reset box").x + 2.0F * style.FramePadding.x;
+    const bool wide = 0.5F * (width - gap) >= needed;
+    const ImVec2 half(wide ? 0.5F * (width - gap) : width, 0.0F);
     if (ImGui::Button("Fit (F)", half)) state.wishes.frame_surfaces = true;
     draw_tooltip("Find how far the surface reaches, and look at all of it.");
-    ImGui::SameLine(0.0F, gap);
+    if (wide) ImGui::SameLine(0.0F, gap);
     if (ImGui::Button("Reset box", half)) reset_box(state);
     draw_tooltip("The clip box from -2 to 2 again, and all of it in view.");
     Region& region = state.edited.document.region;
@@ -103,7 +106,8 @@ void draw_contents(UiState& state, Emptiness why, float width) {
 /// What framing has found, until the next press of a button.
 void draw_framed(const std::string& text, const PictureArea& area) {
     if (text.empty()) return;
-    const float width = area.hi.x - area.lo.x - em(2.0F);
+    const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
+    const float width = area.hi.x - area.lo.x - em(2.0F) - padding;
     ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), area.hi.y - em(0.8F)),
                             ImGuiCond_Always, ImVec2(0.5F, 1.0F));
     ImGui::SetNextWindowBgAlpha(0.9F);

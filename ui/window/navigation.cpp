@@ -12,9 +12,13 @@ void Navigation::follow() {
     const bool marks = (gui.IO.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0;
     // Released alone, Alt would go to a menu bar, and there is none.
     gui.NavWindowingToggleLayer = false;
-    const bool moved = tabbed_ && gui.NavJustMovedToId != 0;
+    const bool moved = gui.NavJustMovedToId != 0;
+    if (tabbed_ && moved && marks) gui.NavDisableHighlight = false;
+    // From a control that is not there any more the walk begins anew.
+    if (tabbed_ && !moved && gui.ActiveId == 0) gui.NavId = 0;
     tabbed_ = is_pressed(ImGuiKey_Tab);
-    if (marks && moved) gui.NavDisableHighlight = false;
+    // ImGui walks on from what is active only, else it begins at the first control.
+    if (tabbed_ && gui.NavTabbingDir == 0 && gui.NavId != 0) gui.NavTabbingDir = +1;
     // ImGui has marked the panel that the keyboard is in.
     const bool closed = had_popup_;
     had_popup_ = gui.OpenPopupStack.Size > 0;

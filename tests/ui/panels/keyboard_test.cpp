@@ -77,7 +77,7 @@ TEST_P(Keyboard, MovesASliderByArrows) {
     press(GLFW_KEY_LEFT);
     EXPECT_NEAR(value(), 0.9, 1e-9);
     press(GLFW_KEY_TAB);
-    draw();
+    draw_frame();
     EXPECT_NE(gui().NavId, slider()) << "Tab leads on";
 }
 

@@ -16,10 +16,20 @@ namespace {
 
 class ViewNotice : public Panels {
 protected:
+    void SetUp() override {
+        Panels::SetUp();
+        state_.edited.layout.folded = true;  // room also in the smallest window
+    }
+
+    /// The notice may cover the picture that draw() looks for.
+    void settle() {
+        for (int i = 0; i <= frames_to_settle; ++i)
+            draw_frame();
+    }
     static const ImGuiWindow* notice() { return child("##notice"); }
     void show_nothing() {
         state_.shown.figures.counts = {};
-        draw();
+        settle();
     }
     /// Clicks at the notice's line, counted from its bottom, in parts of its width.
     void click_line(float from_bottom, float across) {
@@ -31,7 +41,7 @@ protected:
 };
 
 TEST_P(ViewNotice, IsNotThereOverASurface) {
-    draw();
+    settle();
     EXPECT_EQ(notice(), nullptr);
     EXPECT_EQ(emptiness_of(state_), Emptiness::None);
 }
@@ -43,10 +53,19 @@ TEST_P(ViewNotice, OffersTheWaysToASurfaceOutOfView) {
     click_line(0.0F, 0.25F);
     EXPECT_TRUE(state_.wishes.frame_surfaces);
     state_.edited.document.clip = {.lo = glm::dvec3(7.9), .hi = glm::dvec3(10.1)};
-    draw();
+    settle();
     click_line(0.0F, 0.75F);
     EXPECT_EQ(state_.edited.document.clip, Box());
     EXPECT_TRUE(state_.wishes.frame_box);
+}
+
+TEST_P(ViewNotice, FitsBesideThePanelOfASmallWindow) {
+    state_.edited.layout.folded = false;
+    state_.edited.document.region.ball = Ball{.centre = {0, 0, 0}, .radius = 0.1};
+    show_nothing();
+    ASSERT_NE(notice(), nullptr);
+    EXPECT_GE(notice()->Pos.x, side_panel_width(state_.edited.layout));
+    EXPECT_GT(notice()->Pos.y, 0.0F);
 }
 
 TEST_P(ViewNotice, OffersToRemoveTheCuts) {
@@ -69,7 +88,7 @@ TEST_P(ViewNotice, WaitsForThePictureOfTheText) {
     show_nothing();
     EXPECT_EQ(notice(), nullptr) << "the figures are of another text";
     state_.shown.figures = {};
-    draw();
+    settle();
     EXPECT_EQ(notice(), nullptr) << "there is no full picture yet";
 }
 
@@ -100,10 +119,10 @@ TEST_P(ViewNotice, HasExamplesThatCanBeRead) {
 }
 
 TEST_P(ViewNotice, SaysWhatFramingFound) {
-    draw();
+    settle();
     EXPECT_EQ(child("##framed"), nullptr);
     state_.shown.status.framed = "framed the whole surface: clip box x 7.9 to 10.1";
-    draw();
+    settle();
     ASSERT_NE(child("##framed"), nullptr);
     EXPECT_GE(child("##framed")->Pos.x, side_panel_width(state_.edited.layout));
 }
