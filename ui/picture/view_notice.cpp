@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 

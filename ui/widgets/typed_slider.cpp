@@ -43,9 +43,11 @@ std::optional<double> draw_text(const char* id, ImGuiID slider, TypedText text) 
     ImGui::ItemSize(frame, ImGui::GetStyle().FramePadding.y);
     if (!ImGui::ItemAdd(frame, slider, &frame, ImGuiItemFlags_Inputable)) return std::nullopt;
     double typed = 0.0;
+    constexpr ImGuiInputTextFlags marks_all = ImGuiInputTextFlags_AutoSelectAll;
+    constexpr ImGuiInputTextFlags marks_nothing_edited = ImGuiInputTextFlags_NoMarkEdited;
     const bool edited =
         ImGui::TempInputText(frame, slider, id, text.data(), static_cast<int>(text.size()),
-                             ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_NoMarkEdited);
+                             marks_all | marks_nothing_edited);
     const bool is_number = edited && read_typed(text.data(), typed) && std::isfinite(typed);
     return is_number ? std::optional(typed) : std::nullopt;
 }
