@@ -1,9 +1,9 @@
 #include "document/framing.hpp"
 
+#include "engine/base/text.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace zeroset {
 namespace {
@@ -40,10 +40,18 @@ bool sticks_out(const Box& box, const Box& clip) {
            glm::any(glm::greaterThan(box.hi, clip.hi + slack));
 }
 
-std::string half_text(const Box& clip) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", 0.5 * clip.size());
-    return text.data();
+/// The box as it lies: "±1.1", or "x 7.9 to 10.1, y -1.1 to 1.1, z -1.1 to 1.1".
+std::string box_text(const Box& box) {
+    constexpr int digits = 4;
+    const double half = 0.5 * box.size();
+    if (box == Box::cube(half)) return "\u00B1" + short_number(half, digits);
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (axis > 0) text += ", ";
+        text += std::string(1, static_cast<char>('x' + axis)) + " " +
+                short_number(box.lo[axis], digits) + " to " + short_number(box.hi[axis], digits);
+    }
+    return text;
 }
 
 Framing shown(const Document& document, const Box& seen, double aspect, std::string note) {
@@ -63,7 +71,7 @@ Framing frame_surfaces(const Document& document, const Extent& extent, double as
         if (small || sticks_out(*extent.whole, document.clip)) {
             wished.clip = cube_about(*extent.whole);
             return shown(wished, *extent.whole, aspect,
-                         "framed the whole surface: clip box \u00B1" + half_text(wished.clip));
+                         "framed the whole surface: clip box " + box_text(wished.clip));
         }
     }
     if (extent.inside) {
@@ -74,9 +82,8 @@ Framing frame_surfaces(const Document& document, const Extent& extent, double as
     }
     if (may_clip && extent.reached) {
         wished.clip = *extent.reached;
-        return shown(
-            wished, wished.clip, aspect,
-            "enlarged the clip box until it meets the surface: \u00B1" + half_text(wished.clip));
+        return shown(wished, wished.clip, aspect,
+                     "enlarged the clip box until it meets the surface: " + box_text(wished.clip));
     }
     const bool somewhere = extent.whole || extent.reached;
     return {.document = document,

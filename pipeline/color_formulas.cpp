@@ -29,7 +29,7 @@ std::expected<Expr, InputError> expression_of(const std::string& text, const Row
 
 std::expected<Expr, InputError> color_expression(const ColorChoice& choice,
                                                  const RowProgram& rows) {
-    return expression_of(choice.expression, rows, "to colour by");
+    return expression_of(choice.expression, rows, "to color by");
 }
 
 /// The expression that `by` shows for a surface f = 0.

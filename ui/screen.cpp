@@ -12,6 +12,7 @@
 #include "ui/panels/side_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/picture/axis_gizmo.hpp"
+#include "ui/picture/view_notice.hpp"
 #include "ui/picture/viewport.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/texture.hpp"
@@ -51,6 +52,7 @@ void draw_screen(UiState& state, const Texture& picture) {
     follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
     draw_axis_gizmo(state);
+    draw_view_notice(state);
     draw_side_panel(state);
     draw_status_panel(state.edited, state.shown);
     draw_help_panel(pages.help, state.shown.language_help, theme);

@@ -59,12 +59,12 @@ void add_film_options(CLI::App& app, FilmCommand& film, const std::string& about
               "frames that share a search for empty space: auto (default; as many as measurement "
               "says), off, or a number");
     add_value(app, "--quality", film.quality, quality_range(ExportKind::Film) + " (default 90)");
-    add_value(app, "--bits", film.bits, "of a colour channel of numbered pictures: 8 or 16");
+    add_value(app, "--bits", film.bits, "of a color channel of numbered pictures: 8 or 16");
     app.add_flag("--alpha", film.alpha, "leave the background transparent");
     app.add_flag("--resume", film.resume,
                  "keep the numbered pictures that are there and show the same");
     app.add_flag("--no-legend", film.no_legend,
-                 "leave out what says which colour stands for which number");
+                 "leave out what says which color stands for which number");
     add_value(app, "--budget", film.budget,
               "seconds after which what is not decided of a frame stays undecided (default 30)");
     add_value(app, "--stats", film.stats, "times and counts: a JSON file, or -");
@@ -84,7 +84,7 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_value(*render_app, "--size", render.size,
               "WIDTHxHEIGHT in pixels, up to 65536x65536 (default 1024x1024)");
     add_value(*render_app, "--bits", render.bits,
-              "of a colour channel: 8 (default) or 16 for " +
+              "of a color channel: 8 (default) or 16 for " +
                   export_endings(ExportKind::Picture, &ExportFormat::deep));
     add_value(*render_app, "--dpi", render.dpi, "dots per inch, told to printers");
     add_value(
@@ -97,13 +97,13 @@ CLI::App* add_render(CLI::App& app, RenderCommand& render) {
     add_trace_options(*render_app, render.trace);
     add_value(*render_app, "--depth", render.depth, "distances along the rays: a PFM file");
     add_value(*render_app, "--certificate", render.certificate,
-              "what is proved of each pixel, in colours: a PNG file");
+              "what is proved of each pixel, in colors: a PNG file");
     add_value(*render_app, "--stats", render.stats, "times and counts: a JSON file, or -");
     add_repeated(*render_app, "--probe", render.probes,
                  "print what the pixel COL,ROW shows, as a line of JSON; may be repeated");
     render_app->add_flag("--alpha", render.alpha, "leave the background transparent");
     render_app->add_flag("--no-legend", render.no_legend,
-                         "leave out what says which colour stands for which number");
+                         "leave out what says which color stands for which number");
     add_value(*render_app, "--repeat", render.repeat,
               "draw N frames after a warm-up, for timing, by machine code");
     add_value(*render_app, "--budget", render.budget,

@@ -24,7 +24,7 @@ void add_light_options(CLI::App& app, LightText& light) {
     add_value(app, "--reflections", light.reflections,
               "how often a ray is mirrored, 0 (default) to 5");
     add_value(app, "--absorption", light.absorption,
-              "how much of other colours solids swallow of what is seen through them, per unit of "
+              "how much of other colors solids swallow of what is seen through them, per unit of "
               "length (default 0)");
     add_value(app, "--background", light.background,
               "#RRGGBB, #RRGGBB,#RRGGBB from top to bottom, or default");
@@ -56,10 +56,10 @@ void add_repeated(CLI::App& app, const std::string& name, std::vector<std::strin
 
 void add_color_options(CLI::App& app, LookText& look) {
     add_value(app, "--color-by", look.color_by,
-              "what colours tell: plain, normal, height, depth, mean-curvature, "
+              "what colors tell: plain, normal, height, depth, mean-curvature, "
               "gaussian-curvature, gradient, or an expression in x, y, z, w and the parameters");
     add_value(app, "--color-range", look.color_range,
-              "the numbers at the ends of the colours: A,B, or auto (default)");
+              "the numbers at the ends of the colors: A,B, or auto (default)");
     add_value(app, "--color-map", look.color_map, "aurora, ember, balance, gray or cycle");
 }
 

@@ -71,7 +71,7 @@ const char* name_of(Progress::Stage stage) {
     switch (stage) {
         case Progress::Stage::Compiling: return "compiling";
         case Progress::Stage::Fitting: return "looking for the surface";
-        case Progress::Stage::Coloring: return "finding the range of the colours";
+        case Progress::Stage::Coloring: return "finding the range of the colors";
         case Progress::Stage::Drawing: return "drawing";
         case Progress::Stage::Filming: return "filming";
         case Progress::Stage::Dividing: return "dividing cells";

@@ -19,6 +19,9 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
         return std::unexpected(input->rows.error());
     DesktopOptions options;
     options.document = std::move(input->document);
+    // The window has a background of its own theme.
+    if (input->shown_on && options.document.light.background == input->shown_on)
+        options.document.light.background.reset();
     options.path = input->path;
     options.note = input->note;
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;

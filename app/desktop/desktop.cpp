@@ -209,6 +209,7 @@ void Desktop::show(const FormulaResult& result) {
     ui::ReadingFacts& reading = state_.shown.reading;
     reading.parameters = result.reading.program->parameters;
     reading.uses_w = feed_.formula()->uses_w();
+    reading.calls_w_t = result.reading.program->calls_w_t;
     state_.shown.status.note = note_of(feed_.formula()->code);
     session_.amend(
         [&result](Document& document) { choose_colors(document, result.reading.surface_rows); });
@@ -333,7 +334,6 @@ std::optional<ExportSubject> Desktop::export_subject() const {
                           .formula = wanted->formula,
                           .colors = wanted->colors,
                           .settings = settings_};
-    subject.document.camera = wanted->camera;
     // The usual background of pictures is dark: not what a light window shows.
     if (state_.edited.theme == ui::Theme::Light && !subject.document.light.background)
         subject.document.light.background = ui::picture_background(ui::Theme::Light);

@@ -9,6 +9,7 @@
 
 #include <glm/ext/vector_int2.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -16,12 +17,20 @@
 // window waits for.
 
 namespace zeroset {
+namespace {
+
+/// The aspect of the picture that a camera is made for: ui::fitting sees to narrower ones.
+double wide_aspect(glm::ivec2 size_px) {
+    return std::max(static_cast<double>(size_px.x) / static_cast<double>(size_px.y), 1.0);
+}
+
+}  // namespace
 
 /// Looks at the whole box if the document has no camera, and on request.
 void Desktop::find_view() {
     const glm::ivec2 size = state_.input.viewport_px;
     if (size.x <= 0 || size.y <= 0) return;
-    const double aspect = static_cast<double>(size.x) / static_cast<double>(size.y);
+    const double aspect = wide_aspect(size);
     const auto look = [aspect](Document& document) {
         Camera first = default_camera(document.clip, aspect, document.up);
         if (document.camera) first.projection = document.camera->projection;
@@ -34,11 +43,18 @@ void Desktop::find_view() {
         ui::move_view(state_, *wished.camera);
     }
     if (!state_.edited.document.camera) session_.amend(look);
+    const bool typed = std::exchange(state_.wishes.frame_box, false);
+    if (typed)
+        ui::move_view(state_,
+                      framed(*state_.edited.document.camera, state_.edited.document.clip, aspect));
 }
 
 /// Computes the surfaces' extent in the background, then looks at all of them.
 void Desktop::find_surfaces() {
-    if (state_.input.gesture != done_gesture_) state_.shown.status.done.clear();
+    if (state_.input.gesture != done_gesture_) {
+        state_.shown.status.done.clear();
+        state_.shown.status.framed.clear();
+    }
     if (search_.runs()) {
         if (!search_.done()) return;
         if (const auto extent = search_.take(wanted_picture())) frame(*extent);
@@ -50,13 +66,12 @@ void Desktop::find_surfaces() {
 }
 
 void Desktop::frame(const Extent& extent) {
-    const double aspect =
-        static_cast<double>(state_.input.viewport_px.x) / state_.input.viewport_px.y;
+    const double aspect = wide_aspect(state_.input.viewport_px);
     const Framing framing =
         frame_surfaces(state_.edited.document, extent, aspect, std::exchange(fits_box_, true));
     state_.edited.document.clip = framing.document.clip;
     ui::move_view(state_, *framing.document.camera);
-    state_.shown.status.done = framing.note;
+    state_.shown.status.framed = framing.note;
     done_gesture_ = state_.input.gesture;
     window_.wake();
 }

@@ -1,5 +1,7 @@
 #include "app/desktop/picture_feed.hpp"
 
+#include "ui/model/steering.hpp"
+
 #include <utility>
 
 namespace zeroset {
@@ -69,7 +71,10 @@ std::optional<PictureRequest> PictureFeed::wanted(const Document& document,
     }
     TraceSettings of_document = settings;
     of_document.stop = document.stop;
-    return picture_request(formula_, colors_, document, of_document, size_px);
+    PictureRequest request = picture_request(formula_, colors_, document, of_document, size_px);
+    request.camera = ui::fitting(request.camera,
+                                 static_cast<double>(size_px.x) / static_cast<double>(size_px.y));
+    return request;
 }
 
 bool PictureFeed::submit(PictureRequest wanted) {

@@ -31,12 +31,20 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 10> switches{
      {"markers_open", &ui::Layout::markers_open},
      {"space_open", &ui::Layout::space_open},
      {"clip_open", &ui::Layout::clip_open},
+     {"details_open", &ui::Layout::details_open},
      {"edges_open", &ui::Layout::edges_open},
      {"handles", &ui::Layout::handles}}};
 
 std::optional<ui::Theme> theme_in(const json& file, const char* name) {
     const json value = file.value(name, json());
     return value.is_string() ? ui::theme_named(value.get<std::string>()) : std::nullopt;
+}
+
+ui::WheelUse wheel_in(const json& file, const char* name, ui::WheelUse usual) {
+    const json value = file.value(name, json());
+    const auto use =
+        value.is_string() ? ui::wheel_use_named(value.get<std::string>()) : std::nullopt;
+    return use.value_or(usual);
 }
 
 bool flag_in(const json& file, const char* name, bool usual) {
@@ -68,6 +76,7 @@ Preferences load_preferences(const fs::path& folder) {
         number_in(file, "panel_em", 1.0, widest_em, static_cast<double>(layout.panel_em)));
     for (const auto& [name, flag] : switches)
         layout.*flag = flag_in(file, name, layout.*flag);
+    layout.wheel = wheel_in(file, "wheel", layout.wheel);
     result.theme = theme_in(file, "theme");
     result.last_theme = theme_in(file, "last_theme").value_or(result.last_theme);
     ui::WindowSize& window = result.window;
@@ -90,7 +99,8 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
         {"height", window.height},
         {"maximized", window.maximized},
         {"tour_seen", preferences.tour_seen},
-        {"panel_em", preferences.layout.panel_em}};
+        {"panel_em", preferences.layout.panel_em},
+        {"wheel", name_of(preferences.layout.wheel)}};
     for (const auto& [name, flag] : switches)
         file[name] = preferences.layout.*flag;
     std::error_code ignored;

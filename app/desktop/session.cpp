@@ -8,6 +8,7 @@
 #include "ui/actions/view_moves.hpp"
 #include "ui/panels/statement_list.hpp"
 #include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
 #include "ui/window/clipboard.hpp"
 
 #include <algorithm>
@@ -45,6 +46,16 @@ std::string first_text(const Document& document) {
     return "Untitled";
 }
 
+/// The name, cut where it is too long for a question.
+std::string shortened(const std::string& name) {
+    constexpr std::size_t longest = 60;
+    if (name.size() <= longest) return name;
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)
+        --end;
+    return name.substr(0, end) + "\xE2\x80\xA6";
+}
+
 std::optional<fs::path> folder_for(const SessionOptions& options) {
     return options.keeps_files ? state_folder() : std::nullopt;
 }
@@ -64,7 +75,7 @@ Session::Session(ui::UiState& state, const SessionOptions& options)
     if (lost_) {
         ask(Subject::Restore,
             "Zeroset ended without being closed. Restore what was open?\n\n" +
-                first_text(lost_->document),
+                shortened(first_text(lost_->document)),
             {"Restore", "Discard"});
     } else if (!options.note.empty()) {
         say(options.note);
@@ -210,7 +221,7 @@ void Session::paste() {
 void Session::attempt(Action action) {
     if (!unsaved()) return perform(action);
     waiting_ = std::move(action);
-    ask(Subject::LoseWork, "Save the changes to " + state_.shown.document.name + "?",
+    ask(Subject::LoseWork, "Save the changes to " + shortened(state_.shown.document.name) + "?",
         {"Save", "Don't save", "Cancel"});
 }
 
@@ -281,7 +292,11 @@ void Session::choose_export() {
 }
 
 void Session::write(const std::string& path) {
-    const auto written = save_document(path, current());
+    // The usual background of pictures is dark: not what a light window shows.
+    const bool light = state_.edited.theme == ui::Theme::Light;
+    const auto written = save_document(
+        path, current(),
+        light ? std::optional(ui::picture_background(ui::Theme::Light)) : std::nullopt);
     if (!written) {
         waiting_.reset();
         return say_failure(written.error().message);

@@ -1,5 +1,9 @@
 #include "app/exports/export_desk.hpp"
 
+#include "ui/model/steering.hpp"
+
+#include <glm/ext/vector_int2.hpp>
+
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -92,7 +96,11 @@ void ExportDesk::save(const ui::UiState& state, const ExportSubject& subject,
 
 void ExportDesk::copy(const ui::UiState& state, const ExportSubject& subject) {
     copied_ = std::make_shared<std::vector<std::byte>>();
-    run_.start("the picture", copy_work(subject, state.input.viewport_px, copied_));
+    const glm::ivec2 size = state.input.viewport_px;
+    ExportSubject shown = subject;
+    shown.document.camera = ui::fitting(*subject.document.camera,
+                                        static_cast<double>(size.x) / static_cast<double>(size.y));
+    run_.start("the picture", copy_work(shown, size, copied_));
 }
 
 ExportWork ExportDesk::work_of(const PreviewRequest& wanted, const std::string& path) const {

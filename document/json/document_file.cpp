@@ -80,6 +80,7 @@ std::expected<LoadedDocument, std::string> load_document(const fs::path& path) {
     if (!read) return cannot_read(path, read.error());
     return LoadedDocument{.document = std::move(read->document),
                           .note = note_of(read->unknown),
+                          .shown_on = read->shown_on,
                           .from_picture = from_picture};
 }
 
@@ -93,8 +94,9 @@ bool holds_picture_of(const fs::path& path, const Document& document, glm::ivec2
            text_in_png(*bytes, document_keyword) == text_of(document);
 }
 
-std::expected<void, FileError> save_document(const fs::path& path, const Document& document) {
-    return write_text(path.string(), text_of(document));
+std::expected<void, FileError> save_document(const fs::path& path, const Document& document,
+                                             const std::optional<Background>& shown_on) {
+    return write_text(path.string(), text_of(document, shown_on));
 }
 
 }  // namespace zeroset

@@ -7,6 +7,7 @@
 
 #include <expected>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace zeroset {
@@ -21,7 +22,8 @@ bool is_picture_name(const std::string& name);
 struct LoadedDocument {
     Document document;
     std::string note;
-    bool from_picture = false;  ///< the file is a picture, and saving must not replace it
+    std::optional<Background> shown_on;  ///< the background it was seen on, if it has none
+    bool from_picture = false;           ///< the file is a picture, and saving must not replace it
 };
 
 /// The document in a file, or in a PNG of ours, or why there is none, as a predicate: "cannot open
@@ -32,8 +34,9 @@ std::expected<LoadedDocument, std::string> load_document(const std::filesystem::
 bool holds_picture_of(const std::filesystem::path& path, const Document& document,
                       glm::ivec2 size_px);
 
-/// Writes the file as a whole or not at all.
-std::expected<void, FileError> save_document(const std::filesystem::path& path,
-                                             const Document& document);
+/// Writes the file as a whole or not at all. `shown_on`: see text_of.
+std::expected<void, FileError> save_document(
+    const std::filesystem::path& path, const Document& document,
+    const std::optional<Background>& shown_on = std::nullopt);
 
 }  // namespace zeroset

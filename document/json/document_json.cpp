@@ -203,6 +203,8 @@ ParsedDocument document_of(const Json& json) {
     if (const Json* look = fields.find("look")) read_look(*look, document, unknown);
     if (const Json* color = fields.find("color")) document.coloring = coloring_of(*color, unknown);
     if (const Json* light = fields.find("light")) document.light = light_choice_of(*light, unknown);
+    if (const Json* shown_on = fields.find("shown_on"))
+        read.shown_on = background_of(*shown_on, "shown_on");
     if (const Json* markers = fields.find("markers"))
         document.markers = markers_of(*markers, unknown);
     document = renumbered(std::move(document), 1);
@@ -225,7 +227,7 @@ void check_format(const Json& json) {
 
 }  // namespace
 
-std::string text_of(const Document& document) {
+std::string text_of(const Document& document, const std::optional<Background>& shown_on) {
     Json json;
     json["zeroset"] = document_format;
     json["statements"] = Json::array();
@@ -246,6 +248,7 @@ std::string text_of(const Document& document) {
     json["look"] = look_of(document);
     if (document.coloring != ColorChoice()) json["color"] = json_of(document.coloring);
     if (document.light != LightChoice()) json["light"] = json_of(document.light);
+    if (shown_on && !document.light.background) json["shown_on"] = json_of(*shown_on);
     if (!document.markers.empty()) json["markers"] = json_of(document.markers);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,6 +3,7 @@
 #include "document/document.hpp"
 
 #include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,12 +14,15 @@ namespace zeroset {
 
 inline constexpr int document_format = 1;
 
-std::string text_of(const Document& document);
+/// `shown_on`: the background that the document was seen on, where it has none of its own.
+std::string text_of(const Document& document,
+                    const std::optional<Background>& shown_on = std::nullopt);
 
 /// A document read from text; its rows have the ids 1, 2, ...
 struct ParsedDocument {
     Document document;
-    std::vector<std::string> unknown;  ///< names of the fields that this program does not know
+    std::optional<Background> shown_on;  ///< as in text_of
+    std::vector<std::string> unknown;    ///< names of the fields that this program does not know
 };
 
 /// The document of a text of text_of or share_text, or one clause on why the text is none: no

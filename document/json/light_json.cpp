@@ -38,18 +38,6 @@ Light light_of(const Json& json, const std::string& place, std::vector<std::stri
     return light;
 }
 
-/// One colour, or those of the top and the bottom.
-Background background_of(const Json& json) {
-    const std::string place = "light.background";
-    if (json.is_string()) {
-        const std::uint32_t color = color_of(json, place);
-        return {.top = color, .bottom = color};
-    }
-    if (!json.is_array() || json.size() != 2)
-        throw Damage{place + " is neither a colour such as #3399FF nor a list of two"};
-    return {.top = color_of(json[0], place), .bottom = color_of(json[1], place)};
-}
-
 std::vector<Light> lights_of(const Json& json, std::vector<std::string>& unknown) {
     if (!json.is_array()) throw Damage{"light.lights is no list"};
     if (json.size() > max_lights) throw Damage{"light.lights has more than 4 lights"};
@@ -63,9 +51,23 @@ std::vector<Light> lights_of(const Json& json, std::vector<std::string>& unknown
 
 }  // namespace
 
+Background background_of(const Json& json, const std::string& place) {
+    if (json.is_string()) {
+        const std::uint32_t color = color_of(json, place);
+        return {.top = color, .bottom = color};
+    }
+    if (!json.is_array() || json.size() != 2)
+        throw Damage{place + " is neither a color such as #3399FF nor a list of two"};
+    return {.top = color_of(json[0], place), .bottom = color_of(json[1], place)};
+}
+
+Json json_of(const Background& background) {
+    return {color_text(background.top), color_text(background.bottom)};
+}
+
 std::uint32_t color_of(const Json& json, const std::string& place) {
     const auto color = color_from(string_of(json, place));
-    if (!color) throw Damage{place + " is no colour such as #3399FF"};
+    if (!color) throw Damage{place + " is no color such as #3399FF"};
     return *color;
 }
 
@@ -74,9 +76,7 @@ Json json_of(const LightChoice& light) {
               {"reflections", light.reflections},
               {"absorption", light.absorption},
               {"tone", name_of(light.tone)}};
-    if (light.background)
-        json["background"] = {color_text(light.background->top),
-                              color_text(light.background->bottom)};
+    if (light.background) json["background"] = json_of(*light.background);
     if (light.lights.empty()) return json;
     json["lights"] = Json::array();
     for (const Light& item : light.lights)
@@ -107,7 +107,7 @@ LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown)
     if (const Json* absorption = fields.find("absorption"))
         light.absorption = number_in(*absorption, "light.absorption", 0.0, max_absorption);
     if (const Json* background = fields.find("background"))
-        light.background = background_of(*background);
+        light.background = background_of(*background, "light.background");
     if (const Json* lights = fields.find("lights")) light.lights = lights_of(*lights, unknown);
     return light;
 }

@@ -12,6 +12,9 @@
 namespace zeroset {
 
 std::uint32_t color_of(const Json& json, const std::string& place);
+/// One colour, or those of the top and the bottom.
+Background background_of(const Json& json, const std::string& place);
+Json json_of(const Background& background);
 
 Json json_of(const LightChoice& light);
 LightChoice light_choice_of(const Json& json, std::vector<std::string>& unknown);

@@ -67,14 +67,14 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
     Fields fields(json, "color", unknown);
     ColorChoice coloring;
     const auto by = color_by_named(string_of(fields.get("by"), "color.by"));
-    if (!by) throw Damage{"color.by is nothing that surfaces are coloured by"};
+    if (!by) throw Damage{"color.by is nothing that surfaces are colored by"};
     coloring.by = *by;
     if (const Json* expression = fields.find("expression")) {
         coloring.expression = string_of(*expression, "color.expression");
     }
     if (const Json* map = fields.find("map")) {
         coloring.map = color_map_named(string_of(*map, "color.map"));
-        if (!coloring.map) throw Damage{"color.map is no colour map"};
+        if (!coloring.map) throw Damage{"color.map is no color map"};
     }
     if (const Json* range = fields.find("range")) coloring.range = range_of(*range);
     if (const Json* lines = fields.find("lines")) coloring.lines = lines_of(*lines, unknown);

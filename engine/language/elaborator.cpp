@@ -369,6 +369,7 @@ std::expected<Program, ParseError> Elaborator::result() {
         program.readings.push_back(std::move(reading));
     notes_.hand_over(program.readings);
     program.parameters = std::move(parameters_);
+    program.calls_w_t = says_t_ && !says_w_;
     return program;
 }
 

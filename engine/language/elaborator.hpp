@@ -146,6 +146,8 @@ private:
     std::map<std::size_t, Reading> readings_;   ///< by statement
     std::optional<ParseError> error_;
     std::size_t statement_ = 0;  ///< the statement in which names are looked up
+    bool says_w_ = false;        ///< the text has w for the fourth coordinate
+    bool says_t_ = false;        ///< and t
     bool refuses_undefined_ = true;
     int depth_ = 0;
     std::size_t steps_ = 0;

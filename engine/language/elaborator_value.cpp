@@ -148,7 +148,10 @@ Elaborator::Built Elaborator::built_in(std::string_view name) {
     };
     const auto value = [&]() -> NodeId {
         if (name == "x" || name == "y" || name == "z") return variable(name[0] - 'x');
-        if (name == "w" || name == "t") return variable(variable_w);
+        if (name == "w" || name == "t") {
+            (name == "w" ? says_w_ : says_t_) = true;
+            return variable(variable_w);
+        }
         if (name == "r") return radius(3);
         if (name == "rho") return radius(2);
         if (name == "theta") return make_call(builder_, Op::Atan2, variable(1), variable(0));

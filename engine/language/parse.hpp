@@ -17,6 +17,7 @@ struct Program {
                                  ///< one
     std::vector<Reading> readings;
     std::vector<std::string> parameters;  ///< single letters without a definition
+    bool calls_w_t = false;               ///< it says t for the fourth coordinate, and never w
 };
 
 /// Reads the statements of a text (resources/docs/language.md). Time and memory are bounded for any

@@ -79,9 +79,9 @@ TEST(Coloring, SaysWhatIsDamaged) {
     EXPECT_EQ(why(R"("color": {"by": "normal"})"), "");
     EXPECT_EQ(why(R"("color": {})"), "it is damaged: color.by is missing");
     EXPECT_EQ(why(R"("color": {"by": "taste"})"),
-              "it is damaged: color.by is nothing that surfaces are coloured by");
+              "it is damaged: color.by is nothing that surfaces are colored by");
     EXPECT_EQ(why(R"("color": {"by": "height", "map": "jet"})"),
-              "it is damaged: color.map is no colour map");
+              "it is damaged: color.map is no color map");
     EXPECT_EQ(why(R"("color": {"by": "height", "range": [1, 1]})"),
               "it is damaged: color.range is empty");
     EXPECT_EQ(why(R"("markers": {})"), "it is damaged: markers is no list");

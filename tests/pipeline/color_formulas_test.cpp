@@ -94,7 +94,7 @@ TEST(ColorFormulas, SayWhatIsWrongWithAnExpression) {
               "x^2 + y^2");
     EXPECT_EQ(reason("x < 1"), reason("x = 1"));
     EXPECT_EQ(reason("x; y"), "there is a second expression; type one of them");
-    EXPECT_EQ(reason("  "), "there is no expression to colour by; type one such as x^2 + y^2");
+    EXPECT_EQ(reason("  "), "there is no expression to color by; type one such as x^2 + y^2");
     const Colored colored("x = 1", by("x + q(2"));
     ASSERT_FALSE(colored.formulas.has_value());
     EXPECT_LE(*colored.formulas.error().offset, std::string("x + q(2").size());

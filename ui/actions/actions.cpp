@@ -72,6 +72,16 @@ void turn(UiState& state) {
     orbit_step(state, {right, up});
 }
 
+template <WheelUse use>
+void take_wheel(UiState& state) {
+    state.edited.layout.wheel = use;
+}
+
+template <WheelUse use>
+bool has_wheel(const UiState& state) {
+    return state.edited.layout.wheel == use;
+}
+
 template <ColorBy by>
 void color_by(UiState& state) {
     ColorChoice& coloring = state.edited.document.coloring;
@@ -324,6 +334,24 @@ constexpr auto table = std::to_array<Action>({
      .about = "look from where a copied line of text says",
      .run = give<Command::PasteCamera>,
      .enabled = has_camera},
+    {.section = view,
+     .name = "Wheel zooms",
+     .about = "so do two fingers on a touchpad",
+     .run = take_wheel<WheelUse::Zoom>,
+     .is_on = has_wheel<WheelUse::Zoom>,
+     .chooses = true},
+    {.section = view,
+     .name = "Two fingers orbit",
+     .about = "on a touchpad; Shift: they pan, Ctrl: they zoom",
+     .run = take_wheel<WheelUse::Orbit>,
+     .is_on = has_wheel<WheelUse::Orbit>,
+     .chooses = true},
+    {.section = view,
+     .name = "Two fingers pan",
+     .about = "on a touchpad; Shift: they orbit, Ctrl: they zoom",
+     .run = take_wheel<WheelUse::Pan>,
+     .is_on = has_wheel<WheelUse::Pan>,
+     .chooses = true},
     {.section = view, .name = "x is up", .run = [](UiState& state) { set_up(state, {1, 0, 0}); }},
     {.section = view, .name = "y is up", .run = [](UiState& state) { set_up(state, {0, 1, 0}); }},
     {.section = view, .name = "z is up", .run = [](UiState& state) { set_up(state, {0, 0, 1}); }},
@@ -431,6 +459,11 @@ constexpr auto table = std::to_array<Action>({
      .name = "Section: Markers",
      .run = toggle_layout<&Layout::markers_open>,
      .is_on = is_layout<&Layout::markers_open>},
+    {.section = window,
+     .name = "Section: Details",
+     .about = "the search depth, figures of the picture",
+     .run = toggle_layout<&Layout::details_open>,
+     .is_on = is_layout<&Layout::details_open>},
     {.section = window,
      .name = "Light theme",
      .run = switch_theme,

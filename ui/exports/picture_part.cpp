@@ -37,7 +37,7 @@ std::vector<UsualSize> usual_sizes(const glm::ivec2& window_px) {
 
 void draw_bits(PictureExport& wish, const ExportFormat& format) {
     if (!format.deep) return;
-    draw_export_label("bits", "Of each colour channel.");
+    draw_export_label("bits", "Of each color channel.");
     const int bits = wish.bits == format.bits[1] ? wish.bits : format.bits[0];
     if (!ImGui::BeginCombo("##bits", std::to_string(bits).c_str())) return;
     for (const int choice : format.bits) {

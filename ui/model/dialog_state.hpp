@@ -11,10 +11,11 @@ namespace zeroset::ui {
 /// A question over everything, or with one answer a message.
 struct Question {
     std::string text;
-    /// The first is what Enter gives, the last what Escape does; each begins with a capital of its
-    /// own, and that letter gives it, too.
+    /// The last is what Escape gives; each begins with a capital of its own, and that letter gives
+    /// it, too.
     std::vector<std::string> answers;
     std::optional<std::size_t> chosen;  ///< set by the panel
+    std::size_t marked = 0;  ///< what Enter gives: the first, until arrows or Tab move on
 };
 
 /// A choice of a file, in the window itself.

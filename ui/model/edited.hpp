@@ -4,10 +4,19 @@
 #include "document/play.hpp"
 #include "ui/model/theme.hpp"
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace zeroset::ui {
+
+/// What a wheel, or two fingers on a touchpad, do over the picture. Those that it is not do so with
+/// Ctrl (zoom) or Shift (the other one).
+enum class WheelUse : std::uint8_t { Zoom, Orbit, Pan };
+std::string_view name_of(WheelUse use);
+std::optional<WheelUse> wheel_use_named(std::string_view name);
 
 /// How the window is laid out.
 struct Layout {
@@ -20,8 +29,11 @@ struct Layout {
     bool markers_open = false;
     bool space_open = false;
     bool clip_open = false;
+    bool details_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
     bool handles = true;      ///< in the picture, while the section of the clip box is open
+
+    WheelUse wheel = WheelUse::Zoom;
 
     bool operator==(const Layout&) const = default;
 };

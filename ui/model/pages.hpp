@@ -28,6 +28,7 @@ struct CommandPalette : TypingPopup {
     std::string typed;
     std::size_t selected = 0;  ///< of the lines found
     bool follow = false;       ///< the selection is to be scrolled into sight
+    std::size_t found = 0;     ///< lines in the last frame
 };
 
 /// The help of formulas and keys.

@@ -35,6 +35,7 @@ struct ReadingFacts {
     std::vector<int> surface_rows;        ///< the row of each surface
     std::vector<std::string> parameters;  ///< that have a slider
     bool uses_w = false;
+    bool calls_w_t = false;     ///< the rows say t for w
     std::string color_error;    ///< what is wrong with the expression of the colours; or empty
     std::string contour_error;  ///< the same of the contour lines
 };
@@ -50,9 +51,10 @@ struct DocumentStatus {
 
 /// Texts of the status line, each of which may be empty.
 struct StatusTexts {
-    std::string note;   ///< what is not as it should be
-    std::string done;   ///< what was just done
-    std::string doing;  ///< what is going on with the text
+    std::string note;    ///< what is not as it should be
+    std::string done;    ///< what was just done
+    std::string framed;  ///< what framing has found, over the picture
+    std::string doing;   ///< what is going on with the text
 };
 
 /// The picture on the screen, fine or coarse; no frame before the first.

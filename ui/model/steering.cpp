@@ -11,6 +11,16 @@ namespace {
 /// A drag over the height of the picture turns by this much.
 constexpr double orbit_rad = std::numbers::pi;
 constexpr double zoom_per_notch = 0.88;
+/// The ways of a notch, in heights of the picture.
+constexpr double orbit_per_notch = 1.0 / 24.0;
+constexpr double pan_per_notch = 1.0 / 16.0;
+
+/// What the wheel does while these keys are held.
+WheelUse use_with_keys(WheelUse use, bool ctrl, bool shift) {
+    if (use == WheelUse::Zoom || ctrl) return WheelUse::Zoom;
+    if (!shift) return use;
+    return use == WheelUse::Orbit ? WheelUse::Pan : WheelUse::Orbit;
+}
 
 }  // namespace
 
@@ -18,8 +28,20 @@ TurnMode turn_mode_of(const Document& document) {
     return {.up = document.up, .freely = document.trackball};
 }
 
+PointerMotion scrolled(WheelUse use, double x, double y, bool ctrl, bool shift) {
+    PointerMotion motion;
+    switch (use_with_keys(use, ctrl, shift)) {
+        case WheelUse::Zoom: motion.wheel = y; break;
+        case WheelUse::Orbit:
+            motion.orbit = {.x = orbit_per_notch * x, .y = -orbit_per_notch * y};
+            break;
+        case WheelUse::Pan: motion.pan = {.x = pan_per_notch * x, .y = -pan_per_notch * y}; break;
+    }
+    return motion;
+}
+
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning) {
-    Camera moved = camera;
+    Camera moved = fitting(camera, motion.aspect);
     if (motion.orbit != ViewShift()) {
         moved = turning.freely ? roll_ball(moved, motion.cursor - motion.orbit, motion.cursor)
                                : orbit_about(moved, turning.up, -orbit_rad * motion.orbit.x,
@@ -30,7 +52,15 @@ Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& 
         const glm::dvec3 plane = point_under(moved, motion.cursor);
         moved = zoom(moved, std::pow(zoom_per_notch, motion.wheel), motion.surface.value_or(plane));
     }
+    moved.fov_rad = camera.fov_rad;
     return camera_defect(moved) == nullptr ? moved : camera;
+}
+
+Camera fitting(const Camera& camera, double aspect) {
+    if (!(aspect > 0.0) || aspect >= 1.0) return camera;
+    Camera wider = camera;
+    wider.fov_rad = 2.0 * std::atan(std::tan(0.5 * camera.fov_rad) / aspect);
+    return wider;
 }
 
 }  // namespace zeroset::ui

@@ -2,6 +2,7 @@
 
 #include "document/document.hpp"
 #include "engine/view/camera.hpp"
+#include "ui/model/edited.hpp"
 
 #include <glm/ext/vector_double3.hpp>
 
@@ -13,7 +14,8 @@ namespace zeroset::ui {
 struct PointerMotion {
     ViewShift orbit;
     ViewShift pan;
-    double wheel = 0.0;  ///< notches; positive comes nearer
+    double wheel = 0.0;   ///< notches; positive comes nearer
+    double aspect = 1.0;  ///< the picture's width over its height
     ViewPoint cursor;
     /// Point that the picture shows under the cursor, world units; nothing: the background.
     std::optional<glm::dvec3> surface = std::nullopt;
@@ -25,9 +27,17 @@ struct TurnMode {
     bool freely = false;           ///< unless it turns as a ball does
 };
 
+/// What a turn of the wheel, or a way of two fingers, does to the view. `x`, `y` are notches, as
+/// GLFW has them: what scrolls follows the fingers.
+PointerMotion scrolled(WheelUse use, double x, double y, bool ctrl, bool shift);
+
 /// The camera after the motion: what is grabbed follows the pointer. Keeps the camera if the
 /// motion would lead to one that sees nothing.
 Camera steer(const Camera& camera, const PointerMotion& motion, const TurnMode& turning);
+
+/// The camera that a picture of this aspect is taken with. The field of view is that of the smaller
+/// side: a picture narrower than high is not cropped at the sides.
+Camera fitting(const Camera& camera, double aspect);
 
 /// How dragging turns the document's view.
 TurnMode turn_mode_of(const Document& document);

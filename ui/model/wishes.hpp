@@ -63,6 +63,7 @@ struct Wishes {
     std::optional<RowFocus> focus;
     std::optional<int> reload;                ///< a row whose field must show a text set elsewhere
     bool frame_surfaces = false;              ///< the camera is to see all of the surfaces
+    bool frame_box = false;                   ///< the camera is to see the whole clip box
     bool reset_view = false;                  ///< the camera is to be the first one again
     std::optional<std::size_t> gallery_item;  ///< a line of the gallery was picked
     std::optional<std::string> open_path;     ///< a recent file was picked

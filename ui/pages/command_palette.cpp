@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -22,6 +23,7 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* popup = "##command palette";
+constexpr float line_em = 1.8F;
 
 std::vector<PaletteLine> all_lines(const UiState& state) {
     std::vector<PaletteLine> lines;
@@ -73,7 +75,7 @@ void draw_tick(const ImVec2& lo, float height, const Palette& colors) {
 
 /// Draws one line; true if it was clicked.
 bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
-    const float height = em(1.8F);
+    const float height = em(line_em);
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::Selectable("##line", selected, ImGuiSelectableFlags_DontClosePopups,
                                            ImVec2(0.0F, height));
@@ -83,10 +85,9 @@ bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
     const float hint = right - ImGui::CalcTextSize(line.hint.c_str()).x;
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     if (line.is_on) draw_tick(lo, height, colors);
-    const ImVec4 clip(lo.x, lo.y, std::max(hint - em(0.6F), lo.x), lo.y + height);
-    canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(lo.x + em(1.5F), top),
-                   line.enabled ? colors.text : colors.quiet, line.text.c_str(), nullptr, 0.0F,
-                   &clip);
+    const float left = lo.x + em(1.5F);
+    canvas.AddText(ImVec2(left, top), line.enabled ? colors.text : colors.quiet,
+                   elided(line.text, hint - em(0.6F) - left).c_str());
     canvas.AddText(ImVec2(hint, top), colors.quiet, line.hint.c_str());
     return clicked;
 }
@@ -128,6 +129,7 @@ void draw_palette(UiState& state) {
     CommandPalette& shown = state.pages.commands;
     draw_field(shown);
     const std::vector<PaletteLine> lines = palette_lines(state, shown.typed);
+    shown.found = lines.size();
     std::optional<std::size_t> picked;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     ImGui::BeginChild("##lines", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
@@ -170,9 +172,15 @@ void draw_command_palette(UiState& state) {
     if (shown.frames == 1) {
         shown.typed.clear();
         shown.selected = 0;
+        shown.found = palette_lines(state, "").size();
     }
     const ImVec2 window = ImGui::GetIO().DisplaySize;
-    const ImVec2 size(std::min(em(36.0F), 0.95F * window.x), std::min(em(28.0F), 0.85F * window.y));
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float lines = static_cast<float>(std::max<std::size_t>(shown.found, 1)) * em(line_em);
+    const float needed =
+        2.0F * style.WindowPadding.y + ImGui::GetFrameHeight() + style.ItemSpacing.y + lines;
+    const ImVec2 size(std::min(em(36.0F), 0.95F * window.x),
+                      std::ceil(std::min({em(28.0F), 0.85F * window.y, needed})));
     ImGui::SetNextWindowPos(ImVec2(0.5F * (window.x - size.x), 0.06F * window.y));
     ImGui::SetNextWindowSize(size);
     draw_popup(shown, popup, [&] { draw_palette(state); });

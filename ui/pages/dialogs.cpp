@@ -12,15 +12,28 @@
 namespace zeroset::ui {
 namespace {
 
-/// Chooses an answer by key: Enter the first, Escape the last, a letter the answer that begins with
-/// it.
+/// Moves the mark to the next or the previous answer.
+void follow_arrows(Question& question) {
+    const bool shift = ImGui::GetIO().KeyShift;
+    const bool tab = is_pressed(ImGuiKey_Tab);
+    const std::size_t count = question.answers.size();
+    if (is_pressed(ImGuiKey_RightArrow) || is_pressed(ImGuiKey_DownArrow) || (tab && !shift))
+        question.marked = (question.marked + 1) % count;
+    if (is_pressed(ImGuiKey_LeftArrow) || is_pressed(ImGuiKey_UpArrow) || (tab && shift))
+        question.marked = (question.marked + count - 1) % count;
+}
+
+/// Chooses an answer by key: Enter and Space the marked one, Escape the last, a letter the answer
+/// that begins with it.
 void follow_keys(Question& question) {
+    follow_arrows(question);
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         const char first = question.answers[i].front();
         if (is_typed(static_cast<char>(first - 'A' + 'a'))) question.chosen = i;
     }
-    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter)) {
-        question.chosen = 0;
+    if (is_pressed_once(ImGuiKey_Enter) || is_pressed_once(ImGuiKey_KeyPadEnter) ||
+        is_pressed_once(ImGuiKey_Space)) {
+        question.chosen = question.marked;
     }
     if (is_pressed_once(ImGuiKey_Escape)) question.chosen = question.answers.size() - 1;
 }
@@ -28,19 +41,21 @@ void follow_keys(Question& question) {
 void draw_answers(Question& question, const Palette& colors) {
     for (std::size_t i = 0; i < question.answers.size(); ++i) {
         if (i > 0) ImGui::SameLine();
-        if (i == 0) {
+        const bool marked = i == question.marked;
+        if (marked) {
             ImGui::PushStyleColor(ImGuiCol_Button, colors.accent);
             ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.accent);
             ImGui::PushStyleColor(ImGuiCol_Text, colors.bar);
         }
         if (ImGui::Button(question.answers[i].c_str())) question.chosen = i;
-        if (i == 0) ImGui::PopStyleColor(3);
+        if (marked) ImGui::PopStyleColor(3);
     }
 }
 
 void draw_question(Question& question, const Palette& colors) {
-    constexpr ImGuiWindowFlags flags =
-        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove;
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration |
+                                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoNav;
     if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(0.5F * window.x, 0.45F * window.y), ImGuiCond_Always,

@@ -119,8 +119,10 @@ void draw_entry(FileChoice& choice, const Entry& entry, const Palette& colors) {
     if (entry.is_folder) {
         draw_icon(canvas, Icon::Folder, ImVec2(lo.x + em(0.8F), middle), em(0.9F), colors.quiet);
     }
+    const std::string name = elided(entry.name, ImGui::GetItemRectMax().x - lo.x - indent);
+    if (name != entry.name) draw_tooltip(entry.name, 40.0F);
     canvas.AddText(ImVec2(lo.x + indent, middle - 0.5F * ImGui::GetFontSize()), colors.text,
-                   entry.name.c_str());
+                   name.c_str());
 }
 
 void draw_entries(FileChoice& choice, float height, const Palette& colors) {

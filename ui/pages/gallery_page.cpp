@@ -98,16 +98,15 @@ void follow_arrows(GalleryPage& page, const std::vector<Card>& cards) {
 
 void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
                 const Palette& colors) {
-    const ImFont* small = font(FontRole::SmallFormula);
-    const float small_size = small->FontSize * ImGui::GetIO().FontGlobalScale;
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const float left = lo.x + em(0.5F);
     const float top = lo.y + grid.picture_height + em(0.3F);
-    const ImVec4 clip(left, lo.y, lo.x + grid.card_width - em(0.3F), lo.y + grid.card_height);
-    canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(left, top), colors.text,
-                   entry.title.c_str(), nullptr, 0.0F, &clip);
-    canvas.AddText(small, small_size, ImVec2(left, top + ImGui::GetTextLineHeight() + em(0.15F)),
-                   colors.quiet, in_one_line(entry.equation).c_str(), nullptr, 0.0F, &clip);
+    const float room = grid.card_width - em(0.8F);
+    canvas.AddText(ImVec2(left, top), colors.text, elided(entry.title, room).c_str());
+    const ImVec2 below(left, top + ImGui::GetTextLineHeight() + em(0.15F));
+    ImGui::PushFont(font(FontRole::SmallFormula));
+    canvas.AddText(below, colors.quiet, elided(in_one_line(entry.equation), room).c_str());
+    ImGui::PopFont();
 }
 
 /// Draws a card; true if it was clicked.

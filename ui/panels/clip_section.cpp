@@ -6,6 +6,7 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
 
 #include <glm/ext/vector_double3.hpp>
@@ -27,60 +28,73 @@ constexpr int free_axis = 3;
 constexpr std::array<const char*, 4> axis_names{"x", "y", "z", "free"};
 constexpr const char* about_free = "free: at first across the view, through the point looked at.";
 
-/// Draws input fields for numbers side by side on the rest of the line; true when a finite one was
-/// typed.
+/// What was done to fields of numbers.
+struct Typed {
+    bool changed = false;
+    bool finished = false;  ///< the keyboard has left a field that was changed
+};
+
+/// Draws input fields for numbers side by side on the rest of the line.
 template <std::size_t count>
-bool draw_numbers(const char* id, const std::array<double*, count>& numbers) {
+Typed draw_numbers(const char* id, const std::array<double*, count>& numbers) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float room = ImGui::GetContentRegionAvail().x;
     const float width = (room - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
-    bool typed = false;
+    Typed typed;
     ImGui::PushID(id);
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0.0F, gap);
         ImGui::SetNextItemWidth(i + 1 == count ? -FLT_MIN : width);
         ImGui::PushID(static_cast<int>(i));
-        double number = *numbers[i];
-        if (ImGui::InputDouble("##number", &number, 0.0, 0.0, "%.6g") &&
-            std::abs(number) <= largest_number && number != *numbers[i]) {
-            *numbers[i] = number;
-            typed = true;
-        }
+        if (draw_number_field("##number", *numbers[i], -largest_number, largest_number))
+            typed.changed = true;
+        typed.finished = typed.finished || ImGui::IsItemDeactivatedAfterEdit();
         ImGui::PopID();
     }
     ImGui::PopID();
     return typed;
 }
 
-void draw_edges(Box& clip) {
+/// True for a cube about the origin: one number tells all of it.
+bool is_plain(const Box& box) { return box == Box::cube(0.5 * box.size()); }
+
+bool shows_edges(const Edited& edited) {
+    return edited.layout.edges_open || !is_plain(edited.document.clip);
+}
+
+void draw_edges(Box& clip, Wishes& wishes) {
     for (int i = 0; i < 3; ++i) {
         draw_label(axis_names.at(static_cast<std::size_t>(i)), "The box from here to there.");
-        Box typed = clip;
-        if (draw_numbers(axis_names.at(static_cast<std::size_t>(i)),
-                         std::array{&typed.lo[i], &typed.hi[i]}) &&
-            typed.lo[i] < typed.hi[i]) {
-            clip = typed;
-        }
+        Box wished = clip;
+        const Typed typed = draw_numbers(axis_names.at(static_cast<std::size_t>(i)),
+                                         std::array{&wished.lo[i], &wished.hi[i]});
+        if (typed.changed && wished.lo[i] < wished.hi[i]) clip = wished;
+        wishes.frame_box = wishes.frame_box || typed.finished;
     }
 }
 
-void draw_box(Edited& edited) {
+void draw_box(Edited& edited, Wishes& wishes) {
     Box& clip = edited.document.clip;
-    draw_label("box \xC2\xB1", "Half the longest edge of the box that the surface is clipped to.");
+    const bool plain = is_plain(clip);
+    draw_label(plain ? "box \xC2\xB1" : "half",
+               plain ? "Half the edge of the box that the surface is clipped to."
+                     : "Half the longest edge of the box that the surface is clipped to; below is "
+                       "where it lies.");
     const float button = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
     double half = 0.5 * clip.size();
-    if (ImGui::InputDouble("##box", &half, 0.0, 0.0, "%.6g") && half >= min_half &&
-        half <= max_half) {
-        clip = resized(clip, half);
-    }
+    if (draw_number_field("##box", half, min_half, max_half)) clip = resized(clip, half);
+    wishes.frame_box = wishes.frame_box || ImGui::IsItemDeactivatedAfterEdit();
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     bool& open = edited.layout.edges_open;
-    if (icon_button("##edges", Icon::More, {.size = button, .color = palette(edited.theme).quiet},
-                    open ? "Only one number" : "Each edge by itself")) {
+    const IconLook look{.size = button, .color = palette(edited.theme).quiet, .enabled = plain};
+    if (icon_button("##edges", Icon::More, look,
+                    !plain ? "Each edge by itself: the box is no cube about 0"
+                    : open ? "Only one number"
+                           : "Each edge by itself")) {
         open = !open;
     }
-    if (open) draw_edges(clip);
+    if (shows_edges(edited)) draw_edges(clip, wishes);
 }
 
 void draw_ball(Edited& edited) {
@@ -98,7 +112,7 @@ void draw_ball(Edited& edited) {
     if (!ball) return;
     draw_label("radius", "The sphere's radius.");
     Ball typed = *ball;
-    if (draw_numbers("radius", std::array{&typed.radius}) && typed.radius > 0) ball = typed;
+    if (draw_numbers("radius", std::array{&typed.radius}).changed && typed.radius > 0) ball = typed;
     draw_label("centre", "The sphere's centre: x, y, z.");
     glm::dvec3& centre = ball->centre;
     draw_numbers("centre", std::array{&centre.x, &centre.y, &centre.z});
@@ -144,7 +158,7 @@ bool draw_section(Edited& edited, Section& section) {
         draw_label("normal",
                    "The section is across this direction and takes away what lies there.");
         glm::dvec3 normal = section.normal;
-        if (draw_numbers("normal", std::array{&normal.x, &normal.y, &normal.z}) &&
+        if (draw_numbers("normal", std::array{&normal.x, &normal.y, &normal.z}).changed &&
             glm::length(normal) > 0) {
             section.normal = glm::normalize(normal);
         }
@@ -200,15 +214,15 @@ Section section_across(int axis, const Document& document) {
 
 float clip_section_height(const Edited& edited) {
     const Region& region = edited.document.region;
-    float rows = 2.0F + (edited.layout.edges_open ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
+    float rows = 2.0F + (shows_edges(edited) ? 3.0F : 0.0F) + (region.ball ? 2.0F : 0.0F);
     for (const Section& section : region.sections)
         rows += axis_of(section) == free_axis ? 3.0F : 2.0F;
     if (region.sections.size() < max_sections) rows += 1.0F;
     return rows * ImGui::GetFrameHeightWithSpacing();
 }
 
-void draw_clip_section(Edited& edited) {
-    draw_box(edited);
+void draw_clip_section(Edited& edited, Wishes& wishes) {
+    draw_box(edited, wishes);
     draw_ball(edited);
     draw_sections(edited);
 }

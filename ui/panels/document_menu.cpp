@@ -4,6 +4,7 @@
 #include "ui/model/ui_state.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
+#include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
 
@@ -15,12 +16,14 @@
 namespace zeroset::ui {
 namespace {
 
+constexpr float longest_title_em = 22.0F;
+
 void draw_recent(const std::vector<std::string>& paths, Wishes& wishes) {
     if (!ImGui::BeginMenu("Open recent", !paths.empty())) return;
     for (const std::string& path : paths) {
         ImGui::PushID(path.c_str());
         const std::string name = std::filesystem::path(path).filename().string();
-        if (ImGui::MenuItem(name.c_str())) wishes.open_path = path;
+        if (ImGui::MenuItem(elided(name, em(longest_title_em)).c_str())) wishes.open_path = path;
         draw_tooltip(path, 40.0F);
         ImGui::PopID();
     }
@@ -44,7 +47,9 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     const std::string about = document.name + (document.unsaved ? " (not saved)" : "");
     if (icon_button("##document", Icon::Menu, look, about)) ImGui::OpenPopup("##document menu");
     if (!ImGui::BeginPopup("##document menu")) return;
-    ImGui::TextDisabled("%s", about.c_str());
+    const std::string title = elided(about, em(longest_title_em));
+    ImGui::TextDisabled("%s", title.c_str());
+    if (title != about) draw_tooltip(about, 40.0F);
     ImGui::Separator();
     draw_items(state, {"New", "Open..."});
     draw_recent(document.recent, state.wishes);

@@ -39,7 +39,7 @@ const char* about(Look look) {
         case Look::Phong: return "One light and a sharp highlight, as in figures of papers.";
         case Look::Matte: return "No gloss at all.";
         case Look::Porcelain: return "Whitish, under a clear glaze.";
-        case Look::Metal: return "Mirrors its surroundings in its own colour.";
+        case Look::Metal: return "Mirrors its surroundings in its own color.";
         case Look::Glass: return "Mostly seen through, mirrors where it is seen from aside.";
         case Look::Clay: return "Matte and muted, darker in its hollows.";
         case Look::Technical: return "Pale, with lines at silhouettes, creases and edges.";
@@ -95,24 +95,23 @@ void draw_amount(const char* label, const char* about, double& value, double usu
 }
 
 void draw_tint(LightChoice& light) {
-    draw_amount(
-        "tint",
-        "How much solids swallow of what is seen through them, of the colours that they are "
-        "not, on a way of length 1. For surfaces that are not opaque.",
-        light.absorption, 0.0, 5.0, max_absorption);
+    draw_amount("tint",
+                "How much solids swallow of what is seen through them, of the colors that they are "
+                "not, on a way of length 1. For surfaces that are not opaque.",
+                light.absorption, 0.0, 5.0, max_absorption);
 }
 
 void draw_tone(LightChoice& light) {
     bool filmic = light.tone == Tone::Filmic;
     if (ImGui::Checkbox("Filmic###filmic", &filmic))
         light.tone = filmic ? Tone::Filmic : Tone::Plain;
-    draw_tooltip("Bright light is compressed, so that highlights keep their colour.");
+    draw_tooltip("Bright light is compressed, so that highlights keep their color.");
     ImGui::SameLine(0.0F, em(1.2F));
     bool own = light.background.has_value();
     if (ImGui::Checkbox("Background###background", &own))
         light.background =
             own ? std::optional(Background{.top = 0xFFFFFF, .bottom = 0xE4E8EC}) : std::nullopt;
-    draw_tooltip("Colours behind the surfaces, from top to bottom, in place of the theme's.");
+    draw_tooltip("Colors behind the surfaces, from top to bottom, in place of the theme's.");
     if (!light.background) return;
     ImGui::SameLine(0.0F, em(0.6F));
     draw_color_field("##top", light.background->top, "The background's top");
@@ -145,7 +144,7 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
                 across, 0.0, 45.0, 2.0 * half_sphere_deg);
     light.radius_deg = 0.5 * across;
     std::uint32_t color = color_of_light(light.color);
-    if (draw_color_field("##color", color, "The light's colour"))
+    if (draw_color_field("##color", color, "The light's color"))
         light.color = light_of_color(color);
     ImGui::SameLine(0.0F, em(0.6F));
     if (ImGui::Checkbox("Camera###with", &light.with_camera)) aim(light, seen, camera);

@@ -2,11 +2,13 @@
 
 #include "document/look.hpp"
 #include "engine/annotate/legend.hpp"
+#include "engine/base/text.hpp"
 #include "engine/scene/coloring.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui.h>
@@ -27,7 +29,7 @@ constexpr const char* about_expression =
     "values of the list.";
 
 void draw_color_by(ColorChoice& coloring) {
-    draw_label("color", "What the colours of the surfaces tell.");
+    draw_label("color", "What the colors of the surfaces tell.");
     if (!ImGui::BeginCombo("##color_by", shown_name(coloring.by), ImGuiComboFlags_HeightLarge)) {
         return;
     }
@@ -72,7 +74,7 @@ void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {
 
 void draw_map(ColorChoice& coloring) {
     draw_label("map",
-               "Colours in even steps, told apart by lightness, too. Balance is for numbers "
+               "Colors in even steps, told apart by lightness, too. Balance is for numbers "
                "with a sign, cycle for angles.");
     const ColorMap shown = coloring.map.value_or(usual_map(coloring.by));
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
@@ -90,16 +92,12 @@ void draw_map(ColorChoice& coloring) {
 /// Draws a field for one end of the range; true when another finite number was typed.
 bool draw_end(const char* id, double& end, float width) {
     ImGui::SetNextItemWidth(width);
-    double typed = end;
-    if (!ImGui::InputDouble(id, &typed, 0.0, 0.0, "%.5g")) return false;
-    if (!(std::abs(typed) <= largest_number) || typed == end) return false;
-    end = typed;
-    return true;
+    return draw_number_field(id, end, -largest_number, largest_number);
 }
 
 void draw_range(ColorChoice& coloring, const std::optional<Legend>& legend) {
     draw_label("range",
-               "The numbers at the ends of the colours. By itself the range holds most of "
+               "The numbers at the ends of the colors. By itself the range holds most of "
                "what the picture shows.");
     bool by_itself = !coloring.range;
     const ValueRange found = legend && legend->range ? *legend->range : ValueRange();
@@ -129,12 +127,12 @@ const char* shown_name(Contours contours) {
 /// Draws the field of the step between contour lines; empty: chosen by itself.
 /// `found`: the one that was.
 void draw_step(LineChoice& lines, const std::optional<double>& found) {
-    double step = lines.step.value_or(found.value_or(0.0));
-    const char* const format = lines.step ? "step %.5g" : found ? "step %.5g (auto)" : "step auto";
+    double step = lines.step.value_or(0.0);
+    const std::string by_itself = found ? "step " + short_number(*found) + " (auto)" : "step auto";
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::InputDouble("##step", &step, 0.0, 0.0, format) && step <= largest_number)
+    if (draw_number_field("##step", step, 0.0, largest_number, by_itself.c_str()))
         lines.step = step > 0.0 ? std::optional(step) : std::nullopt;
-    draw_tooltip("From line to line; 0: chosen by itself.");
+    draw_tooltip("The step from line to line; empty or 0: chosen by itself.");
 }
 
 void draw_lines(LineChoice& lines, const Shown& shown, const Palette& colors) {

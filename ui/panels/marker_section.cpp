@@ -1,6 +1,7 @@
 #include "ui/panels/marker_section.hpp"
 
 #include "document/look.hpp"
+#include "ui/picture/picture_marks.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -21,19 +22,13 @@ namespace {
 constexpr float row_em = 1.9F;
 constexpr float most_rows = 6.0F;
 
-/// Resolution of the shown coordinates, about five digits; copying uses all digits.
-double shown_resolution(const Marker& marker) {
-    const double reach =
-        std::max({std::abs(marker.at.x), std::abs(marker.at.y), std::abs(marker.at.z), 1e-300});
-    return 1e-4 * std::pow(10.0, std::floor(std::log10(reach)));
-}
-
 /// Text of a row: the coordinates and, if another marker is selected, the distance from it.
-std::string row_text(const Marker& marker, const Marker* selected) {
-    std::string text = coordinates_text(marker.at, shown_resolution(marker));
+std::string row_text(const Marker& marker, const Marker* selected, const ShownPicture& picture) {
+    const double resolution = marker_resolution(marker, picture);
+    std::string text = coordinates_text(marker.at, resolution);
     if (selected == nullptr || selected == &marker) return text;
     const double distance = glm::distance(marker.at, selected->at);
-    return text + "   " + number_text(distance, 1e-4 * std::max(distance, 1e-300)) + " from " +
+    return text + "   " + number_text(distance, resolution) + " from " +
            std::to_string(selected->number);
 }
 
@@ -49,7 +44,8 @@ void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float he
 }
 
 /// Draws a line of the list; false when the user removes the marker.
-bool draw_row(Edited& edited, const Marker& marker, const Marker* selected) {
+bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
+              const ShownPicture& picture) {
     const Palette& colors = palette(edited.theme);
     const bool is_selected = selected == &marker;
     const float height = std::ceil(em(row_em));
@@ -60,7 +56,7 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected) {
                           ImVec2(width - 2.0F * height, height))) {
         edited.selected_marker = is_selected ? 0 : marker.number;
     }
-    const std::string text = row_text(marker, selected);
+    const std::string text = row_text(marker, selected, picture);
     ImFont* const small = font(FontRole::SmallFormula);
     ImGui::PushFont(small);
     const float room = width - 2.0F * height - em(2.2F);
@@ -92,7 +88,7 @@ float marker_section_height(const Document& document) {
     return std::clamp(rows, 1.0F, most_rows) * one + ImGui::GetStyle().ItemSpacing.y;
 }
 
-void draw_marker_section(Edited& edited) {
+void draw_marker_section(Edited& edited, const ShownPicture& picture) {
     const std::vector<Marker>& markers = edited.document.markers;
     if (markers.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(edited.theme).quiet);
@@ -105,7 +101,7 @@ void draw_marker_section(Edited& edited) {
     const Marker* const selected = find_marker(markers, edited.selected_marker);
     for (const Marker& marker : markers) {
         ImGui::PushID(marker.number);
-        if (!draw_row(edited, marker, selected)) removed = marker.number;
+        if (!draw_row(edited, marker, selected, picture)) removed = marker.number;
         ImGui::PopID();
     }
     ImGui::PopStyleVar();

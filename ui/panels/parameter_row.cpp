@@ -6,7 +6,9 @@
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/number_field.hpp"
 #include "ui/widgets/slider_row.hpp"
+#include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
 
@@ -18,7 +20,7 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* about_w =
-    "The fourth coordinate: the picture is the slice of f(x, y, z, w) = 0 at this w.\n";
+    "The fourth coordinate, w or t: the picture is the slice of f(x, y, z, w) = 0 at this w.\n";
 constexpr const char* how =
     "Double-click or Ctrl+click: type any number. Right click: back to the usual value and range.";
 
@@ -28,11 +30,7 @@ bool draw_number(const char* label, const char* id, double& number) {
     ImGui::TextDisabled("%s", label);
     ImGui::SameLine(em(4.0F));
     ImGui::SetNextItemWidth(em(8.0F));
-    double typed = number;
-    if (!ImGui::InputDouble(id, &typed, 0.0, 0.0, "%.6g")) return false;
-    if (!(std::abs(typed) <= largest_number)) return false;
-    number = typed;
-    return true;
+    return draw_number_field(id, number, -largest_number, largest_number);
 }
 
 void draw_ends(Slider& slider) {
@@ -61,11 +59,8 @@ void draw_settings(const char* id, Slider& slider) {
     ImGui::TextDisabled("speed");
     ImGui::SameLine(em(4.0F));
     ImGui::SetNextItemWidth(em(8.0F));
-    auto speed = static_cast<float>(slider.speed);
-    if (ImGui::SliderFloat("##speed", &speed, 0.125F, 8.0F, "%.2f\xC3\x97",
-                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) {
-        slider.speed = static_cast<double>(speed);
-    }
+    slide("##speed", slider.speed, 0.125, 8.0, "%.2f\xC3\x97",
+          ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     draw_tooltip("1: from end to end in four seconds");
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("at the end");
@@ -93,17 +88,18 @@ void draw_play_button(Edited& edited, const std::string& name, const Slider& sli
     }
 }
 
-void draw_name(const std::string& name, const Palette& colors) {
+/// `name` of the slider, and the one by which it is `called`.
+void draw_name(const std::string& name, const std::string& called, const Palette& colors) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(font(FontRole::Formula));
     ImGui::PushStyleColor(ImGuiCol_Text, colors.text);
-    const bool cut = draw_elided(name, em(1.9F));
+    const bool cut = draw_elided(called, em(1.9F));
     ImGui::PopStyleColor();
     ImGui::PopFont();
     draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
 }
 
-void draw_row(Edited& edited, const std::string& name) {
+void draw_row(Edited& edited, const std::string& name, const std::string& called) {
     const Palette& colors = palette(edited.theme);
     ImGui::PushID(name.c_str());
     Slider slider = slider_named(edited.document, name);
@@ -111,7 +107,7 @@ void draw_row(Edited& edited, const std::string& name) {
     const float left = ImGui::GetCursorPosX();
     draw_play_button(edited, name, slider, size);
     ImGui::SameLine(0.0F, em(0.3F));
-    draw_name(name, colors);
+    draw_name(name, called, colors);
     ImGui::SameLine(left + size + em(2.5F));
     draw_slider("##value", slider, first_slider(name), size);
     ImGui::SameLine(0.0F, 0.0F);
@@ -149,9 +145,9 @@ void set_slider(Document& document, const std::string& name, const Slider& slide
 void draw_parameter_rows(Edited& edited, const ReadingFacts& reading) {
     if (!reading.uses_w && reading.parameters.empty()) return;
     ImGui::Separator();
-    if (reading.uses_w) draw_row(edited, w_name);
+    if (reading.uses_w) draw_row(edited, w_name, reading.calls_w_t ? "t" : w_name);
     for (const std::string& name : reading.parameters)
-        draw_row(edited, name);
+        draw_row(edited, name, name);
 }
 
 }  // namespace zeroset::ui

@@ -4,6 +4,7 @@
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/camera_section.hpp"
 #include "ui/panels/clip_section.hpp"
+#include "ui/panels/details_section.hpp"
 #include "ui/panels/document_menu.hpp"
 #include "ui/panels/light_section.hpp"
 #include "ui/panels/look_section.hpp"
@@ -13,6 +14,7 @@
 #include "ui/panels/status_panel.hpp"
 #include "ui/panels/view_section.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -26,11 +28,6 @@
 
 namespace zeroset::ui {
 namespace {
-
-/// Least height of the list of statements before the sections below it must scroll.
-constexpr float least_list_em = 9.0F;
-/// Largest part of the height of list and sections that a long list takes.
-constexpr float most_for_list = 0.7F;
 
 constexpr ImGuiWindowFlags bar_flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoFocusOnAppearing |
@@ -79,6 +76,7 @@ void draw_section_title(const char* title, bool& open, const Palette& colors) {
     if (ImGui::InvisibleButton(title, ImVec2(ImGui::GetContentRegionAvail().x, height))) {
         open = !open;
     }
+    draw_focus_ring();
     const std::uint32_t color = ImGui::IsItemHovered() ? colors.text : colors.quiet;
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const float middle = lo.y + 0.5F * height;
@@ -145,7 +143,7 @@ constexpr std::array<FoldedSection, 7> sections{
      {.title = "Clip",
       .id = "##clip",
       .open = &Layout::clip_open,
-      .draw = [](UiState& state) { draw_clip_section(state.edited); },
+      .draw = [](UiState& state) { draw_clip_section(state.edited, state.wishes); },
       .height = [](const UiState& state) { return clip_section_height(state.edited); }},
      {.title = "Space",
       .id = "##space",
@@ -155,9 +153,16 @@ constexpr std::array<FoldedSection, 7> sections{
      {.title = "Markers",
       .id = "##markers",
       .open = &Layout::markers_open,
-      .draw = [](UiState& state) { draw_marker_section(state.edited); },
-      .height =
-          [](const UiState& state) { return marker_section_height(state.edited.document); }}}};
+      .draw = [](UiState& state) { draw_marker_section(state.edited, state.shown.picture); },
+      .height = [](const UiState& state) { return marker_section_height(state.edited.document); }},
+     {.title = "Details",
+      .id = "##details",
+      .open = &Layout::details_open,
+      .draw = [](UiState& state) { draw_details_section(state.edited.document.stop, state.shown); },
+      .height = [](const UiState& state) { return details_section_height(state.shown); }}}};
+
+/// Keeps ImGui's marks of where the keyboard is in one order with those of the whole panel.
+constexpr ImGuiWindowFlags part_flags = ImGuiWindowFlags_NavFlattened;
 
 float sections_height(const UiState& state) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
@@ -169,18 +174,16 @@ float sections_height(const UiState& state) {
     return height;
 }
 
-void draw_below(UiState& state, float height) {
-    ImGui::BeginChild("##sections", ImVec2(0.0F, height));
+void draw_below(UiState& state) {
     for (const FoldedSection& section : sections) {
         ImGui::Separator();
         draw_section_title(section.title, state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
-        ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
+        ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)), false, part_flags);
         section.draw(state);
         ImGui::EndChild();
     }
-    ImGui::EndChild();
 }
 
 void draw_folded(UiState& state) {
@@ -196,21 +199,28 @@ void draw_folded(UiState& state) {
     ImGui::PopStyleVar(2);
 }
 
-/// Draws the list of statements and the sections below it. The list has the height it needs, in a
-/// low window at most `most_for_list` of it; the sections have the rest, and scroll.
+/// Draws the list of statements and the sections below it, which scroll together. Where there is
+/// room for all of it, the sections are at the bottom.
 void draw_sections(UiState& state) {
-    ImGuiStorage& kept = *ImGui::GetStateStorage();
-    const ImGuiID needed = ImGui::GetID("##list_height");
-    const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const float room = ImGui::GetContentRegionAvail().y - gap;
-    const float most = std::max(em(least_list_em), most_for_list * room);
-    const float list = std::clamp(kept.GetFloat(needed), em(least_list_em), most);
-    const float below = std::max(std::min(sections_height(state), room - list), em(4.0F));
-    ImGui::BeginChild("##list", ImVec2(0.0F, std::max(room - below, em(4.0F))));
+    ImGui::BeginChild("##list", ImVec2(0.0F, 0.0F), false, part_flags);
+    const float room = ImGui::GetContentRegionAvail().y;
     draw_statement_list(state);
-    kept.SetFloat(needed, ImGui::GetCursorPosY());
+    const float top = ImGui::GetCursorPosY();
+    ImGui::SetCursorPosY(std::max(top, std::floor(room - sections_height(state))));
+    draw_below(state);
     ImGui::EndChild();
-    draw_below(state, below);
+}
+
+/// Begins the walk of the keyboard through the panel, where Tab is pressed while it is nowhere.
+void follow_tab() {
+    const ImGuiContext& gui = *ImGui::GetCurrentContext();
+    const bool nowhere =
+        gui.NavWindow == nullptr || (gui.NavWindow->Flags & ImGuiWindowFlags_NoNavInputs) != 0;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool alone = !io.KeyCtrl && !io.KeyAlt && !io.KeyShift;
+    const bool popup = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    if (nowhere && alone && !popup && !io.WantTextInput && is_pressed(ImGuiKey_Tab))
+        ImGui::SetKeyboardFocusHere();
 }
 
 }  // namespace
@@ -231,8 +241,12 @@ void draw_side_panel(UiState& state) {
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
     if (open) {
+        // Tab stops at all controls, not only at fields.
+        ImGui::PushItemFlag(ImGuiItemFlags_Inputable, true);
+        follow_tab();
         draw_header(state);
         draw_sections(state);
+        ImGui::PopItemFlag();
         draw_edge(state.edited.layout, width, height, colors);
     }
     ImGui::End();

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -155,6 +156,13 @@ bool edit_text(const char* id, std::string& text, float width, FieldEdit& edit) 
                                      on_edit, &edit);
 }
 
+/// True if a Tab goes to another row; from the last and the first one ImGui leads on.
+bool leads_to_row(const UiState& state, int row, FieldEvent event) {
+    const std::vector<Statement>& rows = state.edited.document.statements;
+    return (event == FieldEvent::TabForward && row != rows.back().id) ||
+           (event == FieldEvent::TabBackward && row != rows.front().id);
+}
+
 bool came_at_once(const std::string& before, const std::string& after) {
     return after.size() > before.size() + 1 && lines_of(after) > lines_of(before);
 }
@@ -182,9 +190,7 @@ FieldEvent draw_statement_field(UiState& state, Statement& statement, const RowE
     const bool escape = typing && is_pressed(ImGuiKey_Escape);
     // Leave before the field sees Escape: it would restore the text it had when editing began.
     if (escape) leave_field();
-    if (event == FieldEvent::TabForward || event == FieldEvent::TabBackward) {
-        ImGui::NavMoveRequestCancel();
-    }
+    if (leads_to_row(state, statement.id, event)) ImGui::NavMoveRequestCancel();
     const std::string typed = statement.text;
     const std::string reloaded = statement.text;
     if (state.wishes.reload == statement.id) {

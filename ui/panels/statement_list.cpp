@@ -7,6 +7,7 @@
 #include "ui/panels/statement_field.hpp"
 #include "ui/panels/statement_row.hpp"
 #include "ui/style/icons.hpp"
+#include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
@@ -120,6 +121,7 @@ void draw_adder(UiState& state) {
     if (ImGui::InvisibleButton("##add", ImVec2(ImGui::GetContentRegionAvail().x, height))) {
         insert_row(state, rows(state).size());
     }
+    draw_focus_ring();
     const bool hovered = ImGui::IsItemHovered();
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const ImVec2 hi = ImGui::GetItemRectMax();

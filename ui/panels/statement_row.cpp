@@ -75,6 +75,7 @@ RowEvent event_of(FieldEvent event) {
 RowEvent draw_grip(const Row& row, float height) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("##grip", ImVec2(em(grip_em), height));
+    draw_focus_ring();
     const bool dragged = ImGui::IsItemActive();
     if (row.hovered || dragged) {
         const std::uint32_t color = dragged ? row.colors.accent : row.colors.quiet;
@@ -109,20 +110,30 @@ void draw_kind(const Row& row, const ImVec2& centre) {
                    sign);
 }
 
+/// What the sign in place of a swatch says; empty: there is none.
+std::string kind_name(const Row& row) {
+    if (row.error() != nullptr && !row.error()->unfinished) return row.error()->reason;
+    if (row.report == nullptr || row.report->readings.empty()) return "";
+    const bool function = row.report->readings.front().kind == StatementKind::Function;
+    return function ? "A function" : "A constant";
+}
+
 void draw_swatch(const Row& row, float height) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const ImVec2 centre(lo.x + 0.5F * em(swatch_em), lo.y + 0.5F * height);
     const bool broken = row.error() != nullptr && !row.error()->unfinished;
     if (!row.is_surface() || broken) {
         ImGui::Dummy(ImVec2(em(swatch_em), height));
+        draw_tooltip(kind_name(row));
         return draw_kind(row, centre);
     }
     if (ImGui::InvisibleButton("##swatch", ImVec2(em(swatch_em), height))) {
         ImGui::OpenPopup("##color");
     }
+    draw_focus_ring();
     draw_color_dot(*ImGui::GetWindowDrawList(), centre, em(0.5F), row.statement, row.colors,
                    ImGui::IsItemHovered());
-    draw_tooltip("Colour and solid");
+    draw_tooltip("Color and solid");
     draw_surface_popup("##color", row.statement, row.colors);
 }
 

@@ -1,7 +1,7 @@
 #include "ui/panels/status_panel.hpp"
 
 #include "document/look.hpp"
-#include "engine/base/text.hpp"
+#include "ui/panels/details_section.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -27,12 +27,6 @@ constexpr const char* keys_hint =
     "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
     "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
 
-std::string milliseconds(double ms) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), ms < 100.0 ? "%.1f ms" : "%.0f ms", ms);
-    return text.data();
-}
-
 /// Adds text to the line, unless the window is too narrow for it.
 void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -48,39 +42,13 @@ void add_text(std::uint32_t color, const std::string& text, const char* between 
     ImGui::SameLine(0.0F, 0.0F);
 }
 
-/// Width of the view at the point looked at, and the precision: "view 3.2e-07 wide, double".
-std::string view_scale(const PictureFigures& figures, const Camera& camera) {
-    const ViewFrame view(camera);
-    const double height = 2.0 * view.half_height * view.look_distance;
-    const double width = height * figures.width_px / figures.height_px;
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "view %.2g wide, %s", width,
-                  std::string(name_of(figures.precision)).c_str());
-    return text.data();
-}
-
-void draw_figures(const PictureFigures& figures, const ShownPicture& picture,
-                  const Palette& colors) {
+/// The section of details tells more.
+void draw_figures(const PictureFigures& figures, const Palette& colors) {
     if (figures.width_px <= 0) return;
-    const std::size_t undecided = figures.counts.undecided;
-    add_text(colors.quiet, milliseconds(figures.frame_ms));
+    add_text(colors.quiet, frame_time(figures));
     add_text(colors.quiet,
              std::to_string(figures.width_px) + " \xC3\x97 " + std::to_string(figures.height_px));
-    std::string certified_text = grouped(figures.counts.certified) + " certified";
-    if (figures.counts.coarse > 0) {
-        certified_text += ", " + grouped(figures.counts.coarse) + " of them coarse";
-    }
-    add_text(colors.quiet, certified_text);
-    std::string undecided_text = grouped(undecided) + " undecided";
-    if (figures.counts.not_drawn > 0) {
-        undecided_text += ", " + grouped(figures.counts.not_drawn) + " of them not drawn";
-    }
-    add_text(undecided > 0 ? colors.warning : colors.quiet, undecided_text);
-    const std::size_t jumps = figures.counts.jumps;
-    if (jumps > 0) add_text(colors.quiet, grouped(jumps) + " at jumps");
-    add_text(colors.quiet, view_scale(figures, picture.camera));
-    const bool empty = figures.counts.certified + undecided + jumps == 0;
-    if (empty && !picture.tracing) add_text(colors.warning, "no surface in view");
+    if (many_undecided(figures)) add_text(colors.warning, undecided_text(figures));
 }
 
 /// Adds the surface's colour and, if there are several, the number of its row.
@@ -136,7 +104,7 @@ void draw_known(const Shown& shown, const std::vector<Statement>& rows, const Pa
     if (shown.pointed) {
         draw_pointed(*shown.pointed, rows, colors);
     } else if (!shown.figures.hidden) {
-        draw_figures(shown.figures, shown.picture, colors);
+        draw_figures(shown.figures, colors);
     }
     if (shown.picture.tracing && status.doing.empty()) {
         add_text(colors.accent, "tracing\xE2\x80\xA6");

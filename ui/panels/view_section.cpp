@@ -1,7 +1,5 @@
 #include "ui/panels/view_section.hpp"
 
-#include "engine/measure/extent.hpp"
-#include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
@@ -11,30 +9,11 @@
 
 #include <imgui/imgui.h>
 
-#include <algorithm>
-#include <cfloat>
-#include <cmath>
 #include <optional>
 #include <string>
 
 namespace zeroset::ui {
 namespace {
-
-constexpr int min_d_stop = 4;
-
-void draw_d_stop(StopCriterion& stop) {
-    draw_label("d_stop",
-               "Search depth: a ray's search ends at cells of the box's edge times "
-               "2^-d_stop. More is finer and slower.");
-    int depth = static_cast<int>(std::lround(stop.value));
-    // The command line can set another stop rule; it stays until the slider is moved.
-    const char* rule = stop.rule == StopRule::Epsilon ? "epsilon"
-                       : stop.rule == StopRule::Delta ? "delta"
-                                                      : nullptr;
-    if (draw_integer_slider("##d_stop", depth, min_d_stop, max_d_stop, rule)) {
-        stop = {.rule = StopRule::DStop, .value = static_cast<double>(depth)};
-    }
-}
 
 void draw_projection(std::optional<Camera>& camera) {
     if (!camera) return;
@@ -54,6 +33,27 @@ void draw_light(Document& document) {
     draw_tooltip(
         "Show pixels part by part where they hold more than one smooth sheet, "
         "once the picture rests.");
+}
+
+const char* shown_name(WheelUse use) {
+    switch (use) {
+        case WheelUse::Zoom: return "zooms";
+        case WheelUse::Orbit: return "orbits";
+        case WheelUse::Pan: return "pans";
+    }
+    return "";
+}
+
+void draw_wheel(WheelUse& use) {
+    draw_label(
+        "scroll",
+        "What the wheel, or two fingers on a touchpad, do over the picture. Where they orbit "
+        "or pan, Shift changes to the other and Ctrl zooms.");
+    if (!ImGui::BeginCombo("##wheel", shown_name(use))) return;
+    for (const WheelUse other : {WheelUse::Zoom, WheelUse::Orbit, WheelUse::Pan}) {
+        if (ImGui::Selectable(shown_name(other), other == use)) use = other;
+    }
+    ImGui::EndCombo();
 }
 
 void draw_buttons(UiState& state) {
@@ -78,9 +78,9 @@ void draw_buttons(UiState& state) {
 float view_section_height() { return 4.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_view_section(UiState& state) {
-    draw_d_stop(state.edited.document.stop);
     draw_projection(state.edited.document.camera);
     draw_light(state.edited.document);
+    draw_wheel(state.edited.layout.wheel);
     draw_buttons(state);
 }
 

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace zeroset::ui {
 namespace {
@@ -122,16 +123,11 @@ glm::vec2 gizmo_place(const GizmoBall& ball) {
     return glm::vec2(at.x, at.y) + em(rim_em) * glm::vec2(ball.at.x, -ball.at.y);
 }
 
-namespace {
-
-/// Puts the current window under all others but the picture.
 void put_under_pages() {
     ImGui::BringWindowToDisplayBack(ImGui::GetCurrentWindow());
     if (ImGuiWindow* const picture = ImGui::FindWindowByName("##viewport"))
         ImGui::BringWindowToDisplayBack(picture);
 }
-
-}  // namespace
 
 void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
@@ -156,7 +152,10 @@ void draw_axis_gizmo(UiState& state) {
         const auto under =
             hovered ? ball_under(balls, ImGui::GetIO().MousePos) : std::optional<GizmoBall>();
         follow_pointer(state, clicked, under);
-        if (hovered) zoom_by_wheel(state.edited, state.shown.picture);
+        if (hovered) follow_wheel(state.edited, state.shown.picture);
+        if (under && !ImGui::IsItemActive())
+            draw_tooltip(std::string("View from ") + (under->positive ? "+" : "-") +
+                         static_cast<char>('x' + under->axis));
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),

@@ -31,6 +31,9 @@ std::array<GizmoBall, 6> gizmo_balls(const Camera& camera);
 /// Where a ball of the gizmo stands, window coordinates.
 glm::vec2 gizmo_place(const GizmoBall& ball);
 
+/// Puts the current window, which lies over the picture, under all pages and panels.
+void put_under_pages();
+
 /// The axes of the world in the picture's upper right corner: a click on an end looks from there, a
 /// second one from the other end; a drag turns the view. Nothing where the picture is small.
 void draw_axis_gizmo(UiState& state);

@@ -175,11 +175,24 @@ void draw_lit(const Pen& pen, const UiState& state, const Handle& handle) {
                    static_cast<double>(em(size_em + 0.5F)), size, card_style(state.edited.theme)));
 }
 
+/// Draws the edges of the clip box, so that its handles lie on something, unless they are drawn
+/// anyway.
+void draw_box(const Pen& pen, const UiState& state) {
+    if (state.edited.document.clip_box) return;
+    const Clipping clipping = clipping_of(state.edited.document);
+    const std::uint32_t color = faded(palette(state.edited.theme).quiet, 0.5 * faint_part);
+    // Two opposite faces of each axis have all edges; each edge lies on two faces.
+    for (const std::size_t face : {std::size_t{0}, std::size_t{1}, std::size_t{2}, std::size_t{3}})
+        pen.outline(outline_of({.part = HandlePart::BoxFace, .index = face}, clipping, pen.view),
+                    color);
+}
+
 }  // namespace
 
 std::vector<Handle> shown_handles(const UiState& state, float height) {
+    // Without a surface there is nothing to clip.
     if (!has_clip_handles(state.edited.layout) || state.shown.picture.frame == nullptr ||
-        !(height > 0.0F))
+        state.shown.reading.surface_rows.empty() || !(height > 0.0F))
         return {};
     const Clipping clipping = clipping_of(state.edited.document);
     const double stem = std::min(static_cast<double>(em(stem_em) / height), longest_stem);
@@ -221,6 +234,7 @@ void draw_clip_handles(ImDrawList& canvas, const PictureArea& area, const UiStat
     const ViewFrame view(state.shown.picture.camera);
     const Pen pen{.canvas = canvas, .area = area, .view = view};
     canvas.PushClipRect(area.lo, area.hi, true);
+    draw_box(pen, state);
     // Nearer handles cover farther ones.
     std::ranges::sort(handles, std::ranges::greater(),
                       [&](const Handle& handle) { return view.distance_of(handle.at); });

@@ -7,6 +7,7 @@
 #include "engine/view/pixel_ray.hpp"
 #include "ui/picture/draw_shapes.hpp"
 
+#include <glm/glm.hpp>
 #include <imgui/imgui.h>
 
 #include <algorithm>
@@ -17,28 +18,35 @@
 namespace zeroset::ui {
 namespace {
 
-/// Number and place of the selected marker, with as many decimals as tell neighbouring pixels
-/// apart.
-std::string full_text(const Marker& marker, const ViewFrame& view, const Framebuffer& frame) {
-    const double distance = view.distance_of(marker.at);
-    const double resolution = 0.1 * view.pixel_width(std::max(frame.height, 1), distance);
-    return std::to_string(marker.number) + "  " + coordinates_text(marker.at, resolution);
+/// Number and place of the selected marker.
+std::string full_text(const Marker& marker, const ShownPicture& picture) {
+    return std::to_string(marker.number) + "  " +
+           coordinates_text(marker.at, marker_resolution(marker, picture));
 }
 
 std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture& picture) {
-    const ViewFrame view(picture.camera);
     std::vector<MarkedPoint> points;
     for (const Marker& marker : edited.document.markers) {
         const bool selected = marker.number == edited.selected_marker;
-        points.push_back({.at = marker.at,
-                          .words = selected ? full_text(marker, view, *picture.frame)
-                                            : std::to_string(marker.number),
-                          .selected = selected});
+        points.push_back(
+            {.at = marker.at,
+             .words = selected ? full_text(marker, picture) : std::to_string(marker.number),
+             .selected = selected});
     }
     return points;
 }
 
 }  // namespace
+
+double marker_resolution(const Marker& marker, const ShownPicture& picture) {
+    if (picture.frame == nullptr) {
+        const glm::dvec3 size = glm::abs(marker.at);
+        const double reach = std::max({size.x, size.y, size.z, 1e-300});
+        return 1e-4 * std::pow(10.0, std::floor(std::log10(reach)));
+    }
+    const ViewFrame view(picture.camera);
+    return 0.1 * view.pixel_width(std::max(picture.frame->height, 1), view.distance_of(marker.at));
+}
 
 void draw_picture_marks(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi,
                         const Edited& edited, const Shown& shown) {

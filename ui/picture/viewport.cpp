@@ -37,6 +37,10 @@ glm::ivec2 size_px(const PictureArea& area) {
             static_cast<int>(std::lround(area.height() * scale.y))};
 }
 
+double aspect_of(const PictureArea& area) {
+    return static_cast<double>((area.hi.x - area.lo.x) / area.height());
+}
+
 void draw_picture(const PictureArea& area, const UiState& state, const Texture& picture) {
     const Palette& colors = palette(state.edited.theme);
     ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
@@ -72,6 +76,7 @@ PointerMotion pointer_motion(const PictureArea& area) {
         (pans ? motion.pan : motion.orbit) = moved;
     }
     motion.cursor = area.place(io.MousePos);
+    motion.aspect = aspect_of(area);
     return motion;
 }
 
@@ -90,7 +95,7 @@ void follow_pointer(UiState& state, const PictureArea& area) {
     const PointerMotion motion = pointer_motion(area);
     const std::optional<Handle> handle = follow_clip_handles(state, area, motion.cursor);
     if (ImGui::IsItemHovered() && !state.input.handle_drag)
-        zoom_by_wheel(state.edited, state.shown.picture);
+        follow_wheel(state.edited, state.shown.picture);
     if (handle) {
         state.input.pointer.reset();
     } else {
@@ -102,13 +107,15 @@ void follow_pointer(UiState& state, const PictureArea& area) {
 
 }  // namespace
 
-void zoom_by_wheel(Edited& edited, const ShownPicture& shown) {
+void follow_wheel(Edited& edited, const ShownPicture& shown) {
     const ImGuiIO& io = ImGui::GetIO();
     std::optional<Camera>& camera = edited.document.camera;
-    if (io.MouseWheel == 0.0F || !camera) return;
-    PointerMotion motion;
-    motion.wheel = static_cast<double>(io.MouseWheel);
-    motion.cursor = viewport_area(edited.layout).place(io.MousePos);
+    if ((io.MouseWheel == 0.0F && io.MouseWheelH == 0.0F) || !camera) return;
+    PointerMotion motion = scrolled(edited.layout.wheel, static_cast<double>(io.MouseWheelH),
+                                    static_cast<double>(io.MouseWheel), io.KeyCtrl, io.KeyShift);
+    const PictureArea area = viewport_area(edited.layout);
+    motion.cursor = area.place(io.MousePos);
+    motion.aspect = aspect_of(area);
     motion.surface = surface_under(shown, motion.cursor);
     camera = steer(*camera, motion, turn_mode_of(edited.document));
 }

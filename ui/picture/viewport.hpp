@@ -11,9 +11,9 @@
 
 namespace zeroset::ui {
 
-/// Zooms towards the pointer as the wheel was turned in this frame. For whatever is over the
-/// picture and has no use for the wheel, while the pointer is over it.
-void zoom_by_wheel(Edited& edited, const ShownPicture& shown);
+/// Zooms towards the pointer, orbits or pans as the wheel was turned in this frame. For whatever is
+/// over the picture and has no use for the wheel, while the pointer is over it.
+void follow_wheel(Edited& edited, const ShownPicture& shown);
 
 /// The point of the surface that the picture shows under the cursor (see PointerMotion), if any.
 std::optional<glm::dvec3> surface_under(const ShownPicture& shown, const ViewPoint& cursor);

@@ -158,6 +158,7 @@ void draw_icon(ImDrawList& canvas, Icon icon, const ImVec2& centre, float size,
 bool icon_button(const char* id, Icon icon, const IconLook& look, const std::string& tooltip) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const bool clicked = ImGui::InvisibleButton(id, ImVec2(look.size, look.size));
+    draw_focus_ring();
     const bool hovered = look.enabled && ImGui::IsItemHovered();
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     const ImVec2 hi(lo.x + look.size, lo.y + look.size);

@@ -6,17 +6,23 @@
 #include <imgui/imgui_internal.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 
 namespace zeroset::ui {
 
 void draw_tooltip(const std::string& text, float width) {
-    if (!ImGui::IsItemHovered()) return;
+    if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(std::min(em(width), 0.8F * ImGui::GetIO().DisplaySize.x));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
+}
+
+void draw_focus_ring() {
+    ImGui::RenderNavHighlight(ImRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax()),
+                              ImGui::GetItemID(), ImGuiNavHighlightFlags_TypeThin);
 }
 
 bool draw_elided(const std::string& text, float width) {
@@ -30,6 +36,22 @@ bool draw_elided(const std::string& text, float width) {
                               text.c_str(), text.c_str() + text.size(), &size);
     ImGui::Dummy(ImVec2(std::min(size.x, width), size.y + baseline));
     return size.x > width;
+}
+
+std::string elided(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const std::string ellipsis = "\xE2\x80\xA6";
+    const float room = width - ImGui::CalcTextSize(ellipsis.c_str()).x;
+    // Whole characters of UTF-8 only.
+    std::size_t end = text.size();
+    while (end > 0) {
+        do {
+            --end;
+        } while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U);
+        const char* const begin = text.c_str();
+        if (ImGui::CalcTextSize(begin, begin + end).x <= room) break;
+    }
+    return text.substr(0, end) + ellipsis;
 }
 
 std::string in_one_line(const std::string& text) {

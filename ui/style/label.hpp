@@ -7,9 +7,17 @@ namespace zeroset::ui {
 /// Shows a tooltip while the pointer is over the last item, in lines of at most `width` em.
 void draw_tooltip(const std::string& text, float width = 22.0F);
 
+/// Marks the last item while the keyboard is at it. ImGui's own controls do so by themselves, an
+/// invisible button does not.
+void draw_focus_ring();
+
 /// Draws the text as one item, cut with an ellipsis at `width` (window coordinates). Returns true
 /// if it was cut.
 bool draw_elided(const std::string& text, float width);
+
+/// The text, with an ellipsis at its end where it is wider than `width` in the current font (window
+/// coordinates).
+std::string elided(const std::string& text, float width);
 
 /// Returns the text in one line: each line break becomes "; ".
 std::string in_one_line(const std::string& text);

@@ -3,6 +3,7 @@
 #include "document/colors.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
 
@@ -49,6 +50,7 @@ void draw_palette(Statement& statement, const Palette& colors) {
         ImGui::PushID(static_cast<int>(i));
         const ImVec2 lo = ImGui::GetCursorScreenPos();
         if (ImGui::InvisibleButton("##front", ImVec2(size, size))) statement.color = fronts[i];
+        draw_focus_ring();
         const ImVec2 hi(lo.x + size, lo.y + size);
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         canvas.AddRectFilled(lo, hi, opaque(fronts[i]), em(0.4F));
@@ -84,12 +86,11 @@ void draw_opacity(Statement& statement) {
     ImGui::TextDisabled("Opacity");
     draw_tooltip(
         "How much of what is behind the surface it hides; a right click leaves it to the look");
-    auto percent = static_cast<float>(100.0 * statement.opacity.value_or(1.0));
+    double percent = 100.0 * statement.opacity.value_or(1.0);
     ImGui::SetNextItemWidth(popup_width());
     const char* const format = statement.opacity ? "%.0f %%" : "as the look has it";
-    if (ImGui::SliderFloat("##opacity", &percent, 0.0F, 100.0F, format,
-                           ImGuiSliderFlags_AlwaysClamp))
-        statement.opacity = 0.01 * static_cast<double>(std::round(percent));
+    if (slide("##opacity", percent, 0.0, 100.0, format, ImGuiSliderFlags_AlwaysClamp))
+        statement.opacity = 0.01 * std::round(percent);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();
 }
 

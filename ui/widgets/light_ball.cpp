@@ -1,5 +1,7 @@
 #include "ui/widgets/light_ball.hpp"
 
+#include "ui/style/label.hpp"
+
 #include <glm/gtc/constants.hpp>
 #include <imgui/imgui.h>
 
@@ -74,10 +76,11 @@ glm::dvec3 direction_at(double x, double y, bool in_front) {
 bool draw_light_ball(const char* id, glm::dvec3& towards, float size, const Palette& colors) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(id, ImVec2(size, size));
+    draw_focus_ring();
     const float radius = 0.5F * size - em(0.15F);
     const ImVec2 centre(lo.x + 0.5F * size, lo.y + 0.5F * size);
     bool moved = false;
-    if (ImGui::IsItemActive()) {
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         // The side on which the drag began, kept while it goes on.
         bool& in_front = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("front"), true);
         if (ImGui::IsItemActivated()) in_front = towards.z >= 0.0;

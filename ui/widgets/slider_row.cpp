@@ -4,6 +4,7 @@
 #include "document/play.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/typed_slider.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
@@ -31,13 +32,6 @@ void draw_value(const char* text, float right) {
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - right - width);
     ImGui::TextUnformatted(text);
-}
-
-/// Turns the slider into a text field in the next frame.
-void type_into(ImGuiID slider) {
-    ImGuiContext& gui = *ImGui::GetCurrentContext();
-    gui.NavNextActivateId = slider;
-    gui.NavNextActivateFlags = ImGuiActivateFlags_PreferInput;
 }
 
 /// Formats with three decimals, as the slider does; very large or small numbers as short as "1e9".
@@ -68,7 +62,7 @@ void draw_label(const std::string& label, const std::string& explanation, float 
 
 bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char* shown) {
     begin_slider(0.0F);
-    const bool moved = ImGui::SliderInt(id, &value, lo, hi, "##%d", ImGuiSliderFlags_AlwaysClamp);
+    const bool moved = slide(id, value, lo, hi, "##%d", ImGuiSliderFlags_AlwaysClamp);
     draw_value(shown != nullptr ? shown : std::to_string(value).c_str(), 0.0F);
     return moved;
 }
@@ -76,14 +70,17 @@ bool draw_integer_slider(const char* id, int& value, int lo, int hi, const char*
 void draw_slider(const char* id, Slider& slider, const Slider& usual, float right) {
     const double before = slider.value;
     begin_slider(right);
-    const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &slider.value, &slider.lo,
-                                           &slider.hi, "##%.3f");
+    const bool moved = slide(id, slider.value, slider.lo, slider.hi, "##%.3f");
     const ImGuiID item = ImGui::GetItemID();
     const bool hovered = ImGui::IsItemHovered();
     if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) type_into(item);
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) slider = usual;
     if (!(std::abs(slider.value) <= largest_number)) slider.value = before;
     if (!ImGui::TempInputIsActive(item)) {
+        const double by = slider.value - before;
+        // A key moves by one step at least.
+        if (moved && is_moved_by_keys(item) && std::abs(by) < slider.step)
+            slider.value = before + std::copysign(slider.step, by);
         if (moved) slider.value = on_step(slider, slider.value);
         set_value(slider, slider.value);
     }

@@ -44,6 +44,11 @@ void GuiContext::begin_frame(Theme theme, float content_scale, float pixels_per_
     ImGui_ImplOpenGL3_NewFrame();
 }
 
+void GuiContext::begin_panels() {
+    ImGui::NewFrame();
+    navigation_.follow();
+}
+
 void GuiContext::end_frame(int width_px, int height_px) {
     ImGui::Render();
     gl().viewport(0, 0, width_px, height_px);

@@ -2,6 +2,7 @@
 
 #include "ui/model/theme.hpp"
 #include "ui/window/gl.hpp"
+#include "ui/window/navigation.hpp"
 
 namespace zeroset::ui {
 
@@ -22,6 +23,8 @@ public:
     ///   content_scale     framebuffer pixels per design unit
     ///   pixels_per_point  framebuffer pixels per unit of the window's coordinates
     void begin_frame(Theme theme, float content_scale, float pixels_per_point);
+    /// Gives the frame's input to the panels, which may be drawn then.
+    void begin_panels();
     /// Draws the frame's panels into the current framebuffer.
     static void end_frame(int width_px, int height_px);
 
@@ -36,6 +39,7 @@ private:
         bool operator==(const Look&) const = default;
     };
     Look look_;
+    Navigation navigation_;
     bool ready_ = false;
 };
 

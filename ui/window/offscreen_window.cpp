@@ -43,6 +43,7 @@ OffscreenWindow::OffscreenWindow(std::unique_ptr<OffscreenContext> context,
     io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
     io.KeyMap[ImGuiKey_Enter] = GLFW_KEY_ENTER;
     io.KeyMap[ImGuiKey_Escape] = GLFW_KEY_ESCAPE;
+    io.KeyMap[ImGuiKey_Space] = GLFW_KEY_SPACE;
     io.KeyMap[ImGuiKey_Home] = GLFW_KEY_HOME;
     io.KeyMap[ImGuiKey_End] = GLFW_KEY_END;
     io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
@@ -82,7 +83,7 @@ void OffscreenWindow::begin_frame(Theme theme) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size_px_.x), static_cast<float>(size_px_.y));
     io.DeltaTime = frame_s;
-    ImGui::NewFrame();
+    gui_->begin_panels();
 }
 
 void OffscreenWindow::end_frame() { GuiContext::end_frame(size_px_.x, size_px_.y); }

@@ -1,11 +1,12 @@
 #include "ui/model/theme.hpp"
 #include "ui/window/gl.hpp"
 #include "ui/window/gui_context.hpp"
-#include "ui/window/key_queue.hpp"
+#include "ui/window/input_queue.hpp"
 #include "ui/window/window.hpp"
 
 #include <GLFW/glfw3.h>
 #include <dlfcn.h>
+#include <glm/ext/vector_double2.hpp>
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/imgui.h>
 
@@ -15,19 +16,21 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <expected>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
+#include <variant>
 
 namespace zeroset::ui {
 namespace {
 
 constexpr double cursor_blink_s = 0.5;
 constexpr float max_scale = 4.0F;
+constexpr int mouse_buttons = 5;  ///< as many as Dear ImGui knows
 
 std::optional<float> scale_override() {
     const char* text = std::getenv("ZEROSET_SCALE");
@@ -133,7 +136,9 @@ private:
     static void on_key(GLFWwindow* handle, int key, int scancode, int action, int mods);
     static void on_character(GLFWwindow* handle, unsigned int character);
     void install_callbacks();
-    void feed_keys();
+    void feed_input();
+    void feed(const QueuedEvent& event);
+    void place_mouse() const;
     void limit_size();
     [[nodiscard]] float content_scale() const;
 
@@ -141,7 +146,9 @@ private:
     WindowHandle handle_;
     WindowSize restored_;  ///< the last size that was not maximized
     std::unique_ptr<GuiContext> gui_;
-    KeyQueue keys_;
+    InputQueue queue_;
+    std::optional<glm::dvec2> pointer_;       ///< as of the queue; nothing: to be asked for
+    std::array<bool, mouse_buttons> held_{};  ///< the buttons that are down, as of the queue
     std::string title_;
     WindowEvents events_;
     bool holds_keys_ = false;
@@ -179,24 +186,25 @@ void GlfwWindow::install_callbacks() {
     GLFWwindow* handle = handle_.get();
     glfwSetKeyCallback(handle, on_key);
     glfwSetCharCallback(handle, on_character);
-    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int mods) {
-        of(window, InputEvent::Kind::Button);
-        ImGui_ImplGlfw_MouseButtonCallback(window, button, action, mods);
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* window, int button, int action, int) {
+        if (button >= mouse_buttons) return;
+        of(window, InputEvent::Kind::Button)
+            .queue_.push(MouseButton{.button = button, .pressed = action == GLFW_PRESS});
     });
     glfwSetScrollCallback(handle, [](GLFWwindow* window, double x, double y) {
-        of(window, InputEvent::Kind::Wheel);
-        ImGui_ImplGlfw_ScrollCallback(window, x, y);
+        of(window, InputEvent::Kind::Wheel).queue_.push(MouseWheel{.by = {x, y}});
     });
     glfwSetCursorEnterCallback(handle, [](GLFWwindow* window, int entered) {
-        of(window);
+        of(window).queue_.push(MouseMove{});
         ImGui_ImplGlfw_CursorEnterCallback(window, entered);
     });
     glfwSetWindowFocusCallback(handle, [](GLFWwindow* window, int focused) {
         of(window);
         ImGui_ImplGlfw_WindowFocusCallback(window, focused);
     });
-    glfwSetCursorPosCallback(
-        handle, [](GLFWwindow* window, double, double) { of(window, InputEvent::Kind::Move); });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* window, double x, double y) {
+        of(window, InputEvent::Kind::Move).queue_.push(MouseMove{.at = glm::dvec2(x, y)});
+    });
     glfwSetWindowCloseCallback(handle, [](GLFWwindow* window) {
         glfwSetWindowShouldClose(window, GLFW_FALSE);
         of(window).events_.close = true;
@@ -218,29 +226,49 @@ int key_of(int key, int scancode) {
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
     of(handle, InputEvent::Kind::Key)
-        .keys_.push({.key = key_of(key, scancode),
-                     .scancode = scancode,
-                     .action = action,
-                     .mods = mods,
-                     .character = 0});
+        .queue_.push(KeyEvent{.key = key_of(key, scancode),
+                              .scancode = scancode,
+                              .action = action,
+                              .mods = mods,
+                              .character = 0});
 }
 
 void GlfwWindow::on_character(GLFWwindow* handle, unsigned int character) {
     of(handle, InputEvent::Kind::Key)
-        .keys_.push({.key = 0, .scancode = 0, .action = 0, .mods = 0, .character = character});
+        .queue_.push(
+            KeyEvent{.key = 0, .scancode = 0, .action = 0, .mods = 0, .character = character});
 }
 
-void GlfwWindow::feed_keys() {
-    const std::vector<KeyEvent> events = holds_keys_ ? std::vector<KeyEvent>() : keys_.take_frame();
-    for (const KeyEvent& event : events) {
-        if (event.character != 0) {
-            ImGui_ImplGlfw_CharCallback(handle_.get(), event.character);
+void GlfwWindow::feed(const QueuedEvent& event) {
+    if (const auto* const key = std::get_if<KeyEvent>(&event)) {
+        if (key->character != 0) {
+            ImGui_ImplGlfw_CharCallback(handle_.get(), key->character);
         } else {
-            ImGui_ImplGlfw_KeyCallback(handle_.get(), event.key, event.scancode, event.action,
-                                       event.mods);
+            ImGui_ImplGlfw_KeyCallback(handle_.get(), key->key, key->scancode, key->action,
+                                       key->mods);
         }
+    } else if (const auto* const move = std::get_if<MouseMove>(&event)) {
+        pointer_ = move->at;
+    } else if (const auto* const mouse = std::get_if<MouseButton>(&event)) {
+        held_.at(static_cast<std::size_t>(mouse->button)) = mouse->pressed;
+    } else if (const auto* const wheel = std::get_if<MouseWheel>(&event)) {
+        ImGui_ImplGlfw_ScrollCallback(handle_.get(), wheel->by.x, wheel->by.y);
     }
-    if (!keys_.empty()) frames_due_ = frames_to_settle;
+}
+
+void GlfwWindow::feed_input() {
+    for (const QueuedEvent& event : queue_.take_frame(holds_keys_))
+        feed(event);
+    if (!queue_.empty()) frames_due_ = frames_to_settle;
+}
+
+/// Puts the pointer and its buttons where the queue has them: ImGui's backend has asked for both as
+/// they are now.
+void GlfwWindow::place_mouse() const {
+    ImGuiIO& io = ImGui::GetIO();
+    if (pointer_ && ImGui::IsMousePosValid(&io.MousePos))
+        io.MousePos = ImVec2(static_cast<float>(pointer_->x), static_cast<float>(pointer_->y));
+    std::ranges::copy(held_, static_cast<bool*>(io.MouseDown));
 }
 
 void GlfwWindow::wait(std::optional<double> at_most_s) {
@@ -296,10 +324,11 @@ void GlfwWindow::begin_frame(Theme theme) {
     const float pixels_per_point =
         visible ? static_cast<float>(width_px) / static_cast<float>(width_points) : 1.0F;
 
-    feed_keys();
+    feed_input();
     gui_->begin_frame(theme, content_scale(), pixels_per_point);
     ImGui_ImplGlfw_NewFrame();
-    ImGui::NewFrame();
+    place_mouse();
+    gui_->begin_panels();
 }
 
 void GlfwWindow::end_frame() {

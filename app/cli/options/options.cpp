@@ -126,8 +126,10 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
     if (is_document_name(equation) || is_picture_name(equation)) {
         auto loaded = load_document(equation);
         if (!loaded) return wrong_input(loaded.error());
+        if (loaded->shown_on && !loaded->document.light.background)
+            loaded->document.light.background = loaded->shown_on;
         return InputDocument{read_document(std::move(loaded->document)),
-                             loaded->from_picture ? "" : equation, loaded->note};
+                             loaded->from_picture ? "" : equation, loaded->note, loaded->shown_on};
     }
     if (is_share_text(equation)) {
         auto shared = document_from(equation);

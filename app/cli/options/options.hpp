@@ -45,6 +45,8 @@ struct TraceText {
 struct InputDocument : ReadDocument {
     std::string path = {};  ///< of the document's file; empty: it has none
     std::string note = {};  ///< LoadedDocument::note of the file
+    /// LoadedDocument::shown_on of the file, which its document has as its background.
+    std::optional<Background> shown_on = std::nullopt;
 };
 
 /// Values of parameters, by name.

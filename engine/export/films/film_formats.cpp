@@ -51,7 +51,7 @@ constexpr std::array<FilmFormat, 6> formats{{
      .largest_rate = any_rate},
     {.name = "GIF",
      .ending = ".gif",
-     .about = "plays in every page and message; 255 colours",
+     .about = "plays in every page and message; 255 colors",
      .codec = FilmCodec::Gif,
      .alpha = true,
      .lossy = false,

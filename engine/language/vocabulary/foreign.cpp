@@ -42,7 +42,7 @@ std::optional<ParseError> error_for_foreign(std::string_view name, std::size_t o
     }
     if (is_one_of({"f_hexagon", "f_pigment", "f_transform", "f_spline"})) {
         return ParseError{.offset = offset,
-                          .reason = quoted(name) + " of POV-Ray gives a colour or a vector",
+                          .reason = quoted(name) + " of POV-Ray gives a color or a vector",
                           .hint = "type a formula that gives a number"};
     }
     if (word == "for") {
@@ -115,7 +115,7 @@ ParseError error_for_part(std::string_view part, std::size_t offset) {
                                                       "green", "blue", "filter", "transmit"};
     if (std::ranges::find(colours, part) != colours.end()) {
         return {.offset = offset,
-                .reason = "." + std::string(part) + " is a part of a colour, which is not read",
+                .reason = "." + std::string(part) + " is a part of a color, which is not read",
                 .hint = "type a formula that gives a number"};
     }
     return {.offset = offset,

@@ -37,7 +37,9 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
                           .camera_open = true,
                           .space_open = true,
                           .clip_open = true,
-                          .edges_open = true};
+                          .details_open = true,
+                          .edges_open = true,
+                          .wheel = ui::WheelUse::Orbit};
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;
     preferences.window = {1000, 700, true};
@@ -56,7 +58,7 @@ TEST_F(PreferencesTest, AreAsUsualWhereTheFileMakesNoSense) {
         EXPECT_EQ(load_preferences(folder_), Preferences()) << text;
     }
     write(R"({"theme": "blue", "width": 10, "height": "tall", "panel_em": -3, "folded": 1,
-              "maximized": true, "unknown": {}})");
+              "maximized": true, "wheel": "spin", "unknown": {}})");
     Preferences expected;
     expected.window.maximized = true;
     expected.tour_seen = true;

@@ -8,6 +8,7 @@
 #include "document/json/document_json.hpp"
 #include "engine/export/file.hpp"
 #include "tests/support/test_folder.hpp"
+#include "ui/style/theme.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -188,6 +189,21 @@ TEST_F(Sessions, OpenAFile) {
     EXPECT_EQ(state_.edited.document.w.value, 0.5);
     EXPECT_EQ(session_->title(), "c");
     EXPECT_FALSE(state_.shown.document.can_undo);
+}
+
+TEST_F(Sessions, SaveTheBackgroundThatALightWindowShows) {
+    for (const auto theme : {ui::Theme::Dark, ui::Theme::Light}) {
+        state_.edited.theme = theme;
+        start();
+        give(ui::Command::SaveAs);
+        choose(file("b.zeroset.json"));
+        const auto loaded = load_document(file("b.zeroset.json"));
+        ASSERT_TRUE(loaded);
+        const bool light = theme == ui::Theme::Light;
+        EXPECT_EQ(loaded->shown_on,
+                  light ? std::optional(ui::picture_background(theme)) : std::nullopt);
+        EXPECT_FALSE(loaded->document.light.background) << "the window has its own";
+    }
 }
 
 TEST_F(Sessions, LeaveADamagedFileAndTheDocumentAlone) {

@@ -86,6 +86,22 @@ TEST(DocumentText, MayLeaveOutAllButTheStatements) {
     EXPECT_EQ(document_from(R"({"zeroset": 1, "statements": []})")->document, empty_document());
 }
 
+TEST(DocumentText, MaySayWhatItWasShownOn) {
+    const Background light{.top = 0xF0F4FA, .bottom = 0xD8DEE8};
+    Document document = empty_document();
+    EXPECT_EQ(document_from(text_of(document))->shown_on, std::nullopt);
+    EXPECT_EQ(document_from(text_of(document, light))->shown_on, light);
+    EXPECT_TRUE(document_from(text_of(document, light))->unknown.empty());
+    document.light.background = Background{.top = 1, .bottom = 2};
+    EXPECT_EQ(document_from(text_of(document, light))->shown_on, std::nullopt)
+        << "it has a background of its own";
+    const auto damaged =
+        document_from(R"({"zeroset": 1, "shown_on": 3, "statements": [{"text": "y"}]})");
+    ASSERT_FALSE(damaged);
+    EXPECT_EQ(damaged.error(),
+              "it is damaged: shown_on is neither a color such as #3399FF nor a list of two");
+}
+
 TEST(DocumentText, TakesWhatIsUpFromTheCameraIfItDoesNotSay) {
     const auto read = document_from(
         R"({"zeroset": 1, "statements": [], "camera":
@@ -130,9 +146,9 @@ TEST(DocumentText, SaysWhatIsDamaged) {
         {with("statements", R"([{"text": "x", "visible": 1}])"),
          "statements[0].visible is neither true nor false"},
         {with("statements", R"([{"text": "x", "color": "#12345"}])"),
-         "statements[0].color is no colour such as #3399FF"},
+         "statements[0].color is no color such as #3399FF"},
         {with("statements", R"([{"text": "x", "color": "#12345G"}])"),
-         "statements[0].color is no colour such as #3399FF"},
+         "statements[0].color is no color such as #3399FF"},
         {with("statements", R"([{"text": "x", "solid": "in"}])"),
          "statements[0].solid is neither f<0 nor f>0"},
         {with("parameters", "[]"), "parameters is no object"},
@@ -191,7 +207,7 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "light.reflections is no whole number from 0 to 5"},
         {with("light", R"({"absorption": -1})"), "light.absorption is not between 0 and 1e+06"},
         {with("light", R"({"background": [1]})"),
-         "light.background is neither a colour such as #3399FF nor a list of two"},
+         "light.background is neither a color such as #3399FF nor a list of two"},
         {with("light", R"({"lights": [{"towards": [0, 0, 0]}]})"),
          "light.lights[0].towards is zero"},
         {with("light", R"({"lights": [{"towards": [1, 0, 0], "with": "me"}]})"),

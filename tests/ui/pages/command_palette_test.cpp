@@ -11,6 +11,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <string>
@@ -149,6 +150,18 @@ TEST_P(CommandPalettes, AreWalkedThroughByArrows) {
         press(GLFW_KEY_DOWN);
     press(GLFW_KEY_ENTER);
     EXPECT_TRUE(state_.edited.document.mark_undecided);
+}
+
+TEST_P(CommandPalettes, AreNoLargerThanWhatTheyHaveFound) {
+    const auto height = [] {
+        return ImGui::GetCurrentContext()->OpenPopupStack.back().Window->Size.y;
+    };
+    const float all = height();
+    OffscreenWindow::type("zzzzzz");
+    draw();
+    const float none = height();
+    EXPECT_LT(none, 0.5F * all);
+    EXPECT_GT(none, 2.0F * ImGui::GetFrameHeight()) << "it says that nothing is found";
 }
 
 TEST_P(CommandPalettes, OpenThePageTheyName) {

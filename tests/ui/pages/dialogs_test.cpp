@@ -19,6 +19,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace zeroset::ui {
 namespace {
@@ -72,6 +73,26 @@ TEST_P(DialogPanels, AnswerByKey) {
     ask();
     type("x");
     EXPECT_FALSE(answer());
+}
+
+TEST_P(DialogPanels, AnswerWhatTheArrowsMark) {
+    for (const auto& [keys, expected] : {std::pair(std::vector<int>{GLFW_KEY_RIGHT}, 1U),
+                                         {{GLFW_KEY_RIGHT, GLFW_KEY_RIGHT}, 2U},
+                                         {{GLFW_KEY_LEFT}, 2U},
+                                         {{GLFW_KEY_TAB}, 1U},
+                                         {{GLFW_KEY_RIGHT, GLFW_KEY_LEFT}, 0U},
+                                         {{GLFW_KEY_RIGHT, GLFW_KEY_RIGHT, GLFW_KEY_RIGHT}, 0U}}) {
+        ask();
+        for (const int key : keys)
+            press(key);
+        EXPECT_FALSE(answer());
+        press(GLFW_KEY_ENTER);
+        EXPECT_EQ(answer(), expected);
+    }
+    ask();
+    press(GLFW_KEY_RIGHT);
+    press(GLFW_KEY_SPACE);
+    EXPECT_EQ(answer(), 1U);
 }
 
 TEST_P(DialogPanels, AnswerByMouse) {

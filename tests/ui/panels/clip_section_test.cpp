@@ -52,6 +52,42 @@ TEST_P(ClipSection, ShowsASphereAndHidesItAgain) {
     EXPECT_FALSE(state_.edited.document.region.ball);
 }
 
+TEST_P(ClipSection, ReadsADecimalCommaAndThenFramesTheBox) {
+    click_row(0, 0.5F);
+    press_with_ctrl(GLFW_KEY_A);
+    OffscreenWindow::type("3,5");
+    draw();
+    EXPECT_EQ(state_.edited.document.clip, Box::cube(3.5));
+    EXPECT_FALSE(state_.wishes.frame_box) << "it is still typed";
+    press(GLFW_KEY_ENTER);
+    EXPECT_TRUE(state_.wishes.frame_box);
+}
+
+TEST_P(ClipSection, LeavesTheBoxWhereNoNumberIsTyped) {
+    for (const char* text : {"3,5,1", "abc", "-1", "0", "nan", "1e300"}) {
+        click_row(0, 0.5F);
+        press_with_ctrl(GLFW_KEY_A);
+        type(text);
+        // What is typed on the way to "1e300" is a number: 1.
+        const double half = 0.5 * state_.edited.document.clip.size();
+        EXPECT_TRUE(half == 2.0 || half == 1.0 || half == 3.0 || half == 3.5) << text << half;
+        EXPECT_NE(half, 35.0);
+        state_.edited.document.clip = Box();
+    }
+}
+
+TEST_P(ClipSection, ShowsWhereABoxLiesThatIsNotAboutTheOrigin) {
+    const float plain = clip_section_height(state_.edited);
+    state_.edited.document.clip = {.lo = {7.9, -1.1, -1.1}, .hi = {10.1, 1.1, 1.1}};
+    EXPECT_GT(clip_section_height(state_.edited), plain);
+    EXPECT_FALSE(state_.edited.layout.edges_open);
+    click_row(1, 0.3F);
+    press_with_ctrl(GLFW_KEY_A);
+    type("8,5");
+    EXPECT_EQ(state_.edited.document.clip.lo.x, 8.5);
+    EXPECT_EQ(state_.edited.document.clip.hi.x, 10.1);
+}
+
 TEST_P(ClipSection, AddsAndTurnsAndRemovesASection) {
     click_row(2, 0.5F);
     ASSERT_EQ(sections().size(), 1U);

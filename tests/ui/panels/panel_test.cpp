@@ -3,6 +3,7 @@
 #include "engine/image/framebuffer.hpp"
 #include "tests/ui/panels.hpp"
 #include "ui/model/ui_state.hpp"
+#include "ui/panels/details_section.hpp"
 #include "ui/panels/side_panel.hpp"
 #include "ui/screen.hpp"
 #include "ui/style/screen_areas.hpp"
@@ -23,6 +24,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <vector>
 
 /// Called by the leak sanitizer: OSMesa keeps a few bytes of each context.
 // NOLINTNEXTLINE(readability-identifier-naming): the sanitizer's name
@@ -31,6 +33,16 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 
 namespace zeroset::ui {
 namespace {
+
+/// Height of what the panel scrolls through.
+float panel_content() {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+        if (window->WasActive && std::string(window->Name).starts_with("##side/##list_") &&
+            window->ParentWindow == ImGui::FindWindowByName("##side"))
+            return window->ContentSize.y;
+    }
+    return 0.0F;
+}
 
 TEST_P(Panels, ShowAPicture) {
     const Framebuffer frame = draw();
@@ -94,6 +106,46 @@ TEST_P(Panels, ShowTheNoteInTheStatusLine) {
     EXPECT_GT(note.right, px(200));
 }
 
+TEST_P(Panels, TellOfUndecidedPixelsInTheDetails) {
+    state_.edited.layout.view_open = false;
+    // So many rows that the sections are not at the bottom.
+    set_rows(state_, std::vector<std::string>(30, "a = 1"));
+    draw();
+    const float folded = panel_content();
+    state_.edited.layout.details_open = true;
+    draw();
+    ASSERT_NE(section("details"), nullptr);
+    EXPECT_GT(panel_content(), folded);
+    state_.shown.figures.counts.jumps = 0;
+    draw();
+    const float without = section("details")->Size.y;
+    state_.shown.figures.counts.jumps = 3;
+    draw();
+    EXPECT_GT(section("details")->Size.y, without) << "a line for jumps";
+    state_.shown.figures.hidden = true;
+    draw();
+    EXPECT_LT(section("details")->Size.y, without) << "figures of another text";
+}
+
+TEST_P(Panels, WarnOfUndecidedPixelsOnlyWhereTheyMatter) {
+    PictureFigures figures{.width_px = 1000, .height_px = 100};
+    figures.counts.undecided = 500;
+    EXPECT_FALSE(many_undecided(figures));
+    figures.counts.undecided = 501;
+    EXPECT_TRUE(many_undecided(figures));
+    EXPECT_EQ(undecided_text(figures), "501 undecided");
+    figures.counts.not_drawn = 7;
+    EXPECT_EQ(undecided_text(figures), "501 undecided, 7 of them not drawn");
+    state_.shown.figures = figures;
+    const auto warnings = [this](const Framebuffer& frame) {
+        return bounds(frame, colors().warning,
+                      {0, frame.height - px(24), frame.width, frame.height});
+    };
+    EXPECT_GT(warnings(draw()).right, 0);
+    state_.shown.figures.counts.undecided = 400;
+    EXPECT_LE(warnings(draw()).right, 0);
+}
+
 TEST_P(Panels, SayHowManyUndecidedPixelsAreNotDrawn) {
     const auto warnings = [this](const Framebuffer& frame) {
         const Rectangle line{0, frame.height - px(24), frame.width, frame.height};
@@ -101,7 +153,7 @@ TEST_P(Panels, SayHowManyUndecidedPixelsAreNotDrawn) {
         return text.right - text.left;
     };
     state_.shown.figures.frame_ms = 1.0;
-    state_.shown.figures.counts = {1, 20, 3};
+    state_.shown.figures.counts = {1, 20'000, 3};
     const int short_text = warnings(draw());
     state_.shown.figures.counts.not_drawn = 7;
     EXPECT_GT(warnings(draw()), short_text + px(60));
@@ -143,10 +195,10 @@ TEST_P(Panels, HaveASwitchForTheMarksWithALegend) {
 
 TEST_P(Panels, HaveSwitchesForShadowsAndSmoothEdges) {
     draw();
-    click_at(section_line("view", 2));
+    click_at(section_line("view", 1));
     EXPECT_TRUE(state_.edited.document.shadows);
     EXPECT_EQ(state_.edited.document.antialias, Antialias::None);
-    click_at(section_line("view", 2) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
+    click_at(section_line("view", 1) + glm::vec2(8.0F * ImGui::GetFontSize(), 0.0F));
     EXPECT_TRUE(state_.edited.document.shadows);
     EXPECT_EQ(state_.edited.document.antialias, Antialias::Beams);
 }

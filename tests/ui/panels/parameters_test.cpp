@@ -61,6 +61,7 @@ protected:
 };
 
 TEST_P(Parameters, HaveARowForWOnlyWhenThereIsOne) {
+    add(40);  // more than the panel has room for
     const float without = (draw(), list().ContentSize.y);
     state_.shown.reading.uses_w = true;
     draw();
@@ -68,11 +69,12 @@ TEST_P(Parameters, HaveARowForWOnlyWhenThereIsOne) {
 }
 
 TEST_P(Parameters, KeepTheNumberOffTheSlidersGrab) {
+    state_.edited.layout.details_open = true;
     for (const double value : {4.0, 13.0, 22.0}) {
         state_.edited.document.stop.value = value;
-        section_line("view", 0);
+        section_line("details", 0);
         const Framebuffer frame = draw();
-        const ImRect view = section("view")->Rect();
+        const ImRect view = section("details")->Rect();
         const Rectangle line{static_cast<int>(view.Min.x) + px(56), static_cast<int>(view.Min.y),
                              static_cast<int>(view.Max.x), static_cast<int>(view.Min.y) + px(26)};
         const Rectangle grab = bounds(frame, blended_grab(), line, exact);
@@ -132,6 +134,36 @@ TEST_P(Parameters, RefuseWhatIsNoNumber) {
     }
 }
 
+TEST_P(Parameters, ReadADecimalComma) {
+    add(1);
+    draw();
+    click_at(value(0));
+    type_number("2,5");
+    EXPECT_EQ(slider_at(0), (Slider{.value = 2.5})) << "and not 25";
+}
+
+TEST_P(Parameters, ReadAPastedDecimalComma) {
+    add(1);
+    draw();
+    click_at(value(0));
+    draw();
+    ImGui::SetClipboardText("2,5");
+    press_with_ctrl(GLFW_KEY_V);
+    press(GLFW_KEY_ENTER);
+    EXPECT_EQ(slider_at(0), (Slider{.value = 2.5}));
+}
+
+TEST_P(Parameters, LeaveTheValueThatIsOnlyLookedAt) {
+    add(1);
+    state_.edited.document.parameters["p0"] = {.value = 1.23456789};
+    draw();
+    click_at(value(0));
+    draw();
+    press(GLFW_KEY_ENTER);
+    draw();
+    EXPECT_EQ(slider_at(0).value, 1.23456789);
+}
+
 TEST_P(Parameters, GoBackAtARightClick) {
     add(1);
     state_.edited.document.parameters["p0"] = {.value = 30.0, .lo = -40.0, .hi = 50.0};
@@ -167,7 +199,7 @@ TEST_P(Parameters, HaveTheirSettingsBehindAButton) {
     click_at(
         {popup->Pos.x + static_cast<float>(px(120)), popup->Pos.y + static_cast<float>(px(25))});
     press_with_ctrl(GLFW_KEY_A);
-    type_number("2.5");
+    type_number("2,5");
     EXPECT_EQ(slider_at(0), (Slider{.value = 2.5, .lo = 2.5}));
 }
 

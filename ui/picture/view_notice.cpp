@@ -1,0 +1,159 @@
+#include "ui/picture/view_notice.hpp"
+
+#include "ui/actions/actions.hpp"
+#include "ui/picture/axis_gizmo.hpp"
+#include "ui/style/fonts.hpp"
+#include "ui/style/label.hpp"
+#include "ui/style/screen_areas.hpp"
+#include "ui/style/theme.hpp"
+
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace zeroset::ui {
+namespace {
+
+/// Least width of the picture that has room for a notice.
+constexpr float least_picture_em = 11.0F;
+constexpr float widest_em = 26.0F;
+
+constexpr std::array<Example, 3> all_examples{
+    {{.title = "A ball", .text = "x^2 + y^2 + z^2 = 1"},
+     {.title = "Waves", .text = "z = sin(3x) cos(3y) / 2"},
+     {.title = "With a slider", .text = "x^2 + y^2 - z^2 = a"}}};
+
+constexpr ImGuiWindowFlags flags =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus |
+    ImGuiWindowFlags_NoSavedSettings;
+
+bool is_blank(const Statement& statement) {
+    return statement.text.find_first_not_of(" \t\n") == std::string::npos;
+}
+
+std::vector<Statement>& rows(UiState& state) { return state.edited.document.statements; }
+
+void take_example(UiState& state, const Example& example) {
+    Statement& first = rows(state).front();
+    first.text = example.text;
+    state.wishes.reload = first.id;
+    state.wishes.focus = RowFocus{.row = first.id, .caret = RowFocus::Caret::End};
+}
+
+void draw_examples(UiState& state, float width) {
+    ImGui::TextWrapped("Type an equation at the left, or begin with one of these.");
+    for (const Example& example : all_examples) {
+        ImGui::PushID(example.title);
+        ImGui::PushFont(font(FontRole::Formula));
+        const bool picked =
+            ImGui::Button(elided(example.text, width - em(1.5F)).c_str(), ImVec2(width, 0.0F));
+        ImGui::PopFont();
+        draw_tooltip(example.title);
+        if (picked) take_example(state, example);
+        ImGui::PopID();
+    }
+    const Action& gallery = action_named("Gallery");
+    if (ImGui::Button(described(gallery).c_str(), ImVec2(width, 0.0F))) gallery.run(state);
+}
+
+void show_all(UiState& state) {
+    for (Statement& row : rows(state))
+        row.visible = true;
+}
+
+/// Gives the document its usual box back, and looks at all of it.
+void reset_box(UiState& state) {
+    state.edited.document.clip = Box();
+    state.wishes.frame_box = true;
+}
+
+void draw_ways(UiState& state, float width) {
+    ImGui::TextWrapped("Nothing of the surface is in view.");
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float gap = style.ItemSpacing.x;
+    const float needed = ImGui::CalcTextSize("Reset box").x + 2.0F * style.FramePadding.x;
+    const bool wide = 0.5F * (width - gap) >= needed;
+    const ImVec2 half(wide ? 0.5F * (width - gap) : width, 0.0F);
+    if (ImGui::Button("Fit (F)", half)) state.wishes.frame_surfaces = true;
+    draw_tooltip("Find how far the surface reaches, and look at all of it.");
+    if (wide) ImGui::SameLine(0.0F, gap);
+    if (ImGui::Button("Reset box", half)) reset_box(state);
+    draw_tooltip("The clip box from -2 to 2 again, and all of it in view.");
+    Region& region = state.edited.document.region;
+    if (region.is_whole()) return;
+    if (ImGui::Button("Remove the cuts", ImVec2(width, 0.0F))) region = Region();
+    draw_tooltip("Sphere and sections may have taken all of it away.");
+}
+
+void draw_contents(UiState& state, Emptiness why, float width) {
+    switch (why) {
+        case Emptiness::None: return;
+        case Emptiness::NoText: return draw_examples(state, width);
+        case Emptiness::AllHidden:
+            ImGui::TextWrapped("All surfaces are hidden.");
+            if (ImGui::Button("Show all", ImVec2(width, 0.0F))) show_all(state);
+            return;
+        case Emptiness::OutOfView: return draw_ways(state, width);
+    }
+}
+
+/// What framing has found, until the next press of a button.
+void draw_framed(const std::string& text, const PictureArea& area) {
+    if (text.empty()) return;
+    const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
+    const float width = area.hi.x - area.lo.x - em(2.0F) - padding;
+    ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), area.hi.y - em(0.8F)),
+                            ImGuiCond_Always, ImVec2(0.5F, 1.0F));
+    ImGui::SetNextWindowBgAlpha(0.9F);
+    if (ImGui::Begin("##framed", nullptr, flags | ImGuiWindowFlags_NoInputs)) {
+        put_under_pages();
+        const float needed = ImGui::CalcTextSize(text.c_str()).x;
+        ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + std::min(needed + 1.0F, width));
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    ImGui::End();
+}
+
+}  // namespace
+
+std::span<const Example> examples() { return all_examples; }
+
+Emptiness emptiness_of(const UiState& state) {
+    const std::vector<Statement>& all = state.edited.document.statements;
+    if (std::ranges::all_of(all, is_blank)) return Emptiness::NoText;
+    const PictureFigures& figures = state.shown.figures;
+    const CertificateCounts& counts = figures.counts;
+    const std::vector<int>& surfaces = state.shown.reading.surface_rows;
+    const bool known = figures.width_px > 0 && !figures.hidden && !surfaces.empty();
+    if (!known || counts.certified + counts.undecided + counts.jumps > 0) return Emptiness::None;
+    const bool seen = std::ranges::any_of(all, [&surfaces](const Statement& row) {
+        return row.visible && std::ranges::find(surfaces, row.id) != surfaces.end();
+    });
+    return seen ? Emptiness::OutOfView : Emptiness::AllHidden;
+}
+
+void draw_view_notice(UiState& state) {
+    const PictureArea area = viewport_area(state.edited.layout);
+    const float room = area.hi.x - area.lo.x;
+    if (room < em(least_picture_em)) return;
+    draw_framed(state.shown.status.framed, area);
+    const Emptiness why = emptiness_of(state);
+    if (why == Emptiness::None) return;
+    const float padding = 2.0F * ImGui::GetStyle().WindowPadding.x;
+    const float width = std::min(em(widest_em), room - em(2.0F) - padding);
+    ImGui::SetNextWindowPos(ImVec2(0.5F * (area.lo.x + area.hi.x), 0.5F * (area.lo.y + area.hi.y)),
+                            ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowSize(ImVec2(width + padding, 0.0F));
+    if (ImGui::Begin("##notice", nullptr, flags)) {
+        put_under_pages();
+        draw_contents(state, why, width);
+    }
+    ImGui::End();
+}
+
+}  // namespace zeroset::ui
