@@ -17,12 +17,12 @@
 namespace zeroset::ui {
 namespace {
 
-/// Number and place of the selected marker, with as many decimals as tell neighbouring pixels
+/// Name and place of the selected marker, with as many decimals as tell neighbouring pixels
 /// apart.
 std::string full_text(const Marker& marker, const ViewFrame& view, const Framebuffer& frame) {
     const double distance = view.distance_of(marker.at);
     const double resolution = 0.1 * view.pixel_width(std::max(frame.height, 1), distance);
-    return std::to_string(marker.number) + "  " + coordinates_text(marker.at, resolution);
+    return name_of(marker) + "  " + coordinates_text(marker.at, resolution);
 }
 
 std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture& picture) {
@@ -30,10 +30,10 @@ std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture&
     std::vector<MarkedPoint> points;
     for (const Marker& marker : edited.document.markers) {
         const bool selected = marker.number == edited.selected_marker;
-        points.push_back({.at = marker.at,
-                          .words = selected ? full_text(marker, view, *picture.frame)
-                                            : std::to_string(marker.number),
-                          .selected = selected});
+        points.push_back(
+            {.at = marker.at,
+             .words = selected ? full_text(marker, view, *picture.frame) : name_of(marker),
+             .selected = selected});
     }
     return points;
 }

@@ -35,7 +35,8 @@ struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
     std::optional<std::string> aa;  ///< as read_antialias reads it
     /// True or false as given; absent: the document's choice. `antialias`: the same as an `aa`.
-    std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
+    std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid, textbook;
+    std::optional<std::string> axis_names;
     LightText light;
 };
 
@@ -43,6 +44,7 @@ struct TraceText {
 struct InputDocument : ReadDocument {
     std::string path = {};  ///< of the document's file; empty: it has none
     std::string note = {};  ///< LoadedDocument::note of the file
+    bool stored = false;    ///< it was kept as a document, with what is shown about its surfaces
 };
 
 /// Values of parameters, by name.
