@@ -22,7 +22,7 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 9> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 12> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"look_open", &ui::Layout::look_open},
@@ -31,7 +31,10 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 9> switches{
      {"space_open", &ui::Layout::space_open},
      {"clip_open", &ui::Layout::clip_open},
      {"edges_open", &ui::Layout::edges_open},
-     {"handles", &ui::Layout::handles}}};
+     {"handles", &ui::Layout::handles},
+     {"axes", &ui::Layout::axes},
+     {"clip_box", &ui::Layout::clip_box},
+     {"grid", &ui::Layout::grid}}};
 
 std::optional<ui::Theme> theme_in(const json& file, const char* name) {
     const json value = file.value(name, json());
@@ -65,6 +68,9 @@ Preferences load_preferences(const fs::path& folder) {
     ui::Layout& layout = result.layout;
     layout.panel_em = static_cast<float>(
         number_in(file, "panel_em", 1.0, widest_em, static_cast<double>(layout.panel_em)));
+    layout.letters =
+        static_cast<float>(number_in(file, "letters", static_cast<double>(ui::letter_sizes.front()),
+                                     static_cast<double>(ui::letter_sizes.back()), 1.0));
     for (const auto& [name, flag] : switches)
         layout.*flag = flag_in(file, name, layout.*flag);
     result.theme = theme_in(file, "theme");
@@ -89,7 +95,8 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
         {"height", window.height},
         {"maximized", window.maximized},
         {"tour_seen", preferences.tour_seen},
-        {"panel_em", preferences.layout.panel_em}};
+        {"panel_em", preferences.layout.panel_em},
+        {"letters", preferences.layout.letters}};
     for (const auto& [name, flag] : switches)
         file[name] = preferences.layout.*flag;
     std::error_code ignored;

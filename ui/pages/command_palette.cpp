@@ -1,7 +1,10 @@
 #include "ui/pages/command_palette.hpp"
 
 #include "ui/actions/actions.hpp"
+#include "ui/actions/marker_moves.hpp"
+#include "ui/actions/other_words.hpp"
 #include "ui/model/text_match.hpp"
+#include "ui/model/typed_point.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -31,6 +34,7 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .hint = shown_keys(action),
                          .enabled = is_enabled(action, state),
                          .is_on = on,
+                         .other_words = other_words_of(action.name),
                          .run = action.run});
     }
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
@@ -48,6 +52,30 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .run = [path](UiState& changed) { changed.wishes.open_path = path; }});
     }
     return lines;
+}
+
+/// The entry that looks at a typed point and keeps a marker there.
+PaletteLine way_to(const glm::dvec3& point, const UiState& state) {
+    return {.text = "Go to " + coordinates_text(point),
+            .hint = "point",
+            .enabled = is_enabled(action_named("Go to a point..."), state),
+            .run = [point](UiState& changed) { go_to(changed, point); }};
+}
+
+/// How well the entry matches, higher is better, nothing where it does not; says which of its other
+/// words did.
+std::optional<int> score_of(PaletteLine& line, const std::string& typed) {
+    if (typed.empty()) return 0;
+    const auto by_name = abbreviation_score(line.text, typed);
+    const std::string_view word = phrase_found(line.other_words, typed);
+    if (word.empty()) return by_name;
+    // A whole word counts more than letters that are scattered over the name, and less than the
+    // same word in a name.
+    constexpr int for_the_name = 32;
+    const auto by_word = abbreviation_score(word, typed).value_or(0) - for_the_name;
+    if (by_name && *by_name >= by_word) return by_name;
+    line.found_by = word;
+    return by_word;
 }
 
 /// Draws a tick before the text of a switch that is on.
@@ -75,9 +103,15 @@ bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     if (line.is_on) draw_tick(lo, height, colors);
     const ImVec4 clip(lo.x, lo.y, std::max(hint - em(0.6F), lo.x), lo.y + height);
-    canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(lo.x + em(1.5F), top),
-                   line.enabled ? colors.text : colors.quiet, line.text.c_str(), nullptr, 0.0F,
-                   &clip);
+    const auto add_text = [&](float left, std::uint32_t color, const std::string& text) {
+        canvas.AddText(ImGui::GetFont(), ImGui::GetFontSize(), ImVec2(left, top), color,
+                       text.c_str(), nullptr, 0.0F, &clip);
+    };
+    const float left = lo.x + em(1.5F);
+    add_text(left, line.enabled ? colors.text : colors.quiet, line.text);
+    if (!line.found_by.empty())
+        add_text(left + ImGui::CalcTextSize(line.text.c_str()).x + em(0.8F), colors.quiet,
+                 line.found_by);
     canvas.AddText(ImVec2(hint, top), colors.quiet, line.hint.c_str());
     return clicked;
 }
@@ -141,15 +175,14 @@ void draw_palette(UiState& state) {
 }  // namespace
 
 std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed) {
+    std::vector<PaletteLine> lines;
+    if (const auto point = point_typed(typed)) lines.push_back(way_to(*point, state));
     std::vector<std::pair<int, PaletteLine>> scored;
     for (PaletteLine& line : all_lines(state)) {
-        const std::optional<int> score = abbreviation_score(line.text, typed);
-        if (score) scored.emplace_back(typed.empty() ? 0 : *score, std::move(line));
+        if (const auto score = score_of(line, typed)) scored.emplace_back(*score, std::move(line));
     }
     std::ranges::stable_sort(scored, std::ranges::greater{},
                              [](const auto& entry) { return entry.first; });
-    std::vector<PaletteLine> lines;
-    lines.reserve(scored.size());
     for (auto& [score, line] : scored)
         lines.push_back(std::move(line));
     return lines;

@@ -149,9 +149,8 @@ constexpr std::array<FoldedSection, 6> sections{
      {.title = "Markers",
       .id = "##markers",
       .open = &Layout::markers_open,
-      .draw = [](UiState& state) { draw_marker_section(state.edited); },
-      .height =
-          [](const UiState& state) { return marker_section_height(state.edited.document); }}}};
+      .draw = draw_marker_section,
+      .height = marker_section_height}}};
 
 float sections_height(const UiState& state) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;

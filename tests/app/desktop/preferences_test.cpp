@@ -36,7 +36,10 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
                           .view_open = false,
                           .space_open = true,
                           .clip_open = true,
-                          .edges_open = true};
+                          .edges_open = true,
+                          .letters = 1.5F,
+                          .axes = false,
+                          .grid = false};
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;
     preferences.window = {1000, 700, true};
@@ -55,6 +58,7 @@ TEST_F(PreferencesTest, AreAsUsualWhereTheFileMakesNoSense) {
         EXPECT_EQ(load_preferences(folder_), Preferences()) << text;
     }
     write(R"({"theme": "blue", "width": 10, "height": "tall", "panel_em": -3, "folded": 1,
+              "letters": 100, "axes": "on",
               "maximized": true, "unknown": {}})");
     Preferences expected;
     expected.window.maximized = true;
