@@ -189,6 +189,11 @@ void SpecialPointFinder::search_from(std::vector<glm::dvec3> points, Wanted want
         }
         points = std::move(left);
     }
+    // At degenerate singularities the last digits come slowly.
+    if (points.empty()) return;
+    const std::vector<Jet> jets = jets_at(formula_, uniforms_, points);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        take(points[k], jets[k], wanted);
 }
 
 /// Keeps the point where a search has ended if it is what was wanted, and the nearest.
@@ -197,10 +202,16 @@ void SpecialPointFinder::take(const glm::dvec3& point, const Jet& jet, Wanted wa
         return;
     const double slope = glm::length(jet.gradient);
     if (!(std::abs(jet.f) <= zero_f * usual_slope_ * size_) || !is_shown(point)) return;
-    const bool vanishes = slope <= zero_slope * usual_slope_;
-    if (wanted == Wanted::Singular && vanishes)
+    if (wanted == Wanted::Singular) {
+        if (slope > zero_slope * usual_slope_) return;
         best_ = {.at = point, .kind = SpecialKind::Singular, .f = jet.f, .slope = slope};
-    if (wanted == Wanted::Singular || vanishes) return;
+        return;
+    }
+    // Close to a singular point the surface is bent more than any top that could be seen.
+    constexpr double sharpest = 1e-5;  // radius, as a part of the clip box's edge
+    const double bend =
+        glm::length(jet.second[0]) + glm::length(jet.second[1]) + glm::length(jet.second[2]);
+    if (slope <= sharpest * size_ * bend || slope <= zero_slope * usual_slope_) return;
     if (const auto kind = kind_of_level(jet))
         best_ = {.at = point, .kind = *kind, .f = jet.f, .slope = slope};
 }
