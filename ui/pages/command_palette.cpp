@@ -58,7 +58,7 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
 PaletteLine way_to(const glm::dvec3& point, const UiState& state) {
     return {.text = "Go to " + coordinates_text(point),
             .hint = "point",
-            .enabled = is_enabled(action_named("Go to a point..."), state),
+            .enabled = state.edited.document.camera.has_value(),
             .run = [point](UiState& changed) { go_to(changed, point); }};
 }
 

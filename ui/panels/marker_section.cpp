@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -96,7 +97,9 @@ float row_gap() { return em(0.15F); }
 /// Draws the field into which a point is typed; Enter goes there.
 void draw_point_field(UiState& state) {
     PointField& field = state.pages.point;
-    if (std::exchange(state.wishes.point_field, false)) ImGui::SetKeyboardFocusHere();
+    const bool in_sight = !ImGui::GetCurrentWindow()->SkipItems &&
+                          ImGui::IsRectVisible(ImVec2(1.0F, ImGui::GetFrameHeight()));
+    if (in_sight && std::exchange(state.wishes.point_field, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     const bool entered = ImGui::InputTextWithHint("##point", "go to x, y, z", &field.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
@@ -120,7 +123,12 @@ void draw_point_field(UiState& state) {
 void draw_selected(UiState& state) {
     std::vector<Marker>& markers = state.edited.document.markers;
     const auto marker = std::ranges::find(markers, state.edited.selected_marker, &Marker::number);
-    if (marker == markers.end()) return;
+    if (marker == markers.end()) {
+        // The line is always there, so that the rows stay where they are clicked.
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Select one to label or snap it.");
+        return;
+    }
     const Action& snap = action_named("Snap the marker");
     const float button = ImGui::CalcTextSize("Snap").x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - em(0.4F));
@@ -155,11 +163,11 @@ void draw_list(Edited& edited) {
     if (removed != 0) remove_marker(edited.document.markers, removed);
 }
 
-/// Height of the list, which scrolls where it is long.
+/// Height of the list as far as it is shown without scrolling.
 float list_height(const Document& document) {
     const auto rows = static_cast<float>(document.markers.size());
     if (rows == 0.0F) return 2.0F * ImGui::GetTextLineHeightWithSpacing();
-    return std::clamp(rows, 1.0F, most_rows) * (std::ceil(em(row_em)) + row_gap());
+    return std::clamp(rows, 1.0F, most_rows) * (std::ceil(em(row_em)) + row_gap()) + em(0.3F);
 }
 
 }  // namespace
@@ -168,19 +176,16 @@ float marker_section_height(const UiState& state) {
     const Document& document = state.edited.document;
     const float field = ImGui::GetFrameHeightWithSpacing();
     const float wrong = state.pages.point.wrong ? ImGui::GetTextLineHeightWithSpacing() : 0.0F;
-    const bool selected = find_marker(document.markers, state.edited.selected_marker) != nullptr;
     return field + wrong + list_height(document) + ImGui::GetStyle().ItemSpacing.y +
-           (selected ? field : 0.0F);
+           (document.markers.empty() ? 0.0F : field);
 }
 
 void draw_marker_section(UiState& state) {
     draw_point_field(state);
-    ImGui::BeginChild("##markers list", ImVec2(0.0F, list_height(state.edited.document)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, row_gap()));
     draw_list(state.edited);
     ImGui::PopStyleVar();
-    ImGui::EndChild();
-    draw_selected(state);
+    if (!state.edited.document.markers.empty()) draw_selected(state);
 }
 
 }  // namespace zeroset::ui

@@ -169,6 +169,9 @@ void draw_below(UiState& state, float height) {
         draw_section_title(section.title, state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
+        // What is to be typed into must be in sight.
+        if (section.open == &Layout::markers_open && state.wishes.point_field)
+            ImGui::SetScrollHereY(0.0F);
         ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)));
         section.draw(state);
         ImGui::EndChild();

@@ -18,14 +18,19 @@ protected:
         Panels::SetUp();
         OffscreenWindow::point({-1, -1}, false);
     }
+    /// Draws until the layout has settled; in a small window sections are out of sight.
+    void settle() {
+        for (int i = 0; i <= 2 * frames_to_settle; ++i)
+            draw_frame();
+    }
     /// Types a point into the field and presses Enter.
     void go(const char* typed) {
         action_named("Go to a point...").run(state_);
-        draw();
+        settle();
         OffscreenWindow::type(typed);
-        draw();
+        settle();
         press(GLFW_KEY_ENTER);
-        draw();
+        settle();
     }
 };
 

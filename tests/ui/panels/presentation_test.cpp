@@ -28,6 +28,11 @@ protected:
         OffscreenWindow::point({-1, -1}, false);
         draw();
     }
+    /// Draws until the layout has settled; there is no status line to be checked.
+    void settle() {
+        for (int i = 0; i <= frames_to_settle; ++i)
+            draw_frame();
+    }
     static bool is_drawn(const std::string& name) {
         const ImGuiWindow* const window = child(name);
         return window != nullptr && window->WasActive;
@@ -40,7 +45,7 @@ TEST_P(Presentations, ShowNothingButThePictureAndSliders) {
     press(GLFW_KEY_F5);
     EXPECT_TRUE(state_.edited.layout.presents);
     EXPECT_TRUE(state_.edited.full_screen) << "wanted";
-    draw();
+    settle();
     EXPECT_TRUE(is_drawn("##presented") && is_drawn("##leave"));
     for (const char* name : {"##side", "##status", "##gizmo", "##unfold"})
         EXPECT_FALSE(is_drawn(name)) << name;
@@ -48,7 +53,7 @@ TEST_P(Presentations, ShowNothingButThePictureAndSliders) {
     EXPECT_EQ(state_.input.viewport_px, glm::ivec2(window.x, window.y)) << "all of the window";
     press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(state_.edited.layout.presents || state_.edited.full_screen);
-    draw();
+    settle();
     EXPECT_TRUE(is_drawn("##side") && is_drawn("##status") && !is_drawn("##presented"));
 }
 
@@ -62,20 +67,20 @@ TEST_P(Presentations, LeaveOutWhatIsNotChosen) {
     EXPECT_EQ(presented_sliders(state_.edited.document, state_.shown.reading),
               std::vector<std::string>{"b"});
     run("Presentation");
-    draw();
+    settle();
     const float one = child("##presented")->Size.y;
     set_slider(state_.edited.document, "a", Slider());
-    draw();
+    settle();
     EXPECT_GT(child("##presented")->Size.y, one);
     set_slider(state_.edited.document, "a", slider);
     set_slider(state_.edited.document, "b", slider);
-    draw();
+    settle();
     EXPECT_FALSE(is_drawn("##presented")) << "no slider, no card";
 }
 
 TEST_P(Presentations, MoveSliders) {
     run("Presentation");
-    draw();
+    settle();
     const ImRect card = child("##presented")->Rect();
     // The last row is b's; its slider begins left of the middle.
     const glm::vec2 at(
@@ -91,7 +96,7 @@ TEST_P(Presentations, MoveSliders) {
 TEST_P(Presentations, LetPagesCloseFirst) {
     run("Presentation");
     run("Help");
-    draw();
+    settle();
     press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(state_.pages.help.open);
     EXPECT_TRUE(state_.edited.layout.presents);
@@ -101,7 +106,7 @@ TEST_P(Presentations, LetPagesCloseFirst) {
 
 TEST_P(Presentations, CannotBeLeftWhereNothingIsToBeChanged) {
     state_.edited.read_only = state_.edited.full_screen = state_.edited.layout.presents = true;
-    draw();
+    settle();
     EXPECT_FALSE(is_drawn("##leave"));
     press(GLFW_KEY_ESCAPE);
     EXPECT_TRUE(state_.edited.layout.presents);
