@@ -98,6 +98,7 @@ constexpr auto table = std::to_array<OtherWords>({
     {.action = "Gallery", .words = "examples, surfaces, samples, library"},
     {.action = "Find a command...", .words = "search, palette"},
     {.action = "Help", .words = "keys, shortcuts, manual, formulas, language, functions"},
+    {.action = "Tour of the window", .words = "tutorial, introduction, guide, first steps, help"},
     {.action = "Quit", .words = "exit, close, end"},
 });
 
