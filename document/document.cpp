@@ -43,6 +43,7 @@ void keep_settings(Document& document, const Document& of) {
     document.axes = of.axes;
     document.clip_box = of.clip_box;
     document.grid = of.grid;
+    document.axis_names = of.axis_names;
     document.trackball = of.trackball;
     if (!document.camera) document.up = of.up;
 }

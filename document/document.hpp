@@ -6,6 +6,7 @@
 #include "engine/scene/settings.hpp"
 #include "engine/view/camera.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -43,6 +44,7 @@ struct Slider {
     double step = 0.0;   ///< values are lo + n * step; 0: any value
     double speed = 1.0;  ///< of playing, in ranges per seconds_per_range; above 0
     Repeat repeat = Repeat::Bounce;
+    bool presented = true;  ///< a presentation shows it, too
 
     bool operator==(const Slider&) const = default;
 };
@@ -70,6 +72,8 @@ struct Document {
     bool axes = false;      ///< with ticks and numbers
     bool clip_box = false;  ///< the edges of the clip box
     bool grid = false;      ///< on the floor of the clip box
+    /// UTF-8, each at most longest_label bytes.
+    std::array<std::string, 3> axis_names{"x", "y", "z"};
     /// The direction that is up, not 0: dragging turns about it, unless it turns freely.
     glm::dvec3 up{0.0, 0.0, 1.0};
     bool trackball = false;  ///< dragging turns freely

@@ -33,12 +33,16 @@ std::string_view name_of(Contours contours) { return contour_names.of(contours);
 
 std::optional<Contours> contours_named(std::string_view name) { return contour_names.named(name); }
 
-int add_marker(std::vector<Marker>& markers, const glm::dvec3& at) {
+std::string name_of(const Marker& marker) {
+    return marker.label.empty() ? std::to_string(marker.number) : marker.label;
+}
+
+int add_marker(std::vector<Marker>& markers, const glm::dvec3& at, const std::string& label) {
     if (markers.size() >= most_markers) return 0;
     int number = 1;
     for (const Marker& marker : markers)
         number = std::max(number, marker.number + 1);
-    markers.push_back({.number = number, .at = at});
+    markers.push_back({.number = number, .at = at, .label = label});
     return number;
 }
 

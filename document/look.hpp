@@ -74,15 +74,21 @@ inline constexpr double max_absorption = 1e6;
 struct Marker {
     int number = 1;
     glm::dvec3 at{0.0};
+    std::string label = {};  ///< shown in place of the number; UTF-8, at most longest_label bytes
 
     bool operator==(const Marker&) const = default;
 };
 
 inline constexpr std::size_t most_markers = 1000;
+/// Of names of axes and labels of markers, in bytes.
+inline constexpr std::size_t longest_label = 80;
+
+/// What a marker is called: its label or else its number.
+std::string name_of(const Marker& marker);
 
 /// Adds a marker at the point with the next number and returns that number; 0, and no marker, where
 /// there are most_markers.
-int add_marker(std::vector<Marker>& markers, const glm::dvec3& at);
+int add_marker(std::vector<Marker>& markers, const glm::dvec3& at, const std::string& label = {});
 void remove_marker(std::vector<Marker>& markers, int number);
 /// The marker of this number, or nullptr.
 const Marker* find_marker(const std::vector<Marker>& markers, int number);

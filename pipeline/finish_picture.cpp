@@ -33,8 +33,11 @@ Shapes axes_over(const Framebuffer& shown, const ImageSize& size, const FrameSub
                         .up = document.up,
                         .width = size.width,
                         .height = size.height,
-                        .em = em};
-    return axis_shapes(make_axes(view, axes_choice(document), shown), {.em = em});
+                        .em = em,
+                        .names = document.axis_names};
+    const Background background = document.light.background.value_or(Background());
+    return axis_shapes(make_axes(view, axes_choice(document), shown),
+                       axis_style_on(background, em));
 }
 
 Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const FrameSubject& subject,
@@ -42,7 +45,7 @@ Shapes markers_over(const Framebuffer& shown, const ImageSize& size, const Frame
     std::vector<MarkedPoint> points;
     points.reserve(subject.document.markers.size());
     for (const Marker& marker : subject.document.markers)
-        points.push_back({.at = marker.at, .words = std::to_string(marker.number)});
+        points.push_back({.at = marker.at, .words = name_of(marker)});
     return marker_shapes(
         points, {.frame = shown, .camera = subject.camera, .size = canvas_of(size)}, style);
 }

@@ -9,6 +9,7 @@
 #include "ui/pages/gallery_page.hpp"
 #include "ui/pages/help_panel.hpp"
 #include "ui/pages/tour.hpp"
+#include "ui/panels/presentation_panel.hpp"
 #include "ui/panels/side_panel.hpp"
 #include "ui/panels/status_panel.hpp"
 #include "ui/picture/axis_gizmo.hpp"
@@ -28,12 +29,13 @@ namespace zeroset::ui {
 
 namespace {
 
-/// Drops the wish to give a row the keyboard if a dialog is open, the panel folded or the row gone.
+/// Drops the wish to give a row the keyboard if a dialog is open, the panel not shown or the row
+/// gone.
 void check_focus(std::optional<RowFocus>& focus, const Edited& edited, bool asks) {
     if (!focus) return;
     const std::vector<Statement>& rows = edited.document.statements;
     const bool there = std::ranges::find(rows, focus->row, &Statement::id) != rows.end();
-    if (asks || edited.layout.folded || !there) focus.reset();
+    if (asks || edited.layout.folded || edited.layout.presents || !there) focus.reset();
 }
 
 }  // namespace
@@ -51,12 +53,16 @@ void draw_screen(UiState& state, const Texture& picture) {
     }
     follow_move(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     draw_viewport(state, picture);
-    draw_axis_gizmo(state);
-    draw_view_notice(state);
-    draw_side_panel(state);
-    draw_status_panel(state.edited, state.shown);
+    if (state.edited.layout.presents) {
+        draw_presentation(state);
+    } else {
+        draw_axis_gizmo(state);
+        draw_view_notice(state);
+        draw_side_panel(state);
+        draw_status_panel(state.edited, state.shown);
+    }
     draw_help_panel(pages.help, state.shown.language_help, theme);
-    draw_tour(state);
+    if (!state.edited.layout.presents) draw_tour(state);
     draw_export_page(state);
     draw_gallery_page(state);
     draw_command_palette(state);

@@ -11,7 +11,8 @@ void add_look_options(CLI::App& app, LookText& look) {
               "contour lines: height, xyz (the coordinates' grid), an expression, or none; then, "
               "each after a ;, step S, width W in pixels, of drawings in points, and labels");
     add_switch(app, "intersections", look.intersections, "draw lines where two surfaces meet");
-    add_repeated(app, "--mark", look.marks, "a marker at x,y,z; may be repeated");
+    add_repeated(app, "--mark", look.marks,
+                 "a marker at x,y,z; then, after a ;, label TEXT; may be repeated");
 }
 
 void add_light_options(CLI::App& app, LightText& light) {
@@ -124,7 +125,9 @@ void add_trace_options(CLI::App& app, TraceText& trace) {
         ->excludes(smooth);
     add_light_options(app, trace.light);
     add_switch(app, "jumps", trace.jumps, "draw also where f changes its sign in a jump");
+    add_switch(app, "textbook", trace.textbook, "draw axes, clip box and grid");
     add_switch(app, "axes", trace.axes, "draw axes with numbers");
+    add_value(app, "--axis-names", trace.axis_names, "names of the axes: X,Y,Z (default x,y,z)");
     add_switch(app, "clip-box", trace.clip_box, "draw the clip box's edges");
     add_switch(app, "grid", trace.grid, "draw a grid on the clip box's floor");
 }

@@ -57,15 +57,28 @@ std::vector<std::string> protected_arguments(int argc, char** argv) {
     return {arguments.rbegin(), arguments.rend()};
 }
 
-int open_window(const std::string& equation, const ViewText& view, const TraceText& trace,
-                const std::string& latency_log) {
-    auto options = read_desktop_options(equation, view, trace, TextErrors::Refused);
+/// The options of the window alone.
+struct WindowText {
+    std::string equation;
+    ViewText view;
+    TraceText trace;
+    std::string latency_log;
+    bool present = false;
+};
+
+int open_window(const WindowText& text) {
+    if (text.present && text.equation.empty()) {
+        return report({.reason = "--present: there is nothing to be shown; type zeroset --present "
+                                 "FILE.zeroset.json"});
+    }
+    auto options = read_desktop_options(text.equation, text.view, text.trace, TextErrors::Refused);
     if (!options) return report(options.error());
-    options->tour = equation.empty();
-    if (!latency_log.empty()) {
-        const auto writable = check_writable(latency_log);
+    options->tour = text.equation.empty();
+    options->read_only = text.present;
+    if (!text.latency_log.empty()) {
+        const auto writable = check_writable(text.latency_log);
         if (!writable) return report_run_time(writable.error().message);
-        options->latency_log = latency_log;
+        options->latency_log = text.latency_log;
     }
     const auto ran = run_desktop(*options);
     return ran ? exit_ok : report_run_time(ran.error());
@@ -158,18 +171,19 @@ int run(int argc, char** argv) {
         "zeroset"};
     app.require_subcommand(0, 1);
     app.set_version_flag("--version", "zeroset " ZEROSET_VERSION, "print the version and end");
-    std::string equation;
-    ViewText view;
-    TraceText trace;
+    WindowText window;
     add_value(
-        app, "EQUATION", equation,
+        app, "EQUATION", window.equation,
         "a formula such as \"x^2 + y^2 + z^2 = 1\", @NAME of the "
         "gallery, FILE.zeroset.json, a PNG that holds a session, zeroset:... as shared, or - for "
         "standard input");
-    add_view_options(app, view);
-    add_trace_options(app, trace);
-    std::string latency_log;
-    add_value(app, "--latency-log", latency_log,
+    app.add_flag(
+        "--present", window.present,
+        "show EQUATION, a FILE mostly, to a class: the picture on the full screen with the "
+        "sliders chosen for it; nothing else can be changed or saved");
+    add_view_options(app, window.view);
+    add_trace_options(app, window.trace);
+    add_value(app, "--latency-log", window.latency_log,
               "a file of JSON lines: how long each input took to change the picture");
     Commands commands;
     const std::vector<Subcommand> subcommands = add_subcommands(app, commands);
@@ -181,11 +195,15 @@ int run(int argc, char** argv) {
         return report(
             {.reason = std::string(error.what()) + " (zeroset --help lists what there is)"});
     }
+    if (window.present && !app.get_subcommands().empty()) {
+        return report({.reason = "--present opens the window: leave out " +
+                                 app.get_subcommands().front()->get_name()});
+    }
     if (!app.get_subcommands().empty()) end_on_signals(clear_progress);
     for (const auto& [subcommand, run_subcommand] : subcommands) {
         if (*subcommand) return run_subcommand();
     }
-    return open_window(equation, view, trace, latency_log);
+    return open_window(window);
 }
 
 }  // namespace

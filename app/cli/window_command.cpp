@@ -26,6 +26,8 @@ OrInputError<DesktopOptions> read_desktop_options(const std::string& equation, c
     options.note = input->note;
     if (trace.d_stop || trace.epsilon || trace.delta) options.document.stop = settings->stop;
     if (const auto wrong = take_look(trace, options.document)) return std::unexpected(*wrong);
+    options.is_new =
+        !input->stored && !trace.axes && !trace.clip_box && !trace.grid && !trace.textbook;
     options.fit = view.fit;
     options.fits_box = !view.fit || !view.box;
     options.settings = std::move(*settings);

@@ -60,6 +60,9 @@ ui::UiState first_state(const DesktopOptions& options) {
     state.edited.theme = options.theme;
     state.edited.follows_desktop = options.follows_desktop;
     state.edited.layout = options.layout;
+    state.edited.read_only = options.read_only;
+    state.edited.full_screen = options.read_only;
+    state.edited.layout.presents = options.read_only;
     state.edited.layout.clip_open =
         state.edited.layout.clip_open || !state.edited.document.region.is_whole();
     if (options.takes_keyboard) {
@@ -88,8 +91,10 @@ ui::UiState first_state(const DesktopOptions& options) {
 Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
     : window_(window),
       state_(first_state(options)),
-      session_(state_,
-               {.path = options.path, .note = options.note, .keeps_files = options.keeps_files}),
+      session_(state_, {.path = options.path,
+                        .note = options.note,
+                        .keeps_files = options.keeps_files,
+                        .read_only = options.read_only}),
       settings_(options.settings),
       fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr
@@ -138,6 +143,8 @@ void Desktop::draw_frame() {
     follow_waiting();
     if (portal_) portal_->follow(state_.edited, state_.pages.dialogs);
     play();
+    window_.set_letters(ui::shown_letters(state_.edited.layout));
+    state_.edited.full_screen = window_.set_full_screen(state_.edited.full_screen);
     window_.hold_keys(ui::awaits_keyboard(state_.wishes, state_.pages));
     window_.begin_frame(state_.edited.theme);
     ui::draw_screen(state_, texture_);
@@ -167,13 +174,15 @@ bool Desktop::settled() const {
     const bool frames = feed_.formula() != nullptr && state_.wishes.frame_surfaces;
     return feed_.has_read(state_.edited.document) && feed_.drawn() &&
            state_.edited.document.camera && !state_.input.move && !frames && !search_.runs() &&
-           cards_.settled() && look_cards_.settled() && view_cards_.settled() && exports_.settled();
+           !snap_.runs() && cards_.settled() && look_cards_.settled() && view_cards_.settled() &&
+           exports_.settled();
 }
 
 std::optional<double> Desktop::due_s() const {
     if (state_.input.move || plays_film(state_.pages.exports)) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
     if (search_.runs()) due = std::min(due.value_or(ExtentSearch::poll_s), ExtentSearch::poll_s);
+    if (snap_.runs()) due = std::min(due.value_or(MarkerSnap::poll_s), MarkerSnap::poll_s);
     if (exports_.moves()) due = std::min(due.value_or(export_shown_s), export_shown_s);
     if (const auto change = wait_notice_.due_s(now_s()))
         due = std::min(due.value_or(*change), *change);
@@ -300,6 +309,7 @@ void Desktop::play() {
 void Desktop::follow_edits() {
     show_gallery_item();
     inspector_.follow(state_, feed_.on_screen(), now_s());
+    snap_marker();
     session_.follow(now_s());
     feed_.read(state_.edited.document);
     find_view();

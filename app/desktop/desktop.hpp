@@ -3,6 +3,7 @@
 #include "app/desktop/desktop_portal.hpp"
 #include "app/desktop/extent_search.hpp"
 #include "app/desktop/latency_log.hpp"
+#include "app/desktop/marker_snap.hpp"
 #include "app/desktop/picture_feed.hpp"
 #include "app/desktop/point_inspector.hpp"
 #include "app/desktop/preferences.hpp"
@@ -50,6 +51,8 @@ struct DesktopOptions {
     std::vector<const ui::Action*> actions;  ///< run before the first frame
     bool takes_keyboard = true;  ///< the first row has the keyboard, with its text selected
     bool keeps_files = true;     ///< see SessionOptions
+    bool is_new = false;         ///< the document begins as new ones do, see ui::new_document
+    bool read_only = false;      ///< a session for a class, see ui::Edited
     std::string latency_log;     ///< file of a LatencyLog; empty: none
     bool fit = false;            ///< looks at all of the surfaces first
     bool fits_box = true;        ///< `fit` also fits the clip box to the surfaces
@@ -99,6 +102,7 @@ private:
     void show_gallery_item();
     void find_view();
     void find_surfaces();
+    void snap_marker();
     void frame(const Extent& extent);
     void play();
     /// Has saved what is wished for, and tells of what has ended.
@@ -122,6 +126,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     double played_s_ = 0.0;  ///< when sliders were moved on last
     ExtentSearch search_;
+    MarkerSnap snap_;
     bool fits_box_;  ///< the next search's extent also fits the clip box
     /// The gesture in which the status line was told what is done; the next one clears that.
     unsigned done_gesture_ = 0;

@@ -65,6 +65,14 @@ void Desktop::find_surfaces() {
     search_.start(*wanted);
 }
 
+void Desktop::snap_marker() {
+    if (!state_.wishes.snap_marker && !snap_.runs()) return;
+    const bool has_read = feed_.has_read(state_.edited.document);
+    if (!snap_.follow(state_, has_read ? wanted_picture() : std::nullopt)) return;
+    done_gesture_ = state_.input.gesture;
+    window_.wake();
+}
+
 void Desktop::frame(const Extent& extent) {
     const double aspect = wide_aspect(state_.input.viewport_px);
     const Framing framing =

@@ -22,7 +22,7 @@ constexpr float widest_em = 200.0F;
 constexpr int largest_side = 32768;
 
 /// The layout's switches, with their names in the file.
-constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 10> switches{
+constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 14> switches{
     {{"folded", &ui::Layout::folded},
      {"view_open", &ui::Layout::view_open},
      {"camera_open", &ui::Layout::camera_open},
@@ -33,7 +33,10 @@ constexpr std::array<std::pair<const char*, bool ui::Layout::*>, 10> switches{
      {"clip_open", &ui::Layout::clip_open},
      {"details_open", &ui::Layout::details_open},
      {"edges_open", &ui::Layout::edges_open},
-     {"handles", &ui::Layout::handles}}};
+     {"handles", &ui::Layout::handles},
+     {"axes", &ui::Layout::axes},
+     {"clip_box", &ui::Layout::clip_box},
+     {"grid", &ui::Layout::grid}}};
 
 std::optional<ui::Theme> theme_in(const json& file, const char* name) {
     const json value = file.value(name, json());
@@ -74,6 +77,9 @@ Preferences load_preferences(const fs::path& folder) {
     ui::Layout& layout = result.layout;
     layout.panel_em = static_cast<float>(
         number_in(file, "panel_em", 1.0, widest_em, static_cast<double>(layout.panel_em)));
+    layout.letters =
+        static_cast<float>(number_in(file, "letters", static_cast<double>(ui::letter_sizes.front()),
+                                     static_cast<double>(ui::letter_sizes.back()), 1.0));
     for (const auto& [name, flag] : switches)
         layout.*flag = flag_in(file, name, layout.*flag);
     layout.wheel = wheel_in(file, "wheel", layout.wheel);
@@ -100,6 +106,7 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
         {"maximized", window.maximized},
         {"tour_seen", preferences.tour_seen},
         {"panel_em", preferences.layout.panel_em},
+        {"letters", preferences.layout.letters},
         {"wheel", name_of(preferences.layout.wheel)}};
     for (const auto& [name, flag] : switches)
         file[name] = preferences.layout.*flag;

@@ -57,13 +57,14 @@ std::string shortened(const std::string& name) {
 }
 
 std::optional<fs::path> folder_for(const SessionOptions& options) {
-    return options.keeps_files ? state_folder() : std::nullopt;
+    return options.keeps_files && !options.read_only ? state_folder() : std::nullopt;
 }
 
 }  // namespace
 
 Session::Session(ui::UiState& state, const SessionOptions& options)
     : state_(state),
+      read_only_(options.read_only),
       history_(state.edited.document),
       saved_(state.edited.document),
       path_(options.path),
@@ -117,7 +118,7 @@ void Session::show(Document document) {
 }
 
 void Session::open(const std::vector<std::string>& paths) {
-    if (!paths.empty() && asked_ == Subject::Nothing)
+    if (!paths.empty() && asked_ == Subject::Nothing && !read_only_)
         attempt({.intent = Intent::OpenPath, .path = paths.front()});
 }
 
@@ -227,7 +228,7 @@ void Session::attempt(Action action) {
 
 void Session::perform(const Action& action) {
     switch (action.intent) {
-        case Intent::New: return begin(empty_document(), {});
+        case Intent::New: return begin(ui::new_document(state_.edited.layout), {});
         case Intent::ChooseFile:
             state_.pages.dialogs.file = ui::FileChoice{};
             state_.pages.dialogs.file->folder = first_folder(path_);

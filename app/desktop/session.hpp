@@ -18,6 +18,7 @@ struct SessionOptions {
     std::string path;         ///< of the document's file; empty: it has none
     std::string note;         ///< the first message about the document, or empty
     bool keeps_files = true;  ///< keeps a list of recent files, and the document against a crash
+    bool read_only = false;   ///< the document is not to be saved, nor another one opened
 };
 
 /// The document of a window over time: undo, its file, questions before work is lost. Fulfils the
@@ -93,9 +94,10 @@ private:
     void refresh();
     /// The document that is open.
     [[nodiscard]] Document& current() const { return state_.edited.document; }
-    [[nodiscard]] bool unsaved() const { return !same_work(saved_, current()); }
+    [[nodiscard]] bool unsaved() const { return !read_only_ && !same_work(saved_, current()); }
 
     ui::UiState& state_;
+    bool read_only_;
     History history_;
     Document saved_;    ///< the document as in its file, or as it began
     std::string path_;  ///< of the document's file; empty: none

@@ -33,11 +33,13 @@ Json json_of(const Statement& statement) {
 }
 
 Json json_of(const Slider& slider) {
-    return {{"value", slider.value},
-            {"range", Json::array({slider.lo, slider.hi})},
-            {"step", slider.step},
-            {"speed", slider.speed},
-            {"repeat", name_of(slider.repeat)}};
+    Json json{{"value", slider.value},
+              {"range", Json::array({slider.lo, slider.hi})},
+              {"step", slider.step},
+              {"speed", slider.speed},
+              {"repeat", name_of(slider.repeat)}};
+    if (!slider.presented) json["presented"] = false;
+    return json;
 }
 
 constexpr auto stop_rules = enum_names<StopRule>("d_stop", "epsilon", "delta");
@@ -75,7 +77,16 @@ Json look_of(const Document& document) {
     for (const auto& [name, member] : look_switches)
         look[name] = document.*member;
     look["antialias"] = json_of(document.antialias);
+    if (document.axis_names != Document().axis_names) look["axis_names"] = document.axis_names;
     return look;
+}
+
+std::array<std::string, 3> axis_names_of(const Json& json, const std::string& place) {
+    if (!json.is_array() || json.size() != 3) throw Damage{place + " is no list of 3 names"};
+    std::array<std::string, 3> names;
+    std::ranges::transform(json, names.begin(),
+                           [&](const Json& name) { return label_of(name, place); });
+    return names;
 }
 
 SolidSide solid_of(const Json& json, const std::string& place) {
@@ -126,6 +137,8 @@ Slider slider_of(const Json& json, const std::string& place, std::vector<std::st
     if (const Json* repeat = fields.find("repeat")) {
         slider.repeat = repeat_of(*repeat, fields.at("repeat"));
     }
+    if (const Json* presented = fields.find("presented"))
+        slider.presented = flag_of(*presented, fields.at("presented"));
     return slider;
 }
 
@@ -177,6 +190,8 @@ void read_look(const Json& json, Document& document, std::vector<std::string>& u
     }
     if (const Json* value = fields.find("antialias"))
         document.antialias = antialias_of(*value, fields.at("antialias"));
+    if (const Json* value = fields.find("axis_names"))
+        document.axis_names = axis_names_of(*value, fields.at("axis_names"));
 }
 
 ParsedDocument document_of(const Json& json) {

@@ -64,6 +64,13 @@ glm::dvec3 vector_of(const Json& json, const std::string& place) {
 
 Json array_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
+std::string label_of(const Json& json, const std::string& place) {
+    std::string label = string_of(json, place);
+    if (label.size() > longest_label)
+        throw Damage{place + " is longer than " + std::to_string(longest_label) + " bytes"};
+    return label;
+}
+
 bool flag_of(const Json& json, const std::string& place) {
     if (!json.is_boolean()) throw Damage{place + " is neither true nor false"};
     return json.get<bool>();

@@ -52,6 +52,8 @@ double number_of(const Json& json, const std::string& place);
 /// A number from `least` to `most`.
 double number_in(const Json& json, const std::string& place, double least, double most);
 std::string string_of(const Json& json, const std::string& place);
+/// A text of at most longest_label bytes.
+std::string label_of(const Json& json, const std::string& place);
 bool flag_of(const Json& json, const std::string& place);
 
 glm::dvec3 vector_of(const Json& json, const std::string& place);

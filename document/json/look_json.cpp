@@ -84,7 +84,9 @@ ColorChoice coloring_of(const Json& json, std::vector<std::string>& unknown) {
 Json json_of(const std::vector<Marker>& markers) {
     Json json = Json::array();
     for (const Marker& marker : markers) {
-        json.push_back({{"number", marker.number}, {"at", array_of(marker.at)}});
+        Json item{{"number", marker.number}, {"at", array_of(marker.at)}};
+        if (!marker.label.empty()) item["label"] = marker.label;
+        json.push_back(std::move(item));
     }
     return json;
 }
@@ -100,12 +102,14 @@ std::vector<Marker> markers_of(const Json& json, std::vector<std::string>& unkno
         const bool whole = number.is_number_integer() && number.get<std::int64_t>() >= 1 &&
                            number.get<std::int64_t>() <= largest_marker;
         if (!whole) throw Damage{fields.at("number") + " is no whole number from 1 to 1000000"};
-        Marker marker{.number = number.get<int>(), .at = {}};
+        Marker marker{.number = number.get<int>(), .at = {}, .label = {}};
         if (find_marker(markers, marker.number) != nullptr) {
             throw Damage{fields.at("number") + " is that of another marker"};
         }
         marker.at = vector_of(fields.get("at"), fields.at("at"));
-        markers.push_back(marker);
+        if (const Json* label = fields.find("label"))
+            marker.label = label_of(*label, fields.at("label"));
+        markers.push_back(std::move(marker));
     }
     return markers;
 }

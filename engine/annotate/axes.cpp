@@ -73,6 +73,7 @@ private:
     void add_name(int axis, const Segment& segment, const VisiblePart& part);
     void add_label(AxisLabel label);
     [[nodiscard]] Segment axis_segment(int axis) const;
+    [[nodiscard]] glm::dvec2 half_size(const std::string& text) const;
     [[nodiscard]] glm::dvec2 direction_at(const Segment& segment, const glm::dvec3& point) const;
 
     const AxesView& view_;
@@ -195,6 +196,20 @@ glm::dvec2 AxesMaker::direction_at(const Segment& segment, const glm::dvec3& poi
     return length > 0 ? turn / length : glm::dvec2(1, 0);
 }
 
+/// The direction across `along` in which labels lie: below what runs across the image, left of what
+/// runs up.
+glm::dvec2 below(const glm::dvec2& along) {
+    const glm::dvec2 aside(-along.y, along.x);
+    const bool across = std::abs(along.x) >= std::abs(along.y);
+    return (across ? aside.y < 0 : aside.x > 0) ? -aside : aside;
+}
+
+/// Half the room that a label takes.
+glm::dvec2 AxesMaker::half_size(const std::string& text) const {
+    return 0.5 * view_.em *
+           glm::dvec2(label_width_em(text) + label_gap_em, label_height_em + label_gap_em);
+}
+
 void AxesMaker::add_axes() {
     for (int axis = 0; axis < 3; ++axis) {
         const Segment segment = axis_segment(axis);
@@ -207,14 +222,25 @@ void AxesMaker::add_axes() {
     }
 }
 
+/// Adds the axis's name beyond its end; where that is out of sight, beside the last of it that is
+/// seen, within the image.
 void AxesMaker::add_name(int axis, const Segment& segment, const VisiblePart& part) {
-    if (part.empty() || part.to < 1.0) return;
-    const glm::dvec2 end = plane_.pixel(plane_.homogeneous(segment.to));
-    const glm::dvec2 away = name_offset_em * view_.em * direction_at(segment, segment.to);
-    add_label({.middle = end + away,
-               .text = std::string(1, static_cast<char>('x' + axis)),
+    const std::string& name = view_.names.at(static_cast<std::size_t>(axis));
+    if (part.empty() || name.empty()) return;
+    const glm::dvec3 point = segment.at(part.to);
+    const glm::dvec2 end = plane_.pixel(plane_.homogeneous(point));
+    const glm::dvec2 along = direction_at(segment, point);
+    const double wider = 0.5 * std::max(label_width_em(name) - 1.0, 0.0);
+    const glm::dvec2 away = (name_offset_em + std::abs(along.x) * wider) * view_.em * along;
+    const glm::dvec2 half = half_size(name);
+    const glm::dvec2 size(view_.width, view_.height);
+    const glm::dvec2 middle = glm::clamp(end + away, half, glm::max(half, size - half));
+    const bool at_end = part.to >= 1.0;
+    const glm::dvec2 aside = at_end ? glm::dvec2(0.0) : label_offset_em * view_.em * below(along);
+    add_label({.middle = glm::clamp(middle + aside, half, glm::max(half, size - half)),
+               .text = name,
                .kind = kind_of_axis(axis),
-               .hidden = is_hidden(segment.to, end)});
+               .hidden = is_hidden(point, end)});
 }
 
 void AxesMaker::add_ticks(int axis, const Segment& segment, const VisiblePart& part) {
@@ -235,11 +261,7 @@ void AxesMaker::add_tick(int axis, const Segment& segment, double value, double 
     point[axis] = value;
     const auto pixel = plane_.pixel_of(point);
     if (!pixel) return;
-    const glm::dvec2 along = direction_at(segment, point);
-    // Labels are below what runs across the image, left of what runs up.
-    glm::dvec2 aside(-along.y, along.x);
-    const bool across = std::abs(along.x) >= std::abs(along.y);
-    if (across ? aside.y < 0 : aside.x > 0) aside = -aside;
+    const glm::dvec2 aside = below(direction_at(segment, point));
     const LineKind kind = kind_of_axis(axis);
     const bool hidden = is_hidden(point, *pixel);
     const glm::dvec2 half = 0.5 * tick_length_em * view_.em * aside;
@@ -256,9 +278,7 @@ void AxesMaker::add_tick(int axis, const Segment& segment, double value, double 
 
 /// Adds the label unless there is no room for it.
 void AxesMaker::add_label(AxisLabel label) {
-    const glm::dvec2 half =
-        0.5 * view_.em *
-        glm::dvec2(label_width_em(label.text) + label_gap_em, label_height_em + label_gap_em);
+    const glm::dvec2 half = half_size(label.text);
     const Rectangle place{.lo = label.middle - half, .hi = label.middle + half};
     const bool inside = place.lo.x >= 0 && place.lo.y >= 0 && place.hi.x <= view_.width &&
                         place.hi.y <= view_.height;

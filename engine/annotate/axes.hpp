@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ struct AxisLine {
 /// A number at a tick, or the name at the end of an axis.
 struct AxisLabel {
     glm::dvec2 middle;
-    std::string text;  ///< UTF-8: as tick_text's, or x, y, z
+    std::string text;  ///< UTF-8: as tick_text's, or the axis's name
     LineKind kind;     ///< of its axis
     bool hidden;
 };
@@ -50,6 +51,7 @@ struct AxesView {
     glm::dvec3 up{0.0, 0.0, 1.0};  ///< the floor is where the box ends against the nearest axis
     int width = 0, height = 0;     ///< pixels
     double em = 12.0;              ///< size of the labels' font, pixels
+    std::array<std::string, 3> names{"x", "y", "z"};  ///< at the axes' ends; UTF-8
 };
 
 /// Lines and labels, and which pieces of them are behind what `shown` shows: a picture of the

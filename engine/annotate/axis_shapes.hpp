@@ -3,6 +3,7 @@
 #include "engine/annotate/axes.hpp"
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/shapes.hpp"
+#include "engine/image/background.hpp"
 
 #include <cstdint>
 
@@ -18,9 +19,13 @@ struct AxisStyle {
     double least_width = 1.0;              ///< of lines
     double hidden_label = hidden_opacity;  ///< opacity of a label behind a surface, as a part
     std::uint32_t label_outline = 0;       ///< about a label before surfaces; 0: none
+    std::uint32_t halo = 0;  ///< beside axes, ticks and edges of the box before surfaces; 0: none
 };
 
-/// Lines, then labels.
+/// The style that is readable on this background and on surfaces before it.
+AxisStyle axis_style_on(const Background& background, double em);
+
+/// Halos, lines, then labels.
 Shapes axis_shapes(const Axes& axes, const AxisStyle& style);
 
 /// Size of the labels in a picture of this size.

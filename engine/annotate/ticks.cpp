@@ -41,8 +41,15 @@ double label_width_em(const std::string& text) {
     for (const char letter : text) {
         const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
         if (continues) continue;
-        const bool wide = letter == '+' || letter == minus_sign[0];
-        width += letter == '.' ? 0.318 : letter == '-' ? 0.361 : wide ? 0.838 : 0.636;
+        const bool sign = letter == '+' || letter == minus_sign[0];
+        const bool wide = letter == 'm' || letter == 'w' || letter == 'M' || letter == 'W';
+        const bool capital = letter >= 'A' && letter <= 'Z';
+        width += letter == '.' || letter == ' ' ? 0.318
+                 : letter == '-'                ? 0.361
+                 : wide                         ? 0.989
+                 : sign                         ? 0.838
+                 : capital                      ? 0.787
+                                                : 0.636;
     }
     return width;
 }

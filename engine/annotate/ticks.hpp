@@ -13,7 +13,8 @@ double tick_step(double length);
 /// number below 0, U+2212.
 std::string tick_text(double value, double step);
 
-/// Width of such a number, or of x, y or z, in DejaVu Sans, in em; known without the font.
+/// Width of such a number, or of x, y or z, in DejaVu Sans, in em; of other words about, and hardly
+/// ever too little. Known without the font.
 double label_width_em(const std::string& text);
 
 }  // namespace zeroset

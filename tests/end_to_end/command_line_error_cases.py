@@ -19,6 +19,8 @@ WRONG_OPTIONS = [
     (["--color-range", "0,inf"], ["--color-range", "inf"]),
     (["--mark", "1,2"], ["--mark 1,2", "3"]),
     (["--mark", "1,2,nan"], ["--mark", "nan"]),
+    (["--mark", "1,2,3; P"], ["--mark 1,2,3; P", "label TEXT"]),
+    (["--axis-names", "x,y"], ["--axis-names x,y", "three names"]),
     (["--probe", "5"], ["--probe 5", "2"]),
     (["--probe", "5,1.5"], ["--probe 5,1.5", "COL,ROW"]),
     (["--probe", "1024,0"], ["--probe 1024,0", "1023,1023"]),
@@ -121,6 +123,9 @@ WRONG_COMMANDS = [
     (["bench", "--first-picture", "--antialias"], ["--first-picture", "--antialias"]),
     (["bench", "--first-picture", "--tracer", "beams,k-bisection"], ["--tracer", "beams"]),
     (["--nope"], ["--nope"]),
+    (["--present"], ["--present", "FILE.zeroset.json"]),
+    (["--present", "no_such.zeroset.json"], ["no_such.zeroset.json"]),
+    (["--present", "explain", "x"], ["--present", "explain"]),
 ]
 
 # (wrong formula, column from 1 that the caret marks)

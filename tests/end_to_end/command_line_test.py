@@ -234,6 +234,27 @@ class RenderTest(ProgramTest):
         self.assertEqual(len({plain, one, two}), 3)
         self.assertEqual(self.look("--mark", "0,100,0"), plain)
 
+    def test_labels_of_points_and_axes_are_drawn(self):
+        marked, labelled = self.look("--mark", "0,-1,0"), self.look("--mark", "0,-1,0; label P")
+        self.assertNotEqual(marked, labelled)
+        axes, named = self.look("--axes"), self.look("--axes", "--axis-names", "u,v,t")
+        self.assertNotEqual(axes, named)
+        self.assertEqual(self.look("--axes", "--axis-names", "x,y,z"), axes)
+
+    def test_a_textbooks_lines_are_axes_box_and_grid(self):
+        self.assertEqual(self.look("--textbook"), self.look("--axes", "--clip-box", "--grid"))
+        self.assertEqual(self.look("--textbook", "--no-grid"), self.look("--axes", "--clip-box"))
+        self.assertNotEqual(self.look("--textbook"), self.look())
+
+    def test_axes_are_dark_on_a_light_background(self):
+        light, dark = ("--background", "#FFFFFF"), ("--background", "#000000")
+        for options, color in ((light, (0xC4, 0x2F, 0x2F)), (dark, (0xF2, 0x66, 0x5C))):
+            self.look("--axes", *options)
+            pixels = read_png(self.folder / "out.png")
+            near = sum(max(abs(a - b) for a, b in zip(pixels.at(col, row), color)) < 12
+                       for row in range(pixels.height) for col in range(pixels.width))
+            self.assertGreater(near, 10, f"pixels of the axis x on {options}")
+
     def test_probe_says_what_a_pixel_shows(self):
         camera = Camera.default(Box.of(2))
         result = run("render", "z = 5; x^2 + y^2 + z^2 = 1", "--size", "64x64", "--probe", "32,32",

@@ -57,6 +57,10 @@ class Display:
             raise RuntimeError("Xvfb did not start")
         self.state = os.path.join(self.folder.name, "state")
         self.config = os.path.join(self.folder.name, "config")
+        # Only surfaces in the pictures, unless a test asks for what new documents begin with.
+        settings = Path(self.config) / "zeroset" / "window.json"
+        settings.parent.mkdir(parents=True)
+        settings.write_text('{"axes": false, "clip_box": false, "grid": false}')
         self.environment = environment(DISPLAY=f":{number}", XAUTHORITY=os.devnull,
                                        XDG_STATE_HOME=self.state,
                                        XDG_CONFIG_HOME=self.config,

@@ -75,6 +75,7 @@ class WindowStateTest(RealWindowTest):
         self.quit_by_key()
 
     def test_the_tour_is_shown_at_the_first_start(self):
+        (Path(self.display.config) / "zeroset" / "window.json").unlink()
         first = self.start()
         self.display.xdotool("mousemove", *NEXT, "click", 1)
         self.point(0.72, 0.55)

@@ -89,6 +89,25 @@ class WindowTest(RealWindowTest):
         self.rest(lambda image: self.accent_pixels(image) < before + few, "no marker any more")
         self.quit_by_key()
 
+    def test_a_marker_snaps_to_a_singular_point(self):
+        """A marker that a click keeps near the tip of a cone goes to the tip."""
+        self.start("x^2 + y^2 = z^2")
+        self.display.xdotool("key", "Escape")
+        self.point(0.75, 0.44)
+        self.display.xdotool("click", 1)
+
+        def copied():
+            """Returns the coordinates of the selected marker; none before there is one."""
+            self.display.xdotool("key", "ctrl+c")
+            text = self.clipboard().decode()
+            return [float(part) for part in text[1:-1].split(",")] if text[:1] == "(" else None
+
+        clicked = self.wait_for(copied, "the marker's coordinates")
+        self.assertGreater(sum(abs(part) for part in clicked), 0.01)
+        self.display.xdotool("key", "n")
+        self.wait_for(lambda: sum(abs(part) for part in copied()) < 1e-8, "the marker at the tip")
+        self.quit_by_key()
+
     def test_a_parameter_has_a_slider(self):
         """The slider is below the statement's row and the button that adds a row."""
         self.start("x^2 + y^2 + z^2 = a")
@@ -125,7 +144,7 @@ class WindowTest(RealWindowTest):
         ball = self.changed(dark, "the light theme")
         settings = Path(self.display.config) / "zeroset" / "window.json"
         self.wait_for(lambda: settings.exists() and
-                      json.loads(settings.read_text())["theme"] == "light", "the theme kept")
+                      json.loads(settings.read_text()).get("theme") == "light", "the theme kept")
         self.type_equation(TORUS)
         torus = self.changed(ball, "the typed surface")
         path = Path(self.display.folder.name) / "a.zeroset.json"
@@ -231,6 +250,99 @@ class WindowTest(RealWindowTest):
         # A pause while typing divides it into two undo steps.
         self.wait_for(lambda: self.after_key("ctrl+z", ball), "the text before")
         self.wait_for(lambda: self.after_key("ctrl+shift+z", torus), "the text again")
+        self.quit_by_key()
+
+    def whole(self):
+        """Returns a screenshot of all of the screen."""
+        return self.display.screenshot(0, 0, *self.SCREEN)
+
+    def bar_colors(self):
+        """Returns the number of colours in the place of the panel's header and of its rows."""
+        return len(self.display.screenshot(0, 0, 300 * self.SCALE, 100 * self.SCALE).colors())
+
+    def test_a_presentation_shows_the_picture_alone(self):
+        """F5 begins it, Escape ends it; F11 and the size of letters are kept apart from it."""
+        ball = self.start("x^2 + y^2 + z^2 = 1")
+        panel = self.bar_colors()
+        self.display.xdotool("key", "Escape", "F5")
+        self.wait_for(lambda: self.bar_colors() < panel / 4, "no panel")
+        self.rest(lambda _: True, "the presentation")
+        shown = self.whole()
+        left = self.display.screenshot(0, 100 * self.SCALE, self.SCREEN[0],
+                                       self.SCREEN[1] - 100 * self.SCALE)
+        self.assertGreater(self.surface(left), 0.02)
+        self.display.xdotool("key", "Escape")
+        self.rest(lambda image: self.same(image, ball), "the window as it was")
+        self.assertGreater(self.whole().difference(shown), 0.05)
+        self.quit_by_key()
+
+    def test_a_session_for_a_class_changes_nothing(self):
+        path = Path(self.display.folder.name) / "class.zeroset.json"
+        slider = {"value": 1, "range": [0.5, 3], "step": 0, "speed": 1, "repeat": "loop"}
+        text = json.dumps({
+            "zeroset": 1, "statements": [{"text": "x^2 + y^2 + z^2 = a + b"}],
+            "parameters": {"a": slider, "b": dict(slider, presented=False)}})
+        path.write_text(text)
+        self.start("--present", str(path))
+        first = self.rest(lambda _: True, "the picture")
+        # The only slider, a's, lies along the lower edge.
+        width, height = self.SCREEN
+        down = height - 53 * self.SCALE
+        self.display.xdotool("mousemove", width // 2, down, "mousedown", 1)
+        time.sleep(2 * POLL_S)
+        self.display.xdotool("mousemove", width // 2 + 60 * self.SCALE, down, "mouseup", 1)
+        self.point(0.72, 0.4)
+        larger = self.changed(first, "the larger ball")
+        for key in ("Escape", "F5", "ctrl+k", "ctrl+n", "ctrl+g", "ctrl+s", "ctrl+b"):
+            self.display.xdotool("key", key)
+        self.assertTrue(self.same(self.rest(lambda _: True, "rest"), larger), "nothing opens")
+        self.display.xdotool("key", "ctrl+q")
+        self.assertEqual(self.started.wait(5.0), 0, "no question")
+        self.assertEqual(path.read_text(), text)
+
+    def test_letters_grow_and_are_remembered(self):
+        ball = self.start(BALL)
+        self.display.xdotool("key", "Escape", "ctrl+plus", "ctrl+plus")
+        settings = Path(self.display.config) / "zeroset" / "window.json"
+        self.wait_for(lambda: json.loads(settings.read_text()).get("letters", 1) > 1.2,
+                      "the size kept")
+        large = self.changed(ball, "the picture beside a wider panel")
+        self.display.xdotool("key", "ctrl+minus", "ctrl+minus")
+        self.rest(lambda image: self.same(image, ball), "letters as they were")
+        self.display.xdotool("key", "ctrl+plus", "ctrl+plus")
+        self.rest(lambda image: self.same(image, large), "large letters again")
+        self.display.xdotool("key", "ctrl+0")
+        self.rest(lambda image: self.same(image, ball), "letters as usual")
+        self.quit_by_key()
+
+    def test_full_screen_and_back(self):
+        """The window is smaller than the screen at first."""
+        width, height = self.SCREEN
+        self.start(BALL)
+        self.display.xdotool("windowsize", self.window, width - 150, height - 100)
+        self.rest(lambda _: True, "the smaller window")
+        size = lambda: self.display.xdotool("getwindowgeometry", "--shell", self.window)
+        self.wait_for(lambda: f"WIDTH={width - 150}" in size(), "the smaller window")
+        self.display.xdotool("key", "Escape", "F11")
+        self.wait_for(lambda: f"WIDTH={width}\n" in size(), "the full screen")
+        self.display.xdotool("key", "F11")
+        self.wait_for(lambda: f"WIDTH={width - 150}\n" in size(), "the window again")
+        # Without a window manager nobody gives the keyboard back.
+        self.display.xdotool("windowfocus", "--sync", self.window)
+        self.rest(lambda _: True, "rest")
+        self.quit_by_key()
+
+    def test_a_new_document_has_axes_until_they_are_switched_off(self):
+        settings = Path(self.display.config) / "zeroset" / "window.json"
+        settings.unlink()
+        axes = self.start(BALL)
+        self.display.xdotool("key", "Escape", "shift+a")
+        ball = self.changed(axes, "no axes")
+        self.wait_for(lambda: settings.exists() and
+                      json.loads(settings.read_text())["axes"] is False, "the choice kept")
+        self.quit_by_key()
+        again = self.start(BALL)
+        self.assertTrue(self.same(again, ball), "no axes at the next start")
         self.quit_by_key()
 
     def cpu_s(self):

@@ -135,7 +135,7 @@ TEST(Jit, MakesDoubleWhenItIsCalledWithTheInterpretersBits) {
                                    "if(x < y, exp(z), sqrt(x^2 + z^2)) - w"}) {
         const Expr expr = parsed(text);
         const auto expected = batch.run(interpret(expr));
-        for (const std::size_t calls : {0, 3}) {
+        for (const std::size_t calls : {0UL, 3UL}) {
             jit::forget_code();
             const jit::CompileOptions options{.patient_nodes = calls * 64 * expr.nodes().size()};
             const Kernel kernel = jit::compile_when_called(expr, options);

@@ -1,5 +1,7 @@
 #include "ui/actions/actions.hpp"
 
+#include "ui/actions/marker_moves.hpp"
+#include "ui/actions/presentation.hpp"
 #include "ui/actions/view_moves.hpp"
 
 #include <algorithm>
@@ -36,6 +38,26 @@ void toggle_document(UiState& state) {
 template <bool Document::* flag>
 bool is_document(const UiState& state) {
     return state.edited.document.*flag;
+}
+
+/// Switches one of axes, box and grid; new documents follow.
+template <bool Document::* shown, bool Layout::* first>
+void toggle_axes(UiState& state) {
+    flip(state.edited.document.*shown);
+    state.edited.layout.*first = state.edited.document.*shown;
+}
+
+bool has_all_axes(const UiState& state) {
+    const Document& document = state.edited.document;
+    return document.axes && document.clip_box && document.grid;
+}
+
+void toggle_all_axes(UiState& state) {
+    Document& document = state.edited.document;
+    Layout& layout = state.edited.layout;
+    const bool on = !has_all_axes(state);
+    document.axes = document.clip_box = document.grid = on;
+    layout.axes = layout.clip_box = layout.grid = on;
 }
 
 bool has_smooth_edges(const UiState& state) {
@@ -255,22 +277,36 @@ constexpr auto table = std::to_array<Action>({
      .run = toggle_smooth_edges,
      .is_on = has_smooth_edges},
     {.section = picture,
+     .name = "Snap the marker",
+     .keys = "N",
+     .about = "move the selected marker to the nearest singular point, top or bottom of a surface; "
+              "numerical",
+     .run = [](UiState& state) { state.wishes.snap_marker = true; },
+     .enabled = has_selected_marker,
+     .in_fields = false},
+    {.section = picture,
+     .name = "Axes, box and grid",
+     .keys = "Shift+A",
+     .about = "all three, as in a textbook; new documents begin as the last one was",
+     .run = toggle_all_axes,
+     .is_on = has_all_axes},
+    {.section = picture,
      .name = "Axes",
      .keys = "A",
      .about = "axes with numbers",
-     .run = toggle_document<&Document::axes>,
+     .run = toggle_axes<&Document::axes, &Layout::axes>,
      .is_on = is_document<&Document::axes>},
     {.section = picture,
      .name = "Clip box",
      .keys = "B",
      .about = "the edges of the clip box",
-     .run = toggle_document<&Document::clip_box>,
+     .run = toggle_axes<&Document::clip_box, &Layout::clip_box>,
      .is_on = is_document<&Document::clip_box>},
     {.section = picture,
      .name = "Grid",
      .keys = "G",
      .about = "a grid on the floor of the clip box",
-     .run = toggle_document<&Document::grid>,
+     .run = toggle_axes<&Document::grid, &Layout::grid>,
      .is_on = is_document<&Document::grid>},
     {.section = picture,
      .name = "Handles",
@@ -284,6 +320,11 @@ constexpr auto table = std::to_array<Action>({
      .about = "find how far the surface reaches, and look at all of it",
      .run = [](UiState& state) { state.wishes.frame_surfaces = true; },
      .in_fields = false},
+    {.section = view,
+     .name = "Go to a point...",
+     .about = "type a point to look at; Ctrl+K takes one, too, such as 1, 2, 3",
+     .run = ask_for_point,
+     .enabled = [](const UiState& state) { return !state.edited.layout.presents; }},
     {.section = view, .name = "View from the front", .keys = "1", .run = look<Side::Front>},
     {.section = view, .name = "View from the right", .keys = "3", .run = look<Side::Right>},
     {.section = view, .name = "View from above", .keys = "7", .run = look<Side::Top>},
@@ -427,6 +468,38 @@ constexpr auto table = std::to_array<Action>({
      .run = give<Command::Paste>,
      .in_fields = false},
     {.section = window,
+     .name = "Presentation",
+     .keys = "F5",
+     .about = "only the picture and sliders, large, on the full screen; Esc leaves it",
+     .run = switch_presentation,
+     .is_on = is_layout<&Layout::presents>},
+    {.section = window,
+     .name = "Leave the presentation",
+     .keys = "Esc",
+     .run = leave_presentation,
+     .enabled = can_leave_presentation,
+     .in_fields = false},
+    {.section = window,
+     .name = "Full screen",
+     .keys = "F11",
+     .run = [](UiState& state) { flip(state.edited.full_screen); },
+     .is_on = [](const UiState& state) { return state.edited.full_screen; }},
+    {.section = window,
+     .name = "Larger letters",
+     .keys = "Ctrl++, Ctrl+=, Ctrl+Shift+=",
+     .about = "letters and all that is measured by them",
+     .run = [](UiState& state) { change_letters(state.edited.layout, 1); },
+     .repeats = true},
+    {.section = window,
+     .name = "Smaller letters",
+     .keys = "Ctrl+-",
+     .run = [](UiState& state) { change_letters(state.edited.layout, -1); },
+     .repeats = true},
+    {.section = window,
+     .name = "Letters as usual",
+     .keys = "Ctrl+0",
+     .run = [](UiState& state) { state.edited.layout.letters = 1.0F; }},
+    {.section = window,
      .name = "Fold the panel",
      .keys = "Ctrl+B",
      .run = toggle_layout<&Layout::folded>,
@@ -500,6 +573,36 @@ constexpr auto table = std::to_array<Action>({
     {.section = window, .name = "Quit", .keys = "Ctrl+Q", .run = give<Command::Quit>},
 });
 
+/// The actions outside the section of the view that a read-only session keeps.
+constexpr auto for_readers = std::to_array<std::string_view>({"Reset the view",
+                                                              "Parallel rays",
+                                                              "Keep a marker",
+                                                              "Next marker",
+                                                              "Remove the marker",
+                                                              "Snap the marker",
+                                                              "Shadows",
+                                                              "Smooth edges",
+                                                              "Axes, box and grid",
+                                                              "Axes",
+                                                              "Clip box",
+                                                              "Grid",
+                                                              "Undo",
+                                                              "Redo",
+                                                              "Copy the picture",
+                                                              "Leave the presentation",
+                                                              "Full screen",
+                                                              "Larger letters",
+                                                              "Smaller letters",
+                                                              "Letters as usual",
+                                                              "Light theme",
+                                                              "Help",
+                                                              "Quit"});
+
+bool is_for_readers(const Action& action) {
+    return action.section == view ||
+           std::ranges::find(for_readers, action.name) != for_readers.end();
+}
+
 }  // namespace
 
 std::span<const Action> actions() { return table; }
@@ -511,6 +614,7 @@ const Action& action_named(std::string_view name) {
 }
 
 bool is_enabled(const Action& action, const UiState& state) {
+    if (state.edited.read_only && !is_for_readers(action)) return false;
     return action.enabled == nullptr || action.enabled(state);
 }
 

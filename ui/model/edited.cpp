@@ -12,4 +12,12 @@ constexpr auto uses = enum_names<WheelUse>("zoom", "orbit", "pan");
 std::string_view name_of(WheelUse use) { return uses.of(use); }
 std::optional<WheelUse> wheel_use_named(std::string_view name) { return uses.named(name); }
 
+Document new_document(const Layout& layout) {
+    Document document = empty_document();
+    document.axes = layout.axes;
+    document.clip_box = layout.clip_box;
+    document.grid = layout.grid;
+    return document;
+}
+
 }  // namespace zeroset::ui

@@ -4,6 +4,7 @@
 #include "document/play.hpp"
 #include "ui/model/theme.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -32,13 +33,35 @@ struct Layout {
     bool details_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
     bool handles = true;      ///< in the picture, while the section of the clip box is open
+    float letters = 1.0F;     ///< size of letters, and of all that is measured by them; see below
+    bool presents = false;    ///< only the picture and sliders are shown, large; not kept
+    // What new documents begin with: what was shown when one of them was switched last.
+    bool axes = true;
+    bool clip_box = true;
+    bool grid = true;
 
     WheelUse wheel = WheelUse::Zoom;
 
     bool operator==(const Layout&) const = default;
 };
 
-inline bool has_clip_handles(const Layout& layout) { return layout.handles && layout.clip_open; }
+inline bool has_clip_handles(const Layout& layout) {
+    return layout.handles && layout.clip_open && !layout.presents;
+}
+
+/// Sizes of letters that can be chosen, in parts of the usual size.
+inline constexpr std::array<float, 9> letter_sizes{0.75F, 0.85F, 1.0F, 1.15F, 1.3F,
+                                                   1.5F,  1.75F, 2.0F, 2.5F};
+/// How much larger letters are in a presentation.
+inline constexpr float presented_letters = 1.5F;
+
+/// The size of letters that is wanted on the screen.
+inline float shown_letters(const Layout& layout) {
+    return layout.letters * (layout.presents ? presented_letters : 1.0F);
+}
+
+/// An empty document as the window begins it.
+Document new_document(const Layout& layout);
 
 /// The name of w among the sliders; no parameter is called so.
 inline constexpr const char* w_name = "w";
@@ -50,8 +73,13 @@ struct Edited {
     int selected_marker = 0;                   ///< its number; 0: none
     Layout layout;
     Theme theme = Theme::Dark;
-    bool follows_desktop = true;  ///< the theme is the desktop's wish, where there is one
-    bool tour_seen = true;        ///< the tour has been ended once, or was left out
+    bool follows_desktop = true;      ///< the theme is the desktop's wish, where there is one
+    bool tour_seen = true;            ///< the tour has been ended once, or was left out
+    bool full_screen = false;         ///< wanted
+    bool full_screen_before = false;  ///< the presentation began
+    /// A session for a class: a presentation that cannot be left, of a document that is not changed
+    /// but by its sliders.
+    bool read_only = false;
 };
 
 }  // namespace zeroset::ui

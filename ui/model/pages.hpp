@@ -42,7 +42,13 @@ struct Tour {
     std::optional<std::size_t> step;  ///< that is shown; nothing: no tour
 };
 
-/// The pages that open over everything.
+/// The field into which a point is typed, in the section of markers.
+struct PointField {
+    std::string typed;
+    bool wrong = false;  ///< it was no point when Enter was pressed
+};
+
+/// The pages that open over everything, and texts that are being typed elsewhere.
 struct Pages {
     Tour tour;
     GalleryPage gallery;
@@ -50,6 +56,7 @@ struct Pages {
     HelpPage help;
     ExportPage exports;
     Dialogs dialogs;
+    PointField point;
 };
 
 }  // namespace zeroset::ui

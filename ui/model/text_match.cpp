@@ -44,6 +44,19 @@ std::vector<int> extended(std::string_view text, char letter, const std::vector<
     return next;
 }
 
+/// Whether the text begins with what is typed, spaces in either aside.
+bool begins_with(std::string_view text, std::string_view typed) {
+    std::size_t at = 0;
+    for (const char letter : typed) {
+        if (letter == ' ') continue;
+        while (at < text.size() && text[at] == ' ')
+            ++at;
+        if (at == text.size() || lower(text[at]) != lower(letter)) return false;
+        ++at;
+    }
+    return true;
+}
+
 }  // namespace
 
 bool contains(std::string_view text, std::string_view part) {
@@ -57,6 +70,20 @@ bool contains_words(std::string_view text, std::string_view words) {
         words.remove_prefix(std::min(end + 1, words.size()));
     }
     return true;
+}
+
+std::string_view phrase_found(std::string_view phrases, std::string_view typed) {
+    constexpr std::string_view between = ", ";
+    if (typed.find_first_not_of(' ') == std::string_view::npos) return {};
+    while (!phrases.empty()) {
+        const std::size_t end = std::min(phrases.find(between), phrases.size());
+        const std::string_view phrase = phrases.substr(0, end);
+        for (std::size_t at = 0; at < phrase.size(); ++at) {
+            if (begins_word(phrase, at) && begins_with(phrase.substr(at), typed)) return phrase;
+        }
+        phrases.remove_prefix(std::min(end + between.size(), phrases.size()));
+    }
+    return {};
 }
 
 std::optional<int> abbreviation_score(std::string_view text, std::string_view typed) {

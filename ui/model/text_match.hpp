@@ -12,6 +12,10 @@ bool contains(std::string_view text, std::string_view part);
 /// Whether each of the words (apart by spaces) occurs in `text`.
 bool contains_words(std::string_view text, std::string_view words);
 
+/// The first of the phrases, apart by ", ", in which `typed` begins a word; spaces aside, and
+/// capitals count as small letters. Empty if there is none, or nothing typed.
+std::string_view phrase_found(std::string_view phrases, std::string_view typed);
+
 /// How well `typed` abbreviates `text`: its characters occur in this order, spaces aside. Higher is
 /// better: beginnings of words and runs of neighbours count most, then shortness. Nothing when it
 /// does not.

@@ -58,7 +58,7 @@ struct ViewPictureWish {
 };
 
 /// Everything panels ask for. A panel sets a wish; whoever fulfils it clears it: the list of
-/// statements the first two, the owner all others.
+/// statements the first two, the section of markers `point_field`, the owner all others.
 struct Wishes {
     std::optional<RowFocus> focus;
     std::optional<int> reload;                ///< a row whose field must show a text set elsewhere
@@ -72,6 +72,8 @@ struct Wishes {
     bool copy_picture = false;               ///< to the clipboard, in the size of the screen
     bool stop_export = false;                ///< gives up what is being saved
     std::optional<PictureClick> click;
+    bool snap_marker = false;  ///< the selected marker goes to a singular point or an extremum
+    bool point_field = false;  ///< the keyboard goes to the field into which a point is typed
     ThumbnailWish thumbnails;  ///< lasts while the page is open
     /// The size of pictures of each look, while those are to be chosen from.
     std::optional<glm::ivec2> look_pictures_px;

@@ -1,8 +1,11 @@
 #include "ui/pages/command_palette.hpp"
 
 #include "ui/actions/actions.hpp"
+#include "ui/actions/marker_moves.hpp"
+#include "ui/actions/other_words.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/text_match.hpp"
+#include "ui/model/typed_point.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -34,6 +37,7 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
                          .hint = shown_keys(action),
                          .enabled = is_enabled(action, state),
                          .is_on = on,
+                         .other_words = other_words_of(action.name),
                          .run = action.run});
     }
     for (const SavedView& view : state.edited.document.views) {
@@ -61,6 +65,30 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
     return lines;
 }
 
+/// The entry that looks at a typed point and keeps a marker there.
+PaletteLine way_to(const glm::dvec3& point, const UiState& state) {
+    return {.text = "Go to " + coordinates_text(point),
+            .hint = "point",
+            .enabled = state.edited.document.camera.has_value(),
+            .run = [point](UiState& changed) { go_to(changed, point); }};
+}
+
+/// How well the entry matches, higher is better, nothing where it does not; says which of its other
+/// words did.
+std::optional<int> score_of(PaletteLine& line, const std::string& typed) {
+    if (typed.empty()) return 0;
+    const auto by_name = abbreviation_score(line.text, typed);
+    const std::string_view word = phrase_found(line.other_words, typed);
+    if (word.empty()) return by_name;
+    // A whole word counts more than letters that are scattered over the name, and less than the
+    // same word in a name.
+    constexpr int for_the_name = 32;
+    const auto by_word = abbreviation_score(word, typed).value_or(0) - for_the_name;
+    if (by_name && *by_name >= by_word) return by_name;
+    line.found_by = word;
+    return by_word;
+}
+
 /// Draws a tick before the text of a switch that is on.
 void draw_tick(const ImVec2& lo, float height, const Palette& colors) {
     const float size = em(0.45F);
@@ -86,8 +114,14 @@ bool draw_line(const PaletteLine& line, bool selected, const Palette& colors) {
     ImDrawList& canvas = *ImGui::GetWindowDrawList();
     if (line.is_on) draw_tick(lo, height, colors);
     const float left = lo.x + em(1.5F);
-    canvas.AddText(ImVec2(left, top), line.enabled ? colors.text : colors.quiet,
-                   elided(line.text, hint - em(0.6F) - left).c_str());
+    const float room = hint - em(0.6F) - left;
+    const std::string text = elided(line.text, room);
+    canvas.AddText(ImVec2(left, top), line.enabled ? colors.text : colors.quiet, text.c_str());
+    if (!line.found_by.empty()) {
+        const float after = ImGui::CalcTextSize(text.c_str()).x + em(0.8F);
+        canvas.AddText(ImVec2(left + after, top), colors.quiet,
+                       elided(line.found_by, room - after).c_str());
+    }
     canvas.AddText(ImVec2(hint, top), colors.quiet, line.hint.c_str());
     return clicked;
 }
@@ -152,15 +186,14 @@ void draw_palette(UiState& state) {
 }  // namespace
 
 std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed) {
+    std::vector<PaletteLine> lines;
+    if (const auto point = point_typed(typed)) lines.push_back(way_to(*point, state));
     std::vector<std::pair<int, PaletteLine>> scored;
     for (PaletteLine& line : all_lines(state)) {
-        const std::optional<int> score = abbreviation_score(line.text, typed);
-        if (score) scored.emplace_back(typed.empty() ? 0 : *score, std::move(line));
+        if (const auto score = score_of(line, typed)) scored.emplace_back(*score, std::move(line));
     }
     std::ranges::stable_sort(scored, std::ranges::greater{},
                              [](const auto& entry) { return entry.first; });
-    std::vector<PaletteLine> lines;
-    lines.reserve(scored.size());
     for (auto& [score, line] : scored)
         lines.push_back(std::move(line));
     return lines;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace zeroset::ui {
@@ -14,11 +15,15 @@ struct PaletteLine {
     std::string hint;  ///< keys of the action, or the kind of the entry
     bool enabled = true;
     bool is_on = false;  ///< true for a switch that is on
+    std::string_view other_words =
+        {};                     ///< by which it is found, too, see ui/actions/other_words.hpp
+    std::string found_by = {};  ///< the one of them by which it was found; or empty
     std::function<void(UiState&)> run = {};
 };
 
 /// Returns the entries that `typed` abbreviates, best match first, of actions, gallery surfaces and
-/// recent files. If `typed` is empty, returns all of them in that order.
+/// recent files, and actions that other words tell of; where a point is typed, first the way there.
+/// If `typed` is empty, returns all of them in that order.
 std::vector<PaletteLine> palette_lines(const UiState& state, const std::string& typed);
 
 /// Draws the command palette while `command_palette.open`: a text field and the matching entries.

@@ -1,6 +1,10 @@
 #include "ui/panels/marker_section.hpp"
 
 #include "document/look.hpp"
+#include "ui/actions/actions.hpp"
+#include "ui/actions/marker_moves.hpp"
+#include "ui/model/typed_point.hpp"
+#include "ui/model/ui_state.hpp"
 #include "ui/picture/picture_marks.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
@@ -10,10 +14,14 @@
 
 #include <glm/glm.hpp>
 #include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
+#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace zeroset::ui {
@@ -26,10 +34,10 @@ constexpr float most_rows = 6.0F;
 std::string row_text(const Marker& marker, const Marker* selected, const ShownPicture& picture) {
     const double resolution = marker_resolution(marker, picture);
     std::string text = coordinates_text(marker.at, resolution);
+    if (!marker.label.empty()) text.insert(0, marker.label + "  ");
     if (selected == nullptr || selected == &marker) return text;
     const double distance = glm::distance(marker.at, selected->at);
-    return text + "   " + number_text(distance, resolution) + " from " +
-           std::to_string(selected->number);
+    return text + "   " + number_text(distance, resolution) + " from " + name_of(*selected);
 }
 
 void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float height,
@@ -79,16 +87,60 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
     return !icon_button("##remove", Icon::Cross, look, "Remove the marker");
 }
 
-}  // namespace
+float row_gap() { return em(0.15F); }
 
-float marker_section_height(const Document& document) {
-    const auto rows = static_cast<float>(document.markers.size());
-    if (rows == 0.0F) return 2.0F * ImGui::GetTextLineHeightWithSpacing();
-    const float one = std::ceil(em(row_em)) + em(0.15F);
-    return std::clamp(rows, 1.0F, most_rows) * one + ImGui::GetStyle().ItemSpacing.y;
+/// Draws the field into which a point is typed; Enter goes there.
+void draw_point_field(UiState& state) {
+    PointField& field = state.pages.point;
+    const bool in_sight = !ImGui::GetCurrentWindow()->SkipItems &&
+                          ImGui::IsRectVisible(ImVec2(1.0F, ImGui::GetFrameHeight()));
+    if (in_sight && std::exchange(state.wishes.point_field, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    const bool entered = ImGui::InputTextWithHint("##point", "go to x, y, z", &field.typed,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    if (ImGui::IsItemEdited()) field.wrong = false;
+    draw_tooltip("Type a point, such as 1, 2, 3, and press Enter: it is looked at, and marked.");
+    if (entered) {
+        const auto point = point_typed(field.typed);
+        field.wrong = !point.has_value();
+        if (point) {
+            go_to(state, *point);
+            field.typed.clear();
+        }
+    }
+    if (!field.wrong) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette(state.edited.theme).error);
+    ImGui::TextUnformatted("type three numbers, such as 1, 2, 3");
+    ImGui::PopStyleColor();
 }
 
-void draw_marker_section(Edited& edited, const ShownPicture& picture) {
+/// Draws the selected marker's label and the button that snaps it.
+void draw_selected(UiState& state) {
+    std::vector<Marker>& markers = state.edited.document.markers;
+    const auto marker = std::ranges::find(markers, state.edited.selected_marker, &Marker::number);
+    if (marker == markers.end()) {
+        // The line is always there, so that the rows stay where they are clicked.
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("Select one to label or snap it.");
+        return;
+    }
+    const Action& snap = action_named("Snap the marker");
+    const float button = ImGui::CalcTextSize("Snap").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - em(0.4F));
+    std::string label = marker->label;
+    const std::string hint = "label of " + std::to_string(marker->number);
+    ImGui::PushID(marker->number);
+    if (ImGui::InputTextWithHint("##label", hint.c_str(), &label) && label.size() <= longest_label)
+        marker->label = label;
+    draw_tooltip("Shown in the picture in place of the number.");
+    ImGui::PopID();
+    ImGui::SameLine(0.0F, em(0.4F));
+    if (ImGui::Button("Snap##snap", ImVec2(button, 0.0F))) snap.run(state);
+    draw_tooltip(described(snap) + "\n" + snap.about);
+}
+
+/// Draws the list; or what to do where it is empty.
+void draw_list(Edited& edited, const ShownPicture& picture) {
     const std::vector<Marker>& markers = edited.document.markers;
     if (markers.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(edited.theme).quiet);
@@ -96,7 +148,6 @@ void draw_marker_section(Edited& edited, const ShownPicture& picture) {
         ImGui::PopStyleColor();
         return;
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, em(0.15F)));
     int removed = 0;
     const Marker* const selected = find_marker(markers, edited.selected_marker);
     for (const Marker& marker : markers) {
@@ -104,8 +155,32 @@ void draw_marker_section(Edited& edited, const ShownPicture& picture) {
         if (!draw_row(edited, marker, selected, picture)) removed = marker.number;
         ImGui::PopID();
     }
-    ImGui::PopStyleVar();
     if (removed != 0) remove_marker(edited.document.markers, removed);
+}
+
+/// Height of the list as far as it is shown without scrolling.
+float list_height(const Document& document) {
+    const auto rows = static_cast<float>(document.markers.size());
+    if (rows == 0.0F) return 2.0F * ImGui::GetTextLineHeightWithSpacing();
+    return std::clamp(rows, 1.0F, most_rows) * (std::ceil(em(row_em)) + row_gap()) + em(0.3F);
+}
+
+}  // namespace
+
+float marker_section_height(const UiState& state) {
+    const Document& document = state.edited.document;
+    const float field = ImGui::GetFrameHeightWithSpacing();
+    const float wrong = state.pages.point.wrong ? ImGui::GetTextLineHeightWithSpacing() : 0.0F;
+    return field + wrong + list_height(document) + ImGui::GetStyle().ItemSpacing.y +
+           (document.markers.empty() ? 0.0F : field);
+}
+
+void draw_marker_section(UiState& state) {
+    draw_point_field(state);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, row_gap()));
+    draw_list(state.edited, state.shown.picture);
+    ImGui::PopStyleVar();
+    if (!state.edited.document.markers.empty()) draw_selected(state);
 }
 
 }  // namespace zeroset::ui

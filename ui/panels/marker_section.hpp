@@ -1,15 +1,16 @@
 #pragma once
 
-#include "ui/model/edited.hpp"
-#include "ui/model/shown.hpp"
+#include "ui/model/ui_state.hpp"
 
 namespace zeroset::ui {
 
-/// Draws the list of markers with coordinates, to the digits that their labels in the picture have,
-/// and distances from the selected one. Markers can be selected, copied and removed. Edits the
+/// Draws a field into which a point is typed, the list of markers with coordinates, to the digits
+/// that their labels in the picture have, and distances from the selected one, and the selected
+/// one's label. Markers can be selected, copied, snapped to special points and removed. Edits the
 /// document's `markers` and `selected_marker`.
-void draw_marker_section(Edited& edited, const ShownPicture& picture);
+void draw_marker_section(UiState& state);
+
 /// Height of the section's contents in window coordinates.
-float marker_section_height(const Document& document);
+float marker_section_height(const UiState& state);
 
 }  // namespace zeroset::ui

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace zeroset::ui {
@@ -71,6 +72,8 @@ void draw_settings(const char* id, Slider& slider) {
     if (ImGui::RadioButton("start again", slider.repeat == Repeat::Loop)) {
         slider.repeat = Repeat::Loop;
     }
+    ImGui::Checkbox("In presentations", &slider.presented);
+    draw_tooltip("Show this slider in a presentation (F5) and with zeroset --present.");
     ImGui::EndPopup();
 }
 
@@ -99,7 +102,11 @@ void draw_name(const std::string& name, const std::string& called, const Palette
     draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
 }
 
-void draw_row(Edited& edited, const std::string& name, const std::string& called) {
+/// What a row of a slider has beside play button, name and slider.
+enum class RowParts : std::uint8_t { All, NoSettings };
+
+void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& name,
+              RowParts parts) {
     const Palette& colors = palette(edited.theme);
     ImGui::PushID(name.c_str());
     Slider slider = slider_named(edited.document, name);
@@ -107,16 +114,20 @@ void draw_row(Edited& edited, const std::string& name, const std::string& called
     const float left = ImGui::GetCursorPosX();
     draw_play_button(edited, name, slider, size);
     ImGui::SameLine(0.0F, em(0.3F));
-    draw_name(name, called, colors);
+    draw_name(name, name == w_name && reading.calls_w_t ? "t" : name, colors);
     ImGui::SameLine(left + size + em(2.5F));
-    draw_slider("##value", slider, first_slider(name), size);
-    ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
-    if (icon_button("##more", Icon::More, {.size = size, .color = colors.quiet},
-                    "Range, step and speed")) {
-        ImGui::OpenPopup("##settings");
+    Slider usual = first_slider(name);
+    usual.presented = slider.presented;
+    const bool settings = parts == RowParts::All;
+    draw_slider("##value", slider, usual, settings ? size : 0.0F);
+    if (settings) {
+        ImGui::SameLine(0.0F, 0.0F);
+        ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
+        if (icon_button("##more", Icon::More, {.size = size, .color = colors.quiet},
+                        "Range, step, speed and presentations"))
+            ImGui::OpenPopup("##settings");
+        draw_settings("##settings", slider);
     }
-    draw_settings("##settings", slider);
     if (slider != slider_named(edited.document, name)) {
         if (edited.playing.contains(name)) edited.playing[name] = started(slider);
         set_slider(edited.document, name, slider);
@@ -145,9 +156,23 @@ void set_slider(Document& document, const std::string& name, const Slider& slide
 void draw_parameter_rows(Edited& edited, const ReadingFacts& reading) {
     if (!reading.uses_w && reading.parameters.empty()) return;
     ImGui::Separator();
-    if (reading.uses_w) draw_row(edited, w_name, reading.calls_w_t ? "t" : w_name);
+    if (reading.uses_w) draw_row(edited, reading, w_name, RowParts::All);
     for (const std::string& name : reading.parameters)
-        draw_row(edited, name, name);
+        draw_row(edited, reading, name, RowParts::All);
+}
+
+std::vector<std::string> presented_sliders(const Document& document, const ReadingFacts& reading) {
+    std::vector<std::string> names;
+    if (reading.uses_w) names.emplace_back(w_name);
+    names.insert(names.end(), reading.parameters.begin(), reading.parameters.end());
+    std::erase_if(names,
+                  [&](const std::string& name) { return !slider_named(document, name).presented; });
+    return names;
+}
+
+void draw_presented_rows(Edited& edited, const ReadingFacts& reading) {
+    for (const std::string& name : presented_sliders(edited.document, reading))
+        draw_row(edited, reading, name, RowParts::NoSettings);
 }
 
 }  // namespace zeroset::ui

@@ -116,7 +116,7 @@ struct FoldedSection {
     void (*draw)(UiState&);
     float (*height)(const UiState&);  ///< height of the contents in window coordinates
 };
-constexpr std::array<FoldedSection, 7> sections{
+constexpr std::array<FoldedSection, 8> sections{
     {{.title = "View",
       .id = "##view",
       .open = &Layout::view_open,
@@ -153,8 +153,8 @@ constexpr std::array<FoldedSection, 7> sections{
      {.title = "Markers",
       .id = "##markers",
       .open = &Layout::markers_open,
-      .draw = [](UiState& state) { draw_marker_section(state.edited, state.shown.picture); },
-      .height = [](const UiState& state) { return marker_section_height(state.edited.document); }},
+      .draw = draw_marker_section,
+      .height = marker_section_height},
      {.title = "Details",
       .id = "##details",
       .open = &Layout::details_open,
@@ -180,6 +180,9 @@ void draw_below(UiState& state) {
         draw_section_title(section.title, state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
+        // What is to be typed into must be in sight.
+        if (section.open == &Layout::markers_open && state.wishes.point_field)
+            ImGui::SetScrollHereY(0.0F);
         ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)), false, part_flags);
         section.draw(state);
         ImGui::EndChild();

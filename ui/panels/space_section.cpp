@@ -8,6 +8,7 @@
 #include "ui/widgets/slider_row.hpp"
 
 #include <imgui/imgui.h>
+#include <imgui/imgui_stdlib.h>
 
 #include <array>
 #include <cstddef>
@@ -58,16 +59,34 @@ void draw_up(UiState& state) {
     }
 }
 
+/// Draws three fields with the names of the axes.
+void draw_names(Document& document) {
+    draw_label("names", "What the axes are called in the picture.");
+    const float gap = em(0.35F);
+    const float width = (ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F;
+    for (std::size_t axis = 0; axis < document.axis_names.size(); ++axis) {
+        if (axis > 0) ImGui::SameLine(0.0F, gap);
+        ImGui::PushID(static_cast<int>(axis));
+        ImGui::SetNextItemWidth(width);
+        std::string name = document.axis_names.at(axis);
+        if (ImGui::InputText("##name", &name) && name.size() <= longest_label)
+            document.axis_names.at(axis) = name;
+        ImGui::PopID();
+    }
+}
+
 }  // namespace
 
-float space_section_height() { return 4.0F * ImGui::GetFrameHeightWithSpacing(); }
+float space_section_height() { return 6.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_space_section(UiState& state) {
+    draw_switch(state, "Axes, box and grid", "Axes, box and grid");
     draw_switch(state, "Axes", "Axes");
     ImGui::SameLine(0.0F, em(1.0F));
     draw_switch(state, "Box", "Clip box");
     ImGui::SameLine(0.0F, em(1.0F));
     draw_switch(state, "Grid", "Grid");
+    draw_names(state.edited.document);
     draw_up(state);
     draw_switch(state, "Turn freely", "Turn freely");
     constexpr std::array<Button, 5> views{{{.label = "Front", .action = "View from the front"},

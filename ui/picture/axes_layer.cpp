@@ -1,7 +1,6 @@
 #include "ui/picture/axes_layer.hpp"
 
 #include "engine/annotate/axes.hpp"
-#include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/axis_shapes.hpp"
 #include "engine/annotate/shapes.hpp"
 #include "ui/picture/draw_shapes.hpp"
@@ -12,27 +11,22 @@
 namespace zeroset::ui {
 namespace {
 
-/// Opacity of each of a label's outline's eight copies, which lie over one another.
-constexpr double outline_opacity = 0.3;
-/// Opacity of a number behind a surface: it must be read, unlike lines, which need only be seen.
-constexpr double hidden_label_opacity = 0.6;
-
 AxesView view_of(const Document& document, const Camera& camera, const ImVec2& extent) {
     return {.clip = document.clip,
             .camera = camera,
             .up = document.up,
             .width = static_cast<int>(extent.x),
             .height = static_cast<int>(extent.y),
-            .em = small_em()};
+            .em = small_em(),
+            .names = document.axis_names};
 }
 
-/// The theme's colours, with outlines, so that numbers can be read on surfaces, too.
-AxisStyle style_of(Theme theme) {
-    return {.colors = theme == Theme::Dark ? axes_on_dark : axes_on_light,
-            .em = small_em(),
-            .least_width = 1.0 / static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x),
-            .hidden_label = hidden_label_opacity,
-            .label_outline = faded(palette(theme).sky, outline_opacity)};
+AxisStyle style_of(const Edited& edited) {
+    const Background background =
+        edited.document.light.background.value_or(picture_background(edited.theme));
+    AxisStyle style = axis_style_on(background, small_em());
+    style.least_width = 1.0 / static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+    return style;
 }
 
 }  // namespace
@@ -46,7 +40,7 @@ void draw_axes(ImDrawList& canvas, const ImVec2& lo, const ImVec2& hi, const Edi
     if (!choice.any() || picture.frame == nullptr || extent.x < 1.0F || extent.y < 1.0F) return;
     const Axes axes = make_axes(view_of(document, picture.camera, extent), choice, *picture.frame);
     canvas.PushClipRect(lo, hi, true);
-    draw_shapes(canvas, lo, axis_shapes(axes, style_of(edited.theme)));
+    draw_shapes(canvas, lo, axis_shapes(axes, style_of(edited)));
     canvas.PopClipRect();
 }
 

@@ -89,7 +89,7 @@ void follow_pointer(UiState& state, bool clicked, const std::optional<GizmoBall>
     const bool dragged = moved >= io.MouseDragThreshold * io.MouseDragThreshold;
     if (ImGui::IsItemActive() && dragged) {
         PointerMotion motion;
-        const auto height = static_cast<double>(picture_height());
+        const auto height = static_cast<double>(picture_height(state.edited.layout));
         motion.orbit = {.x = static_cast<double>(io.MouseDelta.x) / height,
                         .y = static_cast<double>(-io.MouseDelta.y) / height};
         state.edited.document.camera =
@@ -132,8 +132,8 @@ void put_under_pages() {
 void draw_axis_gizmo(UiState& state) {
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float width = window.x - side_panel_width(state.edited.layout);
-    if (!state.edited.document.camera || std::min(width, picture_height()) < em(least_picture_em))
-        return;
+    const float height = picture_height(state.edited.layout);
+    if (!state.edited.document.camera || std::min(width, height) < em(least_picture_em)) return;
 
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoNav |

@@ -18,20 +18,18 @@
 namespace zeroset::ui {
 namespace {
 
-/// Number and place of the selected marker.
+/// Name and place of the selected marker.
 std::string full_text(const Marker& marker, const ShownPicture& picture) {
-    return std::to_string(marker.number) + "  " +
-           coordinates_text(marker.at, marker_resolution(marker, picture));
+    return name_of(marker) + "  " + coordinates_text(marker.at, marker_resolution(marker, picture));
 }
 
 std::vector<MarkedPoint> marked_points(const Edited& edited, const ShownPicture& picture) {
     std::vector<MarkedPoint> points;
     for (const Marker& marker : edited.document.markers) {
         const bool selected = marker.number == edited.selected_marker;
-        points.push_back(
-            {.at = marker.at,
-             .words = selected ? full_text(marker, picture) : std::to_string(marker.number),
-             .selected = selected});
+        points.push_back({.at = marker.at,
+                          .words = selected ? full_text(marker, picture) : name_of(marker),
+                          .selected = selected});
     }
     return points;
 }

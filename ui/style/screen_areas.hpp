@@ -35,14 +35,14 @@ struct PictureArea {
 inline constexpr float narrowest_em = 17.0F;
 inline constexpr float most_of_window = 0.6F;
 
-/// Width of the side panel in window coordinates; 0 when it is folded.
+/// Width of the side panel in window coordinates; 0 when it is folded, and in a presentation.
 float side_panel_width(const Layout& layout);
 
 /// Height of the status line along the window's bottom.
 float status_bar_height();
 
-/// Height of the window without the status line.
-float picture_height();
+/// Height of the window without the status line; in a presentation there is none.
+float picture_height(const Layout& layout);
 
 /// The area of the picture: the window without the side panel and the status line.
 PictureArea viewport_area(const Layout& layout);

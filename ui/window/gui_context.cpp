@@ -4,10 +4,13 @@
 #include "ui/style/fonts.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/window/gl.hpp"
+#include "ui/window/window.hpp"
 
 #include <GL/gl.h>
 #include <imgui/backends/imgui_impl_opengl3.h>
 #include <imgui/imgui.h>
+
+#include <algorithm>
 
 namespace zeroset::ui {
 
@@ -55,6 +58,15 @@ void GuiContext::end_frame(int width_px, int height_px) {
     gl().clear_color(0.0F, 0.0F, 0.0F, 1.0F);
     gl().clear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+float GuiContext::scale_of_letters(float content_scale, float letters, int width_px,
+                                   int height_px) {
+    const float room = std::min(static_cast<float>(width_px) / static_cast<float>(min_width),
+                                static_cast<float>(height_px) / static_cast<float>(min_height));
+    const float wanted = content_scale * letters;
+    return letters > 1.0F ? std::clamp(room, content_scale, std::max(wanted, content_scale))
+                          : wanted;
 }
 
 bool GuiContext::wants_text() { return ImGui::GetIO().WantTextInput; }

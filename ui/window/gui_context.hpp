@@ -28,6 +28,11 @@ public:
     /// Draws the frame's panels into the current framebuffer.
     static void end_frame(int width_px, int height_px);
 
+    /// The content scale for letters of this size, as far as the least window fits into this one:
+    /// never less than `content_scale`, unless letters are to be smaller.
+    [[nodiscard]] static float scale_of_letters(float content_scale, float letters, int width_px,
+                                                int height_px);
+
     /// True while a text field has the keyboard.
     [[nodiscard]] static bool wants_text();
 

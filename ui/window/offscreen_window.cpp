@@ -79,7 +79,8 @@ void OffscreenWindow::wake() {
 }
 
 void OffscreenWindow::begin_frame(Theme theme) {
-    gui_->begin_frame(theme, scale_, 1.0F);
+    const float scale = GuiContext::scale_of_letters(scale_, letters_, size_px_.x, size_px_.y);
+    gui_->begin_frame(theme, scale, 1.0F);
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(size_px_.x), static_cast<float>(size_px_.y));
     io.DeltaTime = frame_s;

@@ -60,6 +60,8 @@ public:
     void hold_keys(bool /*hold*/) override {}
     [[nodiscard]] WindowSize size() const override;
     [[nodiscard]] std::string portal_name() const override { return {}; }
+    void set_letters(float size) override { letters_ = size; }
+    bool set_full_screen(bool on) override { return on; }
     void set_title(const std::string& /*title*/) override {}
 
     /// Sets the pointer's position (pixels) and the left button's state from the next frame on.
@@ -85,6 +87,7 @@ private:
     std::unique_ptr<GuiContext> gui_;
     glm::ivec2 size_px_;
     float scale_;
+    float letters_ = 1.0F;
     std::mutex mutex_;
     std::condition_variable woken_;
     bool changed_ = true;

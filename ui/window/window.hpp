@@ -71,6 +71,11 @@ public:
     /// Name by which a desktop portal knows the window, "x11:" and its id in hexadecimal digits;
     /// empty if the window has no such name that is easily available.
     [[nodiscard]] virtual std::string portal_name() const = 0;
+    /// Sets the size of letters and of all that is measured by them, from the next frame on, as a
+    /// part of the usual size; it is less where the panels would not fit into the window.
+    virtual void set_letters(float size) = 0;
+    /// Fills the screen, or has borders again; returns which of them it is.
+    virtual bool set_full_screen(bool on) = 0;
     /// Sets the title (UTF-8).
     virtual void set_title(const std::string& title) = 0;
 };

@@ -21,6 +21,7 @@
 #include <expected>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -93,12 +94,19 @@ WindowHandle open_window(const WindowOptions& options) {
     // Lets the driver report a reset of the graphics card.
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, scale_override() ? GLFW_FALSE : GLFW_TRUE);
+    // A full screen stays while another window, on another screen, has the keyboard.
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, options.size.maximized ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "zeroset");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "zeroset");
     const auto [width, height] = fitting_size(options);
     return WindowHandle(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
 }
+
+/// A window's place on the desktop, in its coordinates.
+struct WindowPlace {
+    int left = 0, top = 0, width = 0, height = 0;
+};
 
 class GlfwWindow final : public Window {
 public:
@@ -117,6 +125,8 @@ public:
     void hold_keys(bool hold) override { holds_keys_ = hold; }
     [[nodiscard]] WindowSize size() const override;
     [[nodiscard]] std::string portal_name() const override;
+    void set_letters(float size) override { letters_ = size; }
+    bool set_full_screen(bool on) override;
     void set_title(const std::string& title) override;
 
 private:
@@ -141,10 +151,15 @@ private:
     void place_mouse() const;
     void limit_size();
     [[nodiscard]] float content_scale() const;
+    /// The screen that shows most of the window; nullptr if there is none.
+    [[nodiscard]] GLFWmonitor* screen() const;
 
     std::unique_ptr<GlfwLibrary> library_;
     WindowHandle handle_;
-    WindowSize restored_;  ///< the last size that was not maximized
+    WindowSize restored_;   ///< the last size that was not maximized, nor the full screen's
+    WindowPlace bordered_;  ///< where the window goes when it leaves the full screen
+    bool full_screen_ = false;
+    float letters_ = 1.0F;
     std::unique_ptr<GuiContext> gui_;
     InputQueue queue_;
     std::optional<glm::dvec2> pointer_;       ///< as of the queue; nothing: to be asked for
@@ -217,11 +232,13 @@ void GlfwWindow::install_callbacks() {
     glfwSetWindowContentScaleCallback(handle, [](GLFWwindow* window, float, float) { of(window); });
 }
 
-/// Numbers a letter key by what it types, not by its position: keyboard layouts differ.
+/// Numbers the keys of letters, of + and of - by what they type, not by their position: keyboard
+/// layouts differ.
 int key_of(int key, int scancode) {
     const char* const name = glfwGetKeyName(key, scancode);
     const bool letter = name != nullptr && name[0] >= 'a' && name[0] <= 'z' && name[1] == '\0';
-    return letter ? GLFW_KEY_A + (name[0] - 'a') : key;
+    const bool sign = name != nullptr && (name[0] == '+' || name[0] == '-') && name[1] == '\0';
+    return letter ? GLFW_KEY_A + (name[0] - 'a') : sign ? name[0] : key;
 }
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int mods) {
@@ -303,6 +320,7 @@ float GlfwWindow::content_scale() const {
 
 WindowSize GlfwWindow::size() const {
     WindowSize size = restored_;
+    if (full_screen_) return size;
     size.maximized = glfwGetWindowAttrib(handle_.get(), GLFW_MAXIMIZED) == GLFW_TRUE;
     if (size.maximized) return size;
     glfwGetWindowSize(handle_.get(), &size.width, &size.height);
@@ -312,20 +330,70 @@ WindowSize GlfwWindow::size() const {
     return {.width = at_scale_1(size.width), .height = at_scale_1(size.height), .maximized = false};
 }
 
+GLFWmonitor* GlfwWindow::screen() const {
+    WindowPlace window;
+    glfwGetWindowPos(handle_.get(), &window.left, &window.top);
+    glfwGetWindowSize(handle_.get(), &window.width, &window.height);
+    int count = 0;
+    GLFWmonitor** const all = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    int most = 0;
+    for (GLFWmonitor* const one : std::span(all, static_cast<std::size_t>(count))) {
+        const GLFWvidmode* const mode = glfwGetVideoMode(one);
+        if (mode == nullptr) continue;
+        int left = 0;
+        int top = 0;
+        glfwGetMonitorPos(one, &left, &top);
+        const int wide =
+            std::min(window.left + window.width, left + mode->width) - std::max(window.left, left);
+        const int high =
+            std::min(window.top + window.height, top + mode->height) - std::max(window.top, top);
+        const int area = std::max(wide, 0) * std::max(high, 0);
+        if (area > most) best = one;
+        most = std::max(most, area);
+    }
+    return best;
+}
+
+bool GlfwWindow::set_full_screen(bool on) {
+    if (on == full_screen_) return full_screen_;
+    GLFWwindow* const handle = handle_.get();
+    changed_ = true;
+    if (!on) {
+        full_screen_ = false;
+        glfwSetWindowMonitor(handle, nullptr, bordered_.left, bordered_.top, bordered_.width,
+                             bordered_.height, GLFW_DONT_CARE);
+        if (restored_.maximized) glfwMaximizeWindow(handle);
+        return false;
+    }
+    GLFWmonitor* const monitor = screen();
+    const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (mode == nullptr) return false;
+    restored_ = size();
+    glfwGetWindowPos(handle, &bordered_.left, &bordered_.top);
+    glfwGetWindowSize(handle, &bordered_.width, &bordered_.height);
+    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    full_screen_ = true;
+    return true;
+}
+
 void GlfwWindow::begin_frame(Theme theme) {
     restored_ = size();
     limit_size();
     int width_px = 0;
+    int height_px = 0;
     int width_points = 0;
     int ignored = 0;
-    glfwGetFramebufferSize(handle_.get(), &width_px, &ignored);
+    glfwGetFramebufferSize(handle_.get(), &width_px, &height_px);
     glfwGetWindowSize(handle_.get(), &width_points, &ignored);
     const bool visible = width_px > 0 && width_points > 0;
     const float pixels_per_point =
         visible ? static_cast<float>(width_px) / static_cast<float>(width_points) : 1.0F;
 
     feed_input();
-    gui_->begin_frame(theme, content_scale(), pixels_per_point);
+    const float scale =
+        GuiContext::scale_of_letters(content_scale(), letters_, width_px, height_px);
+    gui_->begin_frame(theme, scale, pixels_per_point);
     ImGui_ImplGlfw_NewFrame();
     place_mouse();
     gui_->begin_panels();

@@ -4,6 +4,7 @@
 #include "engine/base/text.hpp"
 #include "pipeline/input_error.hpp"
 
+#include <algorithm>
 #include <string_view>
 
 namespace zeroset {
@@ -48,6 +49,27 @@ std::optional<double> number_behind(std::string_view part, std::string_view word
     const auto text = value_behind(part, word);
     const auto number = text ? read_number("--contours", *text) : OrInputError<double>(0.0);
     return text && number ? std::optional(*number) : std::nullopt;
+}
+
+/// Reads X,Y,Z or X,Y,Z; label TEXT.
+std::optional<InputError> read_mark(const std::string& mark, std::vector<Marker>& markers) {
+    const std::size_t semicolon = std::min(mark.find(';'), mark.size());
+    const auto at = read_numbers("--mark", mark.substr(0, semicolon), 3);
+    if (!at) return at.error();
+    std::string label;
+    if (semicolon < mark.size()) {
+        const auto text =
+            value_behind(trimmed(std::string_view(mark).substr(semicolon + 1)), "label");
+        if (!text || text->empty() || text->size() > longest_label) {
+            return InputError{.reason = "--mark " + mark +
+                                        ": after the ; type label TEXT, at most " +
+                                        std::to_string(longest_label) + " bytes"};
+        }
+        label = *text;
+    }
+    if (add_marker(markers, {(*at)[0], (*at)[1], (*at)[2]}, label) != 0) return std::nullopt;
+    return InputError{.reason = "--mark " + mark + ": there are " + std::to_string(most_markers) +
+                                " markers already"};
 }
 
 }  // namespace
@@ -100,12 +122,7 @@ std::optional<InputError> read_look(const LookText& text, ColorChoice& coloring,
     }
     coloring.lines.intersections = text.intersections.value_or(coloring.lines.intersections);
     for (const std::string& mark : text.marks) {
-        const auto at = read_numbers("--mark", mark, 3);
-        if (!at) return at.error();
-        if (add_marker(markers, {(*at)[0], (*at)[1], (*at)[2]}) == 0) {
-            return InputError{.reason = "--mark " + mark + ": there are " +
-                                        std::to_string(most_markers) + " markers already"};
-        }
+        if (auto error = read_mark(mark, markers)) return error;
     }
     return std::nullopt;
 }

@@ -129,12 +129,13 @@ OrInputError<InputDocument> stored_document(const std::string& equation) {
         if (loaded->shown_on && !loaded->document.light.background)
             loaded->document.light.background = loaded->shown_on;
         return InputDocument{read_document(std::move(loaded->document)),
-                             loaded->from_picture ? "" : equation, loaded->note, loaded->shown_on};
+                             loaded->from_picture ? "" : equation, loaded->note, loaded->shown_on,
+                             true};
     }
     if (is_share_text(equation)) {
         auto shared = document_from(equation);
         if (!shared) return wrong_input("zeroset:...: " + shared.error());
-        return InputDocument{read_document(std::move(shared->document))};
+        return InputDocument{read_document(std::move(shared->document)), {}, {}, {}, true};
     }
     if (equation.starts_with('@')) {
         const auto item = gallery_item(std::string_view(equation).substr(1));
@@ -215,6 +216,20 @@ std::optional<InputError> take_appearance(const ViewText& view, InputDocument& i
         return contours_error(*wrong);
     const auto wrong = check_coloring(*input.rows, document.coloring);
     return wrong ? std::optional(color_by_error(*wrong)) : std::nullopt;
+}
+
+/// Reads the value of --axis-names.
+std::optional<InputError> take_axis_names(const std::string& text, Document& document) {
+    const std::vector<std::string_view> names = split(text, ',');
+    const bool fit = std::ranges::all_of(
+        names, [](std::string_view name) { return name.size() <= longest_label; });
+    if (names.size() != document.axis_names.size() || !fit) {
+        return InputError{.reason = "--axis-names " + text + ": type three names of at most " +
+                                    std::to_string(longest_label) +
+                                    " bytes each, such as u,v,height; one may be empty"};
+    }
+    std::ranges::copy(names, document.axis_names.begin());
+    return std::nullopt;
 }
 
 }  // namespace
@@ -351,10 +366,10 @@ std::optional<InputError> take_look(const TraceText& text, Document& document) {
     if (auto wrong = take_light(text.light, document.light)) return wrong;
     document.shadows = text.shadows.value_or(document.shadows);
     document.jumps = text.jumps.value_or(document.jumps);
-    document.axes = text.axes.value_or(document.axes);
-    document.clip_box = text.clip_box.value_or(document.clip_box);
-    document.grid = text.grid.value_or(document.grid);
-    return std::nullopt;
+    document.axes = text.axes.value_or(text.textbook.value_or(document.axes));
+    document.clip_box = text.clip_box.value_or(text.textbook.value_or(document.clip_box));
+    document.grid = text.grid.value_or(text.textbook.value_or(document.grid));
+    return text.axis_names ? take_axis_names(*text.axis_names, document) : std::nullopt;
 }
 
 OrInputError<TraceSettings> read_trace_settings(const TraceText& text) {

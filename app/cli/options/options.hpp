@@ -37,7 +37,8 @@ struct TraceText {
     std::optional<std::string> tracer, d_stop, epsilon, delta, threads;
     std::optional<std::string> aa;  ///< as read_antialias reads it
     /// True or false as given; absent: the document's choice. `antialias`: the same as an `aa`.
-    std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid;
+    std::optional<bool> shadows, antialias, jumps, axes, clip_box, grid, textbook;
+    std::optional<std::string> axis_names;
     LightText light;
 };
 
@@ -47,6 +48,7 @@ struct InputDocument : ReadDocument {
     std::string note = {};  ///< LoadedDocument::note of the file
     /// LoadedDocument::shown_on of the file, which its document has as its background.
     std::optional<Background> shown_on = std::nullopt;
+    bool stored = false;  ///< it was kept as a document, with what is shown about its surfaces
 };
 
 /// Values of parameters, by name.

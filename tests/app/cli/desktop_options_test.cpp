@@ -47,6 +47,15 @@ TEST_F(SavedSession, OpensInTheWindow) {
     EXPECT_EQ(options->path, path_.string());
 }
 
+TEST_F(SavedSession, IsNotNew) {
+    EXPECT_FALSE(read_desktop_options(path_.string(), {}, {})->is_new);
+    EXPECT_TRUE(read_desktop_options("x = 1", {}, {})->is_new);
+    EXPECT_TRUE(read_desktop_options("", {}, {})->is_new) << "the gallery's first";
+    TraceText trace;
+    trace.axes = false;
+    EXPECT_FALSE(read_desktop_options("x = 1", {}, trace)->is_new) << "as the command line says";
+}
+
 TEST_F(SavedSession, GivesWayToTheCommandLine) {
     ViewText view;
     view.box = "5";

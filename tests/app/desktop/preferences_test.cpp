@@ -39,6 +39,9 @@ TEST_F(PreferencesTest, AreTheSameAfterAFile) {
                           .clip_open = true,
                           .details_open = true,
                           .edges_open = true,
+                          .letters = 1.5F,
+                          .axes = false,
+                          .grid = false,
                           .wheel = ui::WheelUse::Orbit};
     preferences.theme = ui::Theme::Light;
     preferences.last_theme = ui::Theme::Light;
@@ -58,6 +61,7 @@ TEST_F(PreferencesTest, AreAsUsualWhereTheFileMakesNoSense) {
         EXPECT_EQ(load_preferences(folder_), Preferences()) << text;
     }
     write(R"({"theme": "blue", "width": 10, "height": "tall", "panel_em": -3, "folded": 1,
+              "letters": 100, "axes": "on",
               "maximized": true, "wheel": "spin", "unknown": {}})");
     Preferences expected;
     expected.window.maximized = true;

@@ -145,6 +145,28 @@ TEST_F(Sessions, AskBeforeWorkIsLost) {
     EXPECT_FALSE(state_.shown.document.can_undo);
 }
 
+TEST_F(Sessions, BeginNewDocumentsWithTheAxesThatWereOnLast) {
+    start();
+    give(ui::Command::New);
+    EXPECT_TRUE(state_.edited.document.axes && state_.edited.document.grid);
+    state_.edited.layout.grid = false;
+    give(ui::Command::New);
+    EXPECT_TRUE(state_.edited.document.axes && !state_.edited.document.grid);
+    EXPECT_EQ(session_->title(), "Untitled") << "nothing was changed by that";
+}
+
+TEST_F(Sessions, AskNothingWhereNothingIsToBeSaved) {
+    write(file("other.zeroset.json"), text_of(with_text("other = 1")));
+    start({.path = {}, .note = {}, .read_only = true});
+    type("+y", Session::autosave_s + 1.0);
+    EXPECT_EQ(session_->title().find('*'), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder_ / "state"));
+    session_->open({file("other.zeroset.json").string()});
+    EXPECT_EQ(text(), "x = 1+y") << "files that are dropped are left alone";
+    session_->close();
+    EXPECT_TRUE(session_->closed());
+}
+
 TEST_F(Sessions, SaveFirstWhenThatIsTheAnswer) {
     start();
     type("+y");

@@ -38,6 +38,9 @@ Document rich_document() {
     document.mark_undecided = true;
     document.shadows = true;
     document.axes = document.grid = document.trackball = true;
+    document.axis_names = {"u", "", "h\u00F6he"};
+    document.parameters["hidden"].presented = false;
+    document.w.presented = false;
     document.up = {0, 1, 0.5};
     document.statements[0].solid = SolidSide::Above;
     document.statements[1].solid = SolidSide::Below;
@@ -201,6 +204,14 @@ TEST(DocumentText, SaysWhatIsDamaged) {
          "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
         {with("look", R"({"antialias": "none"})"),
          "look.antialias is neither true nor false, nor 4, 9, 16 or 64"},
+        {with("look", R"({"axis_names": ["x", "y"]})"), "look.axis_names is no list of 3 names"},
+        {with("look", R"({"axis_names": ["x", "y", 3]})"), "look.axis_names is no text"},
+        {with("look", R"({"axis_names": ["x", "y", ")" + std::string(81, 'z') + "\"]}"),
+         "look.axis_names is longer than 80 bytes"},
+        {with("w", R"({"value": 1, "range": [0, 1], "presented": 1})"),
+         "w.presented is neither true nor false"},
+        {with("markers", R"([{"number": 1, "at": [0, 0, 0], "label": 1}])"),
+         "markers[0].label is no text"},
         {with("light", R"({"look": "gold"})"), "light.look is no look"},
         {with("light", R"({"tone": "loud"})"), "light.tone is neither plain nor filmic"},
         {with("light", R"({"reflections": 1.5})"),

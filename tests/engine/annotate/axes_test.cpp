@@ -183,6 +183,38 @@ TEST(Axes, HasFinerTicksInADeepView) {
     EXPECT_LE(made.lines.size(), 40U);
 }
 
+TEST(Axes, HasNamesOfItsOwn) {
+    AxesView view = front_view(600, 400);
+    view.names = {"length", "", "t"};
+    const Axes made = make_axes(view, {.axes = true}, empty_frame(view));
+    const auto has = [&](const std::string& text, LineKind kind) {
+        return std::ranges::any_of(made.labels, [&](const AxisLabel& label) {
+            return label.text == text && label.kind == kind;
+        });
+    };
+    EXPECT_TRUE(has("length", LineKind::AxisX) && has("t", LineKind::AxisZ));
+    for (const char* name : {"x", "y", "z", ""})
+        EXPECT_FALSE(has(name, LineKind::AxisX) || has(name, LineKind::AxisY)) << name;
+}
+
+TEST(Axes, HasNamesInsideTheImageWhereItsEndsAreNot) {
+    AxesView view = front_view(600, 400);
+    view.clip = Box::cube(50);  // the eye is inside, and looks along y
+    view.names = {"a long name", "y", "z"};
+    const Axes made = make_axes(view, {.axes = true}, empty_frame(view));
+    int names = 0;
+    for (const AxisLabel& label : made.labels) {
+        if (label.text != "a long name" && label.text != "z") continue;
+        ++names;
+        const double half = 0.5 * view.em * label_width_em(label.text);
+        EXPECT_GE(label.middle.x, half);
+        EXPECT_LE(label.middle.x, view.width - half);
+        EXPECT_GE(label.middle.y, 0.5 * view.em);
+        EXPECT_LE(label.middle.y, view.height - 0.5 * view.em);
+    }
+    EXPECT_EQ(names, 2);
+}
+
 TEST(Axes, HasAGridOnTheFloor) {
     AxesView view = front_view();
     view.camera.eye = {0, -5, 3};
@@ -223,6 +255,31 @@ TEST(AxisShapes, AreFaintBehindTheSurface) {
     EXPECT_EQ(std::get<Text>(shapes[2]).outline, 0x40000000U);
     EXPECT_EQ(std::get<Text>(shapes[3]).color, faded(style.colors.clip_box, 0.5));
     EXPECT_EQ(std::get<Text>(shapes[3]).outline, 0x20000000U);
+}
+
+TEST(AxisShapes, HaveHalosBeforeSurfaces) {
+    Axes axes;
+    axes.lines.push_back({{0, 0}, {9, 9}, LineKind::AxisX, false});
+    axes.lines.push_back({{0, 0}, {9, 9}, LineKind::AxisX, true});
+    axes.lines.push_back({{0, 0}, {9, 9}, LineKind::Grid, false});
+    axes.lines.push_back({{0, 0}, {9, 9}, LineKind::ClipBox, false});
+    const Shapes shapes = axis_shapes(axes, {.halo = 0x80FFFFFFU});
+    ASSERT_EQ(shapes.size(), 6U) << "of the axis and of the box";
+    for (const std::size_t i : {0U, 1U}) {
+        EXPECT_EQ(std::get<Line>(shapes[i]).color, 0x80FFFFFFU);
+        EXPECT_GE(std::get<Line>(shapes[i]).width, std::get<Line>(shapes[2 + 3 * i]).width + 2.0);
+    }
+}
+
+TEST(AxisShapes, SuitTheirBackground) {
+    const AxisStyle dark = axis_style_on(Background(), 12.0);
+    const AxisStyle light = axis_style_on({.top = 0xFFFFFF, .bottom = 0xE0E8F0}, 12.0);
+    EXPECT_EQ(dark.colors.axes, axes_on_dark.axes);
+    EXPECT_EQ(light.colors.axes, axes_on_light.axes);
+    // Halos have the colour of the background: the red channel is the lowest byte.
+    EXPECT_LT(dark.halo & 0xFFU, 0x40U);
+    EXPECT_GT(light.halo & 0xFFU, 0xE0U);
+    EXPECT_GT(light.halo >> 24U, 0x60U);
 }
 
 TEST(PaintedAxes, ChangesColoursOnly) {

@@ -79,6 +79,24 @@ TEST(Actions, OfAChoiceTakeItInPlaceOfTheOthers) {
     }
 }
 
+TEST(Actions, OfAxesSayWhatNewDocumentsBeginWith) {
+    UiState state;
+    state.edited.document = new_document(state.edited.layout);
+    const Document& document = state.edited.document;
+    EXPECT_TRUE(document.axes && document.clip_box && document.grid) << "at first";
+    const Action& all = action_named("Axes, box and grid");
+    EXPECT_TRUE(all.is_on(state));
+    action_named("Grid").run(state);
+    EXPECT_FALSE(document.grid || all.is_on(state));
+    EXPECT_FALSE(new_document(state.edited.layout).grid);
+    EXPECT_TRUE(new_document(state.edited.layout).axes);
+    all.run(state);
+    EXPECT_TRUE(document.axes && document.clip_box && document.grid);
+    all.run(state);
+    EXPECT_FALSE(document.axes || document.clip_box || document.grid);
+    EXPECT_EQ(new_document(state.edited.layout), empty_document());
+}
+
 TEST(Actions, AreDescribedWithTheirFirstKeys) {
     EXPECT_EQ(described(action_named("Redo")), "Redo (Ctrl+Shift+Z)");
     EXPECT_EQ(described(action_named("Light theme")), "Light theme");

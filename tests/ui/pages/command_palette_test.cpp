@@ -98,6 +98,57 @@ TEST(PaletteLines, SayKeysGroupsAndWhatIsOn) {
     EXPECT_FALSE(state.edited.document.mark_undecided);
 }
 
+TEST(PaletteLines, AreFoundByOtherWords) {
+    const auto first = [](const char* typed) {
+        const auto lines = palette_lines(some_state(), typed);
+        return lines.empty() ? std::string("nothing") : lines.front().text;
+    };
+    const auto pictures = texts(palette_lines(some_state(), "picture"));
+    EXPECT_LE(std::ranges::find(pictures, "Save the picture...") - pictures.begin(), 1);
+    EXPECT_EQ(first("screenshot"), "Save the picture...");
+    EXPECT_EQ(first("mesh"), "Save the mesh...");
+    EXPECT_EQ(first("stl"), "Save the mesh...");
+    EXPECT_EQ(first("full screen"), "Full screen");
+    EXPECT_EQ(first("Fullscreen"), "Full screen");
+    EXPECT_EQ(first("video"), "Save a film...");
+    EXPECT_EQ(first("font"), "Larger letters");
+    EXPECT_EQ(first("text size"), "Larger letters");
+    EXPECT_EQ(first("lecture"), "Presentation");
+    EXPECT_EQ(first("dark mode"), "Light theme");
+    EXPECT_EQ(first("singular"), "Snap the marker");
+    EXPECT_EQ(first("textbook"), "Axes, box and grid");
+    EXPECT_EQ(first("isolines"), "No contour lines");
+    const auto camera = palette_lines(some_state(), "camera");
+    EXPECT_GE(camera.size(), 10U);
+    EXPECT_EQ(camera.front().found_by, "camera");
+    EXPECT_TRUE(palette_lines(some_state(), "save").front().found_by.empty()) << "the name says it";
+    EXPECT_EQ(first("undo"), "Undo") << "names come first";
+}
+
+TEST(PaletteLines, TakeATypedPoint) {
+    UiState state = some_state();
+    state.edited.document.camera = default_camera(state.edited.document.clip);
+    const auto lines = palette_lines(state, "0.5, 1, -2");
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(lines.front().text, "Go to (0.5, 1, -2)");
+    lines.front().run(state);
+    ASSERT_EQ(state.edited.document.markers.size(), 1U);
+    EXPECT_EQ(state.edited.document.markers[0].at, glm::dvec3(0.5, 1, -2));
+    ASSERT_TRUE(state.input.move);
+    EXPECT_EQ(state.input.move->to.look_at, glm::dvec3(0.5, 1, -2));
+}
+
+TEST(TextMatch, FindsPhrases) {
+    constexpr std::string_view phrases = "full screen, 3d print, png";
+    EXPECT_EQ(phrase_found(phrases, "FULLSC"), "full screen");
+    EXPECT_EQ(phrase_found(phrases, "full sc"), "full screen");
+    EXPECT_EQ(phrase_found(phrases, "screen"), "full screen");
+    EXPECT_EQ(phrase_found(phrases, "print"), "3d print");
+    EXPECT_EQ(phrase_found(phrases, "png"), "png");
+    for (const char* typed : {"", " ", "creen", "pngs", "screen full", ",", "l s"})
+        EXPECT_EQ(phrase_found(phrases, typed), "") << typed;
+}
+
 class CommandPalettes : public Panels {
 protected:
     void SetUp() override {

@@ -219,14 +219,14 @@ TEST_P(Looking, ListsMarkersToSelectCopyAndRemove) {
     EXPECT_LE(section("markers")->ContentSize.y, section("markers")->Size.y + 1.0F);
     add_marker(state_.edited.document.markers, {0.5, -0.25, 1.0 / 3.0});
     add_marker(state_.edited.document.markers, {3.5, 3.75, 1.0 / 3.0});
-    section_line("markers", 0);
+    const float first = section_line("markers", 1).y;  // below the field for a point
     const ImGuiWindow& list = *section("markers");
     const float line = 0.5F * static_cast<float>(px(26));
-    click_at({list.Pos.x + static_cast<float>(px(60)), list.Pos.y + line});
+    click_at({list.Pos.x + static_cast<float>(px(60)), first});
     EXPECT_EQ(state_.edited.selected_marker, 1);
-    click_at({list.Pos.x + list.Size.x - 3.0F * line, list.Pos.y + line});
+    click_at({list.Pos.x + list.Size.x - 3.0F * line, first});
     EXPECT_EQ(clipboard(), "(0.5, -0.25, 0.3333333333333333)");
-    click_at({list.Pos.x + list.Size.x - line, list.Pos.y + line});
+    click_at({list.Pos.x + list.Size.x - line, first});
     ASSERT_EQ(state_.edited.document.markers.size(), 1U);
     EXPECT_EQ(state_.edited.document.markers[0].number, 2);
     state_.edited.selected_marker = 2;

@@ -128,7 +128,9 @@ TEST_P(Panels, TellOfUndecidedPixelsInTheDetails) {
 }
 
 TEST_P(Panels, WarnOfUndecidedPixelsOnlyWhereTheyMatter) {
-    PictureFigures figures{.width_px = 1000, .height_px = 100};
+    PictureFigures figures;
+    figures.width_px = 1000;
+    figures.height_px = 100;
     figures.counts.undecided = 500;
     EXPECT_FALSE(many_undecided(figures));
     figures.counts.undecided = 501;

@@ -69,7 +69,8 @@ TEST_P(ClipHandleLayer, MovesAFace) {
     drag(at(face_), at({1.25, 0, 0}));
     EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_ResizeEW);
     // Width of the window's pixels at the point looked at.
-    const double wide = ViewFrame(before).pixel_at_look(static_cast<int>(picture_height()));
+    const double wide =
+        ViewFrame(before).pixel_at_look(static_cast<int>(picture_height(state_.edited.layout)));
     EXPECT_NEAR(state_.edited.document.clip.hi.x, 1.25, 2 * wide);
     EXPECT_TRUE(state_.input.handle_drag);
     let_go(at({1.25, 0, 0}));
@@ -84,7 +85,7 @@ TEST_P(ClipHandleLayer, MovesTheSphereAndTurnsASection) {
     state_.edited.document.region.ball = Ball{{0, 0, 0}, 0.75};
     state_.edited.document.region.sections = {Section{{-1, 0, 0}, 0.5, true}};
     const auto grip = [this](HandlePart part) {
-        const auto all = shown_handles(state_, picture_height());
+        const auto all = shown_handles(state_, picture_height(state_.edited.layout));
         return at(std::ranges::find(all, HandleId{part, 0}, &Handle::id)->at);
     };
     const auto move = [&](HandlePart part, const glm::vec2& way) {
@@ -175,12 +176,12 @@ TEST_P(ClipHandleLayer, IsSwitchedByItsKey) {
     OffscreenWindow::type("h");
     draw();
     EXPECT_FALSE(has_clip_handles(state_.edited.layout));
-    EXPECT_TRUE(shown_handles(state_, picture_height()).empty());
+    EXPECT_TRUE(shown_handles(state_, picture_height(state_.edited.layout)).empty());
     state_.edited.layout.clip_open = false;
     OffscreenWindow::type("h");
     draw();
     EXPECT_TRUE(state_.edited.layout.clip_open && state_.edited.layout.handles);
-    EXPECT_FALSE(shown_handles(state_, picture_height()).empty());
+    EXPECT_FALSE(shown_handles(state_, picture_height(state_.edited.layout)).empty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, ClipHandleLayer,

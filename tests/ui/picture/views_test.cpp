@@ -205,8 +205,9 @@ TEST_P(Views, CentreWhereThePictureIsDoubleClicked) {
     draw();
     const float left = side_panel_width(state_.edited.layout);
     const glm::vec2 middle(0.5F * (left + static_cast<float>(px(GetParam().window.width))),
-                           0.5F * picture_height());
-    const glm::vec2 at = middle + 0.1F * picture_height() * glm::vec2(1.0F, -0.5F);
+                           0.5F * picture_height(state_.edited.layout));
+    const glm::vec2 at =
+        middle + 0.1F * picture_height(state_.edited.layout) * glm::vec2(1.0F, -0.5F);
     const auto point = surface_under(state_.shown.picture, {0.1, 0.05});
     ASSERT_TRUE(point);
     const ViewFrame before(camera());
@@ -222,7 +223,8 @@ TEST_P(Views, TurnFreelyOrAboutWhatIsUp) {
     type("t");
     EXPECT_TRUE(state_.edited.document.trackball);
     const float left = side_panel_width(state_.edited.layout);
-    const glm::vec2 edge(left + static_cast<float>(px(30)), 0.5F * picture_height());
+    const glm::vec2 edge(left + static_cast<float>(px(30)),
+                         0.5F * picture_height(state_.edited.layout));
     OffscreenWindow::point(edge, false);
     draw_frame();
     for (const float down : {0.0F, 30.0F, 60.0F, 90.0F}) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <initializer_list>
 #include <numbers>
 #include <optional>
@@ -160,6 +161,56 @@ TEST(ReadTraceSettings, RefusesWhatIsWrong) {
     }
     for (const char* text : {"0", "-1", "1025", "x"}) {
         expect_refused(settings_of({{&TraceText::threads, text}}), "--threads");
+    }
+}
+
+TEST(TakeLook, SwitchesAllOfATextbooksLinesAtOnce) {
+    Document document;
+    TraceText text;
+    text.textbook = true;
+    ASSERT_FALSE(take_look(text, document));
+    EXPECT_TRUE(document.axes && document.clip_box && document.grid);
+    text.grid = false;
+    ASSERT_FALSE(take_look(text, document));
+    EXPECT_TRUE(document.axes && document.clip_box && !document.grid) << "one of them by itself";
+    text = {};
+    text.textbook = false;
+    text.axes = true;
+    ASSERT_FALSE(take_look(text, document));
+    EXPECT_TRUE(document.axes && !document.clip_box && !document.grid);
+}
+
+TEST(TakeLook, NamesTheAxes) {
+    Document document;
+    TraceText text;
+    text.axis_names = " u, v ,the height";
+    ASSERT_FALSE(take_look(text, document));
+    EXPECT_EQ(document.axis_names, (std::array<std::string, 3>{"u", "v", "the height"}));
+    text.axis_names = ",,";
+    ASSERT_FALSE(take_look(text, document));
+    EXPECT_EQ(document.axis_names, (std::array<std::string, 3>{}));
+    for (const std::string& wrong : {std::string(), std::string("x"), std::string("x,y"),
+                                     std::string("x,y,z,w"), "x,y," + std::string(81, 'z')}) {
+        text.axis_names = wrong;
+        const auto error = take_look(text, document);
+        ASSERT_TRUE(error) << wrong;
+        EXPECT_TRUE(error->reason.starts_with("--axis-names " + wrong)) << error->reason;
+    }
+}
+
+TEST(ReadSurface, TakesMarkersWithLabels) {
+    ViewText view;
+    view.look.marks = {"1,2,3", "0,0,1; label the pole", "0,0,2 ;label=P; 2"};
+    const auto surface = read_document("x = 1", view);
+    ASSERT_TRUE(surface) << surface.error().reason;
+    EXPECT_EQ(
+        surface->document.markers,
+        (std::vector<Marker>{{1, {1, 2, 3}}, {2, {0, 0, 1}, "the pole"}, {3, {0, 0, 2}, "P; 2"}}));
+    for (const std::string& wrong :
+         {std::string("0,0,1;"), std::string("0,0,1; pole"), std::string("0,0,1; label"),
+          std::string("0,0,1; label "), "0,0,1; label " + std::string(81, 'p')}) {
+        view.look.marks = {wrong};
+        expect_refused(read_document("x = 1", view), "label TEXT");
     }
 }
 

@@ -1,0 +1,79 @@
+#include "app/desktop/marker_snap.hpp"
+
+#include "pipeline/snap_point.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace zeroset {
+namespace {
+
+/// "z", "-x" of a direction along an axis; "the height" of others.
+std::string name_of_height(const glm::dvec3& up) {
+    const glm::dvec3 way = glm::normalize(up);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(way[axis]) > 1.0 - 1e-12)
+            return (way[axis] < 0 ? "-" : "") + std::string(1, static_cast<char>('x' + axis));
+    }
+    return "the height";
+}
+
+std::string small_numbers(const SpecialPoint& found) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "numerical: |f| = %.1g, |grad f| = %.1g",
+                  std::abs(found.f), found.slope);
+    return text.data();
+}
+
+}  // namespace
+
+std::string snap_text(const Marker& marker, const glm::dvec3& up,
+                      const std::optional<SpecialPoint>& found) {
+    const std::string name = name_of(marker);
+    const std::string height = name_of_height(up);
+    if (!found) {
+        return "no singular point and no maximum or minimum of " + height + " found near " + name;
+    }
+    const std::string place = found->kind == SpecialKind::Singular ? "a singular point"
+                              : found->kind == SpecialKind::Top    ? "a local maximum of " + height
+                                                                   : "a local minimum of " + height;
+    return name + " is now at " + place + " (" + small_numbers(*found) + ")";
+}
+
+void MarkerSnap::start(const ui::UiState& state, const PictureRequest& picture) {
+    const Document& document = state.edited.document;
+    const Marker* const marker = find_marker(document.markers, state.edited.selected_marker);
+    if (marker == nullptr) return;
+    marker_ = *marker;
+    up_ = document.up;
+    picture_ = picture;
+    found_ = std::async(std::launch::async, [picture, from = marker_.at, up = up_] {
+        return special_point_of(picture, from, up);
+    });
+}
+
+bool MarkerSnap::follow(ui::UiState& state, const std::optional<PictureRequest>& picture) {
+    const bool wished = std::exchange(state.wishes.snap_marker, false);
+    if (wished && picture && !runs()) start(state, *picture);
+    if (!runs() || found_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return false;
+    const std::optional<SpecialPoint> found = found_.get();
+    std::vector<Marker>& markers = state.edited.document.markers;
+    const auto marker = std::ranges::find(markers, marker_);
+    const bool same = picture && picture->formula == picture_->formula &&
+                      picture->uniforms == picture_->uniforms && picture->clip == picture_->clip;
+    if (marker == markers.end() || !same) return false;
+    if (found) {
+        marker->at = found->at;
+        ++state.input.gesture;  // makes the move an undo step of its own
+    }
+    state.shown.status.done = snap_text(*marker, up_, found);
+    return true;
+}
+
+}  // namespace zeroset
