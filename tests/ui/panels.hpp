@@ -10,6 +10,7 @@
 #include "engine/view/camera.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/side_panel.hpp"
+#include "ui/picture/view_notice.hpp"
 #include "ui/screen.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
@@ -149,6 +150,7 @@ protected:
         EXPECT_EQ(frame.color.back() | 0xFF000000U, colors().bar) << "a gap below the status line";
         // These cover the picture of a small window.
         if (state_.pages.help.open || state_.pages.exports.open) return;
+        if (emptiness_of(state_) != Emptiness::None) return;
         const auto middle =
             frame.color.begin() + static_cast<std::ptrdiff_t>(frame.index(0, frame.height / 2));
         const auto left = static_cast<std::ptrdiff_t>(side_panel_width(state_.edited.layout));
