@@ -96,6 +96,8 @@ CardWish draw_card(UiState& state, std::size_t index, ViewPictureWish& wish) {
     draw_picture(state, views[index], wish);
     ImGui::SameLine(0.0F, em(0.6F));
     const float middle = top + 0.5F * (std::round(em(picture_em.y)) - button);
+    // In a group, so that the icons' line is not as high as the picture.
+    ImGui::BeginGroup();
     ImGui::SetCursorPosY(middle);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2.0F * button);
     std::string name = views[index].name;
@@ -105,15 +107,14 @@ CardWish draw_card(UiState& state, std::size_t index, ViewPictureWish& wish) {
     draw_tooltip("Its name: for films, Ctrl+K and --view. Click to change it.");
     const IconLook look{.size = button, .color = palette(state.edited.theme).quiet};
     ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorPosY(middle);
     CardWish wished = CardWish::Nothing;
     if (icon_button("##up", Icon::Up,
                     {.size = look.size, .color = look.color, .enabled = index > 0},
                     "Move it up: films go through the views in this order"))
         wished = CardWish::MoveUp;
     ImGui::SameLine(0.0F, 0.0F);
-    ImGui::SetCursorPosY(middle);
     if (icon_button("##remove", Icon::Cross, look, "Delete the view")) wished = CardWish::Remove;
+    ImGui::EndGroup();
     ImGui::SetCursorPosY(top + card_height());
     return wished;
 }
