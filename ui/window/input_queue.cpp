@@ -42,9 +42,12 @@ public:
         if (event.key == GLFW_KEY_ESCAPE && text_) return false;
         if (is_modifier(event.key) && (wheel_ || (moved_ && drags_))) return false;
         if (is_shift(event.key)) return !command_;
-        if (is_modifier(event.key)) return !command_ && !text_ && !touched(event.key);
+        if (is_modifier(event.key)) return !command_ && !text_ && !is_in(keys_, event.key);
         if (event.action == GLFW_PRESS && command_) return false;
-        return !touched(event.key);
+        // Ctrl may be let go before the key, whose release is no command then.
+        if (event.action == GLFW_PRESS && is_command(event) && is_in(released_, event.key))
+            return false;
+        return !is_in(keys_, event.key);
     }
     [[nodiscard]] bool fits(const MouseMove&) const {
         return !button_ && !wheel_ && !text_ && !command_;
@@ -55,6 +58,7 @@ public:
     [[nodiscard]] bool fits(const MouseWheel&) const { return !button_ && !text_ && !command_; }
 
     void add(const KeyEvent& event) {
+        if (event.character == 0 && event.action == GLFW_RELEASE) released_.push_back(event.key);
         if (event.character != 0) {
             text_ = true;
         } else if (event.action != GLFW_REPEAT && !is_shift(event.key) &&
@@ -68,8 +72,8 @@ public:
     void add(const MouseWheel&) { wheel_ = true; }
 
 private:
-    [[nodiscard]] bool touched(int key) const {
-        return std::ranges::find(keys_, key) != keys_.end();
+    static bool is_in(const std::vector<int>& keys, int key) {
+        return std::ranges::find(keys, key) != keys.end();
     }
 
     bool drags_;
@@ -78,7 +82,8 @@ private:
     bool moved_ = false;
     bool button_ = false;
     bool wheel_ = false;
-    std::vector<int> keys_;
+    std::vector<int> keys_;      ///< modifiers and commands that went down or up
+    std::vector<int> released_;  ///< all keys that went up
 };
 
 }  // namespace

@@ -96,6 +96,23 @@ TEST(InputQueue, SpreadsCommandsOverFrames) {
               (Frames{"ck", "kc"}));
 }
 
+TEST(InputQueue, SeesACommandAgainWhereCtrlIsLetGoFirst) {
+    constexpr int ctrl = GLFW_KEY_LEFT_CONTROL;
+    InputQueue queue;
+    const auto push = [&](const std::vector<KeyEvent>& events) {
+        for (const KeyEvent& event : events)
+            queue.push(event);
+    };
+    push({key(ctrl), key(GLFW_KEY_EQUAL, GLFW_PRESS, GLFW_MOD_CONTROL)});
+    EXPECT_EQ(short_form(queue.take_frame()), "kk");
+    push({key(ctrl, GLFW_RELEASE, GLFW_MOD_CONTROL)});
+    EXPECT_EQ(short_form(queue.take_frame()), "k");
+    push({key(GLFW_KEY_EQUAL, GLFW_RELEASE), key(ctrl),
+          key(GLFW_KEY_EQUAL, GLFW_PRESS, GLFW_MOD_CONTROL)});
+    EXPECT_EQ(short_form(queue.take_frame()), "kk") << "the panels must see that it went up";
+    EXPECT_EQ(short_form(queue.take_frame()), "k");
+}
+
 TEST(InputQueue, LetsTheMouseGoOnWhileKeysAreHeld) {
     InputQueue queue;
     queue.push(letter('a'));
