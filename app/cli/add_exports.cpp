@@ -7,7 +7,7 @@ namespace zeroset {
 namespace {
 
 /// The text with what this program cannot write of a kind behind it.
-std::string with_missing(std::string text, ExportKind kind) {
+std::string with_missing(const std::string& text, ExportKind kind) {
     const std::string missing = missing_endings(kind);
     return missing.empty() ? text : text + " (" + missing + ")";
 }

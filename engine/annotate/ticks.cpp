@@ -10,6 +10,22 @@ namespace {
 
 const char* const minus_sign = "\xE2\x88\x92";
 
+/// Width of a letter, or of one that begins with this byte.
+double width_em(char letter) {
+    switch (letter) {
+        case '.':
+        case ' ': return 0.318;
+        case '-': return 0.361;
+        case 'm':
+        case 'w':
+        case 'M':
+        case 'W': return 0.989;
+        default: break;
+    }
+    if (letter == '+' || letter == minus_sign[0]) return 0.838;
+    return letter >= 'A' && letter <= 'Z' ? 0.787 : 0.636;
+}
+
 }  // namespace
 
 double tick_step(double length) {
@@ -40,16 +56,7 @@ double label_width_em(const std::string& text) {
     double width = 0.0;
     for (const char letter : text) {
         const bool continues = (static_cast<unsigned char>(letter) & 0xC0U) == 0x80U;
-        if (continues) continue;
-        const bool sign = letter == '+' || letter == minus_sign[0];
-        const bool wide = letter == 'm' || letter == 'w' || letter == 'M' || letter == 'W';
-        const bool capital = letter >= 'A' && letter <= 'Z';
-        width += letter == '.' || letter == ' ' ? 0.318
-                 : letter == '-'                ? 0.361
-                 : wide                         ? 0.989
-                 : sign                         ? 0.838
-                 : capital                      ? 0.787
-                                                : 0.636;
+        if (!continues) width += width_em(letter);
     }
     return width;
 }

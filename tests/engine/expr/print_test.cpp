@@ -106,6 +106,14 @@ TEST(Canonical, ParsesToTheSameGraphWhateverTheGraph) {
     }
 }
 
+TEST(EquationText, HasOneSignBeforeANumber) {
+    const auto read = [](const char* text) { return equation_text(parse(text).value()); };
+    EXPECT_EQ(read("x^2 + y^2 = -1"), "x^2 + y^2 + 1 = 0");
+    EXPECT_EQ(read("x + (-0.1)"), "x - 0.1 = 0");
+    EXPECT_EQ(read("x - -pi"), "x + pi = 0");
+    EXPECT_EQ(read("x - -y"), "x + y = 0");
+}
+
 TEST(Canonical, WritesAnOrientedNumeratorAsItsQuotient) {
     ExprBuilder builder;
     const NodeId sum = builder.apply(Op::Add, builder.variable(0), builder.variable(1));
