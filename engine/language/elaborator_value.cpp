@@ -116,7 +116,7 @@ Elaborator::Built Elaborator::name(const Syntax& syntax, const Binding* scope) {
     Definition* const definition =
         library_offset_ ? nullptr : table_.value(syntax.text, statement_);
     if (definition != nullptr) return defined_value(*definition, syntax);
-    if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
+    if (is_built_in_value(syntax.text)) return said(syntax);
     return unknown(syntax);
 }
 
@@ -136,6 +136,12 @@ Elaborator::Built Elaborator::unknown(const Syntax& syntax) {
     return fail(syntax.offset, quoted(name) + " is not known", hint_for_unknown(name));
 }
 
+Elaborator::Built Elaborator::said(const Syntax& syntax) {
+    says_w_ = says_w_ || syntax.text == "w";
+    says_t_ = says_t_ || syntax.text == "t";
+    return done(built_in(syntax.text)->id, syntax.offset);
+}
+
 Elaborator::Built Elaborator::built_in(std::string_view name) {
     const auto variable = [&](int index) { return builder_.variable(index); };
     const auto radius = [&](int dimensions) {
@@ -148,10 +154,7 @@ Elaborator::Built Elaborator::built_in(std::string_view name) {
     };
     const auto value = [&]() -> NodeId {
         if (name == "x" || name == "y" || name == "z") return variable(name[0] - 'x');
-        if (name == "w" || name == "t") {
-            (name == "w" ? says_w_ : says_t_) = true;
-            return variable(variable_w);
-        }
+        if (name == "w" || name == "t") return variable(variable_w);
         if (name == "r") return radius(3);
         if (name == "rho") return radius(2);
         if (name == "theta") return make_call(builder_, Op::Atan2, variable(1), variable(0));
@@ -194,7 +197,7 @@ void Elaborator::note_capital(const std::string& name, std::size_t offset) {
 Elaborator::Built Elaborator::defined_value(Definition& definition, const Syntax& syntax) {
     if (definition.value) return definition.value;
     if (definition.in_progress) {
-        if (is_built_in_value(syntax.text)) return done(built_in(syntax.text)->id, syntax.offset);
+        if (is_built_in_value(syntax.text)) return said(syntax);
         return fail(syntax.offset, quoted(syntax.text) + " is defined by itself");
     }
     definition.in_progress = true;
