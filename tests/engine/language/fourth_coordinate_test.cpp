@@ -18,8 +18,9 @@ TEST(FourthCoordinate, IsCalledAsItIsTyped) {
     EXPECT_FALSE(calls_w_t("x t + w = 1")) << "one name for both";
     EXPECT_FALSE(calls_w_t("x^2 + y^2 + z^2 = 1"));
     EXPECT_FALSE(calls_w_t("f(t) = t^2; f(x) + y = z")) << "t is an argument";
-    EXPECT_TRUE(calls_w_t("t = 2; x + y = t"))
-        << "a variable cannot be given a value: two surfaces";
+    EXPECT_FALSE(calls_w_t("t = 2; x + y = t")) << "t is a constant";
+    EXPECT_FALSE(calls_w_t("t = 2; x + y = t + w")) << "t is a constant";
+    EXPECT_TRUE(calls_w_t("w = 2; x + y = w + t")) << "w is a constant";
 }
 
 }  // namespace
