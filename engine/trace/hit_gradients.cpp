@@ -119,6 +119,7 @@ public:
     }
     void run() {
         take_jumps();
+        find_trends();
         polish();
         // Before the hit, where it is seen from, not farther than a pixel.
         for (int k = -8; k <= 0 && !seekers_.empty() && !frame_.stopped(); k += 2)
@@ -138,6 +139,8 @@ private:
     }
     /// Takes the normals of the surfaces on which f jumps.
     void take_jumps();
+    /// Asks f at both ends of the brackets of which nothing is known.
+    void find_trends();
     /// Finds the roots through which f is known to go, and its gradients right before them.
     void polish();
     /// Takes gradients at a distance before the hit, in pixels.
@@ -202,6 +205,26 @@ void GradientSearch::take_jumps() {
     const std::vector<glm::dvec3> normals = jump_normals(places, values);
     for (std::size_t i = 0; i < jumps_.size(); ++i)
         take(jumps_[i], normals[i]);
+}
+
+void GradientSearch::find_trends() {
+    std::vector<Seeker*> open;
+    std::vector<glm::dvec3> points;
+    for (Seeker& seeker : seekers_) {
+        if (seeker.trend != Trend::Unknown) continue;
+        open.push_back(&seeker);
+        points.push_back(seeker.at(seeker.lo));
+        points.push_back(seeker.at(seeker.hi));
+    }
+    if (open.empty()) return;
+    const std::vector<Sample> samples = ask(points);
+    if (frame_.stopped()) return;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        const double before = samples[2 * i].f;
+        const double behind = samples[2 * i + 1].f;
+        if (before < 0.0 && behind > 0.0) open[i]->trend = Trend::Rising;
+        if (before > 0.0 && behind < 0.0) open[i]->trend = Trend::Falling;
+    }
 }
 
 void GradientSearch::polish() {
