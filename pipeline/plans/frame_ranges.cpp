@@ -16,7 +16,7 @@ namespace {
 /// Frames after which the length is chosen again.
 constexpr int frames_a_choice = 96;
 /// A length is used if it saves more than this part of the evaluations.
-constexpr double least_gain = 0.01;
+constexpr double least_gain = 0.05;
 /// The time of an evaluation over a box, and of a cell that a frame looks up, in evaluations of a
 /// frame.
 constexpr double cost_of_range = 0.5;
