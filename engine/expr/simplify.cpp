@@ -126,7 +126,10 @@ NodeId make_not(ExprBuilder& builder, NodeId a) {
     return builder.apply(Op::Not, a);
 }
 
-bool is_negative_constant(const Node& node) { return node.op == Op::Constant && node.hi < 0.0; }
+/// Whether make_negate takes a minus sign away: one of its own, or a number's.
+bool has_sign(const Node& node) {
+    return node.op == Op::Negate || (node.op == Op::Constant && node.hi < 0.0);
+}
 
 NodeId make_cos(ExprBuilder& builder, NodeId a) {
     const NodeId angle = without_cut(builder, a);
@@ -150,9 +153,7 @@ NodeId make_add(ExprBuilder& builder, NodeId a, NodeId b) {
     if (is_constant(builder, a, 0.0)) return b;
     if (a == b && builder.node(a).op != Op::Constant)
         return make_multiply(builder, builder.constant(2.0), a);
-    if (right.op == Op::Negate) return make_subtract(builder, a, right.a);
-    if (is_negative_constant(right))
-        return builder.apply(Op::Subtract, a, builder.constant(-right.hi, -right.lo));
+    if (has_sign(right)) return make_subtract(builder, a, make_negate(builder, b));
     return builder.apply(Op::Add, a, b);
 }
 
@@ -160,9 +161,7 @@ NodeId make_subtract(ExprBuilder& builder, NodeId a, NodeId b) {
     const Node right = builder.node(b);
     if (is_constant(builder, b, 0.0)) return a;
     if (is_constant(builder, a, 0.0)) return make_negate(builder, b);
-    if (right.op == Op::Negate) return make_add(builder, a, right.a);
-    if (is_negative_constant(right))
-        return builder.apply(Op::Add, a, builder.constant(-right.hi, -right.lo));
+    if (has_sign(right)) return make_add(builder, a, make_negate(builder, b));
     return builder.apply(Op::Subtract, a, b);
 }
 
