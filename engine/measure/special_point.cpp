@@ -2,6 +2,7 @@
 
 #include "engine/kernel/point_batch.hpp"
 #include "engine/real/rounding.hpp"
+#include "engine/view/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,15 +87,6 @@ private:
     glm::dvec3 slope_{0.0};
 };
 
-/// Two directions of length 1 across `up` and each other.
-std::array<glm::dvec3, 2> across(const glm::dvec3& up) {
-    const glm::dvec3 size = glm::abs(up);
-    glm::dvec3 other(0.0);
-    other[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1.0;
-    const glm::dvec3 u = glm::normalize(glm::cross(up, other));
-    return {u, glm::normalize(glm::cross(up, u))};
-}
-
 class SpecialPointFinder {
 public:
     SpecialPointFinder(const DerivedFormula& formula, const Uniforms& uniforms,
@@ -102,8 +94,7 @@ public:
         : formula_(formula),
           uniforms_(uniforms),
           search_(search),
-          up_(glm::normalize(search.up)),
-          level_(across(up_)),
+          axes_(front_axes(search.up)),
           size_(search.clip.size()) {}
 
     std::optional<SpecialPoint> find();
@@ -121,8 +112,7 @@ private:
     const DerivedFormula& formula_;
     const Uniforms& uniforms_;
     const SpecialSearch& search_;
-    glm::dvec3 up_;
-    std::array<glm::dvec3, 2> level_;
+    glm::dmat3 axes_;  ///< two of them level, the third up
     double size_;
     double usual_slope_ = 0.0;  ///< the largest of the gradients about `from`
     std::optional<SpecialPoint> best_;
@@ -163,8 +153,8 @@ glm::dvec3 SpecialPointFinder::step(const Jet& jet, Wanted wanted) const {
         for (int axis = 0; axis < 3; ++axis)
             step.add(jet.gradient[axis], jet.second[axis]);
     } else {
-        for (const glm::dvec3& direction : level_)
-            step.add(glm::dot(jet.gradient, direction), jet.second * direction);
+        for (int axis = 0; axis < 2; ++axis)
+            step.add(glm::dot(jet.gradient, axes_[axis]), jet.second * axes_[axis]);
     }
     return step.taken();
 }
@@ -219,8 +209,9 @@ void SpecialPointFinder::take(const glm::dvec3& point, const Jet& jet, Wanted wa
 /// Where the surface is level: by the second derivatives of its height above u and v, which are
 /// those of f there, divided by -df/dup.
 std::optional<SpecialKind> SpecialPointFinder::kind_of_level(const Jet& jet) const {
-    const auto& [u, v] = level_;
-    const double rise = glm::dot(jet.gradient, up_);
+    const glm::dvec3& u = axes_[0];
+    const glm::dvec3& v = axes_[1];
+    const double rise = glm::dot(jet.gradient, axes_[2]);
     const double aslant = std::hypot(glm::dot(jet.gradient, u), glm::dot(jet.gradient, v));
     if (!(aslant <= zero_slope * std::abs(rise))) return std::nullopt;
     const double uu = -glm::dot(u, jet.second * u) / rise;
