@@ -24,7 +24,7 @@ ExportFormat row_of(const PictureFormat& format) {
             .alpha = format.alpha,
             .quality = format.lossy,
             .density = format.density,
-            .missing = format.encoder == nullptr ? "" : missing_encoder(format.encoder)};
+            .missing = missing_part(format)};
 }
 
 ExportFormat row_of(const FilmFormat& format) {

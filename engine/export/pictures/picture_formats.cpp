@@ -78,11 +78,6 @@ constexpr std::array<PictureFormat, 5> formats{{
      .make = make_exr_picture},
 }};
 
-/// Why the format cannot be written by this program, or empty.
-std::string missing_part(const PictureFormat& format) {
-    return format.encoder == nullptr ? "" : missing_encoder(format.encoder);
-}
-
 bool has_bits(const PictureFormat& format, int bits) {
     return std::ranges::find(format.bits, bits) != format.bits.end();
 }
@@ -137,6 +132,10 @@ const PictureFormat* picture_format_of(const std::filesystem::path& path) {
         return !ending.empty() && std::ranges::find(format.endings, ending) != format.endings.end();
     });
     return found == formats.end() ? nullptr : found;
+}
+
+std::string missing_part(const PictureFormat& format) {
+    return format.encoder == nullptr ? "" : missing_encoder(format.encoder);
 }
 
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options) {

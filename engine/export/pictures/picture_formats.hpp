@@ -37,6 +37,9 @@ std::span<const PictureFormat> picture_formats();
 /// The format of the path's ending, in any case; nullptr where there is none.
 const PictureFormat* picture_format_of(const std::filesystem::path& path);
 
+/// Why this program cannot write the format; empty where it can.
+std::string missing_part(const PictureFormat& format);
+
 /// Why a picture cannot be written so, with what can be done instead; nothing where it can.
 std::optional<std::string> refusal(const PictureFormat& format, const PictureOptions& options);
 
