@@ -181,16 +181,16 @@ bool Desktop::settled() const {
 std::optional<double> Desktop::due_s() const {
     if (state_.input.move || plays_film(state_.pages.exports)) return 0.0;
     std::optional<double> due = session_.due_s(now_s());
-    if (search_.runs()) due = std::min(due.value_or(ExtentSearch::poll_s), ExtentSearch::poll_s);
-    if (snap_.runs()) due = std::min(due.value_or(MarkerSnap::poll_s), MarkerSnap::poll_s);
-    if (exports_.moves()) due = std::min(due.value_or(export_shown_s), export_shown_s);
-    if (const auto change = wait_notice_.due_s(now_s()))
-        due = std::min(due.value_or(*change), *change);
-    if (const auto click = inspector_.due_s(now_s())) due = std::min(due.value_or(*click), *click);
-    if (!state_.edited.playing.empty() && !waits_for_picture()) {
-        const double next = std::max(played_s_ + frame_s - now_s(), 0.0);
-        due = std::min(due.value_or(next), next);
-    }
+    const auto due_in = [&due](std::optional<double> s) {
+        if (s) due = std::min(due.value_or(*s), *s);
+    };
+    if (search_.runs()) due_in(ExtentSearch::poll_s);
+    if (snap_.runs()) due_in(MarkerSnap::poll_s);
+    if (exports_.moves()) due_in(export_shown_s);
+    due_in(wait_notice_.due_s(now_s()));
+    due_in(inspector_.due_s(now_s()));
+    if (!state_.edited.playing.empty() && !waits_for_picture())
+        due_in(std::max(played_s_ + frame_s - now_s(), 0.0));
     return due;
 }
 

@@ -32,11 +32,7 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
     DesktopOptions taken_over = options;
     taken_over.on_desktop = true;
     taken_over.layout = before.layout;
-    if (options.is_new) {
-        taken_over.document.axes = options.document.axes || before.layout.axes;
-        taken_over.document.clip_box = options.document.clip_box || before.layout.clip_box;
-        taken_over.document.grid = options.document.grid || before.layout.grid;
-    }
+    if (options.is_new) ui::show_as_new(taken_over.document, before.layout);
     taken_over.theme = before.theme.value_or(before.last_theme);
     taken_over.follows_desktop = !before.theme;
     taken_over.tour = options.tour && !before.tour_seen;

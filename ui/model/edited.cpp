@@ -12,11 +12,15 @@ constexpr auto uses = enum_names<WheelUse>("zoom", "orbit", "pan");
 std::string_view name_of(WheelUse use) { return uses.of(use); }
 std::optional<WheelUse> wheel_use_named(std::string_view name) { return uses.named(name); }
 
+void show_as_new(Document& document, const Layout& layout) {
+    document.axes = document.axes || layout.axes;
+    document.clip_box = document.clip_box || layout.clip_box;
+    document.grid = document.grid || layout.grid;
+}
+
 Document new_document(const Layout& layout) {
     Document document = empty_document();
-    document.axes = layout.axes;
-    document.clip_box = layout.clip_box;
-    document.grid = layout.grid;
+    show_as_new(document, layout);
     return document;
 }
 

@@ -33,8 +33,9 @@ struct Layout {
     bool details_open = false;
     bool edges_open = false;  ///< of the clip box, each by itself
     bool handles = true;      ///< in the picture, while the section of the clip box is open
-    float letters = 1.0F;     ///< size of letters, and of all that is measured by them; see below
-    bool presents = false;    ///< only the picture and sliders are shown, large; not kept
+    float letters =
+        1.0F;  ///< size of letters, and of all that is measured by them; see letter_sizes
+    bool presents = false;  ///< only the picture and sliders are shown, large; not kept
     // What new documents begin with: what was shown when one of them was switched last.
     bool axes = true;
     bool clip_box = true;
@@ -59,6 +60,9 @@ inline constexpr float presented_letters = 1.5F;
 inline float shown_letters(const Layout& layout) {
     return layout.letters * (layout.presents ? presented_letters : 1.0F);
 }
+
+/// Shows what new documents begin with, besides what the document shows.
+void show_as_new(Document& document, const Layout& layout);
 
 /// An empty document as the window begins it.
 Document new_document(const Layout& layout);
