@@ -21,6 +21,8 @@ struct Action {
     bool repeats = false;                       ///< runs again while its keys are held
     bool chooses = false;   ///< one of several alternatives: choosing it replaces the others
     bool in_fields = true;  ///< its keys also act while a text field has the keyboard
+    /// A read-only session keeps it, and all those in the section of the view.
+    bool for_readers = false;
 };
 
 /// Returns all actions, section by section.
