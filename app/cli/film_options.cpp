@@ -1,5 +1,6 @@
 #include "app/cli/film_options.hpp"
 
+#include "app/cli/options/camera_options.hpp"
 #include "document/camera_text.hpp"
 #include "document/views.hpp"
 #include "engine/base/enum_names.hpp"

@@ -1,8 +1,8 @@
 #include "app/cli/options/options.hpp"
 
+#include "app/cli/options/camera_options.hpp"
 #include "app/cli/options/region_options.hpp"
 #include "app/cli/options/solid_options.hpp"
-#include "document/camera_text.hpp"
 #include "document/json/document_file.hpp"
 #include "document/json/document_json.hpp"
 #include "document/json/share_text.hpp"
@@ -28,12 +28,6 @@ std::optional<Number> number_from(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;
-}
-
-OrInputError<glm::dvec3> read_vector(const std::string& option, const std::string& text) {
-    const auto numbers = read_numbers(option, text, 3);
-    if (!numbers) return std::unexpected(numbers.error());
-    return glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
 /// Reads L or x0,x1,y0,y1,z0,z1.
@@ -65,60 +59,6 @@ OrInputError<Box> read_box(const std::string& text) {
                            "its edge must be at least 1e-15 of it");
     }
     return box;
-}
-
-OrInputError<Projection> read_projection(const std::string& text) {
-    if (const auto projection = projection_named(text)) return *projection;
-    return wrong_input("--projection " + text + ": type perspective or orthographic");
-}
-
-/// The camera that the options for parts of it change; nothing: the document's stays as it is.
-OrInputError<std::optional<Camera>> first_camera(const ViewText& view, const Document& document) {
-    const Camera camera = document.camera.value_or(default_camera(document.clip));
-    if (view.saved_view) return saved_camera("--view", *view.saved_view, document);
-    if (view.camera) return read_camera("--camera", *view.camera, camera);
-    if (!view.eye && !view.look_at && !view.up && !view.fov && !view.projection)
-        return std::nullopt;
-    return camera;
-}
-
-/// Changes the document's camera by the view options for it.
-std::optional<InputError> take_camera(const ViewText& view, Document& document) {
-    const auto first = first_camera(view, document);
-    if (!first) return first.error();
-    if (!*first) return std::nullopt;
-    Camera camera = **first;
-    const auto take = [](const std::optional<std::string>& text, const char* option,
-                         glm::dvec3& value) -> std::optional<InputError> {
-        if (!text) return std::nullopt;
-        const auto vector = read_vector(option, *text);
-        if (!vector) return vector.error();
-        value = *vector;
-        return std::nullopt;
-    };
-    if (auto error = take(view.eye, "--eye", camera.eye)) return error;
-    if (auto error = take(view.look_at, "--look-at", camera.look_at)) {
-        return error;
-    }
-    if (auto error = take(view.up, "--up", camera.up)) return error;
-    if (view.up) document.up = camera.up;
-    if (view.fov) {
-        const auto degrees = read_number("--fov", *view.fov);
-        if (!degrees) return degrees.error();
-        if (!(*degrees >= least_fov_deg && *degrees <= most_fov_deg)) {
-            return InputError{.reason = "--fov " + *view.fov +
-                                        ": type an angle from 0.01 to 170 degrees"};
-        }
-        camera.fov_rad = glm::radians(*degrees);
-    }
-    if (view.projection) {
-        const auto projection = read_projection(*view.projection);
-        if (!projection) return projection.error();
-        camera.projection = *projection;
-    }
-    if (const char* defect = camera_defect(camera)) return InputError{.reason = defect};
-    document.camera = camera;
-    return std::nullopt;
 }
 
 /// Reads the document without applying the view options.
@@ -314,22 +254,6 @@ OrInputError<InputDocument> read_document(const std::string& equation, const Vie
     if (auto error = take_parameters(view, *input)) return std::unexpected(*error);
     if (auto error = take_appearance(view, *input)) return std::unexpected(*error);
     return input;
-}
-
-OrInputError<Camera> read_camera(const std::string& option, const std::string& text,
-                                 const Camera& base) {
-    auto camera = read_camera_text(text, base);
-    if (!camera) return wrong_input(option + " " + text + ": " + camera.error());
-    return *camera;
-}
-
-OrInputError<Camera> saved_camera(const std::string& option, const std::string& name,
-                                  const Document& document) {
-    const std::string wanted(trimmed(name));
-    if (const SavedView* const view = find_view(document.views, wanted)) return view->camera;
-    return wrong_input(option + " " + wanted + ": there is no such view; " +
-                       (document.views.empty() ? "the document has no saved ones"
-                                               : "there are: " + view_names(document.views)));
 }
 
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts) {

@@ -63,14 +63,6 @@ struct Size {
 /// them.
 OrInputError<InputDocument> read_document(const std::string& equation, const ViewText& view);
 
-/// Reads the text of camera_text; what it leaves out is as in `base`. `option` names it in errors.
-OrInputError<Camera> read_camera(const std::string& option, const std::string& text,
-                                 const Camera& base);
-
-/// The camera of the view with this name, or which views there are.
-OrInputError<Camera> saved_camera(const std::string& option, const std::string& name,
-                                  const Document& document);
-
 /// Reads the values of --set NAME=VALUE.
 OrInputError<ParameterValues> read_parameters(const std::vector<std::string>& texts);
 
