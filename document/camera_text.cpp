@@ -33,13 +33,9 @@ std::string digits_of(const glm::dvec3& point) {
     return digits_of(point.x) + "," + digits_of(point.y) + "," + digits_of(point.z);
 }
 
-std::optional<double> number_of(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return std::nullopt;
-    return number;
+std::optional<double> finite_number(std::string_view text) {
+    const auto number = number_from<double>(text);
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 /// Reads X,Y,Z, or says what is wrong.
@@ -51,7 +47,7 @@ std::expected<glm::dvec3, std::string> point_of(std::string_view text) {
     glm::dvec3 point(0.0);
     for (int i = 0; i < 3; ++i) {
         const std::string_view part = parts[static_cast<std::size_t>(i)];
-        const auto number = number_of(part);
+        const auto number = finite_number(part);
         if (!number) return std::unexpected("'" + std::string(part) + "' is not a finite number");
         if (std::abs(*number) > farthest) return std::unexpected("stay between -1e30 and 1e30");
         point[i] = *number;
@@ -78,7 +74,7 @@ std::optional<std::string> Reading::take(std::string_view word, std::string_view
         has_eye = has_eye || name == "eye";
         return std::nullopt;
     }
-    const auto number = number_of(value);
+    const auto number = finite_number(value);
     if (word == "fov") {
         if (!number || !(*number >= least_fov_deg && *number <= most_fov_deg))
             return "type an angle from 0.01 to 170 degrees";

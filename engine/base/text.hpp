@@ -1,9 +1,12 @@
 #pragma once
 
+#include <charconv>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace zeroset {
@@ -28,6 +31,16 @@ std::string_view trimmed(std::string_view text);
 
 /// The parts of `text` between separators, trimmed; one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The number that is all of `text`, with a + or - before it or without; nothing where it is none.
+template <class Number>
+std::optional<Number> number_from(std::string_view text) {
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
 
 /// `text` with small letters in place of the capitals of ASCII.
 std::string lower_case(std::string_view text);

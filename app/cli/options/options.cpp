@@ -13,22 +13,12 @@
 #include "pipeline/input_error.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iostream>
 #include <iterator>
 
 namespace zeroset {
 namespace {
-
-template <class Number>
-std::optional<Number> number_from(std::string_view text) {
-    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
 
 /// Reads L or x0,x1,y0,y1,z0,z1.
 OrInputError<Box> read_box(const std::string& text) {
