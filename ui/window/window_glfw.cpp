@@ -1,4 +1,5 @@
 #include "ui/model/theme.hpp"
+#include "ui/window/full_screen.hpp"
 #include "ui/window/gl.hpp"
 #include "ui/window/gui_context.hpp"
 #include "ui/window/input_queue.hpp"
@@ -21,7 +22,6 @@
 #include <expected>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -103,11 +103,6 @@ WindowHandle open_window(const WindowOptions& options) {
     return WindowHandle(glfwCreateWindow(width, height, options.title.c_str(), nullptr, nullptr));
 }
 
-/// A window's place on the desktop, in its coordinates.
-struct WindowPlace {
-    int left = 0, top = 0, width = 0, height = 0;
-};
-
 class GlfwWindow final : public Window {
 public:
     GlfwWindow(std::unique_ptr<GlfwLibrary> library, WindowHandle handle,
@@ -151,14 +146,11 @@ private:
     void place_mouse() const;
     void limit_size();
     [[nodiscard]] float content_scale() const;
-    /// The screen that shows most of the window; nullptr if there is none.
-    [[nodiscard]] GLFWmonitor* screen() const;
 
     std::unique_ptr<GlfwLibrary> library_;
     WindowHandle handle_;
-    WindowSize restored_;   ///< the last size that was not maximized, nor the full screen's
-    WindowPlace bordered_;  ///< where the window goes when it leaves the full screen
-    bool full_screen_ = false;
+    WindowSize restored_;  ///< the last size that was not maximized, nor the full screen's
+    FullScreen full_screen_;
     float letters_ = 1.0F;
     std::unique_ptr<GuiContext> gui_;
     InputQueue queue_;
@@ -320,7 +312,7 @@ float GlfwWindow::content_scale() const {
 
 WindowSize GlfwWindow::size() const {
     WindowSize size = restored_;
-    if (full_screen_) return size;
+    if (full_screen_.is_on()) return size;
     size.maximized = glfwGetWindowAttrib(handle_.get(), GLFW_MAXIMIZED) == GLFW_TRUE;
     if (size.maximized) return size;
     glfwGetWindowSize(handle_.get(), &size.width, &size.height);
@@ -330,51 +322,18 @@ WindowSize GlfwWindow::size() const {
     return {.width = at_scale_1(size.width), .height = at_scale_1(size.height), .maximized = false};
 }
 
-GLFWmonitor* GlfwWindow::screen() const {
-    WindowPlace window;
-    glfwGetWindowPos(handle_.get(), &window.left, &window.top);
-    glfwGetWindowSize(handle_.get(), &window.width, &window.height);
-    int count = 0;
-    GLFWmonitor** const all = glfwGetMonitors(&count);
-    GLFWmonitor* best = glfwGetPrimaryMonitor();
-    int most = 0;
-    for (GLFWmonitor* const one : std::span(all, static_cast<std::size_t>(count))) {
-        const GLFWvidmode* const mode = glfwGetVideoMode(one);
-        if (mode == nullptr) continue;
-        int left = 0;
-        int top = 0;
-        glfwGetMonitorPos(one, &left, &top);
-        const int wide =
-            std::min(window.left + window.width, left + mode->width) - std::max(window.left, left);
-        const int high =
-            std::min(window.top + window.height, top + mode->height) - std::max(window.top, top);
-        const int area = std::max(wide, 0) * std::max(high, 0);
-        if (area > most) best = one;
-        most = std::max(most, area);
-    }
-    return best;
-}
-
 bool GlfwWindow::set_full_screen(bool on) {
-    if (on == full_screen_) return full_screen_;
+    if (on == full_screen_.is_on()) return on;
     GLFWwindow* const handle = handle_.get();
     changed_ = true;
-    if (!on) {
-        full_screen_ = false;
-        glfwSetWindowMonitor(handle, nullptr, bordered_.left, bordered_.top, bordered_.width,
-                             bordered_.height, GLFW_DONT_CARE);
+    if (on) {
+        restored_ = size();
+        full_screen_.enter(handle);
+    } else {
+        full_screen_.leave(handle);
         if (restored_.maximized) glfwMaximizeWindow(handle);
-        return false;
     }
-    GLFWmonitor* const monitor = screen();
-    const GLFWvidmode* const mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
-    if (mode == nullptr) return false;
-    restored_ = size();
-    glfwGetWindowPos(handle, &bordered_.left, &bordered_.top);
-    glfwGetWindowSize(handle, &bordered_.width, &bordered_.height);
-    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-    full_screen_ = true;
-    return true;
+    return full_screen_.is_on();
 }
 
 void GlfwWindow::begin_frame(Theme theme) {
