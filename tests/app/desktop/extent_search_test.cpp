@@ -1,14 +1,12 @@
 #include "app/desktop/extent_search.hpp"
 
-#include "pipeline/prepare.hpp"
+#include "tests/support/picture_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <optional>
-#include <string_view>
 #include <thread>
-#include <utility>
 
 // The search for how far surfaces reach, as the window follows it.
 
@@ -16,13 +14,6 @@ namespace zeroset::test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
-
-PictureRequest picture_of(std::string_view text) {
-    ReadDocument read = read_document_text(text);
-    const auto prepared =
-        prepare(read.document, std::move(*read.rows), Preparation::Interpreted).value();
-    return picture_request(prepared.formula, prepared.colors, read.document, {}, {8, 8});
-}
 
 bool comes_to_an_end(const ExtentSearch& search) {
     const auto end = std::chrono::steady_clock::now() + patience;

@@ -2,28 +2,19 @@
 
 #include "app/desktop/marker_snap.hpp"
 
-#include "pipeline/prepare.hpp"
+#include "tests/support/picture_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <thread>
-#include <utility>
 
 namespace zeroset::test {
 namespace {
 
 constexpr auto patience = std::chrono::seconds(60);
-
-PictureRequest picture_of(std::string_view text) {
-    ReadDocument read = read_document_text(text);
-    const auto prepared =
-        prepare(read.document, std::move(*read.rows), Preparation::Interpreted).value();
-    return picture_request(prepared.formula, prepared.colors, read.document, {}, {8, 8});
-}
 
 class MarkerSnaps : public testing::Test {
 protected:

@@ -165,12 +165,17 @@ TEST_F(Thumbnails, AreNotThoseOfBeforeWhatIsDrawnChanged) {
     EXPECT_EQ(watched.wait_for(1).front().image.pixels.front(), 2U);
 }
 
-TEST_F(Thumbnails, OfLooksDifferFromEachOther) {
+/// The request of a large picture of the gallery's torus.
+PictureRequest torus_request() {
     const ReadDocument read = read_document(gallery()[item_named("torus")]);
     const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
-    ASSERT_TRUE(prepared);
-    const PictureRequest request = picture_request(prepared->formula, prepared->colors,
-                                                   read.document, thumbnail_settings(), {800, 600});
+    EXPECT_TRUE(prepared);
+    return picture_request(prepared.value().formula, prepared->colors, read.document,
+                           thumbnail_settings(), {800, 600});
+}
+
+TEST_F(Thumbnails, OfLooksDifferFromEachOther) {
+    const PictureRequest request = torus_request();
     std::set<std::vector<std::uint32_t>> pictures;
     for (std::size_t look = 0; look < looks().size(); ++look) {
         const auto image = thumbnail_of(look_picture(request, look, {24, 18}), false);
@@ -182,11 +187,7 @@ TEST_F(Thumbnails, OfLooksDifferFromEachOther) {
 }
 
 TEST_F(Thumbnails, OfViewsAreAsTheirCamerasSeeIt) {
-    const ReadDocument read = read_document(gallery()[item_named("torus")]);
-    const auto prepared = prepare(read.document, read.rows.value(), Preparation::Quickest);
-    ASSERT_TRUE(prepared);
-    const PictureRequest request = picture_request(prepared->formula, prepared->colors,
-                                                   read.document, thumbnail_settings(), {800, 600});
+    const PictureRequest request = torus_request();
     const Camera away{{0, -50, 0}, {0, -60, 0}, {0, 0, 1}, 0.7};
     // Near enough to need code in double.
     const Camera near{{3 + 1e-7, 0, 0}, {3, 0, 0}, {0, 0, 1}, 0.7};
