@@ -80,10 +80,10 @@ struct Marker {
 };
 
 inline constexpr std::size_t most_markers = 1000;
-/// Of names of axes and labels of markers, in bytes.
+/// The longest label of a marker or name of an axis, bytes.
 inline constexpr std::size_t longest_label = 80;
 
-/// What a marker is called: its label or else its number.
+/// The label of a marker, or else its number.
 std::string name_of(const Marker& marker);
 
 /// Adds a marker at the point with the next number and returns that number; 0, and no marker, where

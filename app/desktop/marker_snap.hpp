@@ -29,8 +29,8 @@ private:
     glm::dvec3 up_{0.0, 0.0, 1.0};
 };
 
-/// What is said of a marker that was moved, or not: "3 is at a singular point now (numerical:
-/// ...)".
+/// The line that tells where a search has moved a marker, or that nothing was found: "3 is now at a
+/// singular point (numerical: ...)".
 std::string snap_text(const Marker& marker, const glm::dvec3& up,
                       const std::optional<SpecialPoint>& found);
 

@@ -80,7 +80,7 @@ private:
     Number number(SyntaxId id, const Binding* scope);
     Built literal(const Syntax& syntax);
     Built name(const Syntax& syntax, const Binding* scope);
-    /// What Zeroset means by a name that is said in the text.
+    /// The built-in value that the text names; remembers which name of w it uses.
     Built said(const Syntax& syntax);
     Built built_in(std::string_view name);
     Built parameter(const std::string& name, std::size_t offset);

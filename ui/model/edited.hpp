@@ -36,7 +36,7 @@ struct Layout {
     float letters =
         1.0F;  ///< size of letters, and of all that is measured by them; see letter_sizes
     bool presents = false;  ///< only the picture and sliders are shown, large; not kept
-    // What new documents begin with: what was shown when one of them was switched last.
+    // New documents begin with these, which are as they were when one of them was switched last.
     bool axes = true;
     bool clip_box = true;
     bool grid = true;

@@ -86,7 +86,7 @@ void draw_picture(UiState& state, const SavedView& view, ViewPictureWish& wish) 
                                             std::max(em(0.12F), 1.0F));
 }
 
-/// What is asked for by the icons of a card.
+/// What the icons on the card of a saved view do.
 enum class CardWish : std::uint8_t { Nothing, MoveUp, Remove };
 
 CardWish draw_card(UiState& state, std::size_t index, ViewPictureWish& wish) {

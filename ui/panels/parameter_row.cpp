@@ -102,7 +102,7 @@ void draw_name(const std::string& name, const std::string& called, const Palette
     draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
 }
 
-/// What a row of a slider has beside play button, name and slider.
+/// Whether the row of a slider has a button for its settings behind it.
 enum class RowParts : std::uint8_t { All, NoSettings };
 
 void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& name,

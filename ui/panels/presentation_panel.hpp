@@ -4,8 +4,8 @@
 
 namespace zeroset::ui {
 
-/// What lies over the picture in a presentation: the sliders that the document chose for it, and
-/// unless the session is read-only a faint button that leaves it.
+/// Draws over the picture of a presentation the sliders that the document chose for it, and unless
+/// the session is read-only a faint button that leaves it.
 void draw_presentation(UiState& state);
 
 }  // namespace zeroset::ui

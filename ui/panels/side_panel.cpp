@@ -180,7 +180,7 @@ void draw_below(UiState& state) {
         draw_section_title(section.title, state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
-        // What is to be typed into must be in sight.
+        // The field into which a point is to be typed must be in sight.
         if (section.open == &Layout::markers_open && state.wishes.point_field)
             ImGui::SetScrollHereY(0.0F);
         ImGui::BeginChild(section.id, ImVec2(0.0F, section.height(state)), false, part_flags);
