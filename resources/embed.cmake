@@ -1,6 +1,7 @@
-# Writes OUTPUT, a C++ source that holds the text of each of FILES as a string literal.
-set(source "#include \"pipeline/gallery_files.hpp\"\n\nnamespace zeroset {\n\n")
-string(APPEND source "std::span<const std::string_view> gallery_files() {\n")
+# Writes OUTPUT, a C++ source with a function FUNCTION, declared by HEADER, that returns the bytes of
+# each of FILES as a string literal.
+set(source "#include \"${HEADER}\"\n\nnamespace zeroset {\n\n")
+string(APPEND source "std::span<const std::string_view> ${FUNCTION}() {\n")
 string(APPEND source "    static constexpr std::string_view files[] = {\n")
 foreach(file IN LISTS FILES)
   file(READ ${file} hex HEX)

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "engine/base/language.hpp"
+
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace zeroset {
+
+/// The texts of the program in the user's language, from the catalogs in resources/languages, which
+/// the program holds. The English text is the key; where there is no other it is the result.
+///
+/// Any thread may ask. The language of a command line is English: only the window sets another.
+/// scripts/messages.sh finds the texts by the names of these functions.
+
+/// Takes this language, and `decimal_mark` in fields for numbers, from now on.
+void set_language(Language language, char decimal_mark = '.');
+Language language();
+char decimal_mark();
+
+/// The text in the user's language. The result lives as long as the program.
+const char* tr(const char* english);
+/// The same for a short text that other languages say differently from place to place, which
+/// `context` tells apart for translators.
+const char* tr_in(const char* context, const char* english);
+/// The text for this number of things, with "{0}" for the number: tr_count("{0} row", "{0} rows",
+/// 2).
+std::string tr_count(const char* one, const char* many, std::size_t number);
+
+/// Marks a text of a table for translators: tr() of it comes where it is shown.
+constexpr const char* marked(const char* english) { return english; }
+
+/// The pattern with the values in the places of {0}, {1} and so on; translations may order them
+/// otherwise. Other braces stay.
+std::string filled(std::string_view pattern, std::initializer_list<std::string_view> values);
+
+/// The number, written with '.', as the user's language writes it in fields.
+std::string localized(std::string number);
+
+/// The catalogs in the format of GNU gettext (.mo), in the order of the languages after English.
+std::span<const std::string_view> message_catalogs();
+
+}  // namespace zeroset

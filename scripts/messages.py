@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Brings the catalogs in resources/languages up to date with the texts of the sources.
+
+Usage: messages.py [--check]. Texts are what tr, tr_in, tr_count and marked are called with, and the
+members of the tables in TABLES. With --check nothing is written: prints, for each catalog, the texts
+that are not translated and those that no source has, and exits 1 if there are any.
+
+A new text comes without a translation, one that has changed a little as "fuzzy", with a guess: fill
+in or correct it, and take the word fuzzy away. Needs gettext.
+"""
+
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+FOLDER = ROOT / "resources/languages"
+SOURCES = ["engine", "document", "pipeline", "ui", "app"]
+# Tables whose members are texts: file, members.
+TABLES = {
+    "ui/actions/actions.cpp": ["section", "name", "about"],
+    "ui/actions/other_words.cpp": ["words"],
+}
+LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
+KEYWORDS = ["tr:1", "tr_in:1c,2", "tr_count:1,2", "marked:1"]
+
+
+def source(path):
+    """Returns the file's text, with the texts of its tables marked."""
+    text = path.read_text()
+    members = TABLES.get(str(path.relative_to(ROOT)))
+    if members:
+        pattern = rf"(\.(?:{'|'.join(members)}) = )({LITERALS})"
+        text = re.sub(pattern, r"\1marked(\2)", text, flags=re.DOTALL)
+    return text
+
+
+def template(folder):
+    """Writes all texts to a .pot file in `folder`; returns its path."""
+    names = []
+    for top in SOURCES:
+        for path in sorted((ROOT / top).rglob("*.[ch]pp")):
+            name = path.relative_to(ROOT)
+            copy = folder / name
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_text(source(path))
+            names.append(str(name))
+    pot = folder / "zeroset.pot"
+    command = ["xgettext", "--language=C++", "--from-code=UTF-8", "--no-wrap", "--no-location",
+               "--sort-output", "--add-comments=Translators:", "--package-name=zeroset",
+               "--keyword", *(f"--keyword={keyword}" for keyword in KEYWORDS), "-o", str(pot)]
+    subprocess.run(command + names, cwd=folder, check=True)
+    return pot
+
+
+def entries(po, *options):
+    """Returns the messages of a catalog that msgattrib chooses, as its blocks of lines."""
+    found = subprocess.run(["msgattrib", "--no-wrap", *options, str(po)], check=True,
+                           capture_output=True, text=True).stdout
+    return [block for block in found.strip().split("\n\n") if block and 'msgid ""\nmsgstr' not in block]
+
+
+def update(pot):
+    for po in sorted(FOLDER.glob("*.po")):
+        subprocess.run(["msgmerge", "--quiet", "--update", "--backup=none", "--no-wrap",
+                        "--no-location", "--sort-output", str(po), str(pot)], check=True)
+        subprocess.run(["msgattrib", "--no-obsolete", "--no-wrap", "--sort-output", "-o", str(po),
+                        str(po)], check=True)
+        open_ones = entries(po, "--untranslated") + entries(po, "--only-fuzzy")
+        print(f"{po.name}: {len(open_ones)} texts to translate")
+
+
+def check(pot, folder):
+    bad = 0
+    for po in sorted(FOLDER.glob("*.po")):
+        merged = folder / po.name
+        subprocess.run(["msgmerge", "--quiet", "--no-fuzzy-matching", "--no-wrap", "-o", str(merged),
+                        str(po), str(pot)], check=True)
+        for block in entries(merged, "--untranslated") + entries(merged, "--only-fuzzy"):
+            print(f"{po.name}: to translate:\n{block}")
+            bad += 1
+        for block in entries(merged, "--only-obsolete"):
+            print(f"{po.name}: in no source:\n{block}")
+            bad += 1
+    return bad
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        pot = template(folder)
+        if sys.argv[1:] == ["--check"]:
+            sys.exit(1 if check(pot, folder) else 0)
+        if sys.argv[1:]:
+            sys.exit(__doc__)
+        update(pot)
+
+
+main()
