@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Brings the catalogs in resources/languages up to date with the texts of the sources.
 
-Usage: messages.py [--check]. Texts are what tr, tr_in, tr_count and marked are called with, and the
+Usage: messages.py [--check]. Texts are what the functions in KEYWORDS are called with, and the
 members of the tables in TABLES. With --check nothing is written: prints, for each catalog, the texts
 that are not translated and those that no source has, and exits 1 if there are any.
 
@@ -22,9 +22,17 @@ SOURCES = ["engine", "document", "pipeline", "ui", "app"]
 TABLES = {
     "ui/actions/actions.cpp": ["section", "name", "about"],
     "ui/actions/other_words.cpp": ["words"],
+    "ui/exports/drawing_part.cpp": ["name", "about", "usual_width"],
+    "ui/exports/export_page.cpp": ["name"],
+    "ui/exports/mesh_part.cpp": ["name", "about"],
+    "ui/pages/help_panel.cpp": ["title", "typed", "meaning"],
+    "ui/pages/tour.cpp": ["title"],
+    "ui/panels/side_panel.cpp": ["title"],
+    "ui/picture/view_notice.cpp": ["title"],
 }
 LITERALS = r'"(?:[^"\\]|\\.)*"(?:\s*"(?:[^"\\]|\\.)*")*'
-KEYWORDS = ["tr:1", "tr_in:1c,2", "tr_count:1,2", "marked:1"]
+KEYWORDS = ["tr:1", "tr_in:1c,2", "tr_count:1,2", "marked:1", "marked_in:1c,2", "choice:1",
+            "language_choice:1"]
 
 
 def source(path):

@@ -105,6 +105,7 @@ struct UiShotCommand {
     std::string size = "1280x800";
     std::string scale = "1";
     std::string theme = "dark";
+    std::string language = "en";
     std::string output;
     std::optional<std::string> pointer;
     bool mark_undecided = false;

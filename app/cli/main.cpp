@@ -35,6 +35,8 @@ CLI::App* add_ui_shot(CLI::App& app, UiShotCommand& shot) {
               "WIDTHxHEIGHT of the window at scale 1 (default 1280x800)");
     add_value(*shot_app, "--scale", shot.scale, "pixels per unit of the size, 1 to 4 (default 1)");
     add_value(*shot_app, "--theme", shot.theme, "dark (default) or light");
+    add_value(*shot_app, "--language", shot.language,
+              "of the window's texts: en (default), de, fr or es");
     add_value(*shot_app, "--pointer", shot.pointer,
               "where the pointer rests: X,Y from the left and the top, at scale 1");
     add_repeated(*shot_app, "--do", shot.actions,

@@ -3,6 +3,7 @@
 #include "app/cli/report.hpp"
 #include "app/cli/window_command.hpp"
 #include "app/desktop/desktop.hpp"
+#include "engine/base/language.hpp"
 #include "engine/export/file.hpp"
 #include "engine/export/png.hpp"
 #include "engine/image/framebuffer.hpp"
@@ -38,6 +39,11 @@ struct UiShotPlan {
 OrInputError<ui::Theme> read_theme(const std::string& text) {
     if (const auto theme = ui::theme_named(text)) return *theme;
     return wrong_input("--theme " + text + ": type dark or light");
+}
+
+OrInputError<Language> read_language(const std::string& text) {
+    if (const auto language = language_named(text)) return *language;
+    return wrong_input("--language " + text + ": type en, de, fr or es");
 }
 
 OrInputError<ui::OffscreenOptions> read_window(const UiShotCommand& command) {
@@ -93,12 +99,15 @@ OrInputError<UiShotPlan> plan_of(const UiShotCommand& command) {
     if (!window) return std::unexpected(window.error());
     const auto theme = read_theme(command.theme);
     if (!theme) return std::unexpected(theme.error());
+    const auto language = read_language(command.language);
+    if (!language) return std::unexpected(language.error());
     auto desktop = read_desktop_options(command.equation, command.view, command.trace);
     if (!desktop) return std::unexpected(desktop.error());
     auto actions = read_actions(command.actions);
     if (!actions) return std::unexpected(actions.error());
     desktop->actions = std::move(*actions);
     desktop->theme = *theme;
+    desktop->layout.language = *language;
     desktop->takes_keyboard = false;  // no selected text and no text cursor
     desktop->keeps_files = false;
     desktop->note.clear();

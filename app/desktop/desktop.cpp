@@ -4,7 +4,9 @@
 #include "document/play.hpp"
 #include "engine/annotate/contour_labels.hpp"
 #include "engine/annotate/legend.hpp"
+#include "engine/base/language.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/language/help.hpp"
 #include "engine/render/render_request.hpp"
 #include "pipeline/formula.hpp"
@@ -54,7 +56,14 @@ std::string note_of(CodeState code) {
     return {};
 }
 
+/// Sets the language of all texts, where it is not set yet.
+void take_language(const ui::Layout& layout, Language of_desktop) {
+    const Language wanted = layout.language.value_or(of_desktop);
+    if (wanted != language()) set_language(wanted, decimal_mark_of(wanted, locale_variables()));
+}
+
 ui::UiState first_state(const DesktopOptions& options) {
+    take_language(options.layout, options.desktop_language);
     ui::UiState state;
     state.edited.document = options.document;
     state.edited.theme = options.theme;
@@ -95,6 +104,7 @@ Desktop::Desktop(ui::Window& window, const DesktopOptions& options)
                         .note = options.note,
                         .keeps_files = options.keeps_files,
                         .read_only = options.read_only}),
+      desktop_language_(options.desktop_language),
       settings_(options.settings),
       fits_box_(options.fits_box),
       latency_(options.latency_log.empty() ? nullptr
@@ -132,6 +142,7 @@ void Desktop::draw_frame() {
     if (latency_ != nullptr && events.input) latency_->input(*events.input);
     if (events.close) session_.close();
     session_.open(events.dropped);
+    take_language(state_.edited.layout, desktop_language_);
     const std::uint64_t before = feed_.newest();
     take_formula();
     feed_.take_double();

@@ -14,6 +14,7 @@
 #include "app/gallery/look_cards.hpp"
 #include "app/gallery/view_cards.hpp"
 #include "document/document.hpp"
+#include "engine/base/language.hpp"
 #include "engine/measure/extent.hpp"
 #include "engine/render/render_request.hpp"
 #include "engine/scene/settings.hpp"
@@ -48,7 +49,8 @@ struct DesktopOptions {
     bool tour_seen = true;         ///< the tour was ended in another window
     bool on_desktop = false;       ///< the window is on a desktop, which may have a portal
     ui::Layout layout;
-    std::vector<const ui::Action*> actions;  ///< run before the first frame
+    Language desktop_language = Language::English;  ///< where the layout has none
+    std::vector<const ui::Action*> actions;         ///< run before the first frame
     bool takes_keyboard = true;  ///< the first row has the keyboard, with its text selected
     bool keeps_files = true;     ///< see SessionOptions
     bool is_new = false;         ///< the document begins as new ones do, see ui::new_document
@@ -119,6 +121,7 @@ private:
     TextureLook uploaded_;
     ui::UiState state_;
     Session session_;
+    Language desktop_language_;
     TraceSettings settings_;
 
     PointInspector inspector_;

@@ -1,5 +1,6 @@
 #include "app/desktop/picture_feed.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/model/steering.hpp"
 
 #include <utility>
@@ -28,15 +29,18 @@ PictureFeed::PictureFeed(std::function<void()> on_formula, std::function<void()>
 void PictureFeed::read(const Document& document) {
     Sheet sheet = sheet_of(document);
     const ColorChoice choice = choice_of(document);
-    if (sheet == given_.rows && choice == given_.choice) return;
-    given_ = {.rows = sheet, .choice = choice};
+    // What is told of the rows is told again in another language.
+    const bool told_otherwise = given_.language != language();
+    if (sheet == given_.rows && choice == given_.choice && !told_otherwise) return;
+    if (told_otherwise) answered_ = {};
+    given_ = {.rows = sheet, .choice = choice, .language = language()};
     formulas_.submit(std::move(sheet), document.clip, choice);
 }
 
 std::optional<FormulaResult> PictureFeed::take_reading() {
     std::optional<FormulaResult> result = formulas_.take();
     if (!result) return std::nullopt;
-    answered_ = {.rows = result->sheet, .choice = result->choice};
+    answered_ = {.rows = result->sheet, .choice = result->choice, .language = given_.language};
     if (result->formula) adopt(*result);
     return result;
 }

@@ -2,6 +2,7 @@
 
 #include "app/desktop/wait_notice.hpp"
 #include "document/document.hpp"
+#include "engine/base/language.hpp"
 #include "document/sheet.hpp"
 #include "engine/render/render_job.hpp"
 #include "engine/scene/settings.hpp"
@@ -76,6 +77,7 @@ private:
     struct Text {
         std::optional<Sheet> rows;
         ColorChoice choice;
+        Language language = Language::English;  ///< of what is told of them
     };
     /// The picture on the screen.
     struct OnScreen {

@@ -50,6 +50,11 @@ ui::WheelUse wheel_in(const json& file, const char* name, ui::WheelUse usual) {
     return use.value_or(usual);
 }
 
+std::optional<Language> language_in(const json& file, const char* name) {
+    const json value = file.value(name, json());
+    return value.is_string() ? language_named(value.get<std::string>()) : std::nullopt;
+}
+
 bool flag_in(const json& file, const char* name, bool usual) {
     const json value = file.value(name, json());
     return value.is_boolean() ? value.get<bool>() : usual;
@@ -83,6 +88,7 @@ Preferences load_preferences(const fs::path& folder) {
     for (const auto& [name, flag] : switches)
         layout.*flag = flag_in(file, name, layout.*flag);
     layout.wheel = wheel_in(file, "wheel", layout.wheel);
+    layout.language = language_in(file, "language");
     result.theme = theme_in(file, "theme");
     result.last_theme = theme_in(file, "last_theme").value_or(result.last_theme);
     ui::WindowSize& window = result.window;
@@ -107,7 +113,9 @@ void save_preferences(const fs::path& folder, const Preferences& preferences) {
         {"tour_seen", preferences.tour_seen},
         {"panel_em", preferences.layout.panel_em},
         {"letters", preferences.layout.letters},
-        {"wheel", name_of(preferences.layout.wheel)}};
+        {"wheel", name_of(preferences.layout.wheel)},
+        {"language",
+         preferences.layout.language ? name_of(*preferences.layout.language) : "desktop"}};
     for (const auto& [name, flag] : switches)
         file[name] = preferences.layout.*flag;
     std::error_code ignored;

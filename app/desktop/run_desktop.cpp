@@ -2,6 +2,7 @@
 #include "app/desktop/preferences.hpp"
 #include "app/platform/folders.hpp"
 #include "app/platform/process.hpp"
+#include "engine/base/language.hpp"
 #include "ui/window/window.hpp"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ std::expected<void, std::string> run_desktop(const DesktopOptions& options) {
     DesktopOptions taken_over = options;
     taken_over.on_desktop = true;
     taken_over.layout = before.layout;
+    taken_over.desktop_language = desktop_language(locale_variables());
     if (options.is_new) ui::show_as_new(taken_over.document, before.layout);
     taken_over.theme = before.theme.value_or(before.last_theme);
     taken_over.follows_desktop = !before.theme;

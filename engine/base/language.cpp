@@ -31,7 +31,7 @@ std::optional<Language> language_of(std::string_view locale) {
 }
 
 bool is_plain(std::string_view locale) {
-    return locale.empty() || locale == "C" || locale == "POSIX" || locale.starts_with("C.");
+    return locale.empty() || locale == "C" || locale == "POSIX";
 }
 
 /// The mark of the system's locale, if the system has that.

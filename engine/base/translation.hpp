@@ -29,8 +29,9 @@ const char* tr_in(const char* context, const char* english);
 /// 2).
 std::string tr_count(const char* one, const char* many, std::size_t number);
 
-/// Marks a text of a table for translators: tr() of it comes where it is shown.
+/// Marks a text of a table for translators: tr() or tr_in() of it comes where it is shown.
 constexpr const char* marked(const char* english) { return english; }
+constexpr const char* marked_in(const char* /*context*/, const char* english) { return english; }
 
 /// The pattern with the values in the places of {0}, {1} and so on; translations may order them
 /// otherwise. Other braces stay.

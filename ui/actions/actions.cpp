@@ -1,8 +1,10 @@
 #include "ui/actions/actions.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/marker_moves.hpp"
 #include "ui/actions/presentation.hpp"
 #include "ui/actions/view_moves.hpp"
+#include "ui/widgets/chord.hpp"
 
 #include <algorithm>
 #include <array>
@@ -99,6 +101,16 @@ void take_wheel(UiState& state) {
     state.edited.layout.wheel = use;
 }
 
+template <Language language>
+void take_language(UiState& state) {
+    state.edited.layout.language = language;
+}
+
+template <Language language>
+bool has_language(const UiState& state) {
+    return state.edited.layout.language == language;
+}
+
 template <WheelUse use>
 bool has_wheel(const UiState& state) {
     return state.edited.layout.wheel == use;
@@ -184,14 +196,24 @@ bool has_exports(const UiState& state) {
     return state.pages.exports.open && state.pages.exports.wish.kind == kind;
 }
 
-constexpr const char* picture = "Picture";
-constexpr const char* view = "View";
-constexpr const char* document = "Document";
-constexpr const char* window = "Window";
+constexpr const char* picture = marked("Picture");
+constexpr const char* view = marked("View");
+constexpr const char* document = marked("Document");
+constexpr const char* window = marked("Window");
 
 /// An action that takes one of several things of which one is always taken.
 constexpr Action choice(const char* name, void (*run)(UiState&), bool (*is_on)(const UiState&)) {
     return {.section = picture, .name = name, .run = run, .is_on = is_on, .chooses = true};
+}
+
+constexpr Action language_choice(const char* name, void (*run)(UiState&),
+                                 bool (*is_on)(const UiState&)) {
+    return {.section = window,
+            .name = name,
+            .run = run,
+            .is_on = is_on,
+            .chooses = true,
+            .for_readers = true};
 }
 
 // All actions: the sections in the order of the help, in each section the most used actions first.
@@ -567,6 +589,21 @@ constexpr auto table = std::to_array<Action>({
      .run = [](UiState& state) { flip(state.edited.follows_desktop); },
      .is_on = [](const UiState& state) { return state.edited.follows_desktop; }},
     {.section = window,
+     .name = "Language of the desktop",
+     .about = "of the window's texts; formulas are the same in all languages",
+     .run = [](UiState& state) { state.edited.layout.language.reset(); },
+     .is_on = [](const UiState& state) { return !state.edited.layout.language; },
+     .chooses = true,
+     .for_readers = true},
+    language_choice("Language: English", take_language<Language::English>,
+                    has_language<Language::English>),
+    language_choice("Language: German", take_language<Language::German>,
+                    has_language<Language::German>),
+    language_choice("Language: French", take_language<Language::French>,
+                    has_language<Language::French>),
+    language_choice("Language: Spanish", take_language<Language::Spanish>,
+                    has_language<Language::Spanish>),
+    {.section = window,
      .name = "Gallery",
      .keys = "Ctrl+G",
      .about = "surfaces to begin with; arrows and Enter, or a click",
@@ -617,12 +654,12 @@ bool is_enabled(const Action& action, const UiState& state) {
 
 std::string shown_keys(const Action& action) {
     const std::string keys = action.keys;
-    return keys.substr(0, keys.find(", "));
+    return keys_in_language(keys.substr(0, keys.find(", ")));
 }
 
 std::string described(const Action& action) {
     const std::string keys = shown_keys(action);
-    return keys.empty() ? action.name : action.name + (" (" + keys + ")");
+    return keys.empty() ? tr(action.name) : tr(action.name) + (" (" + keys + ")");
 }
 
 }  // namespace zeroset::ui

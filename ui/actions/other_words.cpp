@@ -95,6 +95,13 @@ constexpr auto table = std::to_array<OtherWords>({
     {.action = "Section: Markers", .words = "points, coordinates, distance, measure"},
     {.action = "Light theme", .words = "dark theme, dark mode, night, bright"},
     {.action = "Theme of the desktop", .words = "dark mode, light mode, system theme"},
+    {.action = "Language of the desktop", .words = "locale, translation, english, system"},
+    {.action = "Language: English", .words = "locale, translation"},
+    {.action = "Language: German", .words = "deutsch, sprache, locale, translation"},
+    {.action = "Language: French",
+     .words = "fran\xC3\xA7"
+              "ais, langue, locale, translation"},
+    {.action = "Language: Spanish", .words = "espa\xC3\xB1ol, idioma, locale, translation"},
     {.action = "Gallery", .words = "examples, surfaces, samples, library"},
     {.action = "Find a command...", .words = "search, palette"},
     {.action = "Help", .words = "keys, shortcuts, manual, formulas, language, functions"},

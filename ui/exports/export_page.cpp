@@ -1,5 +1,6 @@
 #include "ui/exports/export_page.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/exports/export_parts.hpp"
 #include "ui/exports/export_preview.hpp"
 #include "ui/style/keys.hpp"
@@ -54,20 +55,20 @@ const ExportFormat& chosen_format(UiState& state) {
 }
 
 std::string shown_name(const ExportFormat& format) {
-    return (format.numbered ? "Numbered " : "") + std::string(format.name) + " (" +
-           std::string(format.ending) + ")";
+    return filled(format.numbered ? tr("Numbered {0} ({1})") : "{0} ({1})",
+                  {format.name, format.ending});
 }
 
 void draw_formats(UiState& state, const ExportFormat& chosen) {
     ExportPage& page = state.pages.exports;
-    draw_export_label("format", std::string(chosen.about).c_str());
+    draw_export_label(tr("format"), tr(std::string(chosen.about).c_str()));
     if (!ImGui::BeginCombo("##format", shown_name(chosen).c_str(), ImGuiComboFlags_HeightLarge))
         return;
     for (const ExportFormat& format : state.shown.export_formats) {
         if (format.kind != page.wish.kind || !format.missing.empty()) continue;
         if (ImGui::Selectable(shown_name(format).c_str(), &format == &chosen))
             page.endings.at(static_cast<std::size_t>(page.wish.kind)) = ending_of(format);
-        draw_tooltip(std::string(format.about));
+        draw_tooltip(tr(std::string(format.about).c_str()));
     }
     ImGui::EndCombo();
 }
@@ -83,7 +84,7 @@ void draw_missing(const UiState& state) {
     }
     if (names.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, palette(state.edited.theme).quiet);
-    ImGui::TextWrapped("No %s: %s.", names.c_str(), reason.c_str());
+    ImGui::TextWrapped("%s", filled(tr("No {0}: {1}."), {names, reason}).c_str());
     ImGui::PopStyleColor();
 }
 
@@ -108,8 +109,8 @@ void draw_progress(UiState& state) {
                        "");
     ImGui::PopStyleColor();
     ImGui::SameLine();
-    if (ImGui::Button("Stop", ImVec2(button, 0.0F))) state.wishes.stop_export = true;
-    draw_tooltip("Nothing is left behind; numbered pictures that are finished stay.");
+    if (ImGui::Button(tr("Stop"), ImVec2(button, 0.0F))) state.wishes.stop_export = true;
+    draw_tooltip(tr("Nothing is left behind; numbered pictures that are finished stay."));
 }
 
 void draw_save(UiState& state) {
@@ -117,13 +118,14 @@ void draw_save(UiState& state) {
     ImGui::PushStyleColor(ImGuiCol_Button, colors.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, colors.accent);
     ImGui::PushStyleColor(ImGuiCol_Text, colors.bar);
-    if (ImGui::Button("Save...", ImVec2(em(7.0F), 0.0F))) state.wishes.command = Command::Export;
+    if (ImGui::Button(tr("Save..."), ImVec2(em(7.0F), 0.0F)))
+        state.wishes.command = Command::Export;
     ImGui::PopStyleColor(3);
-    draw_tooltip("Choose the file's name (Enter)");
+    draw_tooltip(tr("Choose the file's name (Enter)"));
     if (state.pages.exports.wish.kind != ExportKind::Picture) return;
     ImGui::SameLine();
-    if (ImGui::Button("Copy the picture")) state.wishes.copy_picture = true;
-    draw_tooltip("The window's picture to the clipboard (Ctrl+Shift+C)");
+    if (ImGui::Button(tr("Copy the picture"))) state.wishes.copy_picture = true;
+    draw_tooltip(tr("The window's picture to the clipboard (Ctrl+Shift+C)"));
 }
 
 /// Draws the list of kinds and, below it, what can be chosen of the kind that is shown.
@@ -133,7 +135,7 @@ void draw_content(UiState& state) {
     if (!ImGui::BeginTabBar("##kinds")) return;
     for (const Tab& tab : tabs) {
         const bool chosen = begins && tab.kind == page.wish.kind;
-        if (!ImGui::BeginTabItem(tab.name, nullptr,
+        if (!ImGui::BeginTabItem(tr(tab.name), nullptr,
                                  chosen ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None))
             continue;
         if (!begins) page.wish.kind = tab.kind;
@@ -198,7 +200,8 @@ void draw_export_page(UiState& state) {
         ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     place_page(state.edited.layout);
     ImGui::PushStyleColor(ImGuiCol_WindowBg, palette(state.edited.theme).popup);
-    const bool open = ImGui::Begin("Save as a file##export", &page.open, flags);
+    const bool open =
+        ImGui::Begin(labelled(tr("Save as a file"), "###export").c_str(), &page.open, flags);
     ImGui::PopStyleColor();
     if (open) {
         if (ImGui::IsWindowAppearing()) ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());

@@ -1,5 +1,6 @@
 #include "ui/exports/export_preview.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/style/theme.hpp"
 
 #include <imgui/imgui.h>
@@ -105,7 +106,7 @@ void draw_texts(const ExportPreview& preview, const Palette& colors) {
 /// What stands in the room where there is nothing to be seen yet.
 const char* waiting_text(const UiState& state) {
     if (!state.shown.export_preview.warnings.empty()) return "";
-    return state.shown.export_progress.name.empty() ? "..." : "after what is being saved";
+    return state.shown.export_progress.name.empty() ? "..." : tr("after what is being saved");
 }
 
 /// Draws the text of what is going on over the room.

@@ -1,3 +1,4 @@
+#include "engine/base/translation.hpp"
 #include "ui/exports/export_parts.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
@@ -5,8 +6,8 @@
 
 #include <imgui/imgui.h>
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
 
 namespace zeroset::ui {
 namespace {
@@ -27,17 +28,12 @@ constexpr std::array<ShapeText, 3> shapes{{
 }};
 
 void draw_shape(MeshExport& wish) {
-    draw_export_label("shape", "What becomes of the surface.");
-    if (!ImGui::BeginCombo("##shape",
-                           shapes
-                               .at(static_cast<std::size_t>(wish.shape == Shape::Solid  ? 0
-                                                            : wish.shape == Shape::Wall ? 1
-                                                                                        : 2))
-                               .name))
-        return;
+    draw_export_label(tr("shape"), tr("What becomes of the surface."));
+    const auto* const chosen = std::ranges::find(shapes, wish.shape, &ShapeText::shape);
+    if (!ImGui::BeginCombo("##shape", tr(chosen->name))) return;
     for (const ShapeText& text : shapes) {
-        if (ImGui::Selectable(text.name, text.shape == wish.shape)) wish.shape = text.shape;
-        draw_tooltip(text.about);
+        if (ImGui::Selectable(tr(text.name), text.shape == wish.shape)) wish.shape = text.shape;
+        draw_tooltip(tr(text.about));
     }
     ImGui::EndCombo();
 }
@@ -48,15 +44,15 @@ void draw_mesh_part(UiState& state) {
     MeshExport& wish = state.pages.exports.wish.mesh;
     draw_shape(wish);
     if (wish.shape == Shape::Wall) {
-        draw_export_label("wall, mm", "How thick the wall is.");
+        draw_export_label(tr("wall, mm"), tr("How thick the wall is."));
         draw_number_field("##wall", wish.wall_mm, 1e-6, 1e6);
     }
-    draw_export_label("size, mm", "The longest edge of what is written.");
+    draw_export_label(tr("size, mm"), tr("The longest edge of what is written."));
     draw_number_field("##size", wish.size_mm, 1e-6, 1e6);
-    draw_export_label("tolerance",
-                      "How far triangles may be from the surface, in units of the formula.");
-    draw_number_field("##tolerance", wish.tolerance, 1e-9, 1e9, "a thousandth of the box");
-    draw_export_label("triangles", "At most about so many for each surface.");
+    draw_export_label(tr("tolerance"),
+                      tr("How far triangles may be from the surface, in units of the formula."));
+    draw_number_field("##tolerance", wish.tolerance, 1e-9, 1e9, tr("a thousandth of the box"));
+    draw_export_label(tr("triangles"), tr("At most about so many for each surface."));
     draw_integer_field("##triangles", wish.most_triangles, 4, 1'000'000'000, "as many as needed");
 }
 

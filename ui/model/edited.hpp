@@ -2,6 +2,7 @@
 
 #include "document/document.hpp"
 #include "document/play.hpp"
+#include "engine/base/language.hpp"
 #include "ui/model/theme.hpp"
 
 #include <array>
@@ -42,6 +43,7 @@ struct Layout {
     bool grid = true;
 
     WheelUse wheel = WheelUse::Zoom;
+    std::optional<Language> language = {};  ///< of the window's texts; nothing: the desktop's
 
     bool operator==(const Layout&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace zeroset::ui {
@@ -17,6 +18,28 @@ char lower(char letter) {
     return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
 }
 
+/// The letter of ASCII that people type for a Latin letter U+00C0 to U+00FF; 0: none.
+char plain_letter(unsigned code) {
+    constexpr std::string_view capitals("aaaaaaaceeeeiiiidnooooo\0ouuuuyts", 32);
+    constexpr std::string_view small("aaaaaaaceeeeiiiidnooooo\0ouuuuyty", 32);
+    return code < 0xE0U ? capitals[code - 0xC0U] : small[code - 0xE0U];
+}
+
+/// The text as it is compared: small letters, without accents.
+std::string folded(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool is_latin = byte == 0xC3U && i + 1 < text.size();
+        const char plain =
+            is_latin ? plain_letter(0xC0U + (static_cast<unsigned char>(text[i + 1]) & 0x3FU))
+                     : '\0';
+        if (plain != '\0') ++i;
+        result += plain != '\0' ? plain : lower(text[i]);
+    }
+    return result;
+}
+
 bool is_part_of_word(char letter) {
     const char small = lower(letter);
     return (small >= 'a' && small <= 'z') || (letter >= '0' && letter <= '9') ||
@@ -27,14 +50,14 @@ bool begins_word(std::string_view text, std::size_t at) {
     return is_part_of_word(text[at]) && (at == 0 || !is_part_of_word(text[at - 1]));
 }
 
-/// From the best scores with the last typed character at each place of the text to those with one
+/// From the folded text's best scores with the last typed character at each place of the text to those with one
 /// more, `letter`.
 std::vector<int> extended(std::string_view text, char letter, const std::vector<int>& scores,
                           bool first) {
     std::vector<int> next(text.size(), impossible);
     int best_before = first ? 0 : impossible;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        if (lower(text[i]) == lower(letter)) {
+        if (text[i] == letter) {
             const int here = for_a_match + (begins_word(text, i) ? for_a_beginning : 0);
             const int beside = !first && i > 0 ? scores[i - 1] + for_a_neighbour : impossible;
             next[i] = std::max(best_before, beside) + here;
@@ -44,14 +67,14 @@ std::vector<int> extended(std::string_view text, char letter, const std::vector<
     return next;
 }
 
-/// Whether the text begins with what is typed, spaces in either aside.
+/// Whether the text begins with what is typed, both folded, spaces in either aside.
 bool begins_with(std::string_view text, std::string_view typed) {
     std::size_t at = 0;
     for (const char letter : typed) {
         if (letter == ' ') continue;
         while (at < text.size() && text[at] == ' ')
             ++at;
-        if (at == text.size() || lower(text[at]) != lower(letter)) return false;
+        if (at == text.size() || text[at] != letter) return false;
         ++at;
     }
     return true;
@@ -60,7 +83,7 @@ bool begins_with(std::string_view text, std::string_view typed) {
 }  // namespace
 
 bool contains(std::string_view text, std::string_view part) {
-    return std::ranges::search(text, part, {}, lower, lower).begin() != text.end() || part.empty();
+    return folded(text).find(folded(part)) != std::string::npos;
 }
 
 bool contains_words(std::string_view text, std::string_view words) {
@@ -77,9 +100,11 @@ std::string_view phrase_found(std::string_view phrases, std::string_view typed) 
     if (typed.find_first_not_of(' ') == std::string_view::npos) return {};
     while (!phrases.empty()) {
         const std::size_t end = std::min(phrases.find(between), phrases.size());
-        const std::string_view phrase = phrases.substr(0, end);
+        const std::string phrase = folded(phrases.substr(0, end));
         for (std::size_t at = 0; at < phrase.size(); ++at) {
-            if (begins_word(phrase, at) && begins_with(phrase.substr(at), typed)) return phrase;
+            if (begins_word(phrase, at) &&
+                begins_with(std::string_view(phrase).substr(at), folded(typed)))
+                return phrases.substr(0, end);
         }
         phrases.remove_prefix(std::min(end + between.size(), phrases.size()));
     }
@@ -87,12 +112,13 @@ std::string_view phrase_found(std::string_view phrases, std::string_view typed) 
 }
 
 std::optional<int> abbreviation_score(std::string_view text, std::string_view typed) {
+    const std::string in = folded(text);
     std::vector<int> scores;
-    for (const char letter : typed) {
-        if (letter != ' ') scores = extended(text, letter, scores, scores.empty());
+    for (const char letter : folded(typed)) {
+        if (letter != ' ') scores = extended(in, letter, scores, scores.empty());
         if (letter != ' ' && scores.empty()) return std::nullopt;
     }
-    const int length = static_cast<int>(text.size());
+    const int length = static_cast<int>(in.size());
     if (scores.empty()) return -length;
     const int best = std::ranges::max(scores);
     if (best < 0) return std::nullopt;

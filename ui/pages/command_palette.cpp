@@ -1,5 +1,6 @@
 #include "ui/pages/command_palette.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/marker_moves.hpp"
 #include "ui/actions/other_words.hpp"
@@ -28,36 +29,46 @@ namespace {
 constexpr const char* popup = "##command palette";
 constexpr float line_em = 1.8F;
 
+/// The other words of an action, by which it is found, too; in another language also its English
+/// name.
+std::string all_other_words(const Action& action) {
+    const std::string_view words = other_words_of(action.name);
+    std::string all = words.empty() ? "" : tr(words.data());
+    if (language() == Language::English) return all;
+    return all + (all.empty() ? "" : ", ") + action.name;
+}
+
 std::vector<PaletteLine> all_lines(const UiState& state) {
     std::vector<PaletteLine> lines;
+    const Action& finder = action_named("Find a command...");
     for (const Action& action : actions()) {
-        if (&action == &action_named("Find a command...")) continue;
+        if (&action == &finder) continue;
         const bool on = action.is_on != nullptr && action.is_on(state);
-        lines.push_back({.text = action.name,
+        lines.push_back({.text = tr(action.name),
                          .hint = shown_keys(action),
                          .enabled = is_enabled(action, state),
                          .is_on = on,
-                         .other_words = other_words_of(action.name),
+                         .other_words = all_other_words(action),
                          .run = action.run});
     }
     for (const SavedView& view : state.edited.document.views) {
         lines.push_back(
-            {.text = "Go to view " + view.name,
-             .hint = "saved view",
+            {.text = filled(tr("Go to view {0}"), {view.name}),
+             .hint = tr("saved view"),
              .enabled = state.edited.document.camera.has_value(),
              .is_on = state.edited.document.camera == view.camera,
              .run = [camera = view.camera](UiState& changed) { move_view(changed, camera); }});
     }
     for (std::size_t i = 0; i < state.shown.gallery.size(); ++i) {
-        lines.push_back({.text = state.shown.gallery[i].title,
-                         .hint = state.shown.gallery[i].group,
+        lines.push_back({.text = tr(state.shown.gallery[i].title.c_str()),
+                         .hint = tr(state.shown.gallery[i].group.c_str()),
                          .enabled = true,
                          .is_on = false,
                          .run = [i](UiState& changed) { changed.wishes.gallery_item = i; }});
     }
     for (const std::string& path : state.shown.document.recent) {
         lines.push_back({.text = std::filesystem::path(path).filename().string(),
-                         .hint = "recent file",
+                         .hint = tr("recent file"),
                          .enabled = true,
                          .is_on = false,
                          .run = [path](UiState& changed) { changed.wishes.open_path = path; }});
@@ -67,8 +78,8 @@ std::vector<PaletteLine> all_lines(const UiState& state) {
 
 /// The entry that looks at a typed point and keeps a marker there.
 PaletteLine way_to(const glm::dvec3& point, const UiState& state) {
-    return {.text = "Go to " + coordinates_text(point),
-            .hint = "point",
+    return {.text = filled(tr("Go to {0}"), {coordinates_text(point)}),
+            .hint = tr("point"),
             .enabled = state.edited.document.camera.has_value(),
             .run = [point](UiState& changed) { go_to(changed, point); }};
 }
@@ -153,7 +164,7 @@ std::optional<std::size_t> draw_lines(UiState& state, const std::vector<PaletteL
 
 void draw_field(CommandPalette& palette) {
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (draw_popup_field(palette, "a command, a surface, a recent file", palette.typed)) {
+    if (draw_popup_field(palette, tr("a command, a surface, a recent file"), palette.typed)) {
         palette.selected = 0;
         palette.follow = true;
     }
@@ -168,7 +179,7 @@ void draw_palette(UiState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0F, 0.0F));
     ImGui::BeginChild("##lines", ImVec2(0.0F, 0.0F), false, ImGuiWindowFlags_NoNav);
     if (lines.empty()) {
-        ImGui::TextDisabled("nothing found");
+        ImGui::TextDisabled("%s", tr("nothing found"));
     } else {
         follow_arrows(shown, lines.size());
         picked = draw_lines(state, lines);

@@ -14,10 +14,9 @@ struct PaletteLine {
     std::string text;
     std::string hint;  ///< keys of the action, or the kind of the entry
     bool enabled = true;
-    bool is_on = false;  ///< true for a switch that is on
-    std::string_view other_words =
-        {};                     ///< by which it is found, too, see ui/actions/other_words.hpp
-    std::string found_by = {};  ///< the one of them by which it was found; or empty
+    bool is_on = false;            ///< true for a switch that is on
+    std::string other_words = {};  ///< by which it is found, too, see ui/actions/other_words.hpp
+    std::string found_by = {};     ///< the one of them by which it was found; or empty
     std::function<void(UiState&)> run = {};
 };
 

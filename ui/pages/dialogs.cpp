@@ -1,5 +1,6 @@
 #include "ui/pages/dialogs.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/pages/file_browser.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/theme.hpp"
@@ -73,8 +74,9 @@ void draw_question(Question& question, const Palette& colors) {
 
 /// Draws a question that cancels the desktop's file dialog, while that is open.
 void draw_waiting(FileChoice& choice, const Palette& colors) {
-    Question question{
-        .text = "Choose the file in the desktop's dialog.", .answers = {"Cancel"}, .chosen = {}};
+    Question question{.text = tr("Choose the file in the desktop's dialog."),
+                      .answers = {tr("Cancel")},
+                      .chosen = {}};
     draw_question(question, colors);
     if (question.chosen) choice.finished = true;
 }

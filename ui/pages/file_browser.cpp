@@ -1,5 +1,6 @@
 #include "ui/pages/file_browser.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/style/label.hpp"
@@ -89,7 +90,8 @@ void accept(FileChoice& choice) {
 
 void draw_places(FileChoice& choice, const Palette& colors) {
     const float size = ImGui::GetFrameHeight();
-    if (icon_button("##up", Icon::Up, {.size = size, .color = colors.quiet}, "The folder above")) {
+    if (icon_button("##up", Icon::Up, {.size = size, .color = colors.quiet},
+                    tr("The folder above"))) {
         go_to(choice, fs::path(choice.folder).parent_path());
     }
     ImGui::SameLine();
@@ -131,7 +133,8 @@ void draw_entries(FileChoice& choice, float height, const Palette& colors) {
     const std::vector<Entry> entries = entries_of(choice.folder, choice.ending);
     for (const Entry& entry : entries)
         draw_entry(choice, entry, colors);
-    if (entries.empty()) ImGui::TextDisabled("  none here (*%s)", choice.ending.c_str());
+    if (entries.empty())
+        ImGui::TextDisabled("  %s", filled(tr("none here (*{0})"), {choice.ending}).c_str());
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -139,21 +142,21 @@ void draw_entries(FileChoice& choice, float height, const Palette& colors) {
 void draw_buttons(FileChoice& choice, const Palette& colors) {
     if (choice.asks_replace) {
         ImGui::PushStyleColor(ImGuiCol_Text, colors.warning);
-        ImGui::TextUnformatted("This file exists. Save again to replace it.");
+        ImGui::TextUnformatted(tr("This file exists. Save again to replace it."));
         ImGui::PopStyleColor();
     }
-    const char* const verb = choice.purpose == Purpose::Open ? "Open"
-                             : choice.asks_replace           ? "Replace"
-                                                             : "Save";
+    const char* const verb = choice.purpose == Purpose::Open ? tr("Open")
+                             : choice.asks_replace           ? tr("Replace")
+                                                             : tr("Save");
     if (ImGui::Button(verb, ImVec2(em(7.0F), 0.0F))) accept(choice);
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", ImVec2(em(7.0F), 0.0F))) choice.finished = true;
+    if (ImGui::Button(tr("Cancel"), ImVec2(em(7.0F), 0.0F))) choice.finished = true;
 }
 
 void draw_name(FileChoice& choice) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::InputTextWithHint("##name", "name or path", &choice.name,
+    if (ImGui::InputTextWithHint("##name", tr("name or path"), &choice.name,
                                  ImGuiInputTextFlags_AutoSelectAll)) {
         choice.asks_replace = false;
     }

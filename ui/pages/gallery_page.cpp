@@ -1,5 +1,6 @@
 #include "ui/pages/gallery_page.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/keys.hpp"
@@ -55,15 +56,16 @@ bool has_details() { return ImGui::GetIO().DisplaySize.y >= em(details_from_em);
 void draw_head(GalleryPage& page, const Palette& colors) {
     const float size = ImGui::GetFrameHeight();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Gallery");
+    ImGui::TextUnformatted(tr("Gallery"));
     ImGui::SameLine(0.0F, em(1.0F));
     const float room = ImGui::GetContentRegionAvail().x - size - em(0.4F);
     ImGui::SetNextItemWidth(std::min(room, em(24.0F)));
-    if (draw_popup_field(page, "find a name, a word, a part of an equation", page.search)) {
+    if (draw_popup_field(page, tr("find a name, a word, a part of an equation"), page.search)) {
         page.follow = true;
     }
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - size);
-    if (icon_button("##close", Icon::Cross, {.size = size, .color = colors.quiet}, "Close (Esc)")) {
+    if (icon_button("##close", Icon::Cross, {.size = size, .color = colors.quiet},
+                    tr("Close (Esc)"))) {
         page.open = false;
     }
 }
@@ -102,7 +104,7 @@ void draw_texts(const GalleryEntry& entry, const ImVec2& lo, const Grid& grid,
     const float left = lo.x + em(0.5F);
     const float top = lo.y + grid.picture_height + em(0.3F);
     const float room = grid.card_width - em(0.8F);
-    canvas.AddText(ImVec2(left, top), colors.text, elided(entry.title, room).c_str());
+    canvas.AddText(ImVec2(left, top), colors.text, elided(tr(entry.title.c_str()), room).c_str());
     const ImVec2 below(left, top + ImGui::GetTextLineHeight() + em(0.15F));
     ImGui::PushFont(font(FontRole::SmallFormula));
     canvas.AddText(below, colors.quiet, elided(in_one_line(entry.equation), room).c_str());
@@ -136,7 +138,7 @@ bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
     draw_thumbnail(picture == thumbnails.end() ? 0 : picture->second, lo,
                    ImVec2(hi.x, lo.y + grid.picture_height), colors);
     draw_texts(state.shown.gallery[item], lo, grid, colors);
-    if (!has_details()) draw_tooltip(state.shown.gallery[item].about);
+    if (!has_details()) draw_tooltip(tr(state.shown.gallery[item].about.c_str()));
     if (selected) canvas.AddRect(lo, hi, colors.accent, 0.0F, 0, em(0.14F));
     return clicked;
 }
@@ -144,7 +146,7 @@ bool draw_card(UiState& state, std::size_t item, const Grid& grid) {
 void draw_group_title(const std::string& group, bool first, const Palette& colors) {
     if (!first) ImGui::Dummy(ImVec2(0.0F, em(0.4F)));
     ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
-    ImGui::TextUnformatted(group.c_str());
+    ImGui::TextUnformatted(tr(group.c_str()));
     ImGui::PopStyleColor();
 }
 
@@ -172,7 +174,7 @@ void draw_details(const GalleryEntry& entry, const Palette& colors) {
     draw_elided(in_one_line(entry.equation), ImGui::GetContentRegionAvail().x);
     ImGui::PopFont();
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(entry.about.c_str());
+    ImGui::TextUnformatted(tr(entry.about.c_str()));
     ImGui::PopTextWrapPos();
     ImGui::PushFont(font(FontRole::Small));
     ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
@@ -195,7 +197,7 @@ void draw_page(UiState& state) {
     ImGui::BeginChild("##cards", ImVec2(0.0F, height), false, ImGuiWindowFlags_NoNav);
     state.wishes.thumbnails.items.clear();
     if (cards.empty()) {
-        ImGui::TextDisabled("nothing found");
+        ImGui::TextDisabled("%s", tr("nothing found"));
     } else {
         follow_arrows(page, cards);
         picked = draw_cards(state, cards, grid);

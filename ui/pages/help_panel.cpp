@@ -1,11 +1,14 @@
 #include "ui/pages/help_panel.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/text_match.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/keys.hpp"
+#include "ui/style/label.hpp"
 #include "ui/style/screen_areas.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/chord.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_internal.h>
@@ -72,14 +75,20 @@ const std::vector<HelpSection>& keys_help() {
 }
 
 std::vector<HelpEntry> filtered(const HelpSection& section, const std::string& filter) {
-    if (contains(section.title, filter)) return section.entries;
+    if (contains(tr(section.title.c_str()), filter)) return section.entries;
     std::vector<HelpEntry> found;
     for (const HelpEntry& entry : section.entries) {
-        if (contains(entry.typed, filter) || contains(entry.meaning, filter)) {
+        if (contains(entry.typed, filter) || contains(tr(entry.meaning.c_str()), filter)) {
             found.push_back(entry);
         }
     }
     return found;
+}
+
+/// What is typed, as in the user's language: formulas are the same in all of them.
+std::string typed_text(const HelpEntry& entry, FontRole typed) {
+    if (typed == FontRole::SmallFormula) return entry.typed;
+    return keys_in_language(tr(entry.typed.c_str()));
 }
 
 void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const Palette& colors) {
@@ -91,11 +100,11 @@ void draw_entries(const std::vector<HelpEntry>& entries, FontRole typed, const P
         ImGui::TableNextColumn();
         ImGui::PushFont(font(typed));
         ImGui::PushTextWrapPos(0.0F);
-        ImGui::TextUnformatted(entry.typed.c_str());
+        ImGui::TextUnformatted(typed_text(entry, typed).c_str());
         ImGui::PopFont();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
-        ImGui::TextUnformatted(entry.meaning.c_str());
+        ImGui::TextUnformatted(tr(entry.meaning.c_str()));
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
     }
@@ -112,7 +121,7 @@ bool draw_sections(const std::vector<HelpSection>& sections, const std::string& 
         ImGui::PushID(&section);
         if (any) ImGui::Dummy(ImVec2(0.0F, em(0.3F)));
         ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
-        ImGui::TextUnformatted(section.title.c_str());
+        ImGui::TextUnformatted(tr(section.title.c_str()));
         ImGui::PopStyleColor();
         draw_entries(entries, typed, colors);
         ImGui::PopID();
@@ -124,10 +133,10 @@ bool draw_sections(const std::vector<HelpSection>& sections, const std::string& 
 void draw_language(HelpPage& page, const std::vector<HelpSection>& language,
                    const Palette& colors) {
     ImGui::SetNextItemWidth(-FLT_MIN);
-    ImGui::InputTextWithHint("##filter", "find a function, for example  root", &page.filter);
+    ImGui::InputTextWithHint("##filter", tr("find a function, for example  root"), &page.filter);
     ImGui::BeginChild("##language", ImVec2(0.0F, 0.0F));
     if (!draw_sections(language, page.filter, FontRole::SmallFormula, colors)) {
-        ImGui::TextDisabled("nothing found");
+        ImGui::TextDisabled("%s", tr("nothing found"));
     }
     ImGui::EndChild();
 }
@@ -178,18 +187,18 @@ void draw_help_panel(HelpPage& page, const std::vector<HelpSection>& language, T
     const Palette& colors = palette(theme);
     place_window();
     ImGui::PushStyleColor(ImGuiCol_WindowBg, colors.popup);
-    const bool open = ImGui::Begin("Help##help", &page.open, flags);
+    const bool open = ImGui::Begin(labelled(tr("Help"), "###help").c_str(), &page.open, flags);
     ImGui::PopStyleColor();
     if (open) {
         if (ImGui::IsWindowAppearing()) {
             ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
         }
         if (ImGui::BeginTabBar("##tabs")) {
-            if (ImGui::BeginTabItem("Formulas")) {
+            if (ImGui::BeginTabItem(tr("Formulas"))) {
                 draw_language(page, language, colors);
                 ImGui::EndTabItem();
             }
-            if (ImGui::BeginTabItem("Keys")) {
+            if (ImGui::BeginTabItem(tr("Keys"))) {
                 draw_keys(colors);
                 ImGui::EndTabItem();
             }

@@ -1,5 +1,6 @@
 #include "ui/pages/tour.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
@@ -35,42 +36,44 @@ const std::array<Step, tour_steps> steps{{
      .text =
          [](const UiState&) {
              return std::string(
-                 "Any equation in x, y and z, such as x^2 + y^2 + z^2 = 4. The surface follows "
-                 "every key. Enter begins another row, for another surface or a definition.");
+                 tr("Any equation in x, y and z, such as x^2 + y^2 + z^2 = 4. The surface follows "
+                    "every key. Enter begins another row, for another surface or a definition."));
          }},
     {.part = Part::Picture,
      .title = "Look around",
      .text =
          [](const UiState&) {
-             return "Drag to turn, with the right button to move; the wheel zooms to the pointer. "
-                    "A click keeps a marker with its coordinates. " +
-                    keys_of("Frame the surface") + " brings all of the surface into view.";
+             return filled(tr("Drag to turn, with the right button to move; the wheel zooms to the "
+                              "pointer. A click keeps a marker with its coordinates. {0} brings "
+                              "all of the surface into view."),
+                           {keys_of("Frame the surface")});
          }},
     {.part = Part::Statements,
      .title = "Move what varies",
      .text =
          [](const UiState&) {
              return std::string(
-                 "Every other letter is a number that you choose: x^2 + y^2 = a z brings a slider "
-                 "for a. The triangle beside it lets it run by itself.");
+                 tr("Every other letter is a number that you choose: x^2 + y^2 = a z brings a "
+                    "slider for a. The triangle beside it lets it run by itself."));
          }},
     {.part = Part::Header,
      .title = "Begin with a surface",
      .text =
          [](const UiState& state) {
              const std::size_t count = state.shown.gallery.size();
-             return "The gallery (" + keys_of("Gallery") + ") has " + std::to_string(count) +
-                    " surfaces, from quadrics to records of singular points, each with its "
-                    "equation to change.";
+             return filled(tr("The gallery ({0}) has {1} surfaces, from quadrics to records of "
+                              "singular points, each with its equation to change."),
+                           {keys_of("Gallery"), std::to_string(count)});
          }},
     {.part = Part::Header,
      .title = "Take it away",
      .text =
          [](const UiState&) {
-             return keys_of("Save the picture...") +
-                    " saves pictures, films, meshes for printing and drawings for papers. " +
-                    keys_of("Find a command...") + " finds everything by a part of its name; " +
-                    keys_of("Help") + " explains formulas and keys.";
+             return filled(
+                 tr("{0} saves pictures, films, meshes for printing and drawings for "
+                    "papers. {1} finds everything by a part of its name; {2} explains "
+                    "formulas and keys."),
+                 {keys_of("Save the picture..."), keys_of("Find a command..."), keys_of("Help")});
          }},
 }};
 
@@ -126,20 +129,20 @@ void end_tour(UiState& state) {
 /// Draws the buttons that go through the tour, right-aligned.
 void draw_buttons(UiState& state, std::size_t step) {
     const bool last = step + 1 == tour_steps;
-    const char* const next = last ? "Done" : "Next";
+    const char* const next = last ? tr("Done") : tr("Next");
     const ImGuiStyle& style = ImGui::GetStyle();
     const auto width = [&](const char* name) {
         return ImGui::CalcTextSize(name).x + 2.0F * style.FramePadding.x;
     };
-    float needed = width(next) + (step > 0 ? width("Back") + style.ItemSpacing.x : 0.0F);
-    if (!last) needed += width("Skip") + style.ItemSpacing.x;
+    float needed = width(next) + (step > 0 ? width(tr("Back")) + style.ItemSpacing.x : 0.0F);
+    if (!last) needed += width(tr("Skip")) + style.ItemSpacing.x;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - needed);
     if (!last) {
-        if (ImGui::Button("Skip")) end_tour(state);
+        if (ImGui::Button(tr("Skip"))) end_tour(state);
         ImGui::SameLine();
     }
     if (step > 0) {
-        if (ImGui::Button("Back")) state.pages.tour.step = step - 1;
+        if (ImGui::Button(tr("Back"))) state.pages.tour.step = step - 1;
         ImGui::SameLine();
     }
     const Palette& colors = palette(state.edited.theme);
@@ -176,7 +179,7 @@ void draw_card(UiState& state, std::size_t step, const ImVec2& at, float width) 
     if (ImGui::Begin("##tour", nullptr, flags)) {
         ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
         ImGui::PushStyleColor(ImGuiCol_Text, colors.accent);
-        ImGui::TextUnformatted(steps[step].title);
+        ImGui::TextUnformatted(tr(steps[step].title));
         ImGui::PopStyleColor();
         ImGui::PushTextWrapPos(0.0F);
         ImGui::TextUnformatted(steps[step].text(state).c_str());

@@ -3,6 +3,7 @@
 #include "document/camera_text.hpp"
 #include "document/document.hpp"
 #include "document/views.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "engine/view/navigation.hpp"
 #include "ui/actions/actions.hpp"
@@ -57,12 +58,14 @@ void draw_button(UiState& state, const char* label, const char* name, float widt
 
 void draw_buttons(UiState& state) {
     constexpr std::array<std::pair<const char*, const char*>, 3> buttons{
-        {{"Save view", "Save view"}, {"Copy", "Copy the camera"}, {"Paste", "Paste the camera"}}};
+        {{marked("Save view"), "Save view"},
+         {marked("Copy"), "Copy the camera"},
+         {marked("Paste"), "Paste the camera"}}};
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F;
     for (const auto& [label, name] : buttons) {
         if (label != buttons.front().first) ImGui::SameLine(0.0F, gap);
-        draw_button(state, label, name, width);
+        draw_button(state, tr(label), name, width);
     }
 }
 
@@ -75,7 +78,7 @@ void draw_picture(UiState& state, const SavedView& view, ViewPictureWish& wish) 
     const Palette& colors = palette(state.edited.theme);
     const bool hovered = ImGui::IsItemHovered();
     const bool is_there = state.edited.document.camera == view.camera;
-    draw_tooltip("Look from there");
+    draw_tooltip(tr("Look from there"));
     if (!ImGui::IsRectVisible(lo, hi)) return;
     wish.cameras.push_back(view.camera);
     const auto& pictures = state.shown.view_pictures;
@@ -104,16 +107,17 @@ CardWish draw_card(UiState& state, std::size_t index, ViewPictureWish& wish) {
     // While it is typed into, ImGui keeps the text as typed and only tells of it.
     if (ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll))
         rename_view(views, index, name);
-    draw_tooltip("Its name: for films, Ctrl+K and --view. Click to change it.");
+    draw_tooltip(tr("Its name: for films, Ctrl+K and --view. Click to change it."));
     const IconLook look{.size = button, .color = palette(state.edited.theme).quiet};
     ImGui::SameLine(0.0F, 0.0F);
     CardWish wished = CardWish::Nothing;
     if (icon_button("##up", Icon::Up,
                     {.size = look.size, .color = look.color, .enabled = index > 0},
-                    "Move it up: films go through the views in this order"))
+                    tr("Move it up: films go through the views in this order")))
         wished = CardWish::MoveUp;
     ImGui::SameLine(0.0F, 0.0F);
-    if (icon_button("##remove", Icon::Cross, look, "Delete the view")) wished = CardWish::Remove;
+    if (icon_button("##remove", Icon::Cross, look, tr("Delete the view")))
+        wished = CardWish::Remove;
     ImGui::EndGroup();
     ImGui::SetCursorPosY(top + card_height());
     return wished;
@@ -123,7 +127,7 @@ void draw_cards(UiState& state) {
     std::vector<SavedView>& views = state.edited.document.views;
     if (views.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(state.edited.theme).quiet);
-        ImGui::TextWrapped("Save view (V) keeps where you look from under a name.");
+        ImGui::TextWrapped("%s", tr("Save view (V) keeps where you look from under a name."));
         ImGui::PopStyleColor();
         return;
     }
@@ -169,14 +173,14 @@ bool draw_vector(const char* label, const char* about, glm::dvec3& vector) {
 /// Draws the angle, or of parallel rays the height that they show; true when one was typed.
 bool draw_opening(Camera& camera) {
     if (camera.projection == Projection::Perspective) {
-        draw_label("angle", "Field of view: degrees from the picture's top to its bottom.");
+        draw_label(tr("angle"), tr("Field of view: degrees from the picture's top to its bottom."));
         double degrees = glm::degrees(camera.fov_rad);
         if (!draw_number_field("##fov", degrees, least_fov_deg, most_fov_deg)) return false;
         camera.fov_rad = glm::radians(degrees);
         return true;
     }
-    draw_label("height",
-               "Of what parallel rays show from the picture's top to its bottom, world units.");
+    draw_label(tr("height"),
+               tr("Of what parallel rays show from the picture's top to its bottom, world units."));
     double height = shown_height(camera);
     if (!draw_number_field("##height", height, 1e-12, largest_number)) return false;
     camera = with_shown_height(camera, height);
@@ -188,10 +192,10 @@ void draw_numbers(UiState& state) {
     std::optional<Camera>& camera = state.edited.document.camera;
     if (!camera) return;
     Camera typed = *camera;
-    const bool eye = draw_vector("eye", "Where one looks from.", typed.eye);
-    const bool target =
-        draw_vector("target", "What one looks at, in the middle of the picture.", typed.look_at);
-    const bool up = draw_vector("up", "The direction that is up in the picture.", typed.up);
+    const bool eye = draw_vector(tr("eye"), tr("Where one looks from."), typed.eye);
+    const bool target = draw_vector(
+        tr("target"), tr("What one looks at, in the middle of the picture."), typed.look_at);
+    const bool up = draw_vector(tr("up"), tr("The direction that is up in the picture."), typed.up);
     // Parallel rays go on to show as much.
     if ((eye || target) && typed.projection == Projection::Orthographic &&
         typed.eye != typed.look_at)

@@ -1,6 +1,7 @@
 #include "ui/panels/clip_section.hpp"
 
 #include "document/document.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/scene/region.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/style/icons.hpp"
@@ -25,8 +26,8 @@ namespace {
 constexpr double min_half = 1e-14;
 constexpr double max_half = 1e6;
 constexpr int free_axis = 3;
-constexpr std::array<const char*, 4> axis_names{"x", "y", "z", "free"};
-constexpr const char* about_free = "free: at first across the view, through the point looked at.";
+constexpr std::array<const char*, 4> axis_names{"x", "y", "z", marked("free")};
+const char* axis_name(int axis) { return tr(axis_names.at(static_cast<std::size_t>(axis))); }
 
 /// What was done to fields of numbers.
 struct Typed {
@@ -64,10 +65,9 @@ bool shows_edges(const Edited& edited) {
 
 void draw_edges(Box& clip, Wishes& wishes) {
     for (int i = 0; i < 3; ++i) {
-        draw_label(axis_names.at(static_cast<std::size_t>(i)), "The box from here to there.");
+        draw_label(axis_name(i), tr("The box from here to there."));
         Box wished = clip;
-        const Typed typed = draw_numbers(axis_names.at(static_cast<std::size_t>(i)),
-                                         std::array{&wished.lo[i], &wished.hi[i]});
+        const Typed typed = draw_numbers(axis_name(i), std::array{&wished.lo[i], &wished.hi[i]});
         if (typed.changed && wished.lo[i] < wished.hi[i]) clip = wished;
         wishes.frame_box = wishes.frame_box || typed.finished;
     }
@@ -76,10 +76,10 @@ void draw_edges(Box& clip, Wishes& wishes) {
 void draw_box(Edited& edited, Wishes& wishes) {
     Box& clip = edited.document.clip;
     const bool plain = is_plain(clip);
-    draw_label(plain ? "box \xC2\xB1" : "half",
-               plain ? "Half the edge of the box that the surface is clipped to."
-                     : "Half the longest edge of the box that the surface is clipped to; below is "
-                       "where it lies.");
+    draw_label(plain ? tr("box \xC2\xB1") : tr("half"),
+               plain ? tr("Half the edge of the box that the surface is clipped to.")
+                     : tr("Half the longest edge of the box that the surface is clipped to; below "
+                          "is where it lies."));
     const float button = ImGui::GetFrameHeight();
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemInnerSpacing.x);
     double half = 0.5 * clip.size();
@@ -89,9 +89,9 @@ void draw_box(Edited& edited, Wishes& wishes) {
     bool& open = edited.layout.edges_open;
     const IconLook look{.size = button, .color = palette(edited.theme).quiet, .enabled = plain};
     if (icon_button("##edges", Icon::More, look,
-                    !plain ? "Each edge by itself: the box is no cube about 0"
-                    : open ? "Only one number"
-                           : "Each edge by itself")) {
+                    !plain ? tr("Each edge by itself: the box is no cube about 0")
+                    : open ? tr("Only one number")
+                           : tr("Each edge by itself"))) {
         open = !open;
     }
     if (shows_edges(edited)) draw_edges(clip, wishes);
@@ -101,19 +101,19 @@ void draw_ball(Edited& edited) {
     std::optional<Ball>& ball = edited.document.region.ball;
     bool on = ball.has_value();
     const Box& clip = edited.document.clip;
-    if (ImGui::Checkbox("Sphere", &on)) {
+    if (ImGui::Checkbox(tr("Sphere"), &on)) {
         ball = on ? std::optional(Ball{.centre = clip.centre(), .radius = 0.5 * clip.size()})
                   : std::nullopt;
     }
-    draw_tooltip("Shows only what is in a sphere.");
+    draw_tooltip(tr("Shows only what is in a sphere."));
     ImGui::SameLine(0.0F, em(1.2F));
-    ImGui::Checkbox("Handles", &edited.layout.handles);
-    draw_tooltip("Handles in the picture that move the box, the sphere and the sections (H).");
+    ImGui::Checkbox(tr("Handles"), &edited.layout.handles);
+    draw_tooltip(tr("Handles in the picture that move the box, the sphere and the sections (H)."));
     if (!ball) return;
-    draw_label("radius", "The sphere's radius.");
+    draw_label(tr("radius"), tr("The sphere's radius."));
     Ball typed = *ball;
     if (draw_numbers("radius", std::array{&typed.radius}).changed && typed.radius > 0) ball = typed;
-    draw_label("centre", "The sphere's centre: x, y, z.");
+    draw_label(tr("centre"), tr("The sphere's centre: x, y, z."));
     glm::dvec3& centre = ball->centre;
     draw_numbers("centre", std::array{&centre.x, &centre.y, &centre.z});
 }
@@ -121,18 +121,18 @@ void draw_ball(Edited& edited) {
 void draw_axis(const Document& document, Section& section) {
     const int axis = axis_of(section);
     ImGui::SetNextItemWidth(em(3.4F));
-    if (ImGui::BeginCombo("##axis", axis_names.at(static_cast<std::size_t>(axis)),
-                          ImGuiComboFlags_NoArrowButton)) {
+    if (ImGui::BeginCombo("##axis", axis_name(axis), ImGuiComboFlags_NoArrowButton)) {
         for (int other = 0; other <= free_axis; ++other) {
-            if (!ImGui::Selectable(axis_names.at(static_cast<std::size_t>(other)), other == axis))
-                continue;
+            if (!ImGui::Selectable(axis_name(other), other == axis)) continue;
             const bool cap = section.cap;
             section = section_across(other, document);
             section.cap = cap;
         }
         ImGui::EndCombo();
     }
-    draw_tooltip(std::string("The direction that the section is across.\n") + about_free);
+    draw_tooltip(
+        tr("The direction that the section is across.\nfree: at first across the view, "
+           "through the point looked at."));
 }
 
 /// Slider of the section's offset along its axis or normal.
@@ -155,8 +155,8 @@ bool draw_section(Edited& edited, Section& section) {
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     draw_place(edited.document.clip, section);
     if (axis_of(section) == free_axis) {
-        draw_label("normal",
-                   "The section is across this direction and takes away what lies there.");
+        draw_label(tr("normal"),
+                   tr("The section is across this direction and takes away what lies there."));
         glm::dvec3 normal = section.normal;
         if (draw_numbers("normal", std::array{&normal.x, &normal.y, &normal.z}).changed &&
             glm::length(normal) > 0) {
@@ -164,15 +164,15 @@ bool draw_section(Edited& edited, Section& section) {
         }
     }
     const float size = ImGui::GetFrameHeight();
-    if (ImGui::Button("Flip"))
+    if (ImGui::Button(tr("Flip")))
         section = {.normal = -section.normal, .offset = -section.offset, .cap = section.cap};
-    draw_tooltip("Keeps the other side.");
+    draw_tooltip(tr("Keeps the other side."));
     ImGui::SameLine();
-    ImGui::Checkbox("cap", &section.cap);
-    draw_tooltip("Fills the solids that the section cuts open.");
+    ImGui::Checkbox(tr("cap"), &section.cap);
+    draw_tooltip(tr("Fills the solids that the section cuts open."));
     ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
     return !icon_button("##remove", Icon::Cross,
-                        {.size = size, .color = palette(edited.theme).quiet}, "Remove");
+                        {.size = size, .color = palette(edited.theme).quiet}, tr("Remove"));
 }
 
 void draw_sections(Edited& edited) {
@@ -186,10 +186,10 @@ void draw_sections(Edited& edited) {
         break;
     }
     if (sections.size() == max_sections) return;
-    if (ImGui::Button("Add a section", ImVec2(-FLT_MIN, 0.0F))) {
+    if (ImGui::Button(tr("Add a section"), ImVec2(-FLT_MIN, 0.0F))) {
         sections.push_back(section_across(static_cast<int>(sections.size() % 3), edited.document));
     }
-    draw_tooltip("Cuts by a plane and shows what is inside.");
+    draw_tooltip(tr("Cuts by a plane and shows what is inside."));
 }
 
 }  // namespace

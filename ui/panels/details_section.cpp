@@ -1,6 +1,7 @@
 #include "ui/panels/details_section.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/label.hpp"
@@ -21,9 +22,8 @@ constexpr int min_d_stop = 4;
 constexpr double many = 0.005;
 
 void draw_d_stop(StopCriterion& stop) {
-    draw_label("d_stop",
-               "Search depth: a ray's search ends at cells of the box's edge times "
-               "2^-d_stop. More is finer and slower.");
+    draw_label("d_stop", tr("Search depth: a ray's search ends at cells of the box's edge times "
+                            "2^-d_stop. More is finer and slower."));
     int depth = static_cast<int>(std::lround(stop.value));
     // The command line can set another stop rule; it stays until the slider is moved.
     const char* rule = stop.rule == StopRule::Epsilon ? "epsilon"
@@ -34,22 +34,21 @@ void draw_d_stop(StopCriterion& stop) {
     }
 }
 
-/// Width of the view at the point looked at, and the precision: "3.2e-07 wide, double".
+/// Width of the view at the point looked at, and the precision: "view 3.2e-07 wide, double".
 std::string view_scale(const PictureFigures& figures, const Camera& camera) {
     const ViewFrame view(camera);
     const double height = 2.0 * view.half_height * view.look_distance;
     const double width = height * figures.width_px / figures.height_px;
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.2g wide, %s", width,
-                  std::string(name_of(figures.precision)).c_str());
-    return text.data();
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", width);
+    return filled(tr("view {0} wide, {1}"), {localized(text.data()), name_of(figures.precision)});
 }
 
 std::string certified_text(const PictureFigures& figures) {
-    const std::string text = grouped(figures.counts.certified) + " certified";
-    return figures.counts.coarse == 0
-               ? text
-               : text + ", " + grouped(figures.counts.coarse) + " of them coarse";
+    const std::string certified = grouped(figures.counts.certified);
+    return figures.counts.coarse == 0 ? filled(tr("{0} certified"), {certified})
+                                      : filled(tr("{0} certified, {1} of them coarse"),
+                                               {certified, grouped(figures.counts.coarse)});
 }
 
 /// Draws a quiet line; a tooltip says what it means, and the line itself where it is cut.
@@ -68,17 +67,17 @@ bool many_undecided(const PictureFigures& figures) {
 }
 
 std::string undecided_text(const PictureFigures& figures) {
-    const std::string text = grouped(figures.counts.undecided) + " undecided";
-    return figures.counts.not_drawn == 0
-               ? text
-               : text + ", " + grouped(figures.counts.not_drawn) + " of them not drawn";
+    const std::string undecided = grouped(figures.counts.undecided);
+    return figures.counts.not_drawn == 0 ? filled(tr("{0} undecided"), {undecided})
+                                         : filled(tr("{0} undecided, {1} of them not drawn"),
+                                                  {undecided, grouped(figures.counts.not_drawn)});
 }
 
 std::string frame_time(const PictureFigures& figures) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), figures.frame_ms < 100.0 ? "%.1f ms" : "%.0f ms",
                   figures.frame_ms);
-    return text.data();
+    return localized(text.data());
 }
 
 float details_section_height(const Shown& shown) {
@@ -91,19 +90,21 @@ void draw_details_section(StopCriterion& stop, const Shown& shown) {
     if (!has_figures(shown)) return;
     const PictureFigures& figures = shown.figures;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    draw_line(frame_time(figures) + ", " + std::to_string(figures.width_px) + " \xC3\x97 " +
-                  std::to_string(figures.height_px) + " pixels",
-              "Time that the last full picture took, and its size.");
+    draw_line(filled(tr("{0}, {1} \xC3\x97 {2} pixels"),
+                     {frame_time(figures), std::to_string(figures.width_px),
+                      std::to_string(figures.height_px)}),
+              tr("Time that the last full picture took, and its size."));
     draw_line(certified_text(figures),
-              "Pixels with a proved root, and a proof that nothing lies before it; coarse: in a "
-              "bracket wider than asked for.");
-    draw_line(undecided_text(figures),
-              "Pixels where neither a root nor emptiness is proved at this d_stop (U marks them).");
+              tr("Pixels with a proved root, and a proof that nothing lies before it; coarse: in a "
+                 "bracket wider than asked for."));
+    draw_line(
+        undecided_text(figures),
+        tr("Pixels where neither a root nor emptiness is proved at this d_stop (U marks them)."));
     if (figures.counts.jumps > 0)
-        draw_line(grouped(figures.counts.jumps) + " at jumps",
-                  "Pixels where f changes its sign in a jump, without a root.");
-    draw_line("view " + view_scale(figures, shown.picture.camera),
-              "Width of the view at the point looked at, and how the rays were computed.");
+        draw_line(filled(tr("{0} at jumps"), {grouped(figures.counts.jumps)}),
+                  tr("Pixels where f changes its sign in a jump, without a root."));
+    draw_line(view_scale(figures, shown.picture.camera),
+              tr("Width of the view at the point looked at, and how the rays were computed."));
     ImGui::PopStyleColor();
 }
 

@@ -1,5 +1,6 @@
 #include "ui/panels/document_menu.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/style/icons.hpp"
@@ -10,6 +11,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,7 @@ namespace {
 constexpr float longest_title_em = 22.0F;
 
 void draw_recent(const std::vector<std::string>& paths, Wishes& wishes) {
-    if (!ImGui::BeginMenu("Open recent", !paths.empty())) return;
+    if (!ImGui::BeginMenu(tr("Open recent"), !paths.empty())) return;
     for (const std::string& path : paths) {
         ImGui::PushID(path.c_str());
         const std::string name = std::filesystem::path(path).filename().string();
@@ -30,11 +32,21 @@ void draw_recent(const std::vector<std::string>& paths, Wishes& wishes) {
     ImGui::EndMenu();
 }
 
+/// Draws the choice of a language, each named in itself: who reads none of the others finds it.
+void draw_languages(std::optional<Language>& chosen) {
+    if (!ImGui::BeginMenu(tr("Language"))) return;
+    if (ImGui::MenuItem(tr("As the desktop"), nullptr, !chosen)) chosen.reset();
+    for (const Language language : all_languages) {
+        if (ImGui::MenuItem(own_name(language), nullptr, chosen == language)) chosen = language;
+    }
+    ImGui::EndMenu();
+}
+
 void draw_items(UiState& state, std::initializer_list<const char*> names) {
     for (const char* const name : names) {
         const Action& action = action_named(name);
         const std::string keys = shown_keys(action);
-        if (ImGui::MenuItem(name, keys.c_str(), false, is_enabled(action, state))) {
+        if (ImGui::MenuItem(tr(name), keys.c_str(), false, is_enabled(action, state))) {
             action.run(state);
         }
     }
@@ -44,7 +56,8 @@ void draw_items(UiState& state, std::initializer_list<const char*> names) {
 
 void draw_document_menu(UiState& state, const IconLook& look) {
     const DocumentStatus& document = state.shown.document;
-    const std::string about = document.name + (document.unsaved ? " (not saved)" : "");
+    const std::string about =
+        document.unsaved ? filled(tr("{0} (not saved)"), {document.name}) : document.name;
     if (icon_button("##document", Icon::Menu, look, about)) ImGui::OpenPopup("##document menu");
     if (!ImGui::BeginPopup("##document menu")) return;
     const std::string title = elided(about, em(longest_title_em));
@@ -61,6 +74,7 @@ void draw_document_menu(UiState& state, const IconLook& look) {
     ImGui::Separator();
     draw_items(state, {"Copy the picture", "Copy as text", "Copy as one line", "Paste"});
     ImGui::Separator();
+    draw_languages(state.edited.layout.language);
     draw_items(state, {"Find a command...", "Quit"});
     ImGui::EndPopup();
 }

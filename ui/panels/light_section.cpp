@@ -1,5 +1,6 @@
 #include "ui/panels/light_section.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/image/gamma.hpp"
 #include "engine/scene/lighting.hpp"
 #include "ui/style/icons.hpp"
@@ -27,22 +28,30 @@ namespace {
 constexpr glm::vec2 look_picture_em(4.4F, 3.3F);
 constexpr float ball_rows = 3.0F;  ///< the height of a light's ball, in lines of the panel
 
-std::string shown_name(Look look) {
-    std::string name(name_of(look));
-    name.front() = static_cast<char>(name.front() - 'a' + 'A');
-    return name;
+const char* shown_name(Look look) {
+    switch (look) {
+        case Look::Standard: return tr("Standard");
+        case Look::Phong: return tr("Phong");
+        case Look::Matte: return tr("Matte");
+        case Look::Porcelain: return tr("Porcelain");
+        case Look::Metal: return tr("Metal");
+        case Look::Glass: return tr("Glass");
+        case Look::Clay: return tr("Clay");
+        case Look::Technical: return tr("Technical");
+    }
+    return "";
 }
 
 const char* about(Look look) {
     switch (look) {
-        case Look::Standard: return "A little gloss; quickest to draw.";
-        case Look::Phong: return "One light and a sharp highlight, as in figures of papers.";
-        case Look::Matte: return "No gloss at all.";
-        case Look::Porcelain: return "Whitish, under a clear glaze.";
-        case Look::Metal: return "Mirrors its surroundings in its own color.";
-        case Look::Glass: return "Mostly seen through, mirrors where it is seen from aside.";
-        case Look::Clay: return "Matte and muted, darker in its hollows.";
-        case Look::Technical: return "Pale, with lines at silhouettes, creases and edges.";
+        case Look::Standard: return tr("A little gloss; quickest to draw.");
+        case Look::Phong: return tr("One light and a sharp highlight, as in figures of papers.");
+        case Look::Matte: return tr("No gloss at all.");
+        case Look::Porcelain: return tr("Whitish, under a clear glaze.");
+        case Look::Metal: return tr("Mirrors its surroundings in its own color.");
+        case Look::Glass: return tr("Mostly seen through, mirrors where it is seen from aside.");
+        case Look::Clay: return tr("Matte and muted, darker in its hollows.");
+        case Look::Technical: return tr("Pale, with lines at silhouettes, creases and edges.");
     }
     return "";
 }
@@ -51,8 +60,9 @@ const char* about(Look look) {
 void draw_look_line(Look look, const UiState& state, LightChoice& light) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const ImVec2 size(em(look_picture_em.x), em(look_picture_em.y));
-    const std::string name = shown_name(look);
-    if (ImGui::Selectable(("##" + name).c_str(), look == light.look, 0, ImVec2(0.0F, size.y)))
+    const char* const name = shown_name(look);
+    if (ImGui::Selectable(labelled("##", name).c_str(), look == light.look, 0,
+                          ImVec2(0.0F, size.y)))
         light.look = look;
     draw_tooltip(about(look));
     const Palette& colors = palette(state.edited.theme);
@@ -61,14 +71,13 @@ void draw_look_line(Look look, const UiState& state, LightChoice& light) {
                    ImVec2(lo.x + size.x, lo.y + size.y), colors);
     const float down = 0.5F * (size.y - ImGui::GetTextLineHeight());
     ImGui::GetWindowDrawList()->AddText(ImVec2(lo.x + size.x + em(0.7F), lo.y + down),
-                                        ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
+                                        ImGui::GetColorU32(ImGuiCol_Text), name);
 }
 
 void draw_look(UiState& state) {
     LightChoice& light = state.edited.document.light;
-    draw_label("look", "What the surfaces look as if they were made of.");
-    if (!ImGui::BeginCombo("##look", shown_name(light.look).c_str(), ImGuiComboFlags_HeightLargest))
-        return;
+    draw_label(tr("look"), tr("What the surfaces look as if they were made of."));
+    if (!ImGui::BeginCombo("##look", shown_name(light.look), ImGuiComboFlags_HeightLargest)) return;
     const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
     state.wishes.look_pictures_px =
         glm::ivec2(glm::round(em(1.0F) * scale * glm::vec2(look_picture_em)));
@@ -78,10 +87,10 @@ void draw_look(UiState& state) {
 }
 
 void draw_mirrors(LightChoice& light) {
-    draw_label("mirrors",
-               "How often light is mirrored from surface to surface, once the picture rests.");
+    draw_label(tr("mirrors"),
+               tr("How often light is mirrored from surface to surface, once the picture rests."));
     draw_integer_slider("##mirrors", light.reflections, 0, max_reflections,
-                        light.reflections == 0 ? "off" : nullptr);
+                        light.reflections == 0 ? tr("off") : nullptr);
 }
 
 void draw_amount(const char* label, const char* about, double& value, double usual_value, double hi,
@@ -95,28 +104,29 @@ void draw_amount(const char* label, const char* about, double& value, double usu
 }
 
 void draw_tint(LightChoice& light) {
-    draw_amount("tint",
-                "How much solids swallow of what is seen through them, of the colors that they are "
-                "not, on a way of length 1. For surfaces that are not opaque.",
-                light.absorption, 0.0, 5.0, max_absorption);
+    draw_amount(
+        tr("tint"),
+        tr("How much solids swallow of what is seen through them, of the colors that they are "
+           "not, on a way of length 1. For surfaces that are not opaque."),
+        light.absorption, 0.0, 5.0, max_absorption);
 }
 
 void draw_tone(LightChoice& light) {
     bool filmic = light.tone == Tone::Filmic;
-    if (ImGui::Checkbox("Filmic###filmic", &filmic))
+    if (ImGui::Checkbox(labelled(tr("Filmic"), "###filmic").c_str(), &filmic))
         light.tone = filmic ? Tone::Filmic : Tone::Plain;
-    draw_tooltip("Bright light is compressed, so that highlights keep their color.");
+    draw_tooltip(tr("Bright light is compressed, so that highlights keep their color."));
     ImGui::SameLine(0.0F, em(1.2F));
     bool own = light.background.has_value();
-    if (ImGui::Checkbox("Background###background", &own))
+    if (ImGui::Checkbox(labelled(tr("Background"), "###background").c_str(), &own))
         light.background =
             own ? std::optional(Background{.top = 0xFFFFFF, .bottom = 0xE4E8EC}) : std::nullopt;
-    draw_tooltip("Colors behind the surfaces, from top to bottom, in place of the theme's.");
+    draw_tooltip(tr("Colors behind the surfaces, from top to bottom, in place of the theme's."));
     if (!light.background) return;
     ImGui::SameLine(0.0F, em(0.6F));
-    draw_color_field("##top", light.background->top, "The background's top");
+    draw_color_field("##top", light.background->top, tr("The background's top"));
     ImGui::SameLine(0.0F, em(0.3F));
-    draw_color_field("##bottom", light.background->bottom, "The background's bottom");
+    draw_color_field("##bottom", light.background->bottom, tr("The background's bottom"));
 }
 
 /// The light's direction as one sees it: to the right, upwards and out of the screen.
@@ -135,25 +145,27 @@ bool draw_light(Light& light, const std::optional<Camera>& camera, const Palette
     const float size = ball_rows * line - ImGui::GetStyle().ItemSpacing.y;
     glm::dvec3 seen = in_view(light, camera);
     if (draw_light_ball("##ball", seen, size, colors)) aim(light, seen, camera);
-    draw_tooltip("Drag to aim the light; a right click takes it to the other side.");
+    draw_tooltip(tr("Drag to aim the light; a right click takes it to the other side."));
     ImGui::SameLine(0.0F, em(0.8F));
     ImGui::BeginGroup();
-    draw_amount("power", "How bright it is.", light.power, Light().power, 2.0, max_power);
+    draw_amount(tr("power"), tr("How bright it is."), light.power, Light().power, 2.0, max_power);
     double across = 2.0 * light.radius_deg;
-    draw_amount("size", "How large it is as seen from the surface, in degrees: soft shadows.",
-                across, 0.0, 45.0, 2.0 * half_sphere_deg);
+    draw_amount(tr_in("light", "size"),
+                tr("How large it is as seen from the surface, in degrees: soft shadows."), across,
+                0.0, 45.0, 2.0 * half_sphere_deg);
     light.radius_deg = 0.5 * across;
     std::uint32_t color = color_of_light(light.color);
-    if (draw_color_field("##color", color, "The light's color"))
+    if (draw_color_field("##color", color, tr("The light's color")))
         light.color = light_of_color(color);
     ImGui::SameLine(0.0F, em(0.6F));
-    if (ImGui::Checkbox("Camera###with", &light.with_camera)) aim(light, seen, camera);
-    draw_tooltip("The light turns with the camera; else it stays where it is in the world.");
+    if (ImGui::Checkbox(labelled(tr_in("light", "Camera"), "###with").c_str(), &light.with_camera))
+        aim(light, seen, camera);
+    draw_tooltip(tr("The light turns with the camera; else it stays where it is in the world."));
     const float button = ImGui::GetFrameHeight();
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x - button);
-    const bool removed = icon_button("##remove", Icon::Cross,
-                                     {.size = button, .color = colors.quiet}, "Remove the light");
+    const bool removed = icon_button(
+        "##remove", Icon::Cross, {.size = button, .color = colors.quiet}, tr("Remove the light"));
     ImGui::EndGroup();
     return !removed;
 }
@@ -170,13 +182,13 @@ void draw_lights(Edited& edited) {
         }
     }
     if (lights.size() == max_lights) return;
-    if (ImGui::Button(lights.empty() ? "Lights of my own" : "Add a light",
+    if (ImGui::Button(lights.empty() ? tr("Lights of my own") : tr("Add a light"),
                       ImVec2(-FLT_MIN, 0.0F))) {
         lights.push_back({});
         if (lights.size() > 1) lights.back().towards = {0.8, -0.1, 0.45};
     }
-    draw_tooltip(lights.empty() ? "Up to four lights, in place of the look's own."
-                                : "Up to four lights.");
+    draw_tooltip(lights.empty() ? tr("Up to four lights, in place of the look's own.")
+                                : tr("Up to four lights."));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "document/look.hpp"
 #include "engine/annotate/legend.hpp"
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/scene/coloring.hpp"
 #include "ui/picture/draw_shapes.hpp"
 #include "ui/style/fonts.hpp"
@@ -24,17 +25,19 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr const char* about_expression =
-    "A formula of x, y, z, w and the sliders' letters, such as x^2 + y^2, with the functions and "
-    "values of the list.";
+constexpr const char* about_expression = marked(
+    "A formula of x, y, z, w and the sliders' letters, such as x^2 + y^2, with the functions "
+    "and values of the list.");
 
 void draw_color_by(ColorChoice& coloring) {
-    draw_label("color", "What the colors of the surfaces tell.");
-    if (!ImGui::BeginCombo("##color_by", shown_name(coloring.by), ImGuiComboFlags_HeightLarge)) {
+    draw_label(tr("color"), tr("What the colors of the surfaces tell."));
+    if (!ImGui::BeginCombo("##color_by", tr(shown_name(coloring.by)),
+                           ImGuiComboFlags_HeightLarge)) {
         return;
     }
     for (const ColorBy by : color_modes()) {
-        if (!ImGui::Selectable(shown_name(by), by == coloring.by) || by == coloring.by) continue;
+        if (!ImGui::Selectable(tr(shown_name(by)), by == coloring.by) || by == coloring.by)
+            continue;
         // Settings of the old quantity mean nothing for the new one.
         coloring = {.by = by, .expression = coloring.expression, .lines = coloring.lines};
     }
@@ -43,7 +46,7 @@ void draw_color_by(ColorChoice& coloring) {
 
 void draw_expression(const char* id, std::string& expression, const std::string& error,
                      const Palette& colors) {
-    draw_label("of", about_expression);
+    draw_label(tr("of"), tr(about_expression));
     ImGui::PushFont(font(FontRole::Formula));
     ImGui::InputTextWithHint(id, "x^2 + y^2", &expression);
     ImGui::PopFont();
@@ -73,9 +76,9 @@ void draw_map_line(ColorChoice& coloring, ColorMap map, bool chosen) {
 }
 
 void draw_map(ColorChoice& coloring) {
-    draw_label("map",
-               "Colors in even steps, told apart by lightness, too. Balance is for numbers "
-               "with a sign, cycle for angles.");
+    draw_label(tr("map"),
+               tr("Colors in even steps, told apart by lightness, too. Balance is for numbers "
+                  "with a sign, cycle for angles."));
     const ColorMap shown = coloring.map.value_or(usual_map(coloring.by));
     const ImVec2 padding = ImGui::GetStyle().FramePadding;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -96,13 +99,13 @@ bool draw_end(const char* id, double& end, float width) {
 }
 
 void draw_range(ColorChoice& coloring, const std::optional<Legend>& legend) {
-    draw_label("range",
-               "The numbers at the ends of the colors. By itself the range holds most of "
-               "what the picture shows.");
+    draw_label(tr("range"),
+               tr("The numbers at the ends of the colors. By itself the range holds most of "
+                  "what the picture shows."));
     bool by_itself = !coloring.range;
     const ValueRange found = legend && legend->range ? *legend->range : ValueRange();
     ValueRange range = coloring.range.value_or(found);
-    if (ImGui::Checkbox("auto##range", &by_itself)) {
+    if (ImGui::Checkbox(labelled(tr("auto"), "##range").c_str(), &by_itself)) {
         coloring.range = by_itself ? std::nullopt : std::optional(range);
     }
     ImGui::SameLine();
@@ -116,10 +119,10 @@ void draw_range(ColorChoice& coloring, const std::optional<Legend>& legend) {
 
 const char* shown_name(Contours contours) {
     switch (contours) {
-        case Contours::None: return "None";
-        case Contours::Height: return "Height";
-        case Contours::Coordinates: return "Grid of x, y, z";
-        case Contours::Expression: return "An expression";
+        case Contours::None: return tr_in("contours", "None");
+        case Contours::Height: return tr("Height");
+        case Contours::Coordinates: return tr("Grid of x, y, z");
+        case Contours::Expression: return tr("An expression");
     }
     return "";
 }
@@ -128,16 +131,17 @@ const char* shown_name(Contours contours) {
 /// `found`: the one that was.
 void draw_step(LineChoice& lines, const std::optional<double>& found) {
     double step = lines.step.value_or(0.0);
-    const std::string by_itself = found ? "step " + short_number(*found) + " (auto)" : "step auto";
+    const std::string by_itself =
+        found ? filled(tr("step {0} (auto)"), {localized(short_number(*found))}) : tr("step auto");
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (draw_number_field("##step", step, 0.0, largest_number, by_itself.c_str()))
         lines.step = step > 0.0 ? std::optional(step) : std::nullopt;
-    draw_tooltip("The step from line to line; empty or 0: chosen by itself.");
+    draw_tooltip(tr("The step from line to line; empty or 0: chosen by itself."));
 }
 
 void draw_lines(LineChoice& lines, const Shown& shown, const Palette& colors) {
     const std::string& error = shown.reading.contour_error;
-    draw_label("lines", "Contour lines: where a number is a whole multiple of a step.");
+    draw_label(tr("lines"), tr("Contour lines: where a number is a whole multiple of a step."));
     const bool has_lines = lines.contours != Contours::None;
     if (has_lines) ImGui::SetNextItemWidth(0.55F * ImGui::GetContentRegionAvail().x);
     if (ImGui::BeginCombo("##contours", shown_name(lines.contours))) {
@@ -151,31 +155,34 @@ void draw_lines(LineChoice& lines, const Shown& shown, const Palette& colors) {
     if (has_lines) {
         ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
         draw_step(lines, shown.picture.contour_step);
-        ImGui::Checkbox("Numbers###labels", &lines.labels);
-        draw_tooltip("Numbers along the contour lines.");
+        ImGui::Checkbox(labelled(tr("Numbers"), "###labels").c_str(), &lines.labels);
+        draw_tooltip(tr("Numbers along the contour lines."));
     }
     if (lines.contours == Contours::Expression)
         draw_expression("##contour_expression", lines.expression, error, colors);
 }
 
 void draw_undecided(Document& document, Theme theme) {
-    ImGui::Checkbox("Mark undecided###undecided", &document.mark_undecided);
-    draw_tooltip(
+    ImGui::Checkbox(labelled(tr("Mark undecided"), "###undecided").c_str(),
+                    &document.mark_undecided);
+    draw_tooltip(tr(
         "Undecided pixels (U): the ray may meet the surface where the search stopped, or passed a "
-        "place where f jumps or ends. A larger d_stop decides more of them.");
+        "place where f jumps or ends. A larger d_stop decides more of them."));
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetItemRectSize().x - em(1.2F);
-    const char* const jumps = "Jumps###jumps";
-    if (ImGui::CalcTextSize(jumps, nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <= room) {
+    const std::string jumps = labelled(tr("Jumps"), "###jumps");
+    if (ImGui::CalcTextSize(jumps.c_str(), nullptr, true).x + ImGui::GetFrameHeight() + em(0.6F) <=
+        room) {
         ImGui::SameLine(0.0F, em(1.2F));
-        ImGui::Checkbox(jumps, &document.jumps);
+        ImGui::Checkbox(jumps.c_str(), &document.jumps);
         draw_tooltip(
-            "Draw also where f changes its sign in a jump, as floor and if make it, without "
-            "a root.");
+            tr("Draw also where f changes its sign in a jump, as floor and if make it, without "
+               "a root."));
     }
     if (!document.mark_undecided) return;
-    constexpr std::array marks{std::pair(PixelMark::UndecidedDrawn, "something is drawn there"),
-                               std::pair(PixelMark::UndecidedNotDrawn, "nothing is drawn there"),
-                               std::pair(PixelMark::Coarse, "certified in a coarse bracket")};
+    constexpr std::array marks{
+        std::pair(PixelMark::UndecidedDrawn, marked("something is drawn there")),
+        std::pair(PixelMark::UndecidedNotDrawn, marked("nothing is drawn there")),
+        std::pair(PixelMark::Coarse, marked("certified in a coarse bracket"))};
     const CardStyle style = card_style(theme);
     const float size = ImGui::GetTextLineHeight();
     for (const auto& [mark, words] : marks) {
@@ -185,7 +192,7 @@ void draw_undecided(Document& document, Theme theme) {
                     swatch_shapes({0.0, 0.0}, static_cast<double>(size), mark, style));
         ImGui::Dummy(ImVec2(size, size));
         ImGui::SameLine(0.0F, em(0.5F));
-        ImGui::TextDisabled("%s", words);
+        ImGui::TextDisabled("%s", tr(words));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "ui/panels/marker_section.hpp"
 
 #include "document/look.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/marker_moves.hpp"
 #include "ui/model/typed_point.hpp"
@@ -37,7 +38,8 @@ std::string row_text(const Marker& marker, const Marker* selected, const ShownPi
     if (!marker.label.empty()) text.insert(0, marker.label + "  ");
     if (selected == nullptr || selected == &marker) return text;
     const double distance = glm::distance(marker.at, selected->at);
-    return text + "   " + number_text(distance, resolution) + " from " + name_of(*selected);
+    return text + "   " +
+           filled(tr("{0} from {1}"), {number_text(distance, resolution), name_of(*selected)});
 }
 
 void draw_number(const Marker& marker, bool selected, const ImVec2& lo, float height,
@@ -70,7 +72,8 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
     const float room = width - 2.0F * height - em(2.2F);
     const bool cut = ImGui::CalcTextSize(text.c_str()).x > room;
     draw_tooltip((cut ? text + "\n" : std::string()) +
-                 "Select: Ctrl+C copies it, Delete removes it; the others show how far they are.");
+                 tr("Select: Ctrl+C copies it, Delete removes it; the others show how far they "
+                    "are."));
     const ImVec4 clip(lo.x, lo.y, lo.x + em(2.2F) + room, lo.y + height);
     ImGui::GetWindowDrawList()->AddText(
         small, ImGui::GetFontSize(),
@@ -80,11 +83,11 @@ bool draw_row(Edited& edited, const Marker& marker, const Marker* selected,
     draw_number(marker, is_selected, lo, height, colors);
     const IconLook look{.size = height, .color = colors.quiet};
     ImGui::SameLine(left + width - 2.0F * height, 0.0F);
-    if (icon_button("##copy", Icon::Copy, look, "Copy the coordinates")) {
+    if (icon_button("##copy", Icon::Copy, look, tr("Copy the coordinates"))) {
         set_clipboard(coordinates_text(marker.at));
     }
     ImGui::SameLine(left + width - height, 0.0F);
-    return !icon_button("##remove", Icon::Cross, look, "Remove the marker");
+    return !icon_button("##remove", Icon::Cross, look, tr("Remove the marker"));
 }
 
 float row_gap() { return em(0.15F); }
@@ -96,10 +99,11 @@ void draw_point_field(UiState& state) {
                           ImGui::IsRectVisible(ImVec2(1.0F, ImGui::GetFrameHeight()));
     if (in_sight && std::exchange(state.wishes.point_field, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const bool entered = ImGui::InputTextWithHint("##point", "go to x, y, z", &field.typed,
+    const bool entered = ImGui::InputTextWithHint("##point", tr("go to x, y, z"), &field.typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     if (ImGui::IsItemEdited()) field.wrong = false;
-    draw_tooltip("Type a point, such as 1, 2, 3, and press Enter: it is looked at, and marked.");
+    draw_tooltip(
+        tr("Type a point, such as 1, 2, 3, and press Enter: it is looked at, and marked."));
     if (entered) {
         const auto point = point_typed(field.typed);
         field.wrong = !point.has_value();
@@ -110,7 +114,7 @@ void draw_point_field(UiState& state) {
     }
     if (!field.wrong) return;
     ImGui::PushStyleColor(ImGuiCol_Text, palette(state.edited.theme).error);
-    ImGui::TextUnformatted("type three numbers, such as 1, 2, 3");
+    ImGui::TextUnformatted(tr("type three numbers, such as 1, 2, 3"));
     ImGui::PopStyleColor();
 }
 
@@ -121,22 +125,24 @@ void draw_selected(UiState& state) {
     if (marker == markers.end()) {
         // The line is always there, so that the rows stay where they are clicked.
         ImGui::AlignTextToFramePadding();
-        ImGui::TextDisabled("Select one to label or snap it.");
+        ImGui::TextDisabled("%s", tr("Select one to label or snap it."));
         return;
     }
     const Action& snap = action_named("Snap the marker");
-    const float button = ImGui::CalcTextSize("Snap").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float button =
+        ImGui::CalcTextSize(tr("Snap")).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - em(0.4F));
     std::string label = marker->label;
-    const std::string hint = "label of " + std::to_string(marker->number);
+    const std::string hint = filled(tr("label of {0}"), {std::to_string(marker->number)});
     ImGui::PushID(marker->number);
     if (ImGui::InputTextWithHint("##label", hint.c_str(), &label) && label.size() <= longest_label)
         marker->label = label;
-    draw_tooltip("Shown in the picture in place of the number.");
+    draw_tooltip(tr("Shown in the picture in place of the number."));
     ImGui::PopID();
     ImGui::SameLine(0.0F, em(0.4F));
-    if (ImGui::Button("Snap##snap", ImVec2(button, 0.0F))) snap.run(state);
-    draw_tooltip(described(snap) + "\n" + snap.about);
+    if (ImGui::Button(labelled(tr("Snap"), "##snap").c_str(), ImVec2(button, 0.0F)))
+        snap.run(state);
+    draw_tooltip(described(snap) + "\n" + tr(snap.about));
 }
 
 /// Draws the list; or what to do where it is empty.
@@ -144,7 +150,7 @@ void draw_list(Edited& edited, const ShownPicture& picture) {
     const std::vector<Marker>& markers = edited.document.markers;
     if (markers.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette(edited.theme).quiet);
-        ImGui::TextWrapped("Click on a surface (or M) to keep a point.");
+        ImGui::TextWrapped("%s", tr("Click on a surface (or M) to keep a point."));
         ImGui::PopStyleColor();
         return;
     }

@@ -2,6 +2,7 @@
 
 #include "document/document.hpp"
 #include "document/play.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
@@ -20,10 +21,11 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr const char* about_w =
-    "The fourth coordinate, w or t: the picture is the slice of f(x, y, z, w) = 0 at this w.\n";
-constexpr const char* how =
-    "Double-click or Ctrl+click: type any number. Right click: back to the usual value and range.";
+constexpr const char* about_w = marked(
+    "The fourth coordinate, w or t: the picture is the slice of f(x, y, z, w) = 0 at this w.");
+constexpr const char* how = marked(
+    "Double-click or Ctrl+click: type any number. Right click: back to the usual value and "
+    "range.");
 
 /// Draws a number field with its label; true when a finite number was typed.
 bool draw_number(const char* label, const char* id, double& number) {
@@ -36,44 +38,44 @@ bool draw_number(const char* label, const char* id, double& number) {
 
 void draw_ends(Slider& slider) {
     double lo = slider.lo;
-    if (draw_number("from", "##lo", lo) && lo < slider.hi) {
+    if (draw_number(tr("from"), "##lo", lo) && lo < slider.hi) {
         slider.lo = lo;
         slider.value = std::max(slider.value, lo);
     }
     double hi = slider.hi;
-    if (draw_number("to", "##hi", hi) && hi > slider.lo) {
+    if (draw_number(tr("to"), "##hi", hi) && hi > slider.lo) {
         slider.hi = hi;
         slider.value = std::min(slider.value, hi);
     }
     double step = slider.step;
-    if (draw_number("step", "##step", step) && step >= 0.0) {
+    if (draw_number(tr("step"), "##step", step) && step >= 0.0) {
         slider.step = step;
         slider.value = on_step(slider, slider.value);
     }
-    draw_tooltip("0: any value between the ends");
+    draw_tooltip(tr("0: any value between the ends"));
 }
 
 void draw_settings(const char* id, Slider& slider) {
     if (!ImGui::BeginPopup(id)) return;
     draw_ends(slider);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("speed");
+    ImGui::TextDisabled("%s", tr("speed"));
     ImGui::SameLine(em(4.0F));
     ImGui::SetNextItemWidth(em(8.0F));
     slide("##speed", slider.speed, 0.125, 8.0, "%.2f\xC3\x97",
           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    draw_tooltip("1: from end to end in four seconds");
+    draw_tooltip(tr("1: from end to end in four seconds"));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("at the end");
-    if (ImGui::RadioButton("turn back", slider.repeat == Repeat::Bounce)) {
+    ImGui::TextDisabled("%s", tr("at the end"));
+    if (ImGui::RadioButton(tr("turn back"), slider.repeat == Repeat::Bounce)) {
         slider.repeat = Repeat::Bounce;
     }
     ImGui::SameLine();
-    if (ImGui::RadioButton("start again", slider.repeat == Repeat::Loop)) {
+    if (ImGui::RadioButton(tr("start again"), slider.repeat == Repeat::Loop)) {
         slider.repeat = Repeat::Loop;
     }
-    ImGui::Checkbox("In presentations", &slider.presented);
-    draw_tooltip("Show this slider in a presentation (F5) and with zeroset --present.");
+    ImGui::Checkbox(tr("In presentations"), &slider.presented);
+    draw_tooltip(tr("Show this slider in a presentation (F5) and with zeroset --present."));
     ImGui::EndPopup();
 }
 
@@ -81,7 +83,8 @@ void draw_play_button(Edited& edited, const std::string& name, const Slider& sli
     const Palette& colors = palette(edited.theme);
     const bool plays = edited.playing.contains(name);
     const IconLook look{.size = size, .color = plays ? colors.accent : colors.quiet};
-    if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look, plays ? "Stop" : "Play")) {
+    if (!icon_button("##play", plays ? Icon::Pause : Icon::Play, look,
+                     plays ? tr("Stop") : tr("Play"))) {
         return;
     }
     if (plays) {
@@ -99,7 +102,8 @@ void draw_name(const std::string& name, const std::string& called, const Palette
     const bool cut = draw_elided(called, em(1.9F));
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    draw_tooltip((name == w_name ? about_w : cut ? name + "\n" : std::string()) + how);
+    const std::string first = name == w_name ? tr(about_w) : cut ? name : std::string();
+    draw_tooltip(first + (first.empty() ? "" : "\n") + tr(how));
 }
 
 /// Whether the row of a slider has a button for its settings behind it.
@@ -124,7 +128,7 @@ void draw_row(Edited& edited, const ReadingFacts& reading, const std::string& na
         ImGui::SameLine(0.0F, 0.0F);
         ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size);
         if (icon_button("##more", Icon::More, {.size = size, .color = colors.quiet},
-                        "Range, step, speed and presentations"))
+                        tr("Range, step, speed and presentations")))
             ImGui::OpenPopup("##settings");
         draw_settings("##settings", slider);
     }

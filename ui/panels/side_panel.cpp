@@ -1,5 +1,6 @@
 #include "ui/panels/side_panel.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/camera_section.hpp"
@@ -44,7 +45,7 @@ void draw_action(UiState& state, const char* name, Icon icon, IconLook look) {
 
 void draw_gallery_button(UiState& state, const ImVec2& size) {
     const Action& action = action_named("Gallery");
-    if (ImGui::Button(action.name, size)) action.run(state);
+    if (ImGui::Button(tr(action.name), size)) action.run(state);
     draw_tooltip(described(action));
 }
 
@@ -70,10 +71,10 @@ void draw_header(UiState& state) {
 }
 
 /// Draws the title line of a section; a click opens or closes the section.
-void draw_section_title(const char* title, bool& open, const Palette& colors) {
+void draw_section_title(const char* id, const char* title, bool& open, const Palette& colors) {
     const ImVec2 lo = ImGui::GetCursorScreenPos();
     const float height = std::ceil(em(1.9F));
-    if (ImGui::InvisibleButton(title, ImVec2(ImGui::GetContentRegionAvail().x, height))) {
+    if (ImGui::InvisibleButton(id, ImVec2(ImGui::GetContentRegionAvail().x, height))) {
         open = !open;
     }
     draw_focus_ring();
@@ -177,7 +178,7 @@ float sections_height(const UiState& state) {
 void draw_below(UiState& state) {
     for (const FoldedSection& section : sections) {
         ImGui::Separator();
-        draw_section_title(section.title, state.edited.layout.*section.open,
+        draw_section_title(section.title, tr(section.title), state.edited.layout.*section.open,
                            palette(state.edited.theme));
         if (!(state.edited.layout.*section.open)) continue;
         // The field into which a point is to be typed must be in sight.

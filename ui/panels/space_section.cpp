@@ -1,5 +1,6 @@
 #include "ui/panels/space_section.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/ui_state.hpp"
@@ -40,7 +41,7 @@ void draw_buttons(UiState& state, std::span<const Button> buttons) {
     for (const Button& button : buttons) {
         if (&button != buttons.data()) ImGui::SameLine(0.0F, gap);
         const Action& action = action_named(button.action);
-        const std::string id = std::string(button.label) + "###" + button.action;
+        const std::string id = std::string(tr(button.label)) + "###" + button.action;
         if (ImGui::Button(id.c_str(), ImVec2(width, 0.0F))) action.run(state);
         draw_tooltip(described(action));
     }
@@ -48,7 +49,7 @@ void draw_buttons(UiState& state, std::span<const Button> buttons) {
 }
 
 void draw_up(UiState& state) {
-    draw_label("up", "What is up in the picture; dragging turns about it.");
+    draw_label(tr("up"), tr("What is up in the picture; dragging turns about it."));
     constexpr std::array<const char*, 3> names{"x", "y", "z"};
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 up(0.0);
@@ -61,7 +62,7 @@ void draw_up(UiState& state) {
 
 /// Draws three fields with the names of the axes.
 void draw_names(Document& document) {
-    draw_label("names", "What the axes are called in the picture.");
+    draw_label(tr("names"), tr("What the axes are called in the picture."));
     const float gap = em(0.35F);
     const float width = (ImGui::GetContentRegionAvail().x - 2.0F * gap) / 3.0F;
     for (std::size_t axis = 0; axis < document.axis_names.size(); ++axis) {
@@ -80,20 +81,21 @@ void draw_names(Document& document) {
 float space_section_height() { return 6.0F * ImGui::GetFrameHeightWithSpacing(); }
 
 void draw_space_section(UiState& state) {
-    draw_switch(state, "Axes, box and grid", "Axes, box and grid");
-    draw_switch(state, "Axes", "Axes");
+    draw_switch(state, tr("Axes, box and grid"), "Axes, box and grid");
+    draw_switch(state, tr("Axes"), "Axes");
     ImGui::SameLine(0.0F, em(1.0F));
-    draw_switch(state, "Box", "Clip box");
+    draw_switch(state, tr("Box"), "Clip box");
     ImGui::SameLine(0.0F, em(1.0F));
-    draw_switch(state, "Grid", "Grid");
+    draw_switch(state, tr("Grid"), "Grid");
     draw_names(state.edited.document);
     draw_up(state);
-    draw_switch(state, "Turn freely", "Turn freely");
-    constexpr std::array<Button, 5> views{{{.label = "Front", .action = "View from the front"},
-                                           {.label = "Right", .action = "View from the right"},
-                                           {.label = "Top", .action = "View from above"},
-                                           {.label = "Corner", .action = "Isometric view"},
-                                           {.label = "Frame", .action = "Frame the surface"}}};
+    draw_switch(state, tr("Turn freely"), "Turn freely");
+    constexpr std::array<Button, 5> views{
+        {{.label = marked("Front"), .action = "View from the front"},
+         {.label = marked("Right"), .action = "View from the right"},
+         {.label = marked("Top"), .action = "View from above"},
+         {.label = marked("Corner"), .action = "Isometric view"},
+         {.label = marked("Frame"), .action = "Frame the surface"}}};
     draw_buttons(state, views);
 }
 

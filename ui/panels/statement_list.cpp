@@ -2,6 +2,7 @@
 
 #include "document/document.hpp"
 #include "document/row_program.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/parameter_row.hpp"
 #include "ui/panels/statement_field.hpp"
@@ -24,8 +25,8 @@ namespace {
 
 using Caret = RowFocus::Caret;
 
-constexpr const char* hint = "type an equation, such as x^2 + y^2 + z^2 = 1";
-constexpr const char* short_hint = "type an equation";
+constexpr const char* hint = marked("type an equation, such as x^2 + y^2 + z^2 = 1");
+constexpr const char* short_hint = marked("type an equation");
 
 std::vector<Statement>& rows(UiState& state) { return state.edited.document.statements; }
 
@@ -130,14 +131,14 @@ void draw_adder(UiState& state) {
     const float middle = 0.5F * (lo.y + hi.y);
     draw_icon(canvas, Icon::Plus, ImVec2(lo.x + em(1.65F), middle), em(0.75F), color);
     canvas.AddText(ImVec2(lo.x + em(3.4F), middle - 0.5F * ImGui::GetFontSize()), color,
-                   "Add a statement");
+                   tr("Add a statement"));
 }
 
 /// Returns the hint for an empty field; nullptr if the list has more than one row.
 const char* hint_for(const UiState& state) {
     if (state.edited.document.statements.size() > 1) return nullptr;
     const bool wide = ImGui::GetContentRegionAvail().x > em(32.0F);
-    return wide ? hint : short_hint;
+    return tr(wide ? hint : short_hint);
 }
 
 }  // namespace

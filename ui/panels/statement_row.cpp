@@ -2,12 +2,14 @@
 
 #include "document/sheet.hpp"
 #include "engine/annotate/shapes.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/model/ui_state.hpp"
 #include "ui/panels/statement_field.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/icons.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
+#include "ui/widgets/chord.hpp"
 #include "ui/widgets/color_picker.hpp"
 
 #include <imgui/imgui.h>
@@ -83,7 +85,7 @@ RowEvent draw_grip(const Row& row, float height) {
                   ImVec2(lo.x + em(0.4F), lo.y + 0.5F * height), em(0.9F), color);
     }
     if (ImGui::IsItemHovered() || dragged) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-    if (!dragged) draw_tooltip("Drag to reorder (Alt + arrows)");
+    if (!dragged) draw_tooltip(tr("Drag to reorder (Alt + arrows)"));
     if (!dragged || !ImGui::IsMouseDragging(ImGuiMouseButton_Left, em(0.2F))) return RowEvent::None;
     const float pointer = ImGui::GetIO().MousePos.y;
     if (pointer < row.place.Min.y - em(0.3F)) return RowEvent::MoveUp;
@@ -115,7 +117,7 @@ std::string kind_name(const Row& row) {
     if (row.error() != nullptr && !row.error()->unfinished) return row.error()->reason;
     if (row.report == nullptr || row.report->readings.empty()) return "";
     const bool function = row.report->readings.front().kind == StatementKind::Function;
-    return function ? "A function" : "A constant";
+    return function ? tr("A function") : tr("A constant");
 }
 
 void draw_swatch(const Row& row, float height) {
@@ -133,7 +135,7 @@ void draw_swatch(const Row& row, float height) {
     draw_focus_ring();
     draw_color_dot(*ImGui::GetWindowDrawList(), centre, em(0.5F), row.statement, row.colors,
                    ImGui::IsItemHovered());
-    draw_tooltip("Color and solid");
+    draw_tooltip(tr("Color and solid"));
     draw_surface_popup("##color", row.statement, row.colors);
 }
 
@@ -148,13 +150,13 @@ RowEvent draw_buttons(const Row& row, float height) {
         ImGui::SetCursorPosY(top);
         const bool seen = statement.visible;
         if (icon_button("##eye", seen ? Icon::Eye : Icon::ClosedEye, look,
-                        seen ? "Hide" : "Show")) {
+                        seen ? tr("Hide") : tr("Show"))) {
             statement.visible = !seen;
         }
     }
     if (!row.hovered && !row.typing) return RowEvent::None;
     ImGui::SetCursorPos(ImVec2(left + size, top));
-    const bool removed = icon_button("##remove", Icon::Cross, look, "Remove");
+    const bool removed = icon_button("##remove", Icon::Cross, look, tr("Remove"));
     return removed ? RowEvent::RemoveAhead : RowEvent::None;
 }
 
@@ -164,16 +166,16 @@ RowEvent draw_menu(const Row& row) {
     const auto item = [&event](const char* label, const char* keys, RowEvent does) {
         if (ImGui::MenuItem(label, keys)) event = does;
     };
-    item("Duplicate", "Ctrl+D", RowEvent::Duplicate);
-    item("Move up", "Alt+Up", RowEvent::MoveUp);
-    item("Move down", "Alt+Down", RowEvent::MoveDown);
+    item(tr("Duplicate"), keys_in_language("Ctrl+D").c_str(), RowEvent::Duplicate);
+    item(tr("Move up"), keys_in_language("Alt+Up").c_str(), RowEvent::MoveUp);
+    item(tr("Move down"), keys_in_language("Alt+Down").c_str(), RowEvent::MoveDown);
     if (row.report != nullptr && !row.report->readings.empty()) {
-        if (ImGui::MenuItem("Copy as read")) {
+        if (ImGui::MenuItem(tr("Copy as read"))) {
             ImGui::SetClipboardText(row.report->readings.front().text.c_str());
         }
     }
     ImGui::Separator();
-    item("Remove", "", RowEvent::RemoveAhead);
+    item(tr("Remove"), "", RowEvent::RemoveAhead);
     ImGui::EndPopup();
     return event;
 }
@@ -190,7 +192,7 @@ void draw_readings(const Row& row, float width) {
         const ImVec2 at = ImGui::GetCursorPos();
         const std::string line = in_one_line(readings[i].text);
         const bool cut = draw_elided(line, width);
-        draw_tooltip(cut ? readings[i].text + "\n\nClick: copy" : "Click: copy", 60.0F);
+        draw_tooltip((cut ? readings[i].text + "\n\n" : "") + tr("Click: copy"), 60.0F);
         if (ImGui::IsItemClicked()) ImGui::SetClipboardText(readings[i].text.c_str());
         ImGui::SetCursorPos(ImVec2(at.x, at.y + std::ceil(em(1.2F))));
         ImGui::PopID();

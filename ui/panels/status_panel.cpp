@@ -1,6 +1,7 @@
 #include "ui/panels/status_panel.hpp"
 
 #include "document/look.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/panels/details_section.hpp"
 #include "ui/style/fonts.hpp"
 #include "ui/style/screen_areas.hpp"
@@ -23,9 +24,9 @@ namespace zeroset::ui {
 namespace {
 
 constexpr const char* separator = "  \xC2\xB7  ";
-constexpr const char* keys_hint =
-    "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset  "
-    "\xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit";
+constexpr const char* keys_hint = marked(
+    "drag: orbit  \xC2\xB7  right or Shift+drag: pan  \xC2\xB7  wheel: zoom  \xC2\xB7  R: reset "
+    " \xC2\xB7  F1: help  \xC2\xB7  Ctrl+Q: quit");
 
 /// Adds text to the line, unless the window is too narrow for it.
 void add_text(std::uint32_t color, const std::string& text, const char* between = separator) {
@@ -63,7 +64,7 @@ void add_surface(const std::vector<Statement>& rows, int id, const Palette& colo
     ImGui::SameLine(0.0F, 0.0F);
     if (rows.size() < 2) return;
     ImGui::PushStyleColor(ImGuiCol_Text, colors.quiet);
-    ImGui::Text("row %d  ", static_cast<int>(row - rows.begin()) + 1);
+    ImGui::Text("%s  ", filled(tr("row {0}"), {std::to_string(row - rows.begin() + 1)}).c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine(0.0F, 0.0F);
 }
@@ -86,13 +87,14 @@ void draw_pointed(const PointedFacts& pointed, const std::vector<Statement>& row
     const bool coarse = facts.certificate == Certificate::Coarse;
     add_text(colors.text, coordinates_text(facts.point, resolution), "");
     const bool jump = facts.certificate == Certificate::Jump;
-    add_text(certified ? colors.quiet : colors.warning, coarse      ? "certified, coarse"
-                                                        : certified ? "certified"
-                                                        : jump      ? "jump in sign, no root"
-                                                                    : "undecided");
+    add_text(certified ? colors.quiet : colors.warning, coarse      ? tr("certified, coarse")
+                                                        : certified ? tr("certified")
+                                                        : jump      ? tr("jump in sign, no root")
+                                                                    : tr("undecided"));
     if (facts.normal != glm::dvec3(0.0))
-        add_text(colors.quiet, "normal " + coordinates_text(facts.normal, 1e-3));
-    add_text(colors.quiet, number_text(facts.distance, resolution) + " from the eye");
+        add_text(colors.quiet, filled(tr("normal {0}"), {coordinates_text(facts.normal, 1e-3)}));
+    add_text(colors.quiet,
+             filled(tr("{0} from the eye"), {number_text(facts.distance, resolution)}));
     add_text(colors.quiet, small_number("f = %.2g", facts.f));
 }
 
@@ -107,16 +109,17 @@ void draw_known(const Shown& shown, const std::vector<Statement>& rows, const Pa
         draw_figures(shown.figures, colors);
     }
     if (shown.picture.tracing && status.doing.empty()) {
-        add_text(colors.accent, "tracing\xE2\x80\xA6");
+        add_text(colors.accent, tr("tracing\xE2\x80\xA6"));
     }
 }
 
 void draw_keys_hint() {
-    const float width = ImGui::CalcTextSize(keys_hint).x;
+    const char* const hint = tr(keys_hint);
+    const float width = ImGui::CalcTextSize(hint).x;
     const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - width;
     if (right < ImGui::GetCursorPosX() + em(2.0F)) return;
     ImGui::SetCursorPosX(right);
-    ImGui::TextDisabled("%s", keys_hint);
+    ImGui::TextDisabled("%s", hint);
 }
 
 }  // namespace

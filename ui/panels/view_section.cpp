@@ -1,5 +1,6 @@
 #include "ui/panels/view_section.hpp"
 
+#include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/model/ui_state.hpp"
@@ -9,8 +10,8 @@
 
 #include <imgui/imgui.h>
 
+#include <algorithm>
 #include <optional>
-#include <string>
 
 namespace zeroset::ui {
 namespace {
@@ -18,37 +19,37 @@ namespace {
 void draw_projection(std::optional<Camera>& camera) {
     if (!camera) return;
     bool parallel = camera->projection == Projection::Orthographic;
-    if (ImGui::Checkbox("Parallel rays###parallel", &parallel))
+    if (ImGui::Checkbox(labelled(tr("Parallel rays"), "###parallel").c_str(), &parallel))
         camera->projection = parallel ? Projection::Orthographic : Projection::Perspective;
-    draw_tooltip("All rays leave the picture in one direction, none is nearer to the eye (5).");
+    draw_tooltip(tr("All rays leave the picture in one direction, none is nearer to the eye (5)."));
 }
 
 void draw_light(Document& document) {
-    ImGui::Checkbox("Shadows###shadows", &document.shadows);
-    draw_tooltip("Let the surfaces throw shadows, once the picture rests.");
+    ImGui::Checkbox(labelled(tr("Shadows"), "###shadows").c_str(), &document.shadows);
+    draw_tooltip(tr("Let the surfaces throw shadows, once the picture rests."));
     ImGui::SameLine(0.0F, em(1.2F));
     bool smooth = document.antialias != Antialias::None;
-    if (ImGui::Checkbox("Smooth edges###antialias", &smooth))
+    if (ImGui::Checkbox(labelled(tr("Smooth edges"), "###antialias").c_str(), &smooth))
         document.antialias = smooth_edges(smooth);
     draw_tooltip(
-        "Show pixels part by part where they hold more than one smooth sheet, "
-        "once the picture rests.");
+        tr("Show pixels part by part where they hold more than one smooth sheet, "
+           "once the picture rests."));
 }
 
 const char* shown_name(WheelUse use) {
     switch (use) {
-        case WheelUse::Zoom: return "zooms";
-        case WheelUse::Orbit: return "orbits";
-        case WheelUse::Pan: return "pans";
+        case WheelUse::Zoom: return tr("zooms");
+        case WheelUse::Orbit: return tr("orbits");
+        case WheelUse::Pan: return tr("pans");
     }
     return "";
 }
 
 void draw_wheel(WheelUse& use) {
     draw_label(
-        "scroll",
-        "What the wheel, or two fingers on a touchpad, do over the picture. Where they orbit "
-        "or pan, Shift changes to the other and Ctrl zooms.");
+        tr("scroll"),
+        tr("What the wheel, or two fingers on a touchpad, do over the picture. Where they orbit "
+           "or pan, Shift changes to the other and Ctrl zooms."));
     if (!ImGui::BeginCombo("##wheel", shown_name(use))) return;
     for (const WheelUse other : {WheelUse::Zoom, WheelUse::Orbit, WheelUse::Pan}) {
         if (ImGui::Selectable(shown_name(other), other == use)) use = other;
@@ -59,18 +60,21 @@ void draw_wheel(WheelUse& use) {
 void draw_buttons(UiState& state) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
-    const bool wide = half >= ImGui::CalcTextSize("Light theme").x + style.FramePadding.x;
-    const ImVec2 size(half, 0.0F);
-    if (ImGui::Button(wide ? "Reset view###reset" : "Reset###reset", size))
-        state.wishes.reset_view = true;
-    draw_tooltip("Look at the whole box again (R).");
-    ImGui::SameLine();
     const bool dark = state.edited.theme == Theme::Dark;
-    const std::string other = dark ? "Light" : "Dark";
-    if (ImGui::Button((other + (wide ? " theme" : "") + "###theme").c_str(), size)) {
+    const char* const reset = tr("Reset view");
+    const char* const other = dark ? tr("Light theme") : tr("Dark theme");
+    const float needed = std::max(ImGui::CalcTextSize(reset).x, ImGui::CalcTextSize(other).x);
+    const bool wide = half >= needed + style.FramePadding.x;
+    const ImVec2 size(half, 0.0F);
+    if (ImGui::Button(labelled(wide ? reset : tr("Reset"), "###reset").c_str(), size))
+        state.wishes.reset_view = true;
+    draw_tooltip(tr("Look at the whole box again (R)."));
+    ImGui::SameLine();
+    const char* const brief = dark ? tr("Light") : tr("Dark");
+    if (ImGui::Button(labelled(wide ? other : brief, "###theme").c_str(), size)) {
         action_named("Light theme").run(state);
     }
-    if (!wide) draw_tooltip(other + " theme");
+    if (!wide) draw_tooltip(other);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/annotate/axis_colors.hpp"
 #include "engine/annotate/shapes.hpp"
+#include "engine/base/translation.hpp"
 #include "engine/view/camera.hpp"
 #include "ui/actions/view_moves.hpp"
 #include "ui/model/steering.hpp"
@@ -154,8 +155,8 @@ void draw_axis_gizmo(UiState& state) {
         follow_pointer(state, clicked, under);
         if (hovered) follow_wheel(state.edited, state.shown.picture);
         if (under && !ImGui::IsItemActive())
-            draw_tooltip(std::string("View from ") + (under->positive ? "+" : "-") +
-                         static_cast<char>('x' + under->axis));
+            draw_tooltip(filled(tr("View from {0}"), {std::string(under->positive ? "+" : "-") +
+                                                      static_cast<char>('x' + under->axis)}));
         ImDrawList& canvas = *ImGui::GetWindowDrawList();
         if (hovered || ImGui::IsItemActive()) {
             canvas.AddCircleFilled(middle(), half - em(0.2F),

@@ -1,6 +1,7 @@
 #include "ui/picture/clip_outline.hpp"
 
 #include "document/look.hpp"
+#include "engine/base/translation.hpp"
 
 #include <glm/glm.hpp>
 
@@ -72,7 +73,7 @@ std::string section_text(const Section& section, double resolution) {
         return std::string(1, static_cast<char>('x' + axis)) + (side > 0 ? " < " : " > ") +
                number_text(side * section.offset, resolution);
     }
-    return "distance " + number_text(section.offset, resolution);
+    return filled(tr("distance {0}"), {number_text(section.offset, resolution)});
 }
 
 }  // namespace
@@ -101,10 +102,12 @@ std::string handle_text(const Handle& handle, const Clipping& clipping, const Vi
                    number_text(handle.at[axis], pixel);
         }
         case HandlePart::BallCentre: return coordinates_text(region.ball->centre, pixel);
-        case HandlePart::BallRadius: return "radius " + number_text(region.ball->radius, pixel);
+        case HandlePart::BallRadius:
+            return filled(tr("radius {0}"), {number_text(region.ball->radius, pixel)});
         case HandlePart::SectionPlace: return section_text(region.sections[handle.id.index], pixel);
         case HandlePart::SectionTilt:
-            return "normal " + coordinates_text(region.sections[handle.id.index].normal, 1e-3);
+            return filled(tr("normal {0}"),
+                          {coordinates_text(region.sections[handle.id.index].normal, 1e-3)});
     }
     return {};
 }

@@ -1,5 +1,6 @@
 #include "ui/picture/view_notice.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/actions/actions.hpp"
 #include "ui/picture/axis_gizmo.hpp"
 #include "ui/style/fonts.hpp"
@@ -45,14 +46,14 @@ void take_example(UiState& state, const Example& example) {
 }
 
 void draw_examples(UiState& state, float width) {
-    ImGui::TextWrapped("Type an equation at the left, or begin with one of these.");
+    ImGui::TextWrapped("%s", tr("Type an equation at the left, or begin with one of these."));
     for (const Example& example : all_examples) {
         ImGui::PushID(example.title);
         ImGui::PushFont(font(FontRole::Formula));
         const bool picked =
             ImGui::Button(elided(example.text, width - em(1.5F)).c_str(), ImVec2(width, 0.0F));
         ImGui::PopFont();
-        draw_tooltip(example.title);
+        draw_tooltip(tr(example.title));
         if (picked) take_example(state, example);
         ImGui::PopID();
     }
@@ -72,21 +73,21 @@ void reset_box(UiState& state) {
 }
 
 void draw_ways(UiState& state, float width) {
-    ImGui::TextWrapped("Nothing of the surface is in view.");
+    ImGui::TextWrapped("%s", tr("Nothing of the surface is in view."));
     const ImGuiStyle& style = ImGui::GetStyle();
     const float gap = style.ItemSpacing.x;
-    const float needed = ImGui::CalcTextSize("Reset box").x + 2.0F * style.FramePadding.x;
+    const float needed = ImGui::CalcTextSize(tr("Reset box")).x + 2.0F * style.FramePadding.x;
     const bool wide = 0.5F * (width - gap) >= needed;
     const ImVec2 half(wide ? 0.5F * (width - gap) : width, 0.0F);
-    if (ImGui::Button("Fit (F)", half)) state.wishes.frame_surfaces = true;
-    draw_tooltip("Find how far the surface reaches, and look at all of it.");
+    if (ImGui::Button(tr("Fit (F)"), half)) state.wishes.frame_surfaces = true;
+    draw_tooltip(tr("Find how far the surface reaches, and look at all of it."));
     if (wide) ImGui::SameLine(0.0F, gap);
-    if (ImGui::Button("Reset box", half)) reset_box(state);
-    draw_tooltip("The clip box from -2 to 2 again, and all of it in view.");
+    if (ImGui::Button(tr("Reset box"), half)) reset_box(state);
+    draw_tooltip(tr("The clip box from -2 to 2 again, and all of it in view."));
     Region& region = state.edited.document.region;
     if (region.is_whole()) return;
-    if (ImGui::Button("Remove the cuts", ImVec2(width, 0.0F))) region = Region();
-    draw_tooltip("Sphere and sections may have taken all of it away.");
+    if (ImGui::Button(tr("Remove the cuts"), ImVec2(width, 0.0F))) region = Region();
+    draw_tooltip(tr("Sphere and sections may have taken all of it away."));
 }
 
 void draw_contents(UiState& state, Emptiness why, float width) {
@@ -94,8 +95,8 @@ void draw_contents(UiState& state, Emptiness why, float width) {
         case Emptiness::None: return;
         case Emptiness::NoText: return draw_examples(state, width);
         case Emptiness::AllHidden:
-            ImGui::TextWrapped("All surfaces are hidden.");
-            if (ImGui::Button("Show all", ImVec2(width, 0.0F))) show_all(state);
+            ImGui::TextWrapped("%s", tr("All surfaces are hidden."));
+            if (ImGui::Button(tr("Show all"), ImVec2(width, 0.0F))) show_all(state);
             return;
         case Emptiness::OutOfView: return draw_ways(state, width);
     }

@@ -11,6 +11,8 @@
 
 namespace zeroset::ui {
 
+std::string labelled(const char* text, const char* id) { return std::string(text) + id; }
+
 void draw_tooltip(const std::string& text, float width) {
     if (text.empty() || !ImGui::IsItemHovered()) return;
     ImGui::BeginTooltip();

@@ -4,6 +4,10 @@
 
 namespace zeroset::ui {
 
+/// The text as ImGui's label: `id` begins with "##", or with "###" where it is all of the control's
+/// name, whatever the language of the text.
+std::string labelled(const char* text, const char* id);
+
 /// Shows a tooltip while the pointer is over the last item, in lines of at most `width` em.
 void draw_tooltip(const std::string& text, float width = 22.0F);
 

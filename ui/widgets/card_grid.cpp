@@ -1,5 +1,6 @@
 #include "ui/widgets/card_grid.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/model/text_match.hpp"
 
 #include <algorithm>
@@ -18,8 +19,12 @@ std::vector<std::string> groups_of(const std::vector<GalleryEntry>& gallery) {
 }
 
 bool is_found(const GalleryEntry& entry, const std::string& search) {
-    return contains_words(entry.title + "\n" + entry.group + "\n" + entry.equation + "\n" +
-                              entry.about + "\n" + entry.source,
+    const auto both = [](const std::string& text) {
+        const std::string shown = tr(text.c_str());
+        return shown == text ? text : shown + "\n" + text;
+    };
+    return contains_words(both(entry.title) + "\n" + both(entry.group) + "\n" + entry.equation +
+                              "\n" + both(entry.about) + "\n" + entry.source,
                           search);
 }
 

@@ -1,5 +1,6 @@
 #include "ui/widgets/chord.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/style/keys.hpp"
 
 #include <GLFW/glfw3.h>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <utility>
 
@@ -85,6 +87,33 @@ std::vector<Chord> chords_of(std::string_view list) {
         list.remove_prefix(std::min(end + between.size(), list.size()));
     }
     return chords;
+}
+
+std::string keys_in_language(std::string_view chords) {
+    constexpr std::array names{
+        marked_in("key", "Ctrl"),     marked_in("key", "Shift"),    marked_in("key", "Alt"),
+        marked_in("key", "Home"),     marked_in("key", "End"),      marked_in("key", "PageUp"),
+        marked_in("key", "PageDown"), marked_in("key", "Enter"),    marked_in("key", "Esc"),
+        marked_in("key", "Space"),    marked_in("key", "Delete"),   marked_in("key", "Left"),
+        marked_in("key", "Right"),    marked_in("key", "Up"),       marked_in("key", "Down"),
+        marked_in("key", "Tab"),      marked_in("key", "Backspace")};
+    std::string text;
+    while (!chords.empty()) {
+        const auto is_letter = [](char c) {
+            return std::isalpha(static_cast<unsigned char>(c)) != 0;
+        };
+        const auto end =
+            static_cast<std::size_t>(std::ranges::find_if_not(chords, is_letter) - chords.begin());
+        const std::string_view word = chords.substr(0, end);
+        const auto* const name =
+            std::ranges::find(names, word, [](const char* n) { return std::string_view(n); });
+        text += name != names.end() ? std::string_view(tr_in("key", *name)) : word;
+        chords.remove_prefix(end);
+        if (chords.empty()) break;
+        text += chords.front();
+        chords.remove_prefix(1);
+    }
+    return text;
 }
 
 bool is_pressed(const Chord& chord, bool repeats) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,9 @@ std::optional<Chord> chord_of(std::string_view text);
 
 /// Parses a list of chords such as "Ctrl+Shift+Z, Ctrl+Y"; entries that name no key are left out.
 std::vector<Chord> chords_of(std::string_view list);
+
+/// The chords, with the names that their keys have on keyboards of the user's language.
+std::string keys_in_language(std::string_view chords);
 
 /// True if the chord went down in this frame or, with `repeats`, repeated by being held. A typed
 /// character does not count while a text field has the keyboard or a popup is open.

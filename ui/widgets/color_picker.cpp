@@ -1,6 +1,7 @@
 #include "ui/widgets/color_picker.hpp"
 
 #include "document/colors.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/typed_slider.hpp"
@@ -63,10 +64,12 @@ void draw_palette(Statement& statement, const Palette& colors) {
 
 /// Draws the choice of the side that sections fill, as three buttons.
 void draw_solid_choice(Statement& statement, const Palette& colors) {
-    ImGui::TextDisabled("Solid");
-    draw_tooltip("The side that sections fill");
+    ImGui::TextDisabled("%s", tr("Solid"));
+    draw_tooltip(tr("The side that sections fill"));
     constexpr std::array<std::pair<const char*, SolidSide>, 3> choices{
-        {{"auto", SolidSide::Automatic}, {"f < 0", SolidSide::Below}, {"f > 0", SolidSide::Above}}};
+        {{marked("auto"), SolidSide::Automatic},
+         {"f < 0", SolidSide::Below},
+         {"f > 0", SolidSide::Above}}};
     const float gap = em(0.3F);
     const float width = (popup_width() - 2.0F * gap) / 3.0F;
     const ImVec2 padding(em(0.2F), ImGui::GetStyle().FramePadding.y);
@@ -75,7 +78,7 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
         if (side != choices.front().second) ImGui::SameLine(0.0F, gap);
         const bool chosen = statement.solid == side;
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, colors.selection);
-        if (ImGui::Button(name, ImVec2(width, 0.0F))) statement.solid = side;
+        if (ImGui::Button(tr(name), ImVec2(width, 0.0F))) statement.solid = side;
         if (chosen) ImGui::PopStyleColor();
     }
     ImGui::PopStyleVar();
@@ -83,12 +86,12 @@ void draw_solid_choice(Statement& statement, const Palette& colors) {
 
 /// Draws the slider of the surface's opacity. As long as it is not moved the look decides.
 void draw_opacity(Statement& statement) {
-    ImGui::TextDisabled("Opacity");
+    ImGui::TextDisabled("%s", tr("Opacity"));
     draw_tooltip(
-        "How much of what is behind the surface it hides; a right click leaves it to the look");
+        tr("How much of what is behind the surface it hides; a right click leaves it to the look"));
     double percent = 100.0 * statement.opacity.value_or(1.0);
     ImGui::SetNextItemWidth(popup_width());
-    const char* const format = statement.opacity ? "%.0f %%" : "as the look has it";
+    const char* const format = statement.opacity ? "%.0f %%" : tr("as the look has it");
     if (slide("##opacity", percent, 0.0, 100.0, format, ImGuiSliderFlags_AlwaysClamp))
         statement.opacity = 0.01 * std::round(percent);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();

@@ -1,6 +1,7 @@
 #include "ui/widgets/number_field.hpp"
 
 #include "engine/base/text.hpp"
+#include "engine/base/translation.hpp"
 
 #include <imgui/imgui.h>
 #include <imgui/imgui_stdlib.h>
@@ -25,7 +26,7 @@ bool read_typed(const std::string& typed, double& value) {
 bool draw_number_field(const char* id, double& value, double lo, double hi, const char* empty) {
     constexpr int digits = 7;
     const bool blank = empty != nullptr && value == 0.0;
-    std::string text = blank ? "" : short_number(value, digits);
+    std::string text = blank ? "" : localized(short_number(value, digits));
     // While it is typed into, ImGui keeps the text as typed and only tells of it.
     if (!ImGui::InputTextWithHint(id, empty, &text, ImGuiInputTextFlags_AutoSelectAll))
         return false;

@@ -2,6 +2,7 @@
 
 #include "document/document.hpp"
 #include "document/play.hpp"
+#include "engine/base/translation.hpp"
 #include "ui/style/label.hpp"
 #include "ui/style/theme.hpp"
 #include "ui/widgets/typed_slider.hpp"
@@ -34,7 +35,8 @@ void draw_value(const char* text, float right) {
     ImGui::TextUnformatted(text);
 }
 
-/// Formats with three decimals, as the slider does; very large or small numbers as short as "1e9".
+/// Formats in the user's language with three decimals, as the slider does; very large or small
+/// numbers as short as "1e9".
 std::string slider_text(double value) {
     std::array<char, 32> text{};
     const bool fixed = value == 0.0 || (std::abs(value) < 1e4 && std::abs(value) >= 5e-4);
@@ -43,7 +45,7 @@ std::string slider_text(double value) {
     if (const std::size_t e = number.find('e'); e != std::string::npos) {
         number = number.substr(0, e + 1) + std::to_string(std::stoi(number.substr(e + 1)));
     }
-    return number;
+    return localized(number);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ui/widgets/typed_slider.hpp"
 
+#include "engine/base/translation.hpp"
 #include "ui/style/keys.hpp"
 #include "ui/widgets/number_field.hpp"
 
@@ -9,6 +10,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace zeroset::ui {
 namespace {
@@ -33,7 +36,30 @@ TypedText first_text(ImGuiDataType type, const void* value, const char* format) 
     format = ImParseFormatTrimDecorations(format, trimmed.data(), trimmed.size());
     ImGui::DataTypeFormatString(number.data(), static_cast<int>(number.size()), type, value,
                                 format);
+    std::ranges::replace(number, '.', decimal_mark());
     return number;
+}
+
+/// The format of a slider with its number written in it, as the user's language writes it; the
+/// format itself where that is the same or ImGui does not show it.
+std::string localized_format(const char* format, double value) {
+    if (decimal_mark() == '.' || std::string_view(format).starts_with("##")) return format;
+    TypedText text{};
+    ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double,
+                                &value, format);
+    std::string shown;
+    for (const char letter : localized(text.data())) {
+        shown += letter;
+        if (letter == '%') shown += letter;
+    }
+    return shown;
+}
+
+/// The value with as many digits as the format shows.
+double rounded_to(const char* format, double value) {
+    double rounded = value;
+    return read_typed(first_text(ImGuiDataType_Double, &value, format).data(), rounded) ? rounded
+                                                                                        : value;
 }
 
 /// Draws the slider as the text field that it has become; the number typed in this frame, if any.
@@ -62,8 +88,11 @@ bool slide(const char* id, double& value, double lo, double hi, const char* form
            ImGuiSliderFlags flags) {
     const ImGuiID slider = ImGui::GetID(id);
     if (!ImGui::TempInputIsActive(slider)) {
-        return ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &lo, &hi, format,
-                                   flags_for(slider, flags));
+        const std::string shown = localized_format(format, value);
+        const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &lo, &hi,
+                                               shown.c_str(), flags_for(slider, flags));
+        if (moved && shown != format) value = rounded_to(format, value);
+        return moved;
     }
     std::optional<double> typed =
         draw_text(id, slider, first_text(ImGuiDataType_Double, &value, format));

@@ -68,7 +68,7 @@ TEST(Actions, OfASwitchTurnItOnAndOff) {
 }
 
 TEST(Actions, OfAChoiceTakeItInPlaceOfTheOthers) {
-    constexpr int choices = 4;  // colours, looks, contour lines, the wheel
+    constexpr int choices = 5;  // colours, looks, contour lines, the wheel, languages
     UiState state;
     for (const Action& action : actions()) {
         if (!action.chooses) continue;

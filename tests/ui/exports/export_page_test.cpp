@@ -14,7 +14,7 @@
 namespace zeroset::ui {
 namespace {
 
-constexpr const char* window_name = "Save as a file##export";
+constexpr const char* window_name = "Save as a file###export";
 
 class ExportPages : public Panels {
 protected:

@@ -32,10 +32,10 @@ protected:
     }
 
     static bool is_shown() {
-        const ImGuiWindow* help = ImGui::FindWindowByName("Help##help");
+        const ImGuiWindow* help = ImGui::FindWindowByName("Help###help");
         return help != nullptr && help->WasActive;
     }
-    static float content_height() { return child("Help##help/##language")->ContentSize.y; }
+    static float content_height() { return child("Help###help/##language")->ContentSize.y; }
 };
 
 TEST_P(Help, OpensAndClosesWithF1) {
@@ -53,7 +53,7 @@ TEST_P(Help, OpensAtItsButtonAndClosesAtItsCross) {
     click_at({edge - static_cast<float>(px(52)), static_cast<float>(px(22))});
     draw();
     ASSERT_TRUE(is_shown());
-    const ImRect title = panel("Help##help").TitleBarRect();
+    const ImRect title = panel("Help###help").TitleBarRect();
     click_at({title.Max.x - 0.5F * title.GetHeight(), title.GetCenter().y});
     draw();
     EXPECT_FALSE(is_shown());
@@ -83,14 +83,14 @@ TEST_P(Help, FitsItsWindow) {
     for (int i = 0; i < frames_to_settle; ++i) {
         draw_frame();
     }
-    const ImGuiWindow& help = panel("Help##help");
+    const ImGuiWindow& help = panel("Help###help");
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     EXPECT_GE(help.Pos.x, 0.0F);
     EXPECT_GE(help.Pos.y, 0.0F);
     EXPECT_LE(help.Rect().Max.x, window.x);
     EXPECT_LE(help.Rect().Max.y, window.y);
     EXPECT_GT(help.Size.y, static_cast<float>(px(280)));
-    const ImGuiWindow* list = child("Help##help/##language");
+    const ImGuiWindow* list = child("Help###help/##language");
     EXPECT_LE(list->ContentSize.x, list->WorkRect.GetWidth() + 1.0F);
 }
 
