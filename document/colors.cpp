@@ -78,6 +78,10 @@ SurfaceColors surface_colors(std::uint32_t front) {
     return colors;
 }
 
+std::uint32_t back_color(std::uint32_t front) {
+    return swapped(swatch_color(surface_colors(front).back)) & 0xFFFFFFU;
+}
+
 bool choose_colors(Document& document, const std::vector<int>& surface_rows) {
     bool changed = false;
     for (std::size_t i = 0; i < surface_rows.size(); ++i) {

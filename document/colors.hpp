@@ -23,6 +23,9 @@ std::optional<std::uint32_t> color_from(std::string_view text);
 /// pair, or for other fronts the palette's back that differs most.
 SurfaceColors surface_colors(std::uint32_t front);
 
+/// How the other side of such a surface shows, 0xRRGGBB.
+std::uint32_t back_color(std::uint32_t front);
+
 /// Gives each row of `surface_rows` without a colour one of the palette's that no other row has,
 /// or, where all are taken, one in turn. Returns whether anything changed.
 bool choose_colors(Document& document, const std::vector<int>& surface_rows);

@@ -2,6 +2,7 @@
 
 #include "document/colors.hpp"
 #include "engine/scene/precision.hpp"
+#include "engine/trace/caps.hpp"
 #include "pipeline/contour_step.hpp"
 
 #include <algorithm>
@@ -24,6 +25,14 @@ std::vector<ShownSurface> visible_surfaces(const Document& document,
                          .opacity = row->opacity});
     }
     return shown;
+}
+
+/// Gives the outsides of solids the colours of fronts, however their equations are written. Without
+/// a solid, the front is where f > 0.
+void turn_fronts_out(Scene& scene) {
+    for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
+        if (solid_sign(scene, i) > 0) std::swap(scene.colors[i].front, scene.colors[i].back);
+    }
 }
 
 }  // namespace
@@ -84,7 +93,10 @@ Uniforms uniforms_of(const PictureRequest& request) {
     return uniforms;
 }
 
-Scene scene_of(const PictureRequest& request) {
+namespace {
+
+/// The scene with fronts where f > 0.
+Scene scene_as_written(const PictureRequest& request) {
     const Formula& formula = *request.formula;
     Scene scene;
     scene.clip = request.clip;
@@ -114,6 +126,14 @@ Scene scene_of(const PictureRequest& request) {
     return scene;
 }
 
+}  // namespace
+
+Scene scene_of(const PictureRequest& request) {
+    Scene scene = scene_as_written(request);
+    turn_fronts_out(scene);
+    return scene;
+}
+
 RenderRequest render_request(const PictureRequest& request) {
     RenderRequest frame;
     frame.scene = scene_of(request);
@@ -127,7 +147,7 @@ RenderRequest render_request(const PictureRequest& request) {
 bool has_code_for(const PictureRequest& request) {
     const ViewFrame view(request.camera);
     return request.formula->has_code(
-        wanted_precision(scene_of(request), view, request.settings.stop));
+        wanted_precision(scene_as_written(request), view, request.settings.stop));
 }
 
 void add_needed_code(PictureRequest& request) {

@@ -58,7 +58,11 @@ def template(folder):
     pot = folder / "zeroset.pot"
     command = ["xgettext", "--language=C++", "--from-code=UTF-8", "--no-wrap", "--no-location",
                "--sort-output", "--add-comments=Translators:", "--package-name=zeroset",
-               "--keyword", *(f"--keyword={keyword}" for keyword in KEYWORDS), "-o", str(pot)]
+               "--keyword", *(f"--keyword={keyword}" for keyword in KEYWORDS),
+               # No text is a pattern of printf, even with a % in it.
+               *(f"--flag={keyword.split(':')[0]}:1:no-c-format" for keyword in KEYWORDS),
+               *(f"--flag={keyword.split(':')[0]}:2:no-c-format" for keyword in KEYWORDS),
+               "-o", str(pot)]
     subprocess.run(command + names, cwd=folder, check=True)
     return pot
 

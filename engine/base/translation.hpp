@@ -13,7 +13,7 @@ namespace zeroset {
 /// the program holds. The English text is the key; where there is no other it is the result.
 ///
 /// Any thread may ask. The language of a command line is English: only the window sets another.
-/// scripts/messages.sh finds the texts by the names of these functions.
+/// scripts/messages.py finds the texts by the names of these functions.
 
 /// Takes this language, and `decimal_mark` in fields for numbers, from now on.
 void set_language(Language language, char decimal_mark = '.');

@@ -26,10 +26,13 @@ std::span<const SurfaceColors> palette() { return pairs; }
 
 const SurfaceColors& colors_of(std::size_t surface) { return pairs[surface % pairs.size()]; }
 
+std::uint32_t swatch_color(const float (&side)[3]) {
+    return 0xFF000000U | channel_of_light(side[2]) << 16U | channel_of_light(side[1]) << 8U |
+           channel_of_light(side[0]);
+}
+
 std::uint32_t swatch_color(std::size_t surface) {
-    const float(&front)[3] = colors_of(surface).front;
-    return 0xFF000000U | channel_of_light(front[2]) << 16U | channel_of_light(front[1]) << 8U |
-           channel_of_light(front[0]);
+    return swatch_color(colors_of(surface).front);
 }
 
 }  // namespace zeroset

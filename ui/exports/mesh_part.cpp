@@ -53,7 +53,8 @@ void draw_mesh_part(UiState& state) {
                       tr("How far triangles may be from the surface, in units of the formula."));
     draw_number_field("##tolerance", wish.tolerance, 1e-9, 1e9, tr("a thousandth of the box"));
     draw_export_label(tr("triangles"), tr("At most about so many for each surface."));
-    draw_integer_field("##triangles", wish.most_triangles, 4, 1'000'000'000, "as many as needed");
+    draw_integer_field("##triangles", wish.most_triangles, 4, 1'000'000'000,
+                       tr("as many as needed"));
 }
 
 }  // namespace zeroset::ui

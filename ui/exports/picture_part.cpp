@@ -92,7 +92,7 @@ void draw_picture_part(UiState& state, const ExportFormat& format) {
     draw_bits(wish, format);
     if (format.density) {
         draw_export_label(tr("dots per inch"), tr("What printers are told; it changes no pixel."));
-        draw_integer_field("##dpi", wish.dots_per_inch, 1, 100'000, "not told");
+        draw_integer_field("##dpi", wish.dots_per_inch, 1, 100'000, tr("not told"));
     }
     if (format.quality) {
         draw_export_label(tr("quality"), tr("Less makes smaller files."));

@@ -1,8 +1,10 @@
 #include "ui/model/text_match.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace zeroset::ui {
@@ -25,10 +27,25 @@ char plain_letter(unsigned code) {
     return code < 0xE0U ? capitals[code - 0xC0U] : small[code - 0xE0U];
 }
 
+/// What people type for a sign that begins the text, and its bytes; 0 bytes: it is none of these.
+std::pair<std::string_view, std::size_t> in_ascii(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
+        {{"\xE2\x80\x99", "'"}, {"\xC5\x93", "oe"}, {"\xC5\x92", "oe"}, {"\xE2\x80\xAF", " "}}};
+    for (const auto& [sign, typed] : signs) {
+        if (text.starts_with(sign)) return {typed, sign.size()};
+    }
+    return {};
+}
+
 /// The text as it is compared: small letters, without accents.
 std::string folded(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
+        if (const auto [letters, bytes] = in_ascii(text.substr(i)); bytes > 0) {
+            result += letters;
+            i += bytes - 1;
+            continue;
+        }
         const auto byte = static_cast<unsigned char>(text[i]);
         const bool is_latin = byte == 0xC3U && i + 1 < text.size();
         const char plain =
@@ -50,8 +67,8 @@ bool begins_word(std::string_view text, std::size_t at) {
     return is_part_of_word(text[at]) && (at == 0 || !is_part_of_word(text[at - 1]));
 }
 
-/// From the folded text's best scores with the last typed character at each place of the text to those with one
-/// more, `letter`.
+/// From the folded text's best scores with the last typed character at each place of the text to
+/// those with one more, `letter`.
 std::vector<int> extended(std::string_view text, char letter, const std::vector<int>& scores,
                           bool first) {
     std::vector<int> next(text.size(), impossible);

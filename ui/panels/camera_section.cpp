@@ -53,7 +53,7 @@ void draw_button(UiState& state, const char* label, const char* name, float widt
     if (ImGui::Button((std::string(label) + "###" + name).c_str(), ImVec2(width, 0.0F)))
         action.run(state);
     ImGui::EndDisabled();
-    draw_tooltip(described(action) + (*action.about == '\0' ? "" : "\n") + action.about);
+    draw_tooltip(described(action) + (*tr(action.about) == '\0' ? "" : "\n") + tr(action.about));
 }
 
 void draw_buttons(UiState& state) {

@@ -70,7 +70,7 @@ void draw_buttons(UiState& state) {
         state.wishes.reset_view = true;
     draw_tooltip(tr("Look at the whole box again (R)."));
     ImGui::SameLine();
-    const char* const brief = dark ? tr("Light") : tr("Dark");
+    const char* const brief = dark ? tr_in("theme", "Light") : tr_in("theme", "Dark");
     if (ImGui::Button(labelled(wide ? other : brief, "###theme").c_str(), size)) {
         action_named("Light theme").run(state);
     }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -97,6 +98,14 @@ void draw_opacity(Statement& statement) {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) statement.opacity.reset();
 }
 
+/// Covers the lower right of a dot with the color of the surface's other side.
+void draw_back_side(ImDrawList& canvas, const ImVec2& centre, float radius, std::uint32_t front) {
+    constexpr float quarter = 0.25F * std::numbers::pi_v<float>;
+    const std::uint32_t back = opaque(back_color(front));
+    canvas.PathArcTo(centre, radius, -quarter, 3.0F * quarter, 16);
+    canvas.PathFillConvex(back);
+}
+
 }  // namespace
 
 void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
@@ -104,6 +113,7 @@ void draw_color_dot(ImDrawList& canvas, const ImVec2& centre, float radius,
     const std::uint32_t color = statement.color ? opaque(*statement.color) : colors.quiet;
     if (statement.visible) {
         canvas.AddCircleFilled(centre, radius, color, 32);
+        if (statement.color) draw_back_side(canvas, centre, radius, *statement.color);
         canvas.AddCircle(centre, radius, colors.border, 32, em(0.07F));
     } else {
         canvas.AddCircle(centre, 0.85F * radius, color, 32, 0.3F * radius);
