@@ -24,11 +24,11 @@ constexpr Line statements[] = {
     {"a = 2", marked("a constant, for all statements; a := 2 is never anything else")},
     {"f(u, v) = u^2 + v^2", marked("a function, for all statements; it cannot call itself")},
     {"a = 2; a = a + 1", marked("defined again: for what follows and for all surfaces")},
-    {marked("; or a new line"),
+    {"; or a new line",
      marked("between statements; a line goes on in brackets, behind an operator and before one")},
     {"-x + y",
      marked("at the start of a line another statement, but + goes on where no = was before")},
-    {marked("# a remark  // a remark"),
+    {"# a remark  // a remark",
      marked("up to the end of the line, as % at its start; also /* a remark */")},
 };
 
@@ -112,25 +112,25 @@ template <std::size_t size>
 HelpSection section(std::string title, const Line (&lines)[size]) {
     HelpSection result{.title = std::move(title), .entries = {}};
     for (const Line& line : lines)
-        result.entries.push_back({.typed = tr(line.typed), .meaning = tr(line.meaning)});
+        result.entries.push_back({.typed = line.typed, .meaning = line.meaning});
     return result;
 }
 
 }  // namespace
 
 std::vector<HelpSection> language_help() {
-    std::vector<HelpSection> help{section(tr("Statements"), statements),
-                                  section(tr("Names"), names),
-                                  section(tr("Expressions"), expressions),
-                                  section(tr("Texts from elsewhere"), elsewhere),
-                                  {.title = tr("Functions"), .entries = {}},
-                                  {.title = tr("Functions of POV-Ray and MathMod"), .entries = {}}};
+    std::vector<HelpSection> help{
+        section(marked("Statements"), statements),
+        section(marked("Names"), names),
+        section(marked("Expressions"), expressions),
+        section(marked("Texts from elsewhere"), elsewhere),
+        {.title = marked("Functions"), .entries = {}},
+        {.title = marked("Functions of POV-Ray and MathMod"), .entries = {}}};
     for (const Function& function : functions()) {
         const std::string call =
             std::string(function.name) + "(" + std::string(function.arguments) + ")";
         HelpSection& list = help[help.size() - (function.is_of_library() ? 1 : 2)];
-        list.entries.push_back(
-            {.typed = call, .meaning = tr(std::string(function.meaning).c_str())});
+        list.entries.push_back({.typed = call, .meaning = std::string(function.meaning)});
     }
     return help;
 }
